@@ -173,6 +173,10 @@ enum Shape {
     Corners,
     Triangle,
     Brick,
+    /// One above the other.
+    Wall,
+    /// At the middles of the edges of a rectangle.
+    Joint,
 }
 
 /// Dimensions, degrees of freedom per node, shape, and words of an element, with @ for tag and nodes.
@@ -220,6 +224,15 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Corners, "ShellNLDKGQ @ 43"),
     (3, 6, Shape::Triangle, "ShellDKGT @ 43"),
     (3, 3, Shape::Brick, "stdBrick @ 31"),
+    (3, 3, Shape::Brick, "bbarBrick @ 31"),
+    (
+        2,
+        3,
+        Shape::Wall,
+        "MVLEM 1 2. 1 2 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -rho 0.02 0.1 0.03 -matConcrete 11 13 11 -matSteel 13 11 13 \
+         -matShear 11",
+    ),
+    (2, 3, Shape::Joint, "Joint2D @ 9 11 13 11 13 11 0"),
 ];
 
 fn parts(ndm: usize) -> String {
@@ -244,6 +257,10 @@ fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     match shape {
         Shape::Line | Shape::Link => vec![start, start + along],
         Shape::MaterialPoint => vec![start, start],
+        Shape::Joint => {
+            [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
+        }
+        Shape::Wall => vec![start, start + 1.2 * Vector3::y()],
         Shape::Corners | Shape::Triangle => {
             let count = if shape == Shape::Triangle { 3 } else { 4 };
             let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];
@@ -296,7 +313,11 @@ fn every_element_has_no_force_in_rigid_motion() {
     for row in ELEMENTS {
         let (mut e, places) = element(row);
         // The rotation is so small that its nonlinear part is round-off.
-        let u = rigid(&places, (row.0, row.1), Vector3::new(0.3, -0.2, 0.1), Vector3::new(2e-9, -3e-9, 4e-9));
+        let (shift, spin) = (Vector3::new(0.3, -0.2, 0.1), Vector3::new(2e-9, -3e-9, 4e-9));
+        let mut u = rigid(&places, (row.0, row.1), shift, spin);
+        if row.2 == Shape::Joint {
+            u.extend([shift.x, shift.y, spin.z, spin.z]);
+        }
         let (force, k) = e.trial(&u, &vec![0.0; u.len()]);
         let stiff = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         assert!(force.iter().all(|f| f.abs() < 1e-12 * stiff), "{}: {force:?}", row.3);
@@ -308,7 +329,8 @@ fn every_element_has_no_force_in_rigid_motion() {
 fn every_element_has_a_consistent_tangent() {
     for row in ELEMENTS {
         let (mut e, places) = element(row);
-        let n = row.1 * places.len();
+        // The centre of a joint has four degrees of freedom.
+        let n = row.1 * places.len() + if row.2 == Shape::Joint { 4 } else { 0 };
         let walks: Vec<Vec<f64>> = (0..n).map(|i| path(3 + i as u64, 40, 0.03)).collect();
         let mut smooth = 0;
         for k in 0..40 {

@@ -1,4 +1,4 @@
-//! The eight-node brick of elasticity: `stdBrick`.
+//! The eight-node bricks of elasticity: `stdBrick` and `bbarBrick`.
 
 use super::continuum::{add_point_force, strain_or_stress};
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
@@ -33,6 +33,8 @@ pub struct BrickOptions {
     pub body: [f64; 3],
     /// The mass is lumped at the corners.
     pub lumped: bool,
+    /// The dilatation is constant: its derivatives are those of the mean over the volume (Hughes, 1980).
+    pub mean_dilatation: bool,
 }
 
 /// A trilinear isoparametric brick with 2 x 2 x 2 Gauss points (Zienkiewicz and Taylor, 2000, section 8.12).
@@ -43,6 +45,7 @@ pub struct Brick {
     mass: Mass,
     elasticity: [[f64; STRESSES]; STRESSES],
     points: Vec<(Rows, f64)>,
+    class: &'static str,
 }
 
 /// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
@@ -60,6 +63,12 @@ fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> ([f64; NODES], [Vecto
     let jacobian: Matrix3<f64> = local.iter().zip(corners).map(|(d, x)| d * x.transpose()).sum();
     let inverse = jacobian.try_inverse().unwrap_or_else(Matrix3::zeros);
     (values, local.map(|d| inverse * d), jacobian.determinant())
+}
+
+/// Means over the volume of the derivatives of the shape functions.
+fn mean_derivatives(gauss: &[([f64; NODES], [Vector3<f64>; NODES], f64); NODES]) -> [Vector3<f64>; NODES] {
+    let volume: f64 = gauss.iter().map(|(.., v)| v).sum();
+    std::array::from_fn(|node| gauss.iter().map(|(_, d, v)| *v * d[node]).sum::<Vector3<f64>>() / volume)
 }
 
 impl Brick {
@@ -88,21 +97,33 @@ impl Brick {
             mass: Mass::None,
             elasticity,
             points: vec![],
+            class: if options.mean_dilatation { "BbarBrick" } else { "Brick" },
         };
         let (mut lumped, mut consistent) = (vec![0.0; DOFS], vec![0.0; DOFS * DOFS]);
         let root = 3.0f64.sqrt().recip();
-        for at in 0..NODES {
+        let gauss: [_; NODES] = std::array::from_fn(|at| {
             let sign = |bit: usize| if at >> bit & 1 == 1 { root } else { -root };
-            let (n, d, volume) = shape(corners, [sign(2), sign(1), sign(0)]);
+            shape(corners, [sign(2), sign(1), sign(0)])
+        });
+        let mean = options.mean_dilatation.then(|| mean_derivatives(&gauss));
+        for (n, d, volume) in gauss {
             if volume <= 0.0 {
                 return Err(ElementError("the corners do not make a convex brick".into()));
             }
             let mut rows = [[0.0; DOFS]; STRESSES];
-            for (node, (n, d)) in n.iter().zip(&d).enumerate() {
+            for (node, d) in d.iter().enumerate() {
                 let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
                 (rows[0][x], rows[1][y], rows[2][z]) = (d.x, d.y, d.z);
                 (rows[3][x], rows[3][y], rows[4][y], rows[4][z], rows[5][x], rows[5][z]) =
                     (d.y, d.x, d.z, d.y, d.z, d.x);
+                let Some(mean) = &mean else { continue };
+                let change = (mean[node] - d) / 3.0;
+                for (dof, change) in [x, y, z].into_iter().zip([change.x, change.y, change.z]) {
+                    rows[..3].iter_mut().for_each(|row| row[dof] += change);
+                }
+            }
+            for (node, n) in n.iter().enumerate() {
+                let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
                 for (dof, b) in [x, y, z].into_iter().zip(options.body) {
                     made.load_force[dof] -= volume * n * b;
                     lumped[dof] += volume * n * material.rho;
@@ -143,7 +164,7 @@ const STRAIN_NAMES: [&str; STRESSES] = ["eps11", "eps22", "eps33", "eps12", "eps
 
 impl Element for Brick {
     fn class(&self) -> &'static str {
-        "Brick"
+        self.class
     }
     fn dofs(&self) -> usize {
         DOFS

@@ -83,6 +83,11 @@ impl Springs {
         self.springs.push(Spring { slot, damper, direction, row, terms, initial, shared: false });
     }
 
+    /// The material of a spring.
+    pub(super) fn slot(&self, spring: usize) -> &Slot {
+        &self.springs[spring].slot
+    }
+
     pub(super) fn state_len(&self) -> usize {
         self.state_len
     }

@@ -99,10 +99,12 @@ impl ElementResponse {
     fn answer(&self, engine: &Engine, id: ElementId) -> Option<Response> {
         let element = &engine.model().elements[id.0].element;
         let words: Vec<&str> = self.words.iter().map(String::as_str).collect();
-        if words.first().is_some_and(|w| FORCE.contains(w)) {
+        // A joint has a response of its own by the name of the global force.
+        let own = element.probe(&words).map(Response::Probe);
+        if own.is_none() && words.first().is_some_and(|w| FORCE.contains(w)) {
             return Some(Response::Force(element.force_labels()));
         }
-        element.probe(&words).map(Response::Probe)
+        own
     }
 
     /// Names that an element knows besides those common to all, to suggest the nearest to a misspelled one.
@@ -119,7 +121,8 @@ impl ElementResponse {
     /// Value of the response of one element in the committed state; `None` where it has none of that name.
     pub fn evaluate(engine: &Engine, id: ElementId, words: &[&str], known: &mut Known) -> Option<Vec<f64>> {
         let mut values = vec![];
-        if words.first().is_some_and(|w| FORCE.contains(w)) {
+        let own = || engine.model().elements[id.0].element.probe(words).is_some();
+        if words.first().is_some_and(|w| FORCE.contains(w)) && !own() {
             engine.element_force(id, &mut values);
             return Some(values);
         }

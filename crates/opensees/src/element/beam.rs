@@ -2,13 +2,14 @@
 
 use super::{Ends, Kind, Make};
 use crate::args::Args;
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
 use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
 use hysteron_engine::element::transform;
 use hysteron_engine::section::{ElasticSection, Resultant, SharedSection};
 use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
@@ -89,13 +90,23 @@ pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
     })
 }
 
+/// A property of a section. Zero is a mechanism or a beam without torsion, which OpenSees lets pass.
+fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let value = a.not_negative(what)?;
+    if value == 0.0 {
+        let d = Diagnostic::warning(format!("the {what} is 0: the beam has no stiffness there"));
+        warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
+    }
+    Ok(value)
+}
+
 /// The section of the beam: by its tag, or number after number.
-fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
+fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     match (ndm, numbers_ahead(a)) {
         (_, 2) => Ok(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0)),
         (2, n) => {
-            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
-            let iz = a.positive("second moment of area Iz")?;
+            let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let iz = property(interp, a, "second moment of area Iz")?;
             let (mut g, mut shear) = (0.0, None);
             // Any other count is OpenSees' form without shear areas, with words left over behind the transformation.
             if n == 6 {
@@ -105,9 +116,10 @@ fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection,
             Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
         }
         (_, n) => {
-            let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
-            let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
-            let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
+            let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let (g, j) = (a.positive("shear modulus G")?, property(interp, a, "torsion constant J")?);
+            let (iy, iz) =
+                (property(interp, a, "second moment of area Iy")?, property(interp, a, "second moment of area Iz")?);
             let shear = if n == 9 {
                 (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
             } else {

@@ -1,4 +1,4 @@
-//! `element stdBrick`.
+//! `element stdBrick` and `bbarBrick`.
 
 use super::quad::isotropic;
 use super::{Kind, Make, refused};
@@ -14,10 +14,16 @@ use std::sync::Arc;
 pub(super) const BRICK: Kind = Kind {
     names: &["stdBrick", "Brick", "brick"],
     usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped>",
-    make: Make::AnyNodes(make),
+    make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
-fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+pub(super) const MEAN_DILATATION: Kind = Kind {
+    names: &["bbarBrick"],
+    usage: "element bbarBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(|interp, a| make(interp, a, true)),
+};
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 8]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;
@@ -34,11 +40,11 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     if material.nu == 0.5 {
         return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in a brick"));
     }
-    let mut options = BrickOptions::default();
+    let mut options = BrickOptions { mean_dilatation: bbar, ..BrickOptions::default() };
     for (b, name) in options.body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
         *b = a.optional_float(name)?.unwrap_or(0.0);
     }
-    options.lumped = a.flag("-lumped");
+    options.lumped = !bbar && a.flag("-lumped");
     let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
     Ok((nodes, Arc::new(made)))
 }

@@ -8,6 +8,7 @@ mod component;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
+mod joint_2d;
 mod joints;
 mod kikuchi;
 mod multiple_normal_spring;
@@ -22,6 +23,7 @@ mod timoshenko;
 mod triple;
 mod truss;
 mod two_node_link;
+mod wall;
 mod yamamoto;
 mod zero_length;
 mod zero_length_section;
@@ -95,10 +97,13 @@ const KINDS: &[Kind] = &[
     quad::STABILISED,
     quad::TRIANGLE,
     brick::BRICK,
+    brick::MEAN_DILATATION,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
     shell::UPDATED,
+    wall::MVLEM,
+    joint_2d::JOINT_2D,
 ];
 
 /// The two nodes of an element.

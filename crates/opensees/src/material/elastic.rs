@@ -50,7 +50,10 @@ fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
 /// A yield strain whose sign is made to fit its side, as in OpenSees.
 fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f64) -> Result<(), Exception> {
     if x == 0.0 {
-        return Err(a.refuse(format!("the {what} is 0"), "expected a strain other than 0"));
+        // A cable has no strength in compression.
+        let side = if sign > 0.0 { "tension" } else { "compression" };
+        let d = Diagnostic::warning(format!("ElasticPP: the {what} is 0: the material yields at once in {side}"));
+        warn(interp, d.at(a.last_span(), "expected a strain other than 0"))?;
     }
     if x * sign < 0.0 {
         let d = Diagnostic::warning(format!("ElasticPP: the {what} is {x} and is taken for {}", -x));
@@ -78,6 +81,9 @@ fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         yield_strain(interp, a, "yield strain in compression epsyN", x, -1.0)?;
     }
     let compression = compression.unwrap_or(-tension);
+    if tension == 0.0 && compression == 0.0 {
+        return Err(a.refuse("ElasticPP: both yield strains are 0", "expected a strain other than 0"));
+    }
     let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
     Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))
 }

@@ -72,7 +72,14 @@ fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn add(interp: &mut Tcl, retained: NodeId, constrained: NodeId, dofs: (Vec<usize>, Vec<usize>), matrix: Vec<f64>) {
+/// Add a constraint: `matrix` times the retained degrees of freedom are the constrained ones, row by row.
+pub(crate) fn add(
+    interp: &mut Tcl,
+    retained: NodeId,
+    constrained: NodeId,
+    dofs: (Vec<usize>, Vec<usize>),
+    matrix: Vec<f64>,
+) {
     let tag = interp.host.mp_tag();
     let (constrained_dofs, retained_dofs) = dofs;
     interp.host.engine.change_model(|model| {

@@ -33,6 +33,12 @@ slips! {
     "The tangent is the derivative of the force, which turns with the offset.",
     "Newton's method converges.";
 
+    WALL_MASS, Command, Case("wall_lines"),
+    "`MVLEM` with a density",
+    "The element has no mass: it is computed before the height is known.",
+    "Half of density times volume is at each node.",
+    "A mass that is given counts.";
+
     GROUND_INERTIA_TWICE, Analysis, Case("timoshenko_plane"),
     "`elasticBeamColumn` with `-mass` in the plane, `ElasticTimoshenkoBeam` with `-mass`: `UniformExcitation`",
     "The inertia force of the ground motion on the mass of the element counts twice.",
