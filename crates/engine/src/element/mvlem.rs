@@ -36,8 +36,7 @@ struct Line {
 pub struct WallLines {
     /// Concrete of each fibre, steel of each fibre, and the shear spring.
     lines: Vec<Line>,
-    /// Distance from the centre of each fibre's centre.
-    places: Vec<f64>,
+    fibres: usize,
     state_len: usize,
     /// Mass at each node.
     mass: f64,
@@ -49,7 +48,7 @@ impl WallLines {
     pub fn new(fibres: Vec<WallFibre>, shear: (Material, i32), height: f64, centre: f64, density: f64) -> Self {
         let length: f64 = fibres.iter().map(|f| f.width).sum();
         let area: f64 = fibres.iter().map(|f| f.width * f.thickness).sum();
-        let mut made = Self { lines: vec![], places: vec![], state_len: 0, mass: 0.5 * density * area * height };
+        let mut made = Self { lines: vec![], fibres: fibres.len(), state_len: 0, mass: 0.5 * density * area * height };
         let mut left = -0.5 * length;
         let (mut concrete, mut steel) = (vec![], vec![]);
         for f in fibres {
@@ -58,7 +57,6 @@ impl WallLines {
             let row = [0.0, -1.0, -x, 0.0, 1.0, x].map(|r| r / height);
             let gross = f.width * f.thickness;
             let bars = gross * f.ratio;
-            made.places.push(x);
             concrete.push((f.concrete, row, (gross - bars) * height));
             steel.push((f.steel, row, bars * height));
         }
@@ -73,10 +71,6 @@ impl WallLines {
 
     fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
         self.lines.iter().map(|l| &l.slot)
-    }
-
-    fn fibres(&self) -> usize {
-        self.places.len()
     }
 }
 
@@ -139,7 +133,7 @@ impl Element for WallLines {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let numbered = |stem: &str| (1..=self.fibres()).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
+        let numbered = |stem: &str| (1..=self.fibres).map(|i| format!("{stem}{i}")).collect::<Vec<_>>();
         Some(match *words.first()? {
             "curvature" | "Curvature" => Probe::new(CURVATURE, ["fi"]),
             "fiber_strain" | "Fiber_Strain" => Probe::new(STRAIN, numbered("ey")),
@@ -155,15 +149,15 @@ impl Element for WallLines {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let n = self.fibres();
+        let n = self.fibres;
         let strain = |line: &Line| dot(&line.row, s.disp);
         let stresses = |lines: &[Line], out: &mut [f64]| {
             lines.iter().zip(out).for_each(|(l, out)| *out = l.slot.stress(s.state));
         };
         match path[0] {
             CURVATURE => {
-                let span = self.places[0] - self.places[n - 1];
-                out[0] = (strain(&self.lines[0]) - strain(&self.lines[n - 1])) / span;
+                // The coefficient of the vertical displacement of j is the inverse height.
+                out[0] = (s.disp[5] - s.disp[2]) * self.lines[0].row[4];
             }
             STRAIN => self.lines[..n].iter().zip(out).for_each(|(l, out)| *out = strain(l)),
             CONCRETE => stresses(&self.lines[..n], out),
