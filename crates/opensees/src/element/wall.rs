@@ -5,7 +5,6 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{Element, WallFibre, WallLines};
-use hysteron_engine::material::Material;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -44,7 +43,7 @@ fn make(
     let centre = a.float("height c of the shear spring as a share of the height")?;
     let last = a.last_span();
     let (mut thickness, mut width, mut ratio): (Vec<f64>, Vec<f64>, Vec<f64>) = (vec![], vec![], vec![]);
-    let (mut concrete, mut steel, mut shear): (Vec<(Material, i32)>, Vec<(Material, i32)>, _) = (vec![], vec![], None);
+    let (mut concrete, mut steel, mut shear) = (vec![], vec![], None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-thick" => thickness = numbers(count, || a.positive("thickness of a fibre"))?,
