@@ -49,7 +49,10 @@ pub struct Brick {
 }
 
 /// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
-fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> ([f64; NODES], [Vector3<f64>; NODES], f64) {
+type Shape = ([f64; NODES], [Vector3<f64>; NODES], f64);
+
+/// Shape functions at natural coordinates.
+fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> Shape {
     let factor = |s: &[f64; 3], d: usize| 1.0 + s[d] * at[d];
     let values = SIGNS.map(|s| 0.125 * factor(&s, 0) * factor(&s, 1) * factor(&s, 2));
     let local = SIGNS.map(|s| {
@@ -66,7 +69,7 @@ fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> ([f64; NODES], [Vecto
 }
 
 /// Means over the volume of the derivatives of the shape functions.
-fn mean_derivatives(gauss: &[([f64; NODES], [Vector3<f64>; NODES], f64); NODES]) -> [Vector3<f64>; NODES] {
+fn mean_derivatives(gauss: &[Shape; NODES]) -> [Vector3<f64>; NODES] {
     let volume: f64 = gauss.iter().map(|(.., v)| v).sum();
     std::array::from_fn(|node| gauss.iter().map(|(_, d, v)| *v * d[node]).sum::<Vector3<f64>>() / volume)
 }

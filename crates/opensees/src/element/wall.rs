@@ -16,6 +16,9 @@ pub(super) const MVLEM: Kind = Kind {
     make: Make::AnyNodes(make),
 };
 
+/// Laws of the fibres, with their tags.
+type Laws = Vec<(Material, i32)>;
+
 const OPTIONS: &[&str] = &["-thick", "-width", "-rho", "-matConcrete", "-matSteel", "-matShear"];
 
 fn make(
@@ -44,7 +47,7 @@ fn make(
     let centre = a.float("height c of the shear spring as a share of the height")?;
     let last = a.last_span();
     let (mut thickness, mut width, mut ratio): (Vec<f64>, Vec<f64>, Vec<f64>) = (vec![], vec![], vec![]);
-    let (mut concrete, mut steel, mut shear): (Vec<(Material, i32)>, Vec<(Material, i32)>, _) = (vec![], vec![], None);
+    let (mut concrete, mut steel, mut shear): (Laws, Laws, _) = (vec![], vec![], None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-thick" => thickness = numbers(count, || a.positive("thickness of a fibre"))?,
