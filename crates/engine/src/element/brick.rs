@@ -51,6 +51,7 @@ pub struct Brick {
 /// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
 type Shape = ([f64; NODES], [Vector3<f64>; NODES], f64);
 
+/// Shape functions at natural coordinates.
 fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> Shape {
     let factor = |s: &[f64; 3], d: usize| 1.0 + s[d] * at[d];
     let values = SIGNS.map(|s| 0.125 * factor(&s, 0) * factor(&s, 1) * factor(&s, 2));

@@ -5,6 +5,7 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{Element, WallFibre, WallLines};
+use hysteron_engine::material::Material;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -14,6 +15,9 @@ pub(super) const MVLEM: Kind = Kind {
             -matSteel $mat1 ... -matShear $mat",
     make: Make::AnyNodes(make),
 };
+
+/// Laws of the fibres, with their tags.
+type Laws = Vec<(Material, i32)>;
 
 const OPTIONS: &[&str] = &["-thick", "-width", "-rho", "-matConcrete", "-matSteel", "-matShear"];
 
@@ -43,7 +47,7 @@ fn make(
     let centre = a.float("height c of the shear spring as a share of the height")?;
     let last = a.last_span();
     let (mut thickness, mut width, mut ratio): (Vec<f64>, Vec<f64>, Vec<f64>) = (vec![], vec![], vec![]);
-    let (mut concrete, mut steel, mut shear) = (vec![], vec![], None);
+    let (mut concrete, mut steel, mut shear): (Laws, Laws, _) = (vec![], vec![], None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-thick" => thickness = numbers(count, || a.positive("thickness of a fibre"))?,
