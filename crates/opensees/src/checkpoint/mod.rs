@@ -5,7 +5,7 @@
 //! state of the engine, the journal has it.
 //!
 //! A state that is kept and one that is restored go on to the same bits, because what is remembered of earlier steps is forgotten
-//! at the same steps in both runs: after [`PART`] steps, and before a command that needs the state.
+//! at the same steps in both runs: after fifty steps, and before a command that needs the state.
 
 mod format;
 mod journal;
