@@ -57,7 +57,7 @@ pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{analysis, element, material, model, probe, record, rules, section, series, state_struct};
 // Parts of the engine that no program needs.
 #[doc(hidden)]
-pub use hysteron_engine::{assembly, number_format, numeric, solve};
+pub use hysteron_engine::{assembly, bytes, number_format, numeric, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_tcl::{self as tcl, diagnostic};

@@ -14,6 +14,7 @@ const LAYERS: &[(&str, &[&str])] = &[
         &[
             "state_struct",
             "numeric",
+            "bytes",
             "number_format",
             "probe",
             "rules",

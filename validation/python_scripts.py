@@ -11,8 +11,6 @@ It is equal if each answer of each call, in the order of the calls, and every co
 of its peak; without either, the numbers that it prints are compared. `--compat` tries OpenSees' slips where the default differs.
 """
 import argparse
-import concurrent.futures
-import csv
 import hashlib
 import json
 import os
@@ -20,11 +18,10 @@ import re
 import shutil
 import sys
 import tempfile
-from collections import Counter
 from pathlib import Path
 
 import scripts
-from scripts import OUT_OF_SCOPE, OUTCOMES, compare, has_numbers, table, text_of
+from scripts import OUT_OF_SCOPE, compare, has_numbers, report, table, text_of
 
 IMPORTS = re.compile(r"^[ \t]*(?:import|from)[ \t]+(?:openseespy|opensees)\b", re.M)
 BUILDS = re.compile(r"\b(?:node|block2D|block3D)\s*\(")
@@ -287,24 +284,7 @@ def main():
         outside += out
         work += [(repository.name, s) for s in found]
     work = [(r, s) for r, s in work if re.search(options.only, f"{r}/{s.relative_to(options.folder / r)}")]
-    rows = []
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row in pool.map(lambda w: judge(options, *w), work):
-            rows.append(row)
-            print(*row, sep="\t", flush=True)
-    if options.csv:
-        with options.csv.open("w", newline="") as out:
-            writer = csv.writer(out, lineterminator="\n")
-            writer.writerow(["repository", *OUTCOMES, "OpenSees fails"])
-            for name in sorted({row[0] for row in rows}):
-                of = Counter(row[2] for row in rows if row[0] == name)
-                writer.writerow([name, *(of[outcome] for outcome in (*OUTCOMES, "OpenSees fails"))])
-    counts = Counter(row[2] for row in rows)
-    counted = [row for row in rows if row[2] != "OpenSees fails"]
-    print(f"{len(counted)} scripts of {len({row[0] for row in counted})} repositories count; "
-          f"openseespy fails in {counts['OpenSees fails']}; {outside} are out of scope")
-    for outcome in OUTCOMES:
-        print(f"{outcome}: {counts[outcome]} ({100 * counts[outcome] / max(1, len(counted)):.0f} %)")
+    report(options, work, judge, outside, "openseespy")
 
 
 if __name__ == "__main__":

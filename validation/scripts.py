@@ -235,6 +235,28 @@ def judge(options, repository, script):
     return (*head, "equal", "") if "" in differences else (*head, "differs", min(differences, key=len))
 
 
+def report(options, work, judge, outside, peer):
+    """Judge scripts, print each outcome and the counts, and write the table by repository."""
+    rows, fails = [], "OpenSees fails"
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for row in pool.map(lambda w: judge(options, *w), work):
+            rows.append(row)
+            print(*row, sep="\t", flush=True)
+    if options.csv:
+        with options.csv.open("w", newline="") as out:
+            writer = csv.writer(out, lineterminator="\n")
+            writer.writerow(["repository", *OUTCOMES, fails])
+            for name in sorted({row[0] for row in rows}):
+                of = Counter(row[2] for row in rows if row[0] == name)
+                writer.writerow([name, *(of[outcome] for outcome in (*OUTCOMES, fails))])
+    counts = Counter(row[2] for row in rows)
+    counted = [row for row in rows if row[2] != fails]
+    print(f"{len(counted)} scripts of {len({row[0] for row in counted})} repositories count; "
+          f"{peer} fails in {counts[fails]}; {outside} are out of scope")
+    for outcome in OUTCOMES:
+        print(f"{outcome}: {counts[outcome]} ({100 * counts[outcome] / max(1, len(counted)):.0f} %)")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
@@ -258,24 +280,7 @@ def main():
         outside += out
         work += [(repository.name, s) for s in found]
     work = [(r, s) for r, s in work if re.search(options.only, f"{r}/{s.relative_to(options.folder / r)}")]
-    rows = []
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row in pool.map(lambda w: judge(options, *w), work):
-            rows.append(row)
-            print(*row, sep="\t", flush=True)
-    if options.csv:
-        with options.csv.open("w", newline="") as out:
-            writer = csv.writer(out, lineterminator="\n")
-            writer.writerow(["repository", *OUTCOMES, "OpenSees fails"])
-            for name in sorted({row[0] for row in rows}):
-                of = Counter(row[2] for row in rows if row[0] == name)
-                writer.writerow([name, *(of[outcome] for outcome in (*OUTCOMES, "OpenSees fails"))])
-    counts = Counter(row[2] for row in rows)
-    counted = [row for row in rows if row[2] != "OpenSees fails"]
-    print(f"{len(counted)} scripts of {len({row[0] for row in counted})} repositories count; "
-          f"OpenSees fails in {counts['OpenSees fails']}; {outside} are out of scope")
-    for outcome in OUTCOMES:
-        print(f"{outcome}: {counts[outcome]} ({100 * counts[outcome] / max(1, len(counted)):.0f} %)")
+    report(options, work, judge, outside, "OpenSees")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #![no_main]
 
 use hysteron::analysis::SavedState;
+use hysteron::bytes::Writer;
 use hysteron::opensees::checkpoint;
 use libfuzzer_sys::fuzz_target;
 
@@ -9,6 +10,8 @@ fuzz_target!(|data: &[u8]| {
     let _ = SavedState::from_bytes(data);
     let _ = checkpoint::events(data, 0);
     for magic in checkpoint::MAGICS {
-        let _ = checkpoint::events(&[magic, &[0; 8], &checkpoint::block(data)].concat(), 0);
+        let mut file = Writer([magic, &[0; 8]].concat());
+        file.block(data);
+        let _ = checkpoint::events(&file.0, 0);
     }
 });

@@ -128,8 +128,8 @@ pub(super) struct StepArgs {
 /// Checkpoints of a run.
 #[derive(Args, Debug, Default)]
 pub(super) struct CheckpointArgs {
-    /// Keep the state of transient analyses about every so many seconds, so that --resume goes on after a kill
-    #[arg(long, value_name = "SECONDS", value_parser = super::limits::seconds,
+    /// Keep the state of transient analyses this often, for instance 60s or 5min, so that --resume goes on after a kill
+    #[arg(long, value_name = "TIME", value_parser = super::limits::seconds,
           conflicts_with_all = ["ladder", "refine", "balance", "review", "view", "compat"])]
     pub(super) checkpoint: Option<std::time::Duration>,
     /// Go on from the last checkpoint of a run that was killed

@@ -1,5 +1,6 @@
 //! Files that the program writes: those of recorders, and results.
 
+use hysteron::opensees::files::write_whole;
 use hysteron::opensees::{DiskSeries, FileFormat, FileSeries, Outputs};
 use hysteron::record::{Memory, Output, RecordError, RowFile};
 use hysteron::report::html::without_numbers;
@@ -7,7 +8,6 @@ use hysteron::report::{NamedResponses, channel_files};
 use hysteron::study::Study;
 use hysteron::view::interactive;
 use std::fs;
-use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 use std::time::Duration;
 
@@ -51,19 +51,7 @@ pub(super) fn write_channels(dir: &Path, study: &Study, models: &[NamedResponses
 
 /// Write a file under another name and rename it, so that it is complete at any time.
 pub(super) fn write_atomically(path: &Path, text: &str) -> Result<(), String> {
-    let temporary = path.with_extension("part");
-    let written = || {
-        // Made anew, so that no link under this name is followed.
-        match fs::remove_file(&temporary) {
-            Err(e) if e.kind() != ErrorKind::NotFound => return Err(e),
-            _ => {}
-        }
-        let mut file = fs::File::create_new(&temporary)?;
-        file.write_all(text.as_bytes())?;
-        fs::rename(&temporary, path)
-    };
-    let done = written();
-    done.map_err(|e| format!("cannot write {}: {e}", path.display()))
+    write_whole(path, text.as_bytes()).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
 /// Print a note if a file of results in a folder is that of another study than `study`, or does not say of which.

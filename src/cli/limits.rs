@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 /// Limits of a command that runs scripts.
 #[derive(Args, Clone, Debug, Default)]
 pub(super) struct LimitArgs {
-    /// Stop after this time
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    /// Stop after this time, for instance 600, 600s, 10min or 2h
+    #[arg(long, value_name = "TIME", value_parser = seconds)]
     time_limit: Option<Duration>,
     /// Stop when the program takes more memory, for instance 500M or 4G
     #[arg(long, value_name = "SIZE", value_parser = bytes)]

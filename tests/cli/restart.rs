@@ -69,7 +69,7 @@ const LOOP: &str = "proc shake {steps} {\n global most\n set n 0\n while {$n < $
     set d [nodeDisp 2 1]\n  if {abs($d) > $most} { set most [expr {abs($d)}]; puts \"$::at [getTime] $d [nodeDisp 3]\" }\n\
     if {$::at == $::env(STOP)} { exit 3 }\n }\n}\nset at 0\nset most 0.\n";
 
-/// What a run writes, kept by the name of its file.
+/// Recorder files of a run, by their names.
 fn written(place: &Place) -> Vec<(String, Vec<u8>)> {
     let names = place.names().into_iter().filter(|n| n.ends_with(".out"));
     names.map(|n| (n.clone(), std::fs::read(place.0.join(n)).unwrap())).collect()

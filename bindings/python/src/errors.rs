@@ -78,7 +78,7 @@ impl Place {
     }
 }
 
-/// What may help: the label and the help of a diagnostic, but not the usage.
+/// Label and help of a diagnostic, without the usage.
 fn hint(d: &Diagnostic) -> Option<String> {
     let help = d.help.iter().map(String::as_str).filter(|h| !h.starts_with("usage: "));
     let lines: Vec<&str> = std::iter::once(d.label.as_str()).chain(help).filter(|l| !l.is_empty()).collect();

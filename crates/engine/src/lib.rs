@@ -12,6 +12,7 @@
 
 pub mod analysis;
 pub mod assembly;
+pub mod bytes;
 pub mod element;
 pub mod material;
 pub mod model;

@@ -3,7 +3,7 @@
 use crate::analysis::analyze::warn_of_missing;
 use crate::output::{display, figure, print, query, recorder};
 use crate::session::Mode;
-use crate::{Outcome, Tcl, commands, report};
+use crate::{Outcome, Tcl, calls, commands, report};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
@@ -135,7 +135,7 @@ pub(crate) fn finish(interp: &mut Tcl) {
 pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let name = call.name();
     let name = name.rsplit("::").next().unwrap_or_default();
-    let Some(command) = commands().find(|c| c.name == name) else {
+    let Some(command) = calls::command(name) else {
         return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
     };
     match (command.run)(interp, call) {

@@ -1,33 +1,31 @@
 //! State that the OpenSees commands of a script work on.
 
-use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::plausibility::Looked;
-use crate::analysis::softening::BackboneWatch;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
-use crate::checkpoint::Journal;
 use crate::files::number_files::NumberFiles;
 use crate::files::series::{FileSeries, NoSeries};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
 use crate::output::model_file::MadeOf;
+use crate::output::recorders::Recorders;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
-use hysteron_engine::analysis::{Engine, Failure, Kind, Observer, Options, ReactionKind, Test};
+use hysteron_engine::analysis::{Engine, Failure, Kind, Options, ReactionKind, Test};
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::model::{Definitions, ElementId, NodeId, Tag};
 use hysteron_engine::number_format::Style;
-use hysteron_engine::record::{Known, Layout, Output, RecordError, Recorder};
+use hysteron_engine::record::{Known, Layout, Output, RecordError};
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::Watch;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 /// Purpose of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,160 +102,6 @@ pub(crate) struct Parts {
 pub(crate) struct Region {
     pub(crate) nodes: Vec<NodeId>,
     pub(crate) elements: Vec<ElementId>,
-}
-
-/// A recorder with the place of its command, for messages.
-pub(crate) struct PlacedRecorder {
-    pub(crate) recorder: Recorder,
-    pub(crate) span: Option<Span>,
-    /// Places of the tags that the command names, by the words of a message: "node 3".
-    pub(crate) tags: BTreeMap<String, Span>,
-    /// Path of its file.
-    pub(crate) path: Option<String>,
-    /// The same as the script names it.
-    pub(crate) file: Option<String>,
-    /// The words of the command.
-    pub(crate) words: Vec<String>,
-    pub(crate) reported: bool,
-}
-
-/// The recorders of a model, and who else wants to know about steps.
-#[derive(Default)]
-pub(crate) struct Recorders {
-    pub(crate) by_tag: BTreeMap<Tag, PlacedRecorder>,
-    next: Tag,
-    pub(crate) interrupt: Option<Arc<AtomicBool>>,
-    pub(crate) progress: Option<Box<dyn Progress>>,
-    pub(crate) end: Option<f64>,
-    /// Balances of energy, where they are asked for.
-    pub(crate) balances: Option<Box<Balances>>,
-    /// Work of Rayleigh damping in isolators.
-    pub(crate) isolator_damping: IsolatorDamping,
-    /// Bearings that soften.
-    pub(crate) backbones: BackboneWatch,
-    pub(crate) motion: Option<Box<dyn MotionObserver>>,
-    /// Checkpoints, where they are asked for.
-    pub(crate) journal: Option<Box<Journal>>,
-    /// Norms of the iterations, to be printed.
-    pub(crate) printed: String,
-    pub(crate) print: i32,
-}
-
-impl Recorders {
-    /// Add a recorder; its tag. The first is 0, as in OpenSees, and `wipe` does not begin anew.
-    pub(crate) fn add(&mut self, placed: PlacedRecorder) -> Tag {
-        let tag = self.next;
-        self.next += 1;
-        self.by_tag.insert(tag, placed);
-        tag
-    }
-
-    /// The recorder of a file.
-    pub(crate) fn of_file(&self, path: &str) -> Option<&PlacedRecorder> {
-        self.by_tag.values().find(|r| r.path.as_deref() == Some(path))
-    }
-
-    /// Finish and forget the recorder of a file, if there is one.
-    pub(crate) fn finish_file(&mut self, path: &str) -> Result<(), RecordError> {
-        let tag = self.by_tag.iter().find(|(_, r)| r.path.as_deref() == Some(path)).map(|(tag, _)| *tag);
-        tag.and_then(|tag| self.by_tag.remove(&tag)).map_or(Ok(()), |mut r| r.recorder.finish())
-    }
-
-    /// Look up what is to be recorded in the model as it is now, as the first row of a run would.
-    pub(crate) fn look_up(&mut self, engine: &Engine) {
-        self.by_tag.values_mut().filter(|r| !r.reported).for_each(|r| r.recorder.look_up(engine));
-    }
-
-    /// Returns true if steps come from a journal and are not computed: the engine has not their state.
-    pub(crate) fn repeats(&self) -> bool {
-        self.journal.as_ref().is_some_and(|j| j.repeats())
-    }
-
-    /// Record the committed state.
-    pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
-        self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(drop))
-    }
-
-    /// An analysis starts from the committed state.
-    pub(crate) fn start(&mut self, engine: &mut Engine) {
-        if let Some(balances) = &mut self.balances {
-            balances.start(engine);
-        }
-        self.by_tag.values_mut().for_each(|r| r.recorder.start(engine));
-        if let Some(motion) = &mut self.motion {
-            motion.start(engine);
-        }
-    }
-
-    /// Finish and forget all recorders.
-    pub(crate) fn finish(&mut self) -> Result<(), RecordError> {
-        let all = std::mem::take(&mut self.by_tag);
-        // An error of one recorder must not keep the others from being finished.
-        let mut result = Ok(());
-        for mut r in all.into_values() {
-            result = result.and(r.recorder.finish());
-        }
-        result
-    }
-
-    /// Warnings about responses that recorders asked for in vain, once for each recorder. What `held_back` tells of
-    /// is left out.
-    pub(crate) fn missing(&mut self, mut held_back: impl FnMut(&str) -> bool) -> Vec<Diagnostic> {
-        let mut warning = |r: &mut PlacedRecorder| {
-            if r.recorder.missing.is_empty() || std::mem::replace(&mut r.reported, true) {
-                return None;
-            }
-            let missing = r.recorder.missing.iter().filter(|m| !held_back(m));
-            let missing: Vec<&str> = missing.map(String::as_str).collect();
-            let first = missing.first()?;
-            let place = r.tags.get(*first).copied().or(r.span);
-            let message = format!("recorder: the model has no {}", missing.join(", no "));
-            Some(Diagnostic::warning(message).at(place, "left out of the record"))
-        };
-        self.by_tag.values_mut().filter_map(&mut warning).collect()
-    }
-}
-
-impl Observer for Recorders {
-    fn committed(&mut self, engine: &mut Engine) -> Result<(), String> {
-        match &mut self.journal {
-            Some(journal) => journal.record(&mut self.by_tag, engine).map_err(|e| e.to_string())?,
-            None => self.record(engine).map_err(|e| e.to_string())?,
-        }
-        if let Some(balances) = &mut self.balances {
-            balances.step(engine)?;
-        }
-        self.isolator_damping.add_step(engine);
-        self.backbones.step(engine);
-        if self.print != 0 {
-            self.note_iterations(engine);
-        }
-        if let Some(p) = &mut self.progress {
-            p.step(engine.state().time, self.end);
-        }
-        if let Some(motion) = &mut self.motion {
-            motion.step(engine);
-        }
-        Ok(())
-    }
-
-    fn interrupted(&self) -> bool {
-        self.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed))
-    }
-}
-
-impl Recorders {
-    /// Note the norms of a step's iterations as OpenSees prints them.
-    fn note_iterations(&mut self, engine: &Engine) {
-        use std::fmt::Write as _;
-        let Some(test) = engine.setup().map(|s| &s.test) else { return };
-        let name = test.measure.name();
-        let all = matches!(self.print, 1 | 4);
-        let n = test.norms.len();
-        for (i, norm) in test.norms.iter().enumerate().filter(|(i, _)| all || i + 1 == n) {
-            let _ = writeln!(self.printed, "{name}: iteration {} norm {norm:.6e} (max {:.3e})", i + 1, test.tolerance);
-        }
-    }
 }
 
 /// State of the commands that build the model.
@@ -463,8 +307,7 @@ impl Session {
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
         self.looked = Looked::default();
-        self.output.recorders.isolator_damping = IsolatorDamping::default();
-        self.output.recorders.backbones = BackboneWatch::default();
+        self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
     }

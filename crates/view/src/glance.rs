@@ -11,7 +11,7 @@ const MAX_POINTS: usize = 4000;
 /// Columns and rows of a loop in letters, each of two by four dots.
 const SIZE: (usize, usize) = (36, 9);
 
-/// What is seen of a run while it works.
+/// A look at a run while it works.
 #[derive(Debug, Default)]
 pub struct Glance {
     model: Option<Watched>,
@@ -21,6 +21,8 @@ pub struct Glance {
 #[derive(Debug)]
 struct Watched {
     scene: Scene,
+    /// Revision of the model that was seen last.
+    revision: u64,
     device: Option<(Device, usize)>,
     /// Deformations and forces of the device.
     points: Vec<(f64, f64)>,
@@ -40,7 +42,17 @@ impl Watched {
             |role: Role| devices.iter().find_map(|d| Some((d, d.directions.iter().position(|(_, own)| *own == role)?)));
         let chosen = with_role(Role::Shear).or_else(|| with_role(Role::Axial)).map(|(d, k)| (d.element, k));
         let device = chosen.and_then(|(at, k)| Some((devices.into_iter().find(|d| d.element == at)?, k)));
-        Self { scene, device, points: vec![], every: 1, steps: 0, largest: (0.0, 0, 0.0), buffers: (vec![], vec![]) }
+        let revision = engine.model().revision();
+        Self {
+            scene,
+            revision,
+            device,
+            points: vec![],
+            every: 1,
+            steps: 0,
+            largest: (0.0, 0, 0.0),
+            buffers: (vec![], vec![]),
+        }
     }
 
     fn step(&mut self, engine: &Engine) {
@@ -140,10 +152,16 @@ fn canvas(points: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> String {
 impl Glance {
     /// Look at a step that has been committed.
     pub fn step(&mut self, engine: &Engine) {
-        let model = self.model.take().filter(|m| m.scene.has_parts_of(engine.model()));
-        let mut model = model.unwrap_or_else(|| Watched::new(engine));
-        model.step(engine);
-        self.model = Some(model);
+        let revision = engine.model().revision();
+        let is_same = |m: &mut Watched| {
+            let known = m.revision == revision || m.scene.has_parts_of(engine.model());
+            m.revision = revision;
+            known
+        };
+        if !self.model.as_mut().is_some_and(is_same) {
+            self.model = Some(Watched::new(engine));
+        }
+        self.model.iter_mut().for_each(|m| m.step(engine));
     }
 
     /// Lines for a terminal; empty before the first step.

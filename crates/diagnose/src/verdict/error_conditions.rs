@@ -26,7 +26,7 @@ pub(super) fn conditions(recording: &Recording, name: &str, motion: &[f64]) -> V
     };
     let mut out = vec![
         Condition { label: format!("size of {name}"), values: motion[..n].iter().map(|x| x.abs()).collect() },
-        Condition { label: format!("rate of {name} in 1/s"), values: (0..n).map(rate).collect() },
+        Condition { label: format!("rate of {name}, per s"), values: (0..n).map(rate).collect() },
     ];
     let temperatures = recording.columns.iter().filter(|c| c.name.to_lowercase().contains("temp"));
     out.extend(temperatures.map(|c| Condition { label: c.name.clone(), values: c.values.clone() }));

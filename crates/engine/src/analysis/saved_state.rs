@@ -2,6 +2,7 @@
 
 use super::engine::Engine;
 use super::state::State;
+use crate::bytes::{Reader, Writer, checksum};
 use crate::model::{Model, Tag};
 
 /// First bytes of a state that has been written.
@@ -21,9 +22,7 @@ pub struct SavedState {
 fn shape(model: &Model) -> Vec<u64> {
     let nodes = model.nodes.iter().flat_map(|n| [n.tag as u64, n.ndf as u64]);
     let elements = model.elements.iter().flat_map(|e| {
-        // FNV-1a of the class: the same on every machine.
-        let class = |h: u64, b: u8| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3);
-        let class = e.element.class().bytes().fold(0xcbf2_9ce4_8422_2325, class);
+        let class = checksum(e.element.class().as_bytes());
         [e.tag as u64, class, e.state.len() as u64, e.force.len() as u64]
     });
     [model.nodes.len() as u64].into_iter().chain(nodes).chain(elements).collect()
@@ -61,43 +60,6 @@ impl Engine {
         self.restore(&saved.state);
         Ok(())
     }
-}
-
-/// Numbers one after the other.
-struct Writer(Vec<u8>);
-
-impl Writer {
-    fn number(&mut self, x: u64) {
-        self.0.extend(x.to_le_bytes());
-    }
-    fn row(&mut self, row: impl ExactSizeIterator<Item = u64>) {
-        self.number(row.len() as u64);
-        row.for_each(|x| self.number(x));
-    }
-    fn floats(&mut self, row: &[f64]) {
-        self.row(row.iter().map(|x| x.to_bits()));
-    }
-}
-
-struct Reader<'a>(&'a [u8]);
-
-impl Reader<'_> {
-    fn number(&mut self) -> Option<u64> {
-        let (first, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(u64::from_le_bytes(*first))
-    }
-    fn row(&mut self) -> Option<Vec<u64>> {
-        let n = usize::try_from(self.number()?).ok().filter(|n| n.checked_mul(8).is_some_and(|b| b <= self.0.len()))?;
-        (0..n).map(|_| self.number()).collect()
-    }
-    fn floats(&mut self) -> Option<Vec<f64>> {
-        Some(self.row()?.into_iter().map(f64::from_bits).collect())
-    }
-}
-
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x0100_0000_01b3))
 }
 
 impl SavedState {

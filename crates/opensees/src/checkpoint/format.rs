@@ -4,6 +4,7 @@
 //! so that one that was cut off is recognised. The checkpoint is a file of its own: a state, and the length of the journal then.
 
 use hysteron_engine::analysis::{Cause, Engine, Failure, SavedState};
+use hysteron_engine::bytes::{Reader, Writer};
 use hysteron_engine::model::Tag;
 
 pub(super) const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
@@ -69,7 +70,7 @@ impl WrittenFailure {
     }
 }
 
-/// How a part of an analysis ended.
+/// End of a part of an analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Ended {
     /// The analysis goes on.
@@ -118,22 +119,9 @@ pub(super) enum Event {
     Checkpoint(Kept),
 }
 
-/// FNV-1a: the same on every machine.
-pub(super) fn checksum<'a>(bytes: impl IntoIterator<Item = &'a u8>) -> u64 {
-    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x0100_0000_01b3))
-}
-
 /// First bytes of the journal of a run.
 pub(super) fn head(run: u64) -> Vec<u8> {
     [&JOURNAL[..], &run.to_le_bytes()].concat()
-}
-
-/// A block of the journal: length, content and checksum.
-pub fn block(content: &[u8]) -> Vec<u8> {
-    let mut w = Writer::default();
-    w.bytes(content);
-    w.number(checksum(content));
-    w.0
 }
 
 /// Read the journal of a run.
@@ -150,7 +138,7 @@ pub(super) fn journal(bytes: &[u8], run: u64) -> Result<Vec<Event>, &'static str
         let content = r.block().ok_or(DAMAGED)?;
         let mut inner = Reader(content);
         while !inner.0.is_empty() {
-            events.push(inner.event().ok_or(DAMAGED)?);
+            events.push(Event::read(&mut inner).ok_or(DAMAGED)?);
         }
     }
     Ok(events)
@@ -158,10 +146,12 @@ pub(super) fn journal(bytes: &[u8], run: u64) -> Result<Vec<Event>, &'static str
 
 /// The checkpoint of a run whose journal has this length.
 pub(super) fn checkpoint(run: u64, length: u64, kept: &Kept) -> Vec<u8> {
-    let mut w = Writer::default();
-    w.number(length);
-    w.kept(kept);
-    [&CHECKPOINT[..], &run.to_le_bytes(), &block(&w.0)].concat()
+    let mut content = Writer::default();
+    content.number(length);
+    kept.write(&mut content);
+    let mut w = Writer([&CHECKPOINT[..], &run.to_le_bytes()].concat());
+    w.block(&content.0);
+    w.0
 }
 
 /// Read the checkpoint of a run: the length of the journal in bytes, and the state.
@@ -175,144 +165,112 @@ pub(super) fn read_checkpoint(bytes: &[u8], run: u64) -> Result<(u64, Kept), &'s
     }
     let mut inner = Reader(r.block().ok_or(DAMAGED)?);
     let length = inner.number().ok_or(DAMAGED)?;
-    Ok((length, inner.kept().ok_or(DAMAGED)?))
+    Ok((length, Kept::read(&mut inner).ok_or(DAMAGED)?))
 }
 
-/// Numbers and texts one after the other.
-#[derive(Default)]
-pub(super) struct Writer(pub(super) Vec<u8>);
-
-impl Writer {
-    fn number(&mut self, x: u64) {
-        self.0.extend(x.to_le_bytes());
+impl Kept {
+    fn write(&self, w: &mut Writer) {
+        w.number(self.inputs);
+        self.isolators.iter().for_each(|x| w.float(*x));
+        w.bytes(&self.state.to_bytes());
     }
 
-    fn bytes(&mut self, bytes: &[u8]) {
-        self.number(bytes.len() as u64);
-        self.0.extend(bytes);
-    }
-
-    fn kept(&mut self, kept: &Kept) {
-        self.number(kept.inputs);
-        kept.isolators.iter().for_each(|x| self.number(x.to_bits()));
-        self.bytes(&kept.state.to_bytes());
-    }
-
-    pub(super) fn event(&mut self, event: &Event) {
-        match event {
-            Event::Answer { words, text } => {
-                self.0.push(if text.is_some() { 0 } else { 1 });
-                self.number(*words);
-                text.iter().for_each(|t| self.bytes(t.as_bytes()));
-            }
-            Event::Steps(steps) => {
-                self.0.push(2);
-                self.steps(steps);
-            }
-            Event::State(kept) => {
-                self.0.push(3);
-                self.kept(kept);
-            }
-            Event::Checkpoint(_) => {}
-        }
-    }
-
-    fn steps(&mut self, s: &Steps) {
-        [s.call, s.asked, s.dt.to_bits(), s.done].into_iter().for_each(|x| self.number(x));
-        match &s.ended {
-            Ended::Not => self.number(0),
-            Ended::Done => self.number(1),
-            Ended::Failed(f) => {
-                self.number(2);
-                self.number(f.kind);
-                f.numbers.iter().for_each(|x| self.number(x.to_bits()));
-                f.words.iter().for_each(|x| self.bytes(x.as_bytes()));
-                self.number(u64::from(f.place.is_some()));
-                f.place.iter().for_each(|p| self.bytes(p.as_bytes()));
-                self.number(i64::from(f.code) as u64);
-            }
-        }
-        self.bytes(s.printed.as_bytes());
-        self.number(s.rows.len() as u64);
-        for row in &s.rows {
-            self.number(i64::from(row.recorder) as u64);
-            self.number(row.time.to_bits());
-            self.bytes(&row.numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>());
-        }
+    fn read(r: &mut Reader<'_>) -> Option<Self> {
+        let (inputs, isolators) = (r.number()?, [r.float()?, r.float()?]);
+        Some(Self { inputs, isolators, state: SavedState::from_bytes(r.bytes()?)? })
     }
 }
 
-struct Reader<'a>(&'a [u8]);
-
-impl<'a> Reader<'a> {
-    fn number(&mut self) -> Option<u64> {
-        let (first, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(u64::from_le_bytes(*first))
+impl Event {
+    pub(super) fn write(&self, w: &mut Writer) {
+        match self {
+            Self::Answer { words, text } => {
+                w.0.push(if text.is_some() { 0 } else { 1 });
+                w.number(*words);
+                text.iter().for_each(|t| w.bytes(t.as_bytes()));
+            }
+            Self::Steps(steps) => {
+                w.0.push(2);
+                steps.write(w);
+            }
+            Self::State(kept) => {
+                w.0.push(3);
+                kept.write(w);
+            }
+            // It stands in a file of its own.
+            Self::Checkpoint(_) => {}
+        }
     }
 
-    fn float(&mut self) -> Option<f64> {
-        self.number().map(f64::from_bits)
-    }
-
-    fn bytes(&mut self) -> Option<&'a [u8]> {
-        let n = usize::try_from(self.number()?).ok()?;
-        let (first, rest) = self.0.split_at_checked(n)?;
-        self.0 = rest;
-        Some(first)
-    }
-
-    fn block(&mut self) -> Option<&'a [u8]> {
-        let content = self.bytes()?;
-        (self.number()? == checksum(content)).then_some(content)
-    }
-
-    fn text(&mut self) -> Option<String> {
-        String::from_utf8(self.bytes()?.to_vec()).ok()
-    }
-
-    fn kept(&mut self) -> Option<Kept> {
-        let (inputs, isolators) = (self.number()?, [self.float()?, self.float()?]);
-        Some(Kept { inputs, isolators, state: SavedState::from_bytes(self.bytes()?)? })
-    }
-
-    fn event(&mut self) -> Option<Event> {
-        let (kind, rest) = self.0.split_first()?;
-        self.0 = rest;
-        Some(match kind {
-            0 => Event::Answer { words: self.number()?, text: Some(self.text()?) },
-            1 => Event::Answer { words: self.number()?, text: None },
-            2 => Event::Steps(self.steps()?),
-            3 => Event::State(self.kept()?),
+    fn read(r: &mut Reader<'_>) -> Option<Self> {
+        Some(match r.byte()? {
+            0 => Self::Answer { words: r.number()?, text: Some(r.text()?) },
+            1 => Self::Answer { words: r.number()?, text: None },
+            2 => Self::Steps(Steps::read(r)?),
+            3 => Self::State(Kept::read(r)?),
             _ => return None,
         })
     }
+}
 
-    fn row(&mut self) -> Option<Row> {
-        let (recorder, time) = (Tag::try_from(self.number()? as i64).ok()?, self.float()?);
-        let numbers = self.bytes()?.as_chunks().0.iter().map(|b| f64::from_le_bytes(*b)).collect();
-        Some(Row { recorder, time, numbers })
+impl Row {
+    fn write(&self, w: &mut Writer) {
+        w.number(i64::from(self.recorder) as u64);
+        w.float(self.time);
+        w.floats(&self.numbers);
     }
 
-    fn failure(&mut self) -> Option<WrittenFailure> {
-        let kind = self.number()?;
-        let numbers = [self.float()?, self.float()?, self.float()?, self.float()?];
-        let words = [self.text()?, self.text()?];
-        let place = if self.number()? == 1 { Some(self.text()?) } else { None };
-        Some(WrittenFailure { kind, numbers, words, place, code: self.number()? as i64 as i32 })
+    fn read(r: &mut Reader<'_>) -> Option<Self> {
+        Some(Self { recorder: Tag::try_from(r.number()? as i64).ok()?, time: r.float()?, numbers: r.floats()? })
+    }
+}
+
+impl WrittenFailure {
+    fn write(&self, w: &mut Writer) {
+        w.number(self.kind);
+        self.numbers.iter().for_each(|x| w.float(*x));
+        self.words.iter().for_each(|x| w.bytes(x.as_bytes()));
+        w.number(u64::from(self.place.is_some()));
+        self.place.iter().for_each(|p| w.bytes(p.as_bytes()));
+        w.number(i64::from(self.code) as u64);
     }
 
-    fn steps(&mut self) -> Option<Steps> {
-        let (call, asked, dt, done) = (self.number()?, self.number()?, self.float()?, self.number()?);
-        let ended = match self.number()? {
+    fn read(r: &mut Reader<'_>) -> Option<Self> {
+        let kind = r.number()?;
+        let numbers = [r.float()?, r.float()?, r.float()?, r.float()?];
+        let words = [r.text()?, r.text()?];
+        let place = if r.number()? == 1 { Some(r.text()?) } else { None };
+        Some(Self { kind, numbers, words, place, code: r.number()? as i64 as i32 })
+    }
+}
+
+impl Steps {
+    fn write(&self, w: &mut Writer) {
+        [self.call, self.asked, self.dt.to_bits(), self.done].into_iter().for_each(|x| w.number(x));
+        match &self.ended {
+            Ended::Not => w.number(0),
+            Ended::Done => w.number(1),
+            Ended::Failed(failure) => {
+                w.number(2);
+                failure.write(w);
+            }
+        }
+        w.bytes(self.printed.as_bytes());
+        w.number(self.rows.len() as u64);
+        self.rows.iter().for_each(|row| row.write(w));
+    }
+
+    fn read(r: &mut Reader<'_>) -> Option<Self> {
+        let (call, asked, dt, done) = (r.number()?, r.number()?, r.float()?, r.number()?);
+        let ended = match r.number()? {
             0 => Ended::Not,
             1 => Ended::Done,
-            2 => Ended::Failed(self.failure()?),
+            2 => Ended::Failed(WrittenFailure::read(r)?),
             _ => return None,
         };
-        let printed = self.text()?;
-        let count = self.number()?;
-        let rows = (0..count).map(|_| self.row()).collect::<Option<_>>()?;
-        Some(Steps { call, asked, dt, done, ended, printed, rows })
+        let printed = r.text()?;
+        let count = r.number()?;
+        let rows = (0..count).map(|_| Row::read(r)).collect::<Option<_>>()?;
+        Some(Self { call, asked, dt, done, ended, printed, rows })
     }
 }

@@ -1,8 +1,10 @@
 //! The file of a run's events, and that of its last checkpoint.
 
-use super::format::{Event, Kept, Row, Steps, Writer, block, checkpoint, head, journal, read_checkpoint};
-use crate::session::PlacedRecorder;
+use super::format::{Event, Kept, Row, Steps, checkpoint, head, journal, read_checkpoint};
+use crate::files::{remove, write_whole};
+use crate::output::recorders::PlacedRecorder;
 use hysteron_engine::analysis::Engine;
+use hysteron_engine::bytes::Writer;
 use hysteron_engine::model::Tag;
 use hysteron_engine::record::RecordError;
 use std::collections::{BTreeMap, VecDeque};
@@ -63,7 +65,7 @@ pub struct Journal {
     pub(super) since: usize,
 }
 
-/// Where checkpoints go, and how often.
+/// Files and interval of checkpoints.
 pub struct Keeping {
     /// Their files.
     pub paths: Paths,
@@ -182,18 +184,19 @@ impl Journal {
         if self.is_full {
             return Ok(());
         }
-        self.pending.event(event);
+        event.write(&mut self.pending);
         if self.pending.0.len() > MAX_PENDING { self.write() } else { Ok(()) }
     }
 
     fn write(&mut self) -> Result<(), String> {
-        let block = block(&std::mem::take(&mut self.pending.0));
-        self.is_full = self.size + block.len() as u64 > MAX_SIZE;
+        let mut block = Writer::default();
+        block.block(&std::mem::take(&mut self.pending.0));
+        self.is_full = self.size + block.0.len() as u64 > MAX_SIZE;
         if self.is_full {
             return Ok(());
         }
-        self.file.write_all(&block).map_err(|e| cannot_write(&self.paths.journal, &e))?;
-        self.size += block.len() as u64;
+        self.file.write_all(&block.0).map_err(|e| cannot_write(&self.paths.journal, &e))?;
+        self.size += block.0.len() as u64;
         Ok(())
     }
 
@@ -219,21 +222,4 @@ impl Journal {
 
 fn cannot_write(path: &Path, e: &std::io::Error) -> String {
     format!("cannot write {}: {e}", path.display())
-}
-
-fn remove(path: &Path) -> std::io::Result<()> {
-    match std::fs::remove_file(path) {
-        Err(e) if e.kind() != ErrorKind::NotFound => Err(e),
-        _ => Ok(()),
-    }
-}
-
-/// Write a file that is there as a whole or as it was.
-fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let part = path.with_extension("checkpoint-part");
-    remove(&part)?;
-    let mut file = OpenOptions::new().write(true).create_new(true).open(&part)?;
-    file.write_all(bytes)?;
-    file.sync_data()?;
-    std::fs::rename(&part, path)
 }

@@ -10,14 +10,14 @@
 mod format;
 mod journal;
 
-use crate::session::Recorders;
-use crate::{Command, Outcome, Tcl, commands, output, warn};
-use format::{Ended, Event, Kept, Steps, checksum};
+use crate::output::recorders::Recorders;
+use crate::{Command, Outcome, Tcl, calls, commands, output, warn};
+use format::{Ended, Event, Kept, Steps};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Kind};
+use hysteron_engine::bytes::checksum;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub use format::block;
 pub use journal::{Journal, Keeping, Paths};
 
 /// First bytes of a journal and of a checkpoint. The digest of the run follows.
@@ -65,7 +65,7 @@ fn command(call: &Call<'_>) -> Result<&'static Command, Exception> {
     let name = call.name();
     let name = name.rsplit("::").next().unwrap_or_default();
     let renamed = || Exception::error(format!("the command \"{name}\" was renamed, which checkpoints do not follow"));
-    commands().find(|c| c.name == name).ok_or_else(renamed)
+    calls::command(name).ok_or_else(renamed)
 }
 
 fn refused(call: &Call<'_>, why: &str) -> Exception {
@@ -170,7 +170,7 @@ pub(crate) fn warn_of_end(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Excep
         return Ok(());
     }
     let d = Diagnostic::warning("checkpoint: the run is longer than its journal may be");
-    warn(interp, d.at(call.span(0), "the last checkpoint is one before this"))
+    warn(interp, d.at(call.span(0), "no checkpoint is kept from here on"))
 }
 
 /// Returns true if the journal keeps what the analysis does.

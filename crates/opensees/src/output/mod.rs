@@ -10,5 +10,6 @@ pub(crate) mod print;
 mod pvd;
 pub(crate) mod query;
 pub(crate) mod recorder;
+pub(crate) mod recorders;
 
 pub use balance::{AnalysedModel, Balances, ModelSize};

@@ -133,6 +133,8 @@ fn uniaxial_class(name: &str) -> &str {
     match name {
         "Elastic" => "ElasticMaterial",
         "ElasticPP" => "ElasticPPMaterial",
+        "ElasticPPGap" => "EPPGap",
+        "ENT" => "ENTMaterial",
         "Hysteretic" => "HystereticMaterial",
         "Viscous" => "ViscousMaterial",
         "Parallel" => "ParallelMaterial",
@@ -146,6 +148,7 @@ fn uniaxial_class(name: &str) -> &str {
 fn nd_class(m: &NdMaterial) -> &'static str {
     match m {
         NdMaterial::Isotropic(_) => "ElasticIsotropicMaterial",
-        NdMaterial::Plate(_) => "PlateMaterial",
+        // The base class: what the layer is made of is not kept.
+        NdMaterial::Plate(_) => "NDMaterial",
     }
 }

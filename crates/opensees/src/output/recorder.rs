@@ -1,8 +1,9 @@
 //! `recorder` and `record`.
 
 use super::pvd;
+use super::recorders::PlacedRecorder;
 use crate::args::Args;
-use crate::session::{FileFormat, Mode, PlacedRecorder};
+use crate::session::{FileFormat, Mode};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;
