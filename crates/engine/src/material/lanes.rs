@@ -4,7 +4,7 @@
 //! the law loops.
 
 use super::{MaterialError, Strains, Stress, Stresses, UniaxialLaw};
-use crate::numeric::lanes::{BLOCK, LANES, Lanes, copy_back, in_lanes, load, select};
+use crate::numeric::lanes::{BLOCK, Lanes, any, copy_back, flag, in_lanes, load};
 use crate::state_struct::StateStruct as _;
 
 /// A block of `W` points of a law with `Q` state variables: one array for each quantity.
@@ -40,15 +40,11 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
     /// First point whose stress or tangent is not finite.
     #[inline(always)]
     fn not_finite(&self) -> Option<usize> {
-        let mut wrong = [0.0; W];
+        let mut wrong = [0; W];
         for (i, wrong) in wrong.iter_mut().enumerate() {
-            *wrong = select(self.value[i].is_finite() & self.tangent[i].is_finite(), 0.0, 1.0);
+            *wrong = flag(!(self.value[i].is_finite() & self.tangent[i].is_finite()));
         }
-        let mut sums = [0.0; LANES];
-        for chunk in wrong.as_chunks::<LANES>().0 {
-            sums.iter_mut().zip(chunk).for_each(|(sum, wrong)| *sum += wrong);
-        }
-        if sums == [0.0; LANES] { None } else { wrong.iter().position(|w| *w != 0.0) }
+        if any(&wrong) { wrong.iter().position(|w| *w != 0) } else { None }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Loops by the widest vector instructions of the processor.
 //!
 //! A loop over arrays without branches and calls becomes vector instructions. Each number has the same bits with all
-//! instructions, because none of them is fused.
+//! instructions, because products and sums are fused where the source says so, and nowhere else.
 
 use pulp::{Arch, NullaryFnOnce};
 
@@ -34,6 +34,18 @@ pub(crate) fn in_lanes<L: Lanes>(lanes: &mut L) {
 #[inline(always)]
 pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {
     if condition { a } else { b }
+}
+
+/// 1 if the condition holds, else 0: a flag for [`any`].
+#[inline(always)]
+pub(crate) fn flag(condition: bool) -> u64 {
+    u64::from(condition)
+}
+
+/// Returns true if a flag is set.
+#[inline(always)]
+pub(crate) fn any<const W: usize>(flags: &[u64; W]) -> bool {
+    flags.iter().fold(0, |all, flag| all | flag) != 0
 }
 
 /// Up to `W` numbers of a slice as an array, with zeros behind them.
