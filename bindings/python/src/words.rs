@@ -1,6 +1,7 @@
 //! Words of a command from Python's arguments: numbers stay numbers, and sequences are flattened.
 
 use crate::errors::OpenSeesError;
+use crate::methods::Entry;
 use hysteron_tcl::Value;
 use numpy::{PyArrayDyn, PyArrayMethods as _, PyUntypedArray};
 use pyo3::prelude::*;
@@ -10,7 +11,8 @@ use pyo3::types::{PyFloat, PyInt, PyList, PyString, PyTuple};
 const MAX_DEPTH: usize = 16;
 
 /// The words of a call: the name of the command and its arguments.
-pub(crate) fn words(name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value>> {
+pub(crate) fn words(entry: &Entry, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value>> {
+    let name = entry.command.name;
     let mut words = Vec::with_capacity(args.len() + 1);
     words.push(Value::from(name));
     for (i, arg) in args.iter().enumerate() {
@@ -22,7 +24,7 @@ pub(crate) fn words(name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value
             )),
         })?;
     }
-    if name.starts_with("block") {
+    if entry.is_block {
         gather_block(&mut words);
     }
     Ok(words)

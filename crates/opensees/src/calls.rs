@@ -81,6 +81,7 @@ impl Run {
         let mut interp = Interp::new(session, console, files);
         crate::install(&mut interp);
         interp.elsewhere = elsewhere::command;
+        interp.core.follow_current_dir();
         interp.host.called_by_host = true;
         let interrupt = interp.interrupt.clone();
         interp.host.stop_on(interrupt);
@@ -106,10 +107,10 @@ impl Run {
                 source
             }
         };
-        if !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
+        let is_open = self.interp.host.builder.open_section.is_some();
+        if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             open::settle(&mut self.interp)?;
         }
-        self.interp.core.enter_current_dir();
         (command.run)(&mut self.interp, &Call::numbered(words, source, number))
     }
 }

@@ -230,9 +230,10 @@ impl Engine {
         result
     }
 
+    /// Room for what has been added. The trial state becomes the committed one where the changed model gets its plan.
     fn grow(&mut self) {
         self.committed.grow(&self.model);
-        self.trial.clone_from(&self.committed);
+        self.trial.grow(&self.model);
     }
 
     /// Add a node.
@@ -242,16 +243,14 @@ impl Engine {
         for shape in self.results.modes.iter_mut().flat_map(|m| &mut m.shapes) {
             shape.resize(shape.len() + ndf, 0.0);
         }
-        self.committed.grow(&self.model);
-        self.trial.grow(&self.model);
+        self.grow();
         id
     }
 
     /// Add an element.
     pub fn add_element(&mut self, tag: Tag, nodes: Vec<NodeId>, element: Arc<dyn Element>) -> ElementId {
         let id = self.model.add_element(tag, nodes, element);
-        self.committed.grow(&self.model);
-        self.trial.grow(&self.model);
+        self.grow();
         id
     }
 
