@@ -8,14 +8,14 @@ use crate::owned::Owned;
 use crate::words::words;
 use hysteron_engine::analysis::{Options, RecoveryStrategy};
 use hysteron_opensees::run::{Run, Settings};
-use hysteron_opensees::{Mode, Session};
+use hysteron_opensees::{Again, Mode, Session};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, OsFiles, Value};
 use hysteron_view::Units;
 use numpy::PyArray2;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyInt, PyTuple};
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 use std::time::Instant;
@@ -46,12 +46,10 @@ impl Inner {
         &mut self.owned.run().interp.host
     }
 
-    /// Returns true if the words are those of an analysis that is shorter than the change between two threads.
-    fn is_short(&mut self, entry: &Entry, words: &[Value]) -> bool {
-        let Some(steps) = words.get(1).and_then(Value::as_i64) else { return false };
+    /// Returns true if an analysis of so many steps is shorter than the change between two threads.
+    fn is_short(&mut self, steps: usize) -> bool {
         let engine = &self.session().engine;
-        let work = usize::try_from(steps).unwrap_or_default().saturating_mul(engine.model().elements.len());
-        entry.command.name == "analyze" && work <= MAX_HELD_WORK && engine.options.ladder.is_none()
+        steps.saturating_mul(engine.model().elements.len()) <= MAX_HELD_WORK && engine.options.ladder.is_none()
     }
 }
 
@@ -87,13 +85,41 @@ impl Domain {
         self.finish(py, &mut inner, entry, words, outcome)
     }
 
+    /// Make steps of an analysis: without a look at the words, and holding Python's interpreter, where it is short and goes on
+    /// from the last call.
+    pub(crate) fn analyze_again(
+        &self,
+        py: Python<'_>,
+        entry: &'static Entry,
+        steps: usize,
+        dt: Option<f64>,
+        all: impl FnOnce() -> PyResult<Vec<Value>>,
+    ) -> PyResult<Py<PyAny>> {
+        let mut inner = self.hold()?;
+        if !inner.is_short(steps) {
+            drop(inner);
+            return self.long_command(py, entry, all()?);
+        }
+        inner.reactions = None;
+        let run = inner.owned.run();
+        run.interp.interrupt.store(false, Ordering::Relaxed);
+        match run.analyze_again(steps, dt) {
+            Some(Again::Silent) => Ok(PyInt::new(py, 0).into_any().unbind()),
+            Some(Again::Told(done)) => {
+                let words = all()?;
+                let outcome = run.conclude(done, &words);
+                self.finish(py, &mut inner, entry, &words, outcome)
+            }
+            None => {
+                drop(inner);
+                self.command(py, entry, &all()?)
+            }
+        }
+    }
+
     /// The same for a command that may take long.
     fn long_command(&self, py: Python<'_>, entry: &'static Entry, words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
-        if inner.is_short(entry, &words) {
-            drop(inner);
-            return self.command(py, entry, &words);
-        }
         inner.reactions = None;
         inner.owned.run().interp.interrupt.store(false, Ordering::Relaxed);
         let owned = &mut inner.owned;

@@ -3,10 +3,12 @@
 use crate::domain::{Domain, Inner};
 use crate::errors::OpenSeesError;
 use crate::methods::Entry;
+use crate::words::words;
 use hysteron_engine::analysis::State;
 use hysteron_engine::model::{ElementId, NodeId};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyList, PyString, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use std::sync::OnceLock;
 
 /// An argument that may be left out.
 type Arg<'py> = Option<Bound<'py, PyAny>>;
@@ -22,38 +24,72 @@ fn pick(py: Python<'_>, values: &[f64], number: Option<i32>) -> Option<PyResult<
     }
 }
 
+/// A query with its arguments: a tag, and mostly a number.
+struct Asked<'a, 'py> {
+    name: &'static str,
+    given: Given<'a, 'py>,
+}
+
 /// A list of tags.
 fn tags(py: Python<'_>, tags: impl Iterator<Item = i32>) -> PyResult<Py<PyAny>> {
     Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
 }
 
-/// Arguments of a query: a tag, and mostly a number.
-struct Asked<'a, 'py> {
-    name: &'static str,
-    tag: &'a Arg<'py>,
-    number: &'a Arg<'py>,
+/// Arguments of a call, of which there are mostly two.
+struct Given<'a, 'py> {
+    first: &'a Arg<'py>,
+    second: &'a Arg<'py>,
     more: &'a Bound<'py, PyTuple>,
 }
 
-impl Asked<'_, '_> {
+impl<'py> Given<'_, 'py> {
     /// One or two whole numbers; `None` for anything else.
     fn numbers(&self) -> Option<(i32, Option<i32>)> {
         if !self.more.is_empty() {
             return None;
         }
-        let tag = self.tag.as_ref()?.extract::<i32>().ok()?;
-        match &self.number {
-            None => Some((tag, None)),
-            Some(number) => Some((tag, Some(number.extract::<i32>().ok()?))),
+        let first = self.first.as_ref()?.extract::<i32>().ok()?;
+        match &self.second {
+            None => Some((first, None)),
+            Some(number) => Some((first, Some(number.extract::<i32>().ok()?))),
         }
+    }
+
+    /// Number and length of steps; `None` for anything else.
+    fn steps(&self) -> Option<(usize, Option<f64>)> {
+        if !self.more.is_empty() {
+            return None;
+        }
+        let steps = self.first.as_ref()?.cast::<PyInt>().ok()?.extract::<usize>().ok()?;
+        match &self.second {
+            None => Some((steps, None)),
+            Some(dt) => Some((steps, Some(dt.cast::<PyFloat>().ok()?.value()))),
+        }
+    }
+
+    fn all(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let given = [self.first, self.second].into_iter().flatten().cloned().chain(self.more.iter());
+        PyTuple::new(py, given.collect::<Vec<_>>())
     }
 }
 
 impl Domain {
     /// The command itself, for words that need a closer look.
     fn by_words(&self, py: Python<'_>, asked: &Asked<'_, '_>) -> PyResult<Py<PyAny>> {
-        let given = [asked.tag, asked.number].into_iter().flatten().cloned().chain(asked.more.iter());
-        self.enter(py, Entry::of(asked.name)?, &PyTuple::new(py, given.collect::<Vec<_>>())?)
+        self.enter(py, Entry::of(asked.name)?, &asked.given.all(py)?)
+    }
+
+    /// Make steps of an analysis; at once where it goes on from the last call.
+    fn analyze_given(&self, py: Python<'_>, given: &Given<'_, '_>) -> PyResult<Py<PyAny>> {
+        static ANALYZE: OnceLock<&'static Entry> = OnceLock::new();
+        let entry = match ANALYZE.get() {
+            Some(entry) => entry,
+            None => Entry::of("analyze").map(|e| *ANALYZE.get_or_init(|| e))?,
+        };
+        match given.steps() {
+            Some((steps, dt)) => self.analyze_again(py, entry, steps, dt, || words(entry, &given.all(py)?)),
+            None => self.enter(py, entry, &given.all(py)?),
+        }
     }
 
     /// Values of a node by the quick way, or else by the command.
@@ -63,7 +99,7 @@ impl Domain {
         asked: &Asked<'_, '_>,
         values: impl for<'a> FnOnce(&'a mut Inner, NodeId) -> Option<&'a [f64]>,
     ) -> PyResult<Py<PyAny>> {
-        if let Some((tag, dof)) = asked.numbers() {
+        if let Some((tag, dof)) = asked.given.numbers() {
             let mut inner = self.hold()?;
             if let Some(node) = inner.session().engine.model().node(tag)
                 && let Some(found) = values(&mut inner, node).and_then(|v| pick(py, v, dof))
@@ -88,7 +124,7 @@ impl Domain {
 
     /// A response with a command of its own.
     fn named(&self, py: Python<'_>, asked: &Asked<'_, '_>, response: &str) -> PyResult<Py<PyAny>> {
-        if let Some((tag, column)) = asked.numbers() {
+        if let Some((tag, column)) = asked.given.numbers() {
             let mut inner = self.hold()?;
             if let Some(element) = self.element(&mut inner, tag)
                 && let Some(values) = inner.session().element_response(element, &[response])
@@ -116,7 +152,7 @@ macro_rules! queries {
                     number: Arg<'py>,
                     more: &Bound<'py, PyTuple>,
                 ) -> PyResult<Py<PyAny>> {
-                    self.$by(py, &Asked { name: $name, tag: &tag, number: &number, more }, $($how),*)
+                    self.$by(py, &Asked { name: $name, given: Given { first: &tag, second: &number, more } }, $($how),*)
                 }
             )*
         }
@@ -157,15 +193,18 @@ impl Domain {
     /// With `record`, the histories of responses by name: `record={'roof': ('disp', 4, 1)}` for node 4 and degree of
     /// freedom 1, `('Element', '-ele', 1, 'force')` for the words of a recorder without its file. They are arrays of shape
     /// (rows, columns), or (rows,) for a single column.
-    #[pyo3(signature = (*args, record = None))]
+    #[pyo3(signature = (steps = None, dt = None, /, *more, record = None))]
     fn analyze<'py>(
         slf: &Bound<'py, Self>,
-        args: &Bound<'py, PyTuple>,
+        steps: Arg<'py>,
+        dt: Arg<'py>,
+        more: &Bound<'py, PyTuple>,
         record: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Py<PyAny>> {
+        let (py, given) = (slf.py(), Given { first: &steps, second: &dt, more });
         match record {
-            None => slf.get().enter(slf.py(), Entry::of("analyze")?, args),
-            Some(record) => Ok(slf.call_method1("_analyze_recorded", (args, record))?.unbind()),
+            None => slf.get().analyze_given(py, &given),
+            Some(record) => Ok(slf.call_method1("_analyze_recorded", (given.all(py)?, record))?.unbind()),
         }
     }
 

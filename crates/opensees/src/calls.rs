@@ -25,7 +25,7 @@
 
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
-use crate::{Command, Mode, Outcome, Outputs, Session, commands, elsewhere};
+use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, elsewhere};
 use hysteron_engine::analysis::{Failure, ReactionKind};
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
@@ -67,6 +67,15 @@ impl CallNumbers {
     }
 }
 
+/// Source that stands for the calls, and the number of the next one.
+pub(crate) fn next_number(interp: &mut Tcl) -> (SourceId, u32) {
+    let numbers = &mut interp.host.call_numbers;
+    numbers.last = numbers.last.wrapping_add(1);
+    let number = numbers.last;
+    let source = *numbers.source.get_or_insert_with(|| interp.core.sources.add("call", ""));
+    (source, number)
+}
+
 impl Run {
     /// Prepare to call commands one by one with [`Run::call`].
     ///
@@ -96,17 +105,8 @@ impl Run {
     /// # Errors
     /// The command is rejected. The places in the message are those of [`CallNumbers`].
     pub fn call(&mut self, command: &'static Command, words: &[Value]) -> Outcome {
-        let numbers = &mut self.interp.host.call_numbers;
-        numbers.last = numbers.last.wrapping_add(1);
-        let number = numbers.last;
-        let source = match numbers.source {
-            Some(source) => source,
-            None => {
-                let source = self.interp.core.sources.add("call", "");
-                self.interp.host.call_numbers.source = Some(source);
-                source
-            }
-        };
+        let (source, number) = next_number(&mut self.interp);
+        self.interp.host.looked.again = None;
         let is_open = self.interp.host.builder.open_section.is_some();
         if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             open::settle(&mut self.interp)?;
