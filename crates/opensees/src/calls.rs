@@ -25,8 +25,9 @@
 
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
+use crate::slips;
 use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, elsewhere};
-use hysteron_engine::analysis::{Failure, ReactionKind};
+use hysteron_engine::analysis::Failure;
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::{SourceId, Span};
@@ -126,9 +127,11 @@ impl Session {
     /// # Errors
     /// The model cannot be evaluated.
     pub fn reactions(&mut self) -> Result<Vec<f64>, Failure> {
+        if self.follows(&[slips::KEPT_REACTIONS]) {
+            return Ok(self.engine.kept_reactions());
+        }
         let mut all = vec![];
-        let kind: ReactionKind = self.output.reaction_kind;
-        self.engine.reactions(kind, &mut all)?;
+        self.engine.reactions(self.output.reaction_kind, &mut all)?;
         Ok(all)
     }
 

@@ -104,6 +104,8 @@ pub(super) struct Results {
     pub modes: Option<super::modes::Modes>,
     /// Buffer of the last `reactions`.
     pub reaction_words: Vec<f64>,
+    /// Reactions that OpenSees keeps until they are asked for.
+    pub kept_reactions: Vec<f64>,
 }
 
 /// A model, its state, and the steps that advance it.
