@@ -70,19 +70,23 @@ impl Domain {
         args: &Bound<'_, PyTuple>,
     ) -> PyResult<Py<PyAny>> {
         let words = words(entry, args)?;
-        if entry.is_long { self.long_command(py, entry, words) } else { self.command(py, entry, &words) }
+        if entry.is_long { self.long_command(py, entry, words) } else { self.command(py, entry, words) }
     }
 
     /// Call a command with words.
-    pub(crate) fn command(&self, py: Python<'_>, entry: &'static Entry, words: &[Value]) -> PyResult<Py<PyAny>> {
+    pub(crate) fn command(&self, py: Python<'_>, entry: &'static Entry, mut words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
+        inner.owned.put_name(entry, &mut words);
         if !entry.is_pure {
             inner.reactions = None;
         }
         let run = inner.owned.run();
         run.interp.interrupt.store(false, Ordering::Relaxed);
-        let outcome = run.call(entry.command, words);
-        self.finish(py, &mut inner, entry, words, outcome)
+        let outcome = run.call(entry.command, &words);
+        let result = self.finish(py, &mut inner, entry, &words, outcome);
+        // The name is shared with the model: its references are counted while the model is held.
+        drop(words);
+        result
     }
 
     /// Make steps of an analysis: without a look at the words, and holding Python's interpreter, where it is short and goes on
@@ -106,23 +110,25 @@ impl Domain {
         match run.analyze_again(steps, dt) {
             Some(Again::Silent) => Ok(PyInt::new(py, 0).into_any().unbind()),
             Some(Again::Told(done)) => {
-                let words = all()?;
-                let outcome = run.conclude(done, &words);
+                let mut words = all()?;
+                inner.owned.put_name(entry, &mut words);
+                let outcome = inner.owned.run().conclude(done, &words);
                 self.finish(py, &mut inner, entry, &words, outcome)
             }
             None => {
                 drop(inner);
-                self.command(py, entry, &all()?)
+                self.command(py, entry, all()?)
             }
         }
     }
 
     /// The same for a command that may take long.
-    fn long_command(&self, py: Python<'_>, entry: &'static Entry, words: Vec<Value>) -> PyResult<Py<PyAny>> {
+    fn long_command(&self, py: Python<'_>, entry: &'static Entry, mut words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
         inner.reactions = None;
         inner.owned.run().interp.interrupt.store(false, Ordering::Relaxed);
         let owned = &mut inner.owned;
+        owned.put_name(entry, &mut words);
         owned.set_words(words);
         py.detach(|| owned.call(entry.command));
         let (words, outcome) = owned.take();
@@ -209,13 +215,13 @@ impl Domain {
         let recorder = Entry::of("recorder")?;
         let mut all = words(recorder, args)?;
         all.splice(1..1, [Value::from(kind), Value::from("-file"), Value::from(name.as_str()), Value::from("-time")]);
-        let tag = self.command(py, recorder, &all)?;
+        let tag = self.command(py, recorder, all)?;
         Ok((tag.extract(py)?, name))
     }
 
     /// Rows of a recorder in memory, which is removed: the times, then the columns.
     fn _recorded<'py>(&self, py: Python<'py>, tag: i64, name: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.command(py, Entry::of("remove")?, &[Value::from("remove"), Value::from("recorder"), Value::from(tag)])?;
+        self.command(py, Entry::of("remove")?, vec![Value::EMPTY, Value::from("recorder"), Value::from(tag)])?;
         let rows = self.files.take(name);
         PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
     }

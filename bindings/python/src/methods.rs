@@ -20,6 +20,8 @@ const PURE: &[&str] = &["nodeCoord", "nodeMass", "getNodeTags", "getEleTags", "e
 pub(crate) struct Entry {
     /// The command.
     pub(crate) command: &'static Command,
+    /// Its place among all commands.
+    pub(crate) index: usize,
     /// It may take long.
     pub(crate) is_long: bool,
     /// It changes nothing of what the queries give.
@@ -36,16 +38,17 @@ impl Entry {
         static KNOWN: OnceLock<HashMap<&'static str, Entry>> = OnceLock::new();
         let all = || {
             let known = commands().filter_map(|c| calls::command(c.name));
-            known.map(|command| (command.name, Self::new(command))).collect()
+            known.enumerate().map(|(i, command)| (command.name, Self::new(command, i))).collect()
         };
         let known = KNOWN.get_or_init(all).get(name);
         known.ok_or_else(|| OpenSeesError::new_err(format!("unknown command \"{name}\"")))
     }
 
-    fn new(command: &'static Command) -> Self {
+    fn new(command: &'static Command, index: usize) -> Self {
         let name = command.name;
         Self {
             command,
+            index,
             is_long: LONG.contains(&name),
             is_pure: PURE.contains(&name),
             is_block: name.starts_with("block"),
