@@ -37,7 +37,7 @@ NOT_HERE = re.compile(
 NOT_COMPARED = {"version", "pyversion", "accelCPU", "solveCPU", "totalCPU", "numIter", "numFact", "testIter", "testNorm", "testNorms",
                 "recorder", "logFile", "systemSize", "getNumThreads"}
 # Modes have no sign, and equal frequencies no order.
-MODES = {"nodeEigenvector"}
+MODES = {"nodeEigenvector", "modalProperties"}
 # Forces of which nothing but round-off is left.
 FORCES = {"nodeReaction", "nodeUnbalance", "eleForce", "eleResponse", "basicForce", "localForce"}
 NO_FORCE = 1e-8
