@@ -250,6 +250,14 @@ impl Domain {
     /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name.
     #[pyo3(name = "eleResponse", signature = (*args))]
     fn ele_response(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Ok((tag, word)) = args.extract::<(i32, Bound<'_, PyString>)>() {
+            let mut inner = self.hold()?;
+            if let Some(element) = self.element(&mut inner, tag)
+                && let Some(values) = inner.session().element_response(element, &[word.to_cow()?.trim()])
+            {
+                return Ok(PyList::new(py, values)?.into_any().unbind());
+            }
+        }
         let items: Vec<Bound<'_, PyAny>> = args.iter().skip(1).collect();
         let word = |item: &Bound<'_, PyAny>| -> Option<String> {
             match item.cast::<PyString>() {
