@@ -7,7 +7,7 @@ pub(crate) mod lanes;
 pub use dual::Dual;
 
 /// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
-#[inline]
+#[inline(always)]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     let (head_a, tail_a) = a[..n].as_chunks::<4>();
