@@ -242,7 +242,8 @@ fn invert_in_order<const N: usize>(a: &mut [[f64; N]; N]) -> bool {
             return false;
         }
         a[column][column] = 1.0;
-        a[column].iter_mut().for_each(|x| *x /= p);
+        let inverse = 1.0 / p;
+        a[column].iter_mut().for_each(|x| *x *= inverse);
         let pivot_row = a[column];
         for (_, row) in a.iter_mut().enumerate().filter(|(row, _)| *row != column) {
             let factor = std::mem::replace(&mut row[column], 0.0);
