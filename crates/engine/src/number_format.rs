@@ -92,6 +92,10 @@ impl Style {
 /// Most digits that the shortest text of a number decides.
 const DECIDED: usize = 14;
 
+/// The decimal logarithm of two as a whole number of parts of two to this power.
+const LOG10_2_BITS: u32 = 20;
+const LOG10_2_SCALED: i32 = 315_653;
+
 /// Fraction of the last digit within which a scaled number does not decide.
 const UNDECIDED: f64 = 1e-9;
 
@@ -166,7 +170,7 @@ impl Decimal {
         let limit = *TENS_WHOLE.get(most).filter(|_| most <= DECIDED)?;
         // The exponent of ten is this or one more.
         let binary = (value.to_bits() >> 52) as i32 - 1023;
-        let mut exponent = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
+        let mut exponent = (binary * LOG10_2_SCALED) >> LOG10_2_BITS;
         let (mut high, mut low) = scale(value, most as i32 - 1 - exponent)?;
         if high >= limit as f64 {
             exponent += 1;
@@ -183,10 +187,13 @@ impl Decimal {
             (number, exponent) = (number / 10, exponent + 1);
         }
         let mut decimal = Self { digits: [0; 64], len: most, exponent };
-        for digit in decimal.digits[..most].iter_mut().rev() {
-            *digit = b'0' + (number % 10) as u8;
-            number /= 10;
+        let (first, pairs) = decimal.digits[..most].as_rchunks_mut::<2>();
+        for pair in pairs.iter_mut().rev() {
+            let two = (number % 100) as u8;
+            *pair = [b'0' + two / 10, b'0' + two % 10];
+            number /= 100;
         }
+        first.iter_mut().for_each(|digit| *digit = b'0' + number as u8);
         decimal.trim();
         Some(decimal)
     }
