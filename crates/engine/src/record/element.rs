@@ -1,5 +1,6 @@
 //! Responses of elements.
 
+use super::opensees::probe;
 use super::{Group, RecordError, Source};
 use crate::analysis::Engine;
 use crate::model::{ElementId, Tag};
@@ -85,13 +86,6 @@ impl Response {
             }
         }
     }
-}
-
-/// The response of an element by its words. OpenSees' elastic beam in the plane has its deformations under another name.
-fn probe(engine: &Engine, id: ElementId, words: &[&str]) -> Option<Probe> {
-    let element = &engine.model().elements[id.0].element;
-    let lacks = engine.options.compat && words == ["deformations"] && element.class() == "ElasticBeam2d";
-    if lacks { None } else { element.probe(words) }
 }
 
 /// Names of the global force.

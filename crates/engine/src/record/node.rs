@@ -126,9 +126,7 @@ impl NodeResponse {
         match self.quantity {
             NodeQuantity::Reaction(kind) => {
                 engine.reactions(kind, &mut self.reactions).map_err(failed)?;
-                if engine.options.compat {
-                    engine.keep_reactions(&self.reactions);
-                }
+                engine.keep_reactions(&self.reactions);
             }
             NodeQuantity::Unbalance { inertia } => engine.unbalanced(inertia, &mut self.reactions).map_err(failed)?,
             NodeQuantity::IncrDisp => {
