@@ -3,7 +3,7 @@
 //! The histories of the points stand one quantity after the other. A block of points is brought into arrays, over which
 //! the law loops.
 
-use super::{MaterialError, Strains, Stress, Stresses, UniaxialLaw};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{BLOCK, Lanes, any, copy_back, flag, in_lanes, load};
 use crate::state_struct::StateStruct as _;
 
@@ -145,6 +145,17 @@ pub(crate) fn update_blocks<L: BlockLaw<Q>, const Q: usize>(
     stresses: &mut Stresses<'_>,
 ) -> Result<(), MaterialError> {
     let n = strains.value.len();
+    if let ([value], [rate]) = (strains.value, strains.rate) {
+        // A single point, whose layout is that of one.
+        let strain = Strain { value: *value, rate: *rate, dt: strains.dt };
+        let (s, state) = UniaxialLaw::update(law, &L::State::read(committed), strain)?;
+        if !(s.value.is_finite() && s.tangent.is_finite()) {
+            return Err(no_stress::<L>(*value));
+        }
+        state.write(next);
+        (stresses.value[0], stresses.tangent[0], stresses.damping[0]) = (s.value, s.tangent, s.damping);
+        return Ok(());
+    }
     let mut points = Points {
         law,
         committed,

@@ -79,6 +79,8 @@ struct FiberRun {
 
 /// Maximum number of points of a run; sizes a buffer on the stack.
 const MAX_RUN_LENGTH: usize = 128;
+/// A run of no more points is not padded.
+const FEW_POINTS: usize = 2;
 /// Strain rates of fibers; zero, as in OpenSees.
 const NO_RATE: [f64; MAX_RUN_LENGTH] = [0.0; MAX_RUN_LENGTH];
 /// State variables of a point in front of those of its law.
@@ -195,15 +197,14 @@ impl FiberSection {
                 }
                 (placed[i].point, placed[i].run) = (points.len() - 1, runs.len() - 1);
             }
-            // The padding of a law that is evaluated in blocks belongs to its run.
-            let padded = points.pad(material.block_len().min(BLOCK));
-            if let Some(run) = runs.last_mut() {
-                run.points.end = padded;
+            // The padding of a law that is evaluated in blocks belongs to its run. A few points are not worth it.
+            if let Some(run) = runs.last_mut().filter(|r| r.points.len() > FEW_POINTS) {
+                run.points.end = points.pad(run.points.len(), material.block_len().min(BLOCK));
                 at = run.words().end;
             }
         }
         let updated = points.len();
-        points.pad(BLOCK);
+        points.pad(updated, BLOCK);
         at += POINT_HEADER * points.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);

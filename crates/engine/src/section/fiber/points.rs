@@ -51,9 +51,10 @@ impl Points {
         self.areas.iter_mut().last().into_iter().for_each(|a| *a += area);
     }
 
-    /// Repeats the last point without an area up to a multiple of `block`; returns the new number of points.
-    pub(super) fn pad(&mut self, block: usize) -> usize {
-        while !self.len().is_multiple_of(block) {
+    /// Repeats the last point without an area so often that `n` become a multiple of `block`; returns the new number of
+    /// points.
+    pub(super) fn pad(&mut self, n: usize, block: usize) -> usize {
+        for _ in n..n.next_multiple_of(block) {
             let gradient = std::array::from_fn(|i| self.gradients[i].last().copied().unwrap_or(0.0));
             self.push(gradient, 0.0);
         }
