@@ -170,3 +170,21 @@ fn old_spellings_and_words_left_over() {
     assert!((usual + 5.0 * 27.0 / (3.0 * 2e8 * 1e-4)).abs() < 1e-12);
     assert_eq!(deflection("", &elastic("0")), usual);
 }
+
+/// Node 3 is held and follows node 2: in OpenSees the force of its spring goes to node 2.
+#[test]
+fn a_tie_of_a_held_node_hands_its_forces_on() {
+    let model = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; node 3 0; node 4 0; fix 1 1; fix 3 1
+        uniaxialMaterial Elastic 1 10; uniaxialMaterial Elastic 2 20
+        element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 3 4 -mat 2 -dir 1
+        equalDOF 2 3 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 4 1 }
+        constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-12 100; algorithm Newton
+        integrator LoadControl 1; analysis Static
+        analyze 1; foreach n {2 3 4} { puts [nodeDisp $n 1] }";
+    let own = Script::default().run(model).numbers();
+    assert!(own[0].abs() < 1e-12 && own[1] == 0.0 && (own[2] - 0.05).abs() < 1e-12, "{own:?}");
+    let compat = Script::compat().run(model).numbers();
+    assert!((compat[0] - 0.1).abs() < 1e-10 && compat[1] == 0.0 && (compat[2] - 0.05).abs() < 1e-10, "{compat:?}");
+}

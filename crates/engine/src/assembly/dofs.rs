@@ -39,7 +39,8 @@ impl Handler {
 pub enum MpScope {
     /// All of them.
     All,
-    /// Only the first on each constrained node, as OpenSees' `Transformation` has it.
+    /// Only the first on each constrained node, as OpenSees' `Transformation` has it. A degree of freedom that is held as
+    /// well stands still, but its forces and stiffness go to what it follows.
     FirstOfNode,
     /// Only those that make displacements equal, as OpenSees' `Plain` has it.
     Identities,
@@ -99,6 +100,8 @@ pub struct Dependent {
     pub dof: usize,
     /// Degrees of freedom that it follows, and coefficients; none of them is dependent after it in the list.
     pub terms: Vec<(usize, f64)>,
+    /// It is held too: it hands its forces on and does not move ([`MpScope::FirstOfNode`]).
+    pub held: bool,
 }
 
 /// Role of each degree of freedom.
@@ -148,7 +151,7 @@ impl DofMap {
         let mut map = Self { held, ..Self::default() };
         let rows = multi_point_rows(model, scope);
         if handler.eliminates() {
-            map.eliminate(rows, imposed, homogeneous)?;
+            map.eliminate(rows, imposed, homogeneous, scope == MpScope::FirstOfNode)?;
         } else {
             let single = |dof: usize| Link { terms: vec![(dof, 1.0)], imposed: imposed[dof], multi: false };
             map.links = (0..n).filter(|&d| map.held[d]).map(single).collect();
@@ -170,12 +173,13 @@ impl DofMap {
         rows: Vec<(usize, Vec<(usize, f64)>)>,
         imposed: Vec<Option<Imposed>>,
         homogeneous: bool,
+        ties_of_held: bool,
     ) -> Result<(), DofError> {
         let n = self.held.len();
         let mut follows: Vec<Option<Vec<(usize, f64)>>> = vec![None; n];
         for (dof, terms) in rows {
             // A support on a constrained degree of freedom wins, as in OpenSees.
-            if self.held[dof] {
+            if self.held[dof] && !ties_of_held {
                 continue;
             }
             if follows[dof].is_some() {
@@ -246,7 +250,8 @@ impl DofMap {
                     stack.push((to, 0));
                 } else {
                     mark[dof] = Mark::Done;
-                    self.dependents.push(Dependent { dof, terms: follows[dof].take().unwrap_or_default() });
+                    let held = self.held[dof];
+                    self.dependents.push(Dependent { dof, terms: follows[dof].take().unwrap_or_default(), held });
                 }
             }
         }
@@ -283,7 +288,7 @@ impl DofMap {
 
     /// Work out the degrees of freedom that follow others.
     pub fn follow(&self, full: &mut [f64]) {
-        for d in &self.dependents {
+        for d in self.dependents.iter().filter(|d| !d.held) {
             full[d.dof] = d.terms.iter().map(|&(from, c)| c * full[from]).sum();
         }
     }

@@ -41,6 +41,12 @@ slips! {
     "All of them hold.",
     "The model would not be that of the script.";
 
+    HELD_AND_TIED, Analysis, Test("tests/analysis/opensees.rs", "a_tie_of_a_held_node_hands_its_forces_on"),
+    "`constraints Transformation` with a multi-point constraint of a degree of freedom that is held too",
+    "The degree of freedom stands still. Its forces and its stiffness go to the node that it should follow.",
+    "The constraint of the held degree of freedom is left out. A warning names it.",
+    "The support would carry nothing, and the retained node would be held back by springs that do not move.";
+
     EIGEN_LAPACK, Command, Nowhere,
     "`eigen -fullGenLapack`",
     "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
