@@ -48,9 +48,10 @@ NO_RESULTS = (".log", ".tcl", ".html", ".svg", ".json")
 TIMES = re.compile(r"warning|failure|error|second|elapsed|duration|time|clock|date|\bms\b|\bmin\b", re.I)
 
 
-# Lines of the command `print`, which OpenSees writes to its error stream.
+# Lines of the command `print`, with -JSON too, which OpenSees writes to its error stream.
 OF_PRINT = re.compile(r"\s*(Node:|Element:|Coordinates|Disps|Velocities|commitAccels|unbalanced|Mass|Eigenvectors|ID\s*:|Rayleigh"
-                      r"|strain:|NODE DATA|ELEMENT DATA|Current Time|Committed Time)")
+                      r"|strain:|NODE DATA|ELEMENT DATA|Current Time|Committed Time|SP_Constraint|MP_Constraint|Pressure_Constraint"
+                      r"|Nodal Load|LOAD PATTERNS|Load Pattern|Linear Series|PARAMETERS|\"\w+\"\s*:|\{\"|[{}\[\]]+,?\s*$)")
 # Results beside a time of the analysis, which is no time of the clock.
 OF_RESULTS = re.compile(r"disp|force|reaction|drift", re.I)
 # Names of files of mode shapes and participation factors.

@@ -1,5 +1,6 @@
 //! Constraint handlers: degrees of freedom that are unknowns, that are imposed, and that follow others.
 
+use super::opensees::{self, Row};
 use crate::model::{Model, Tag};
 use std::fmt;
 
@@ -40,7 +41,7 @@ pub enum MpScope {
     /// All of them.
     All,
     /// Only the first on each constrained node, as OpenSees' `Transformation` has it. A degree of freedom that is held as
-    /// well stands still, but its forces and stiffness go to what it follows.
+    /// well stands still, but its forces and stiffness go to what it follows. Chains are not multiplied out.
     FirstOfNode,
     /// Only those that make displacements equal, as OpenSees' `Plain` has it.
     Identities,
@@ -148,8 +149,14 @@ impl DofMap {
                 imposed[dof] = Some(Imposed { dof, pattern: tag, index });
             }
         }
+        let rows = match scope {
+            MpScope::FirstOfNode => {
+                opensees::frozen(model, &held).into_iter().for_each(|dof| held[dof] = true);
+                opensees::rows(model)
+            }
+            MpScope::All | MpScope::Identities => multi_point_rows(model, scope),
+        };
         let mut map = Self { held, ..Self::default() };
-        let rows = multi_point_rows(model, scope);
         if handler.eliminates() {
             map.eliminate(rows, imposed, homogeneous, scope == MpScope::FirstOfNode)?;
         } else {
@@ -170,7 +177,7 @@ impl DofMap {
 
     fn eliminate(
         &mut self,
-        rows: Vec<(usize, Vec<(usize, f64)>)>,
+        rows: Vec<Row>,
         imposed: Vec<Option<Imposed>>,
         homogeneous: bool,
         ties_of_held: bool,
@@ -302,14 +309,9 @@ impl DofMap {
 }
 
 /// Rows of the multi-point constraints: the degree of freedom that follows, and what it follows.
-fn multi_point_rows(model: &Model, scope: MpScope) -> Vec<(usize, Vec<(usize, f64)>)> {
+fn multi_point_rows(model: &Model, scope: MpScope) -> Vec<Row> {
     let mut rows = vec![];
-    let mut seen = std::collections::BTreeSet::new();
-    for mp in &model.multi_points {
-        let again = !seen.insert(mp.constrained);
-        if scope == MpScope::FirstOfNode && again || scope == MpScope::Identities && !mp.is_identity() {
-            continue;
-        }
+    for mp in model.multi_points.iter().filter(|mp| scope != MpScope::Identities || mp.is_identity()) {
         let (c, r) = (model.nodes[mp.constrained.0].offset, model.nodes[mp.retained.0].offset);
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
             rows.push((c + dof, mp.row(i).filter(|(_, k)| *k != 0.0).map(|(d, k)| (r + d, k)).collect()));

@@ -43,9 +43,22 @@ slips! {
 
     HELD_AND_TIED, Analysis, Test("tests/analysis/opensees.rs", "a_tie_of_a_held_node_hands_its_forces_on"),
     "`constraints Transformation` with a multi-point constraint of a degree of freedom that is held too",
-    "The degree of freedom stands still. Its forces and its stiffness go to the node that it should follow.",
+    "The degree of freedom stands still. Its forces and its stiffness go to the node that it should follow. The next one of the node that \
+     does not follow stands still too.",
     "The constraint of the held degree of freedom is left out. A warning names it.",
     "The support would carry nothing, and the retained node would be held back by springs that do not move.";
+
+    UNKNOWN_INTEGRATOR, Command, Test("tests/analysis/opensees.rs", "an_unknown_integrator_changes_nothing"),
+    "`integrator` of an unknown kind",
+    "The command does nothing. A warning names the kind.",
+    "It is refused.",
+    "The analysis would go on with another integrator.";
+
+    CHAINED_TIES, Analysis, Test("tests/analysis/opensees.rs", "chains_of_rigid_links_are_not_multiplied"),
+    "`constraints Transformation` with a node that follows one which follows another",
+    "It moves as if the last node stood where the one in the middle is. It stands still if the one in the middle has the greater tag.",
+    "The constraints of the chain are multiplied.",
+    "Rigid bodies of several links would bend.";
 
     EIGEN_LAPACK, Command, Nowhere,
     "`eigen -fullGenLapack`",
