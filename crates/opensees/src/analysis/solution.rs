@@ -146,7 +146,8 @@ fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tolerance = if *measure == Measure::FixedIterations { 0.0 } else { a.not_negative("tolerance")? };
     let second = if two { a.not_negative("tolerance of the unbalance")? } else { tolerance };
     let iterations = if a.left() == 0 && *measure != Measure::FixedIterations {
-        let message = format!("test: the largest number of iterations is missing and is taken for {DEFAULT_ITERATIONS}");
+        let message =
+            format!("test: the largest number of iterations is missing and is taken for {DEFAULT_ITERATIONS}");
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected the number after this"))?;
         DEFAULT_ITERATIONS
     } else {

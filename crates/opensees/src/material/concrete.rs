@@ -54,7 +54,8 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         }
         ft = a.float("tensile strength ft")?;
         if ft < 0.0 {
-            let d = Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
+            let d =
+                Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
             warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
         }
         ets = a.not_negative("tension softening modulus Ets")?;

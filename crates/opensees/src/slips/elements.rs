@@ -1,6 +1,6 @@
 //! Beams, trusses and links.
 
-use super::Shown::{Test, Case, Nowhere};
+use super::Shown::{Case, Nowhere, Test};
 use super::{Slip, differs, slips};
 
 slips! {
