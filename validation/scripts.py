@@ -8,8 +8,8 @@ sources it; of each repository at most --each scripts, chosen by a hash of their
 `hysteron run --compat opensees`, both in a copy of its folder and for at most --limit seconds. It counts if it is within scope
 and OpenSees runs it to its end and writes numbers. It is equal if every column of every file that either program writes differs
 by at most --tolerance of the column's peak; without files, the numbers that it prints are compared. The texts of the command
-`print` are not compared: each OpenSees has its own. With several OpenSees, one
-that agrees is enough. --cache keeps what OpenSees wrote, for later runs of the same scripts.
+`print` are not compared: each OpenSees has its own. With several OpenSees, one that agrees is enough. --cache keeps what
+OpenSees wrote, for later runs of the same scripts.
 """
 import argparse
 import concurrent.futures

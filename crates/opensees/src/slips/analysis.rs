@@ -147,11 +147,6 @@ pub(super) const OTHERS: &[Slip] = &[
          slide. They depend on the vector that it starts from. Damping that a script makes of them differs as much.",
         "The values are those of the tangent. They agree with those of `-fullGenLapack` to 1e-9. Of a complex pair the real part is given.",
     ),
-    differs(
-        "`constraints Transformation`: chains of multi-point constraints",
-        "The motions are wrong.",
-        "The chain is followed.",
-    ),
     differs("`constraints Lagrange` with multi-point constraints", "openseespy 3.7.1 stops.", "They hold."),
     differs(
         "`fix` on a node that has moved",
