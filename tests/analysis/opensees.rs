@@ -223,3 +223,201 @@ fn old_spellings_and_words_left_over() {
     assert!((usual + 5.0 * 27.0 / (3.0 * 2e8 * 1e-4)).abs() < 1e-12);
     assert_eq!(deflection("", &elastic("0")), usual);
 }
+
+/// Node 3 is held and follows node 2: in OpenSees the force of its spring goes to node 2.
+#[test]
+fn a_tie_of_a_held_node_hands_its_forces_on() {
+    let model = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; node 3 0; node 4 0; fix 1 1; fix 3 1
+        uniaxialMaterial Elastic 1 10; uniaxialMaterial Elastic 2 20
+        element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 3 4 -mat 2 -dir 1
+        equalDOF 2 3 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 4 1 }
+        constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-12 100; algorithm Newton
+        integrator LoadControl 1; analysis Static
+        analyze 1; foreach n {2 3 4} { puts [nodeDisp $n 1] }";
+    let own = Script::default().run(model).numbers();
+    assert!(own[0].abs() < 1e-12 && own[1] == 0.0 && (own[2] - 0.05).abs() < 1e-12, "{own:?}");
+    let compat = Script::compat().run(model).numbers();
+    assert!((compat[0] - 0.1).abs() < 1e-10 && compat[1] == 0.0 && (compat[2] - 0.05).abs() < 1e-10, "{compat:?}");
+}
+
+/// Rigid links one after the other between two springs; numbers of openseespy 3.7.1.
+#[test]
+fn chains_of_rigid_links_are_not_multiplied() {
+    let links = |links: &str, script: Script| {
+        let model = format!(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 1 0; node 3 2 0; node 4 3 0; node 5 3 0; node 6 0 0; fix 1 1 1 1; fix 5 1 1 1
+            uniaxialMaterial Elastic 1 10
+            {links}
+            timeSeries Linear 1
+            constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-10 50; algorithm Newton
+            integrator LoadControl 1; analysis Static
+            analyze 1; puts \"[nodeDisp 2 2] [nodeDisp 3 2] [nodeDisp 4 2]\""
+        );
+        script.run(&model).numbers()
+    };
+    let rising = "node 0 0 0; element zeroLength 1 1 0 -mat 1 1 1 -dir 1 2 3; element zeroLength 2 5 4 -mat 1 1 1 -dir 1 2 3
+        fix 6 1 1 1; rigidLink beam 0 2; rigidLink beam 2 3; rigidLink beam 3 4; pattern Plain 1 Linear { load 4 1 1 0 }";
+    let near = |got: &[f64], want: [f64; 3]| got.iter().zip(want).all(|(g, w)| (g - w).abs() < 1e-9);
+    let compat = links(rising, Script::compat());
+    assert!(near(&compat, [0.06, 0.06, 0.06]), "{compat:?}");
+    let own = links(rising, Script::default());
+    assert!((own[1] - own[0] - (own[2] - own[1])).abs() < 1e-9 && own[2] > own[1], "{own:?}");
+    // The leading node of the second link has the greater tag: OpenSees lets the third stand still.
+    let falling =
+        "element zeroLength 1 1 6 -mat 1 1 1 -dir 1 2 3; element zeroLength 2 5 4 -mat 1 1 1 -dir 1 2 3; fix 2 1 1 1
+        rigidLink beam 6 4; rigidLink beam 4 3; pattern Plain 1 Linear { load 4 1 1 0 }";
+    let compat = links(falling, Script::compat());
+    assert!(compat[1] == 0.0 && compat[2] > 0.0, "{compat:?}");
+}
+
+/// Numbers of openseespy 3.7.1: the end of a beam with joint offsets.
+#[test]
+fn corotational_offsets_are_ignored_in_space() {
+    let beam = |script: Script| {
+        script.run(
+            "model basic -ndm 3 -ndf 6
+            node 1 0 0 0; node 2 3 0 0; fix 1 1 1 1 1 1 1
+            geomTransf Corotational 1 0 0 1 -jntOffset 0.1 0 0.2 -0.1 0 0.2
+            element elasticBeamColumn 1 1 2 0.01 2e8 8e7 1e-5 2e-5 3e-5 1
+            timeSeries Linear 1; pattern Plain 1 1 { load 2 10 5 20 0 0 0 }
+            numberer Plain; system FullGeneral; constraints Plain; algorithm Newton; test NormUnbalance 1e-6 20
+            integrator LoadControl 1; analysis Static
+            analyze 1; puts [nodeDisp 2]",
+        )
+    };
+    let expected = [-0.00032624157243262903, 0.007463073688847467, 0.0446590079643746, -6.952584309524826e-5];
+    let compat = beam(Script::compat());
+    for (got, want) in compat.numbers().iter().zip(expected) {
+        assert!((got - want).abs() < 1e-8, "{got} {want}");
+    }
+    assert!(compat.warnings().iter().any(|w| w.message.contains("joint offsets")), "{:?}", compat.warnings());
+    assert!((beam(Script::default()).numbers()[2] - expected[2]).abs() > 1e-3);
+}
+
+/// openseespy 3.7.1 goes on with Newmark's method.
+#[test]
+fn an_unknown_integrator_changes_nothing() {
+    let model = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1; fix 1 1
+        uniaxialMaterial Elastic 1 10; element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Constant 1; pattern Plain 1 1 { load 2 1 }
+        system FullGeneral; constraints Plain; numberer Plain; algorithm Linear
+        integrator Transient Trapezoidal; analysis Transient
+        puts \"[analyze 20 0.05] [nodeDisp 2 1]\"";
+    let compat = Script::compat().run(model);
+    let got = compat.numbers();
+    assert!(got[0] == 0.0 && (got[1] - 0.1994799165522176).abs() < 1e-9, "{got:?}");
+    assert!(Script::default().run(model).error().message.contains("unknown integrator \"Transient\""));
+}
+
+/// openseespy 3.7.1 on a path whose times go back.
+#[test]
+fn a_path_that_goes_back_counts_to_the_next_later_time() {
+    let model = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Elastic 1 1; element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Path 1 -time {0 1 3 2 2.5 4 3.5 5} -values {0 1 2 5 7 -1 3 4}; pattern Plain 1 1 { load 2 1 }
+        integrator LoadControl 0.25; system FullGeneral; constraints Plain; numberer Plain; algorithm Linear
+        analysis Static
+        for {set i 0} {$i < 21} {incr i} { analyze 1; puts [nodeDisp 2 1] }";
+    let ran = Script::default().run(model);
+    let expected = [
+        0.25,
+        0.5,
+        0.75,
+        1.0,
+        1.125,
+        1.25,
+        1.375,
+        1.5,
+        1.625,
+        1.75,
+        1.875,
+        2.0,
+        3.0,
+        5.0 / 3.0,
+        1.0 / 3.0,
+        -1.0,
+        3.5,
+        11.0 / 3.0,
+        23.0 / 6.0,
+        4.0,
+        0.0,
+    ];
+    for (got, want) in ran.numbers().iter().zip(expected) {
+        assert!((got - want).abs() < 1e-12, "{:?}", ran.numbers());
+    }
+    assert!(ran.warnings().iter().any(|w| w.message.contains("the times go back")));
+    let mut strict = Script::default();
+    strict.strict = true;
+    assert!(strict.run(model).error().message.contains("the times go back"));
+}
+
+/// Elements that depend on the number of calls are called once in each step of a response spectrum.
+#[test]
+fn a_response_spectrum_moves_force_based_beams() {
+    let force = |beam: &str| {
+        let model = format!(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 3 -mass 2 2 0; fix 1 1 1 1
+            geomTransf Linear 1; section Elastic 1 2e8 0.01 1e-4
+            {beam}
+            eigen 2; timeSeries Path 1 -time {{0 1 10}} -values {{2 3 1}}
+            responseSpectrumAnalysis 1 1 -mode 1
+            puts [eleForce 1]"
+        );
+        Script::compat().run(&model).numbers()
+    };
+    let expected = force("element elasticBeamColumn 1 1 2 0.01 2e8 1e-4 1");
+    let got = force("element forceBeamColumn 1 1 2 5 1 1");
+    assert!(expected[0].abs() > 1.0, "{expected:?}");
+    for (g, e) in got.iter().zip(&expected) {
+        assert!((g.abs() - e.abs()).abs() < 1e-9 * expected[2].abs(), "{got:?} {expected:?}");
+    }
+}
+
+/// All constraints of `EQPath` walk along the path that control of the displacement finds.
+#[test]
+fn constraints_of_equilibrium_paths() {
+    let walk = |integrator: &str| {
+        let model = format!(
+            "model basic -ndm 2 -ndf 2
+            node 1 0 0; node 2 10 1; node 3 20 0; fix 1 1 1; fix 3 1 1
+            uniaxialMaterial Elastic 1 1000; element corotTruss 1 1 2 1 1; element corotTruss 2 2 3 1.1 1
+            timeSeries Linear 1; pattern Plain 1 1 {{ load 2 0 -1 }}
+            numberer Plain; system FullGeneral; constraints Plain; algorithm Newton; test NormUnbalance 1e-10 50
+            integrator {integrator}; analysis Static
+            analyze 14; puts \"[getTime] [nodeDisp 2 1] [nodeDisp 2 2]\""
+        );
+        Script::default().run(&model).numbers()
+    };
+    for constraint in 1..=7 {
+        let point = walk(&format!("EQPath 0.1 {constraint}"));
+        let on_path = walk(&format!("DisplacementControl 2 2 {}", point[2] / 14.0));
+        assert!((point[2] + 1.4).abs() < 1e-3, "{constraint}: {point:?}");
+        for (x, y) in point.iter().zip(&on_path) {
+            assert!((x - y).abs() < 1e-9, "{constraint}: {point:?} {on_path:?}");
+        }
+    }
+    assert!(Script::default().run("integrator EQPath 1 9").error().message.contains("there is no constraint 9"));
+}
+
+/// What OpenSees accepts and the manual does not: a test without iterations, concrete with a negative tensile strength.
+#[test]
+fn tolerances_are_warnings() {
+    let model = "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0; fix 1 1
+        uniaxialMaterial Concrete02 1 -30 -0.002 -6 -0.01 0.1 -3 1500; element zeroLength 1 1 2 -mat 1 -dir 1
+        timeSeries Linear 1; pattern Plain 1 1 { sp 2 1 1 }
+        integrator LoadControl 0.001; system FullGeneral; constraints Transformation; numberer Plain
+        test NormUnbalance 1e-6; algorithm Newton; analysis Static
+        analyze 1; puts [lindex [eleResponse 1 force] 0]";
+    let ran = Script::default().run(model);
+    assert_eq!(ran.numbers(), [0.0]);
+    for message in ["tensile strength ft is -3", "is taken for 25"] {
+        assert!(ran.warnings().iter().any(|w| w.message.contains(message)), "{:?}", ran.warnings());
+    }
+}

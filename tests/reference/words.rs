@@ -49,7 +49,7 @@ pub const PAGES: &[Page] = &[
         commands: "wipe database save restore model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF rigidDiaphragm \
                    rigidLink rayleigh region setElementRayleighDampingFactors setElementRayleighFactors \
                    modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
-                   getParamValue getParamTags remove domainChange",
+                   getParamValue getParamTags remove domainChange defaultUnits",
     },
     Page {
         name: "material",

@@ -121,6 +121,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::remove::COMMANDS,
         model::database::COMMANDS,
         model::parameter::COMMANDS,
+        model::units::COMMANDS,
         output::display::COMMANDS,
         output::figure::COMMANDS,
     ]

@@ -40,6 +40,8 @@ pub struct System<'a> {
     pub passed: Option<f64>,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
+    /// Elements stay as they are, wherever their nodes go.
+    pub elements_stay: bool,
     /// Time of the last evaluation of all elements in this step. Elements that have not moved since are not evaluated again.
     pub evaluated_at: Option<f64>,
     /// Nothing has a velocity in this step.
@@ -65,6 +67,7 @@ impl<'a> System<'a> {
             elapses: false,
             passed: None,
             moved: true,
+            elements_stay: false,
             evaluated_at: None,
             still: false,
             summed: false,
@@ -120,7 +123,7 @@ impl System<'_> {
                 work.spread[i.dof] = value - self.new.disp[i.dof];
                 self.new.disp[i.dof] = value;
             }
-            for d in &work.plan.map.dependents {
+            for d in work.plan.map.dependents.iter().filter(|d| !d.held) {
                 let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
                 work.spread[d.dof] = step;
                 self.new.disp[d.dof] += step;
@@ -144,7 +147,7 @@ impl System<'_> {
                     field[i.dof] = value;
                 }
             }
-            for d in &work.plan.map.dependents {
+            for d in work.plan.map.dependents.iter().filter(|d| !d.held) {
                 let step: f64 = d.terms.iter().map(|&(from, c)| c * work.spread[from]).sum();
                 work.spread[d.dof] = step;
                 field[d.dof] += step;

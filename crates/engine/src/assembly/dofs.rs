@@ -1,5 +1,6 @@
 //! Constraint handlers: degrees of freedom that are unknowns, that are imposed, and that follow others.
 
+use super::opensees::{self, Row};
 use crate::model::{Model, Tag};
 use std::fmt;
 
@@ -39,7 +40,8 @@ impl Handler {
 pub enum MpScope {
     /// All of them.
     All,
-    /// Only the first on each constrained node, as OpenSees' `Transformation` has it.
+    /// Only the first on each constrained node, as OpenSees' `Transformation` has it. A degree of freedom that is held as
+    /// well stands still, but its forces and stiffness go to what it follows. Chains are not multiplied out.
     FirstOfNode,
     /// Only those that make displacements equal, as OpenSees' `Plain` has it.
     Identities,
@@ -99,6 +101,8 @@ pub struct Dependent {
     pub dof: usize,
     /// Degrees of freedom that it follows, and coefficients; none of them is dependent after it in the list.
     pub terms: Vec<(usize, f64)>,
+    /// It is held too: it hands its forces on and does not move ([`MpScope::FirstOfNode`]).
+    pub held: bool,
 }
 
 /// Role of each degree of freedom.
@@ -145,10 +149,16 @@ impl DofMap {
                 imposed[dof] = Some(Imposed { dof, pattern: tag, index });
             }
         }
+        let rows = match scope {
+            MpScope::FirstOfNode => {
+                opensees::frozen(model, &held).into_iter().for_each(|dof| held[dof] = true);
+                opensees::rows(model)
+            }
+            MpScope::All | MpScope::Identities => multi_point_rows(model, scope),
+        };
         let mut map = Self { held, ..Self::default() };
-        let rows = multi_point_rows(model, scope);
         if handler.eliminates() {
-            map.eliminate(rows, imposed, homogeneous)?;
+            map.eliminate(rows, imposed, homogeneous, scope == MpScope::FirstOfNode)?;
         } else {
             let single = |dof: usize| Link { terms: vec![(dof, 1.0)], imposed: imposed[dof], multi: false };
             map.links = (0..n).filter(|&d| map.held[d]).map(single).collect();
@@ -167,15 +177,16 @@ impl DofMap {
 
     fn eliminate(
         &mut self,
-        rows: Vec<(usize, Vec<(usize, f64)>)>,
+        rows: Vec<Row>,
         imposed: Vec<Option<Imposed>>,
         homogeneous: bool,
+        ties_of_held: bool,
     ) -> Result<(), DofError> {
         let n = self.held.len();
         let mut follows: Vec<Option<Vec<(usize, f64)>>> = vec![None; n];
         for (dof, terms) in rows {
             // A support on a constrained degree of freedom wins, as in OpenSees.
-            if self.held[dof] {
+            if self.held[dof] && !ties_of_held {
                 continue;
             }
             if follows[dof].is_some() {
@@ -246,7 +257,8 @@ impl DofMap {
                     stack.push((to, 0));
                 } else {
                     mark[dof] = Mark::Done;
-                    self.dependents.push(Dependent { dof, terms: follows[dof].take().unwrap_or_default() });
+                    let held = self.held[dof];
+                    self.dependents.push(Dependent { dof, terms: follows[dof].take().unwrap_or_default(), held });
                 }
             }
         }
@@ -283,7 +295,7 @@ impl DofMap {
 
     /// Work out the degrees of freedom that follow others.
     pub fn follow(&self, full: &mut [f64]) {
-        for d in &self.dependents {
+        for d in self.dependents.iter().filter(|d| !d.held) {
             full[d.dof] = d.terms.iter().map(|&(from, c)| c * full[from]).sum();
         }
     }
@@ -297,14 +309,9 @@ impl DofMap {
 }
 
 /// Rows of the multi-point constraints: the degree of freedom that follows, and what it follows.
-fn multi_point_rows(model: &Model, scope: MpScope) -> Vec<(usize, Vec<(usize, f64)>)> {
+fn multi_point_rows(model: &Model, scope: MpScope) -> Vec<Row> {
     let mut rows = vec![];
-    let mut seen = std::collections::BTreeSet::new();
-    for mp in &model.multi_points {
-        let again = !seen.insert(mp.constrained);
-        if scope == MpScope::FirstOfNode && again || scope == MpScope::Identities && !mp.is_identity() {
-            continue;
-        }
+    for mp in model.multi_points.iter().filter(|mp| scope != MpScope::Identities || mp.is_identity()) {
         let (c, r) = (model.nodes[mp.constrained.0].offset, model.nodes[mp.retained.0].offset);
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
             rows.push((c + dof, mp.row(i).filter(|(_, k)| *k != 0.0).map(|(d, k)| (r + d, k)).collect()));

@@ -2,6 +2,7 @@
 //! entries of each element go.
 
 mod dofs;
+mod opensees;
 mod pattern;
 mod plan;
 

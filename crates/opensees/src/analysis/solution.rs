@@ -2,9 +2,10 @@
 
 use crate::args::Args;
 use crate::kind::{self, Kind};
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::analysis::{Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -135,13 +136,24 @@ const TESTS: &[Kind<Measure>] = &[
     ),
 ];
 
+/// Largest number of iterations of the test that OpenSees takes where a script has none.
+const DEFAULT_ITERATIONS: usize = 25;
+
 fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, TEST);
     let measure = &kind::take(&mut a, "kind of test", "convergence test", TESTS.iter())?.make;
     let two = matches!(measure, Measure::DispAndUnbalance | Measure::DispOrUnbalance);
     let tolerance = if *measure == Measure::FixedIterations { 0.0 } else { a.not_negative("tolerance")? };
     let second = if two { a.not_negative("tolerance of the unbalance")? } else { tolerance };
-    let mut t = Test::new(*measure, tolerance, a.count("largest number of iterations")?);
+    let iterations = if a.left() == 0 && *measure != Measure::FixedIterations {
+        let message =
+            format!("test: the largest number of iterations is missing and is taken for {DEFAULT_ITERATIONS}");
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected the number after this"))?;
+        DEFAULT_ITERATIONS
+    } else {
+        a.count("largest number of iterations")?
+    };
+    let mut t = Test::new(*measure, tolerance, iterations);
     t.second_tolerance = second;
     let print = a.optional_int("print flag")?.unwrap_or(0);
     t.accept_unconverged = matches!(print, 5 | 6);

@@ -102,25 +102,29 @@ fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Excep
 
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
-    match (ndm, numbers_ahead(a)) {
+    let n = numbers_ahead(a);
+    // With shear areas the last of the numbers is the tag of the transformation.
+    let ends_with_tag = n > 0 && a.ahead().nth(n - 1).is_some_and(|w| w.as_str().parse::<i64>().is_ok());
+    let has_shear = ends_with_tag && n == if ndm == 2 { 6 } else { 9 };
+    match (ndm, n) {
         (_, 2) => Ok(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0)),
-        (2, n) => {
+        (2, _) => {
             let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
             let iz = property(interp, a, "second moment of area Iz")?;
             let (mut g, mut shear) = (0.0, None);
             // Any other count is OpenSees' form without shear areas, with words left over behind the transformation.
-            if n == 6 {
+            if has_shear {
                 g = a.positive("shear modulus G")?;
                 shear = Some(a.positive("shear area Avy")?);
             }
             Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
         }
-        (_, n) => {
+        _ => {
             let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
             let (g, j) = (a.positive("shear modulus G")?, property(interp, a, "torsion constant J")?);
             let (iy, iz) =
                 (property(interp, a, "second moment of area Iy")?, property(interp, a, "second moment of area Iz")?);
-            let shear = if n == 9 {
+            let shear = if has_shear {
                 (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
             } else {
                 (None, None)

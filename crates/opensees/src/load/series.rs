@@ -199,20 +199,43 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
         values.insert(0, 0.0);
     }
     match (times, dt) {
-        (Some((times, span)), _) => {
+        (Some((mut times, span)), _) => {
             if times.len() != values.len() {
                 let message = format!("{} times but {} values", times.len(), values.len());
                 return Err(a.refuse_at(span, message, "expected a time for each value"));
             }
             if let Some(i) = times.windows(2).position(|w| w[1] < w[0]) {
                 let message = format!("the times go back: {} after {}", times[i + 1], times[i]);
-                return Err(a.refuse_at(span, message, "expected times that do not decrease"));
+                let d = Diagnostic::warning(message).at(span, "expected times that do not decrease");
+                warn(interp, d.help("of the points behind an earlier time only the last before the next time counts"))?;
+                (times, values) = forward(&times, &values);
             }
             Ok(Arc::new(PathTimes { times, values, factor, use_last }))
         }
         (None, Some(dt)) => Ok(Arc::new(Path { values, dt, factor, use_last, start })),
         (None, None) => Err(a.refuse_at(command, "the path has no times", "expected -dt, -time or -fileTime")),
     }
+}
+
+/// The path as OpenSees walks along it while the time grows: to the first point that is not before the time. Between such a
+/// point and the one in front of it the path is straight.
+fn forward(times: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (mut t, mut v) = (vec![times[0]], vec![values[0]]);
+    let mut latest = times[0];
+    for i in 1..times.len() {
+        if times[i] < latest {
+            continue;
+        }
+        if times[i - 1] < latest && times[i] > latest {
+            let share = (latest - times[i - 1]) / (times[i] - times[i - 1]);
+            t.push(latest);
+            v.push(values[i - 1] + (values[i] - values[i - 1]) * share);
+        }
+        latest = times[i];
+        t.push(latest);
+        v.push(values[i]);
+    }
+    (t, v)
 }
 
 /// The numbers of a file, as far as they go.

@@ -52,7 +52,12 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         if ratio == 1.0 {
             return Err(a.refuse("lambda is 1", "expected a ratio less than 1"));
         }
-        ft = a.not_negative("tensile strength ft")?;
+        ft = a.float("tensile strength ft")?;
+        if ft < 0.0 {
+            let d =
+                Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
+            warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
+        }
         ets = a.not_negative("tension softening modulus Ets")?;
         if ets == 0.0 && ft > 0.0 {
             let d = Diagnostic::warning(

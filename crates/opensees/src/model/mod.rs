@@ -7,3 +7,4 @@ pub(crate) mod nodes;
 pub(crate) mod parameter;
 pub(crate) mod remove;
 pub(crate) mod transform;
+pub(crate) mod units;

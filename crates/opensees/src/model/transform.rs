@@ -3,8 +3,9 @@
 use crate::args::Args;
 use crate::model::nodes::need_model;
 use crate::slips;
-use crate::{Command, Outcome, Tcl, ignore_option, kind};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 
@@ -56,6 +57,12 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
         }
+    }
+    let ignored = ndm == 3 && kind.make == TransformKind::Corotational && offsets != Default::default();
+    if ignored && interp.host.follows(&[slips::COROTATIONAL_OFFSETS]) {
+        offsets = Default::default();
+        let d = Diagnostic::warning("geomTransf Corotational: the joint offsets are taken for zero, as in OpenSees");
+        warn(interp, d.at(a.last_span(), "not used"))?;
     }
     let transform =
         TransformSpec { kind: kind.make, xz, offsets, by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]) };

@@ -41,6 +41,25 @@ slips! {
     "All of them hold.",
     "The model would not be that of the script.";
 
+    HELD_AND_TIED, Analysis, Test("tests/analysis/opensees.rs", "a_tie_of_a_held_node_hands_its_forces_on"),
+    "`constraints Transformation` with a multi-point constraint of a degree of freedom that is held too",
+    "The degree of freedom stands still. Its forces and its stiffness go to the node that it should follow. The next one of the node that \
+     does not follow stands still too.",
+    "The constraint of the held degree of freedom is left out. A warning names it.",
+    "The support would carry nothing, and the retained node would be held back by springs that do not move.";
+
+    UNKNOWN_INTEGRATOR, Command, Test("tests/analysis/opensees.rs", "an_unknown_integrator_changes_nothing"),
+    "`integrator` of an unknown kind",
+    "The command does nothing. A warning names the kind.",
+    "It is refused.",
+    "The analysis would go on with another integrator.";
+
+    CHAINED_TIES, Analysis, Test("tests/analysis/opensees.rs", "chains_of_rigid_links_are_not_multiplied"),
+    "`constraints Transformation` with a node that follows one which follows another",
+    "It moves as if the last node stood where the one in the middle is. It stands still if the one in the middle has the greater tag.",
+    "The constraints of the chain are multiplied.",
+    "Rigid bodies of several links would bend.";
+
     EIGEN_LAPACK, Command, Nowhere,
     "`eigen -fullGenLapack`",
     "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
@@ -127,11 +146,6 @@ pub(super) const OTHERS: &[Slip] = &[
         "The method of ARPACK for symmetric matrices finds other values: 1e-5 apart for rubber and sliders at rest, far off where they \
          slide. They depend on the vector that it starts from. Damping that a script makes of them differs as much.",
         "The values are those of the tangent. They agree with those of `-fullGenLapack` to 1e-9. Of a complex pair the real part is given.",
-    ),
-    differs(
-        "`constraints Transformation`: chains of multi-point constraints",
-        "The motions are wrong.",
-        "The chain is followed.",
     ),
     differs("`constraints Lagrange` with multi-point constraints", "openseespy 3.7.1 stops.", "They hold."),
     differs(

@@ -85,6 +85,7 @@ impl Engine {
         self.prepare(handler)?;
         change(&mut self.trial.disp, &self.model);
         let Some(mut system) = self.system() else { unreachable!("prepared above") };
+        system.work.enter(Stage::End);
         let done = system.respond(false);
         system.work.loads.invalidate();
         self.step_start.forget();

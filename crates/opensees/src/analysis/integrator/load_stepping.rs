@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::model::nodes::node_of;
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::integrator::{
-    Adaptive, ArcLength, DisplacementControl, LoadControl, MinUnbalDispNorm, Sense,
+    Adaptive, ArcLength, DisplacementControl, EquilibriumPath, LoadControl, MinUnbalDispNorm, PathConstraint, Sense,
 };
 use hysteron_tcl::Exception;
 
@@ -23,6 +23,7 @@ pub(super) const KINDS: &[Kind] = &[
     },
     Kind { names: &["ArcLength"], usage: "integrator ArcLength $length <$alpha>", make: arc_length },
     Kind { names: &["ArcLength1"], usage: "integrator ArcLength1 $length <$alpha>", make: linearised_arc_length },
+    Kind { names: &["EQPath"], usage: "integrator EQPath $length $constraint (1 to 8)", make: equilibrium_path },
     Kind {
         names: &["MinUnbalDispNorm"],
         usage: "integrator MinUnbalDispNorm $increment <$iterations $min $max> <-determinant>",
@@ -73,6 +74,27 @@ fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
 fn linearised_arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
     let (length, alpha) = arc(a)?;
     Ok(Box::new(ArcLength::linearised(length, alpha)))
+}
+
+/// Constraints of `EQPath` by their number, from 1.
+const PATH_CONSTRAINTS: [PathConstraint; 8] = [
+    PathConstraint::MinimumResidual,
+    PathConstraint::NormalPlane,
+    PathConstraint::UpdatedNormalPlane,
+    PathConstraint::Cylinder,
+    PathConstraint::NormalFlow,
+    PathConstraint::GeneralisedDisplacement,
+    PathConstraint::ModifiedNormalPlane,
+    PathConstraint::IncrementNormal,
+];
+
+fn equilibrium_path(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let length = a.positive("arc length")?;
+    let number = a.count("number of the constraint")?;
+    let Some(constraint) = number.checked_sub(1).and_then(|i| PATH_CONSTRAINTS.get(i)) else {
+        return Err(a.refuse(format!("there is no constraint {number}"), "expected a number from 1 to 8"));
+    };
+    Ok(Box::new(EquilibriumPath::new(length, *constraint)))
 }
 
 fn min_unbal_disp_norm(_: &mut Tcl, a: &mut Args<'_>) -> Made {

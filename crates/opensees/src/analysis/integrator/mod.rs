@@ -7,8 +7,9 @@ mod load_stepping;
 mod trapezoidal;
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish, kind};
+use crate::{Command, Outcome, Tcl, finish, kind, slips, warn};
 use hysteron_engine::analysis::integrator::{AlphaParameters, Integrator};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR, integrator)
@@ -26,7 +27,17 @@ const FAMILIES: &[&[Kind]] =
 
 fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, INTEGRATOR);
-    let kind = kind::take(&mut a, "kind of integrator", "integrator", FAMILIES.iter().copied().flatten())?;
+    let taken = kind::take(&mut a, "kind of integrator", "integrator", FAMILIES.iter().copied().flatten());
+    let kind = match taken {
+        Err(_) if interp.host.follows(&[slips::UNKNOWN_INTEGRATOR]) && call.len() > 1 => {
+            let d = Diagnostic::warning(format!(
+                "the integrator \"{}\" is not known, and the command does nothing",
+                call.arg(1).as_str()
+            ));
+            return warn(interp, d.at(call.span(1), "not known")).map(|()| Value::EMPTY);
+        }
+        taken => taken?,
+    };
     interp.host.note_kind("integrator", kind.names[0]);
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
