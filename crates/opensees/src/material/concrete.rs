@@ -2,8 +2,8 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::{Tcl, warn};
-use hysteron_engine::material::{Concrete01, Concrete02, Concrete04, Material};
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::material::{Concrete01, Concrete02, Concrete04, ConcreteCm, Material, TsaiEnvelope};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -23,6 +23,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Concrete04"],
         usage: "uniaxialMaterial Concrete04 $tag $fpc $epsc0 $epscu $Ec0 <$ft $etu <$beta>>",
         make: concrete04,
+    },
+    Kind {
+        names: &["ConcreteCM"],
+        usage: "uniaxialMaterial ConcreteCM $tag $fpcc $epcc $Ec $rc $xcrn $ft $et $rt $xcrp <$mon | -GapClose $gap>",
+        make: concrete_cm,
     },
 ];
 
@@ -89,6 +94,42 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         beta = a.optional_float("share beta of the tensile strength at the ultimate strain")?.unwrap_or(beta);
     }
     Ok(Arc::new(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }))
+}
+
+fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (strength, strain) =
+        (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
+    let ec = a.positive("initial modulus Ec")?;
+    let shape = |a: &mut Args<'_>, side: &str| {
+        Ok::<_, Exception>((
+            a.positive(&format!("shape parameter {side}"))?,
+            a.positive(&format!("critical strain {}", if side == "rc" { "xcrn" } else { "xcrp" }))?,
+        ))
+    };
+    let (r, critical) = shape(a, "rc")?;
+    let compression = TsaiEnvelope { strength, strain, r, critical };
+    let (strength, strain) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?);
+    let (r, critical) = shape(a, "rt")?;
+    let tension = TsaiEnvelope { strength, strain, r, critical };
+    let (mut stiff_closure, mut monotonic) = (false, false);
+    if a.at_number() {
+        monotonic = switch(a, "switch mon of the envelopes alone")?;
+    } else if let Some(option) = a.option() {
+        match option.as_ref() {
+            "-GapClose" => stiff_closure = switch(a, "switch gap of the closure")?,
+            _ => ignore_option(interp, a, &["-GapClose"])?,
+        }
+    }
+    Ok(Arc::new(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }))
+}
+
+/// 0 or 1.
+fn switch(a: &mut Args<'_>, what: &str) -> Result<bool, Exception> {
+    match a.int(what)? {
+        0 => Ok(false),
+        1 => Ok(true),
+        x => Err(a.refuse(format!("the {what} is {x}"), "expected 0 or 1")),
+    }
 }
 
 /// A number other than zero that stands for compression, whatever its sign.
