@@ -38,6 +38,62 @@ def ConcreteCM(r):
     return f"{-fc} {-ec0} {ec} {r.uniform(2, 12)} {r.choice([1.02, 1.035, 1.3, 1.9])} {ft} {ft / ec * r.uniform(1.2, 2.5)} {r.uniform(1.1, 4)} {r.choice([2, 30, 1e4])} {tail}"
 
 
+@kind(0.002)
+def Concrete02IS(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    tail = r.choice(["", f"{r.uniform(0.05, 0.6)} {r.uniform(1, 5)} {r.uniform(500, 5000)}"])
+    return f"{fc / ec0 * r.uniform(0.9, 2.5)} {-fc} {-ec0} {-fc * r.uniform(0, 0.6)} {-ec0 * r.uniform(1.5, 5)} {tail}"
+
+
+@kind(0.002)
+def Concrete06(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    fcr = fc * r.uniform(0.05, 0.12)
+    return f"{-fc} {-ec0} {r.uniform(1.5, 4)} {r.uniform(0.7, 2)} {r.uniform(0.1, 0.6)} {fcr} {fcr / fc * ec0 * r.uniform(0.4, 1)} {r.uniform(0.2, 4)} {r.uniform(0.02, 0.4)}"
+
+
+@kind(0.002)
+def ConcreteD(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    ec, ft = fc / ec0 * r.uniform(1.3, 2.5), fc * r.uniform(0.05, 0.12)
+    tail = r.choice(["", f"{r.uniform(0.1, 0.4)} {r.uniform(0.8, 1.3)}"])
+    return f"{-fc} {-ec0} {ft} {ft / ec * r.uniform(1.1, 2)} {ec} {r.uniform(0.3, 3)} {r.uniform(0.3, 4)} {tail}"
+
+
+@kind(0.002)
+def ConcretewBeta(r):
+    fc, ec0, ft = r.uniform(20, 60), r.uniform(0.0018, 0.003), r.uniform(1, 4)
+    middle, last, t0 = ec0 * r.uniform(2.2, 3), ec0 * r.uniform(3, 6), ft / (fc / ec0) * 1.1
+    options = [f"-lambda {r.uniform(0, 1)}", f"-alpha {r.uniform(0.2, 1.5)}", f"-beta {r.uniform(0.3, 0.9)} 0.01 0.1 0.02", f"-M {r.uniform(0.02, 0.5)}"]
+    options += [f"-E {fc / ec0 * r.uniform(1.01, 2)}", f"-conf {-fc * r.uniform(1.05, 1.5)} {-ec0 * r.uniform(1.2, 2)}"]
+    words = " ".join(r.sample(options, r.randint(0, len(options))))
+    return f"{-fc} {-ec0} {-fc * r.uniform(0.4, 0.9)} {-middle} {-fc * r.uniform(0, 0.4)} {-last} {ft} {ft * 0.5} {t0 * 2} {ft * r.uniform(0, 0.3)} {t0 * 6} {words}"
+
+
+@kind(0.02)
+def ASD_SMA_3K(r):
+    k1 = r.uniform(100, 300)
+    k2 = k1 * r.uniform(0.01, 0.1)
+    return f"{k1} {k2} {r.uniform(k2 * 1.5, k1 * 0.99)} {k1 * r.uniform(0.005, 0.02)} {r.uniform(0.2, 0.9)}"
+
+
+@kind(0.02)
+def GNG(r):
+    return f"{r.uniform(100, 300)} {r.uniform(1, 3)} {r.uniform(0.002, 0.02)} {r.choice(['', r.uniform(0, 0.1)])}"
+
+
+@kind(0.02)
+def ElasticPowerFunc(r):
+    terms = [(r.uniform(-10, 100), r.choice([0, 0.5, 1, 2.2, 3])) for _ in range(r.randint(1, 4))]
+    return f"-coeff {' '.join(str(c) for c, _ in terms)} -exp {' '.join(str(e) for _, e in terms)}"
+
+
+@kind(0.02)
+def Multiplier(r):
+    tag = r.randint(10**5, 10**8)
+    return [f"Steel01 {tag} {r.uniform(1, 3)} 200. {r.uniform(0, 0.1)}"], f"{tag} {r.uniform(-2, 3)}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0
