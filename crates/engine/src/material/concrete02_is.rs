@@ -1,6 +1,6 @@
 //! Concrete as by Yassin (1994), with a modulus of its own: Popovics' curve up to the strength.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// Exponent of the curve where the modulus is not above the secant modulus of the strength.
 const LINEAR_EXPONENT: f64 = 400.0;
@@ -106,7 +106,7 @@ impl UniaxialLaw for Concrete02Is {
             }
         };
         (t.stress, t.softening) = (value, self.e0 - tangent);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -1,7 +1,7 @@
 //! Concrete with Thorenfeldt's curve in compression and tension stiffening after Belarbi and Hsu, with reloading of
 //! Palermo and Vecchio (2003, <https://doi.org/10.14359/12804>).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// Largest slope of the upper line of reloading, over the initial modulus (Seckin, 1981).
 const UPPER_SLOPE: f64 = 0.071;
@@ -67,6 +67,9 @@ impl Concrete06 {
         let k = if e > self.eo { 1.0 } else { self.k };
         let power = x.powf(k * r);
         let d = r - 1.0 + power;
+        if d.is_infinite() {
+            return (0.0, 0.0);
+        }
         (self.fc * (r * x / d), self.fc / self.eo * (r / d - k * r * r * power / (d * d)))
     }
 
@@ -140,7 +143,7 @@ impl UniaxialLaw for Concrete06 {
             (f, slope)
         };
         t.stress = value;
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

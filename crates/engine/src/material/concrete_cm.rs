@@ -2,7 +2,7 @@
 //! unloading, reloading and transition between them. The rules of the cycles have the numbers of that report, with gaps
 //! closed as by Kolozvari, Orakcal and Wallace (2015, PEER 2015/12).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// An envelope of Tsai's curve, straight from a strain on to zero stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -490,7 +490,7 @@ impl UniaxialLaw for ConcreteCm {
             if t.direction > 0.0 { self.up(&t, &ends, path, e) } else { self.down(&t, &ends, path, e) }
         };
         (t.stress, t.rule) = (stress, rule);
-        Ok((Stress { value: stress, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, stress, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -1,9 +1,9 @@
 //! Concrete of the Chinese code for the design of concrete structures (GB 50010-2010, appendix C), with plastic strains.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
-/// Base of the growth of the plastic strain.
-const GROWTH: f64 = 2.718;
+/// Base of the growth of the plastic strain, as OpenSees has it.
+const GROWTH: f64 = 2718.0 / 1000.0;
 
 /// Concrete with damage in tension and in compression.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,7 +113,7 @@ impl UniaxialLaw for ConcreteD {
             (slope * (e - c.plastic), slope)
         };
         (t.stress, t.softening) = (value, self.modulus - tangent);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! Concrete of planar trusses and panels (Lu and Panagiotou, 2014, <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000875>).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// Factor of the rate of tension stiffening over the root of its share (Stevens, Uzumeri, Collins and Will, 1991).
 const STIFFENING_RATE: f64 = 540.0;
@@ -172,7 +172,7 @@ impl UniaxialLaw for ConcreteWBeta {
         } else if e <= c.low[0] {
             t.low = [e, value];
         }
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

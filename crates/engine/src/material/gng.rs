@@ -1,7 +1,7 @@
 //! Grip 'n' grab: a ratcheting tension device (Cook, Rodgers, MacRae and Chase, 2018,
 //! <https://doi.org/10.1061/(ASCE)ST.1943-541X.0002042>).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// A device that yields in tension, has no force in compression, and grips anew at every tooth that it passes.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl UniaxialLaw for Gng {
             t.hardened = c.stress - self.yield_stress;
             t.yield_shift = c.grip + c.stress / self.e - first;
         }
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -188,6 +188,14 @@ impl fmt::Display for MaterialError {
 
 impl std::error::Error for MaterialError {}
 
+/// Response and next state of a law without viscosity. Parameters far from any material may leave it without a number.
+fn finite<S>(name: &str, strain: f64, value: f64, tangent: f64, next: S) -> Result<(Stress, S), MaterialError> {
+    if value.is_finite() && tangent.is_finite() {
+        return Ok((Stress { value, tangent, damping: 0.0 }, next));
+    }
+    Err(MaterialError(format!("{name} has no stress at a strain of {strain:.6e}: its parameters are out of range")))
+}
+
 /// A uniaxial law with a fixed number of state variables.
 pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     /// History of one point; `default()` is the virgin state.

@@ -1,6 +1,6 @@
 //! Shape-memory alloy with three stiffnesses (Aceto, Camata and Petracca, ASDEA Software Technology).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// A flag whose way back from the upper plateau is softer than the elastic stiffness.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,7 +132,7 @@ impl UniaxialLaw for Sma3k {
             (-f, k)
         };
         (t.stress, t.softening) = (value, self.k1 - tangent);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {
