@@ -11,12 +11,19 @@ mod bouc_wen;
 mod bwbn;
 mod concrete01;
 mod concrete02;
+mod concrete02_is;
 mod concrete04;
+mod concrete06;
+mod concrete_cm;
+mod concrete_d;
+mod concrete_w_beta;
 mod elastic;
 mod elastic_multi_linear;
+mod elastic_power;
 mod elastic_pp;
 mod elastic_pp_gap;
 mod fatigue;
+mod gng;
 mod hardening;
 pub mod hdr;
 mod hertz_damp;
@@ -47,6 +54,7 @@ mod self_centering;
 mod series;
 mod slot;
 mod sma;
+mod sma_3k;
 mod softening;
 mod soil_spring;
 mod steel01;
@@ -69,14 +77,21 @@ pub use bilin::{Bilin, BilinSide, Deterioration};
 pub use bond_sp01::BondSp01;
 pub use bouc_wen::BoucWen;
 pub use bwbn::Bwbn;
+pub use concrete_cm::{ConcreteCm, TsaiEnvelope};
+pub use concrete_d::ConcreteD;
+pub use concrete_w_beta::ConcreteWBeta;
 pub use concrete01::Concrete01;
 pub use concrete02::Concrete02;
+pub use concrete02_is::Concrete02Is;
 pub use concrete04::Concrete04;
+pub use concrete06::Concrete06;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
+pub use elastic_power::ElasticPower;
 pub use elastic_pp::ElasticPP;
 pub use elastic_pp_gap::ElasticPPGap;
 pub use fatigue::{Fatigue, FatigueParameters};
+pub use gng::Gng;
 pub use hardening::Hardening;
 pub use hdr::HdrRheology;
 pub use hertz_damp::HertzDamp;
@@ -106,6 +121,7 @@ pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
 pub use slot::Slot;
 pub use sma::Sma;
+pub use sma_3k::Sma3k;
 pub use softening::{Mullins, Peak, Softening};
 pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
 pub use steel_brb::{BrbBranch, SteelBrb};
@@ -172,6 +188,14 @@ impl fmt::Display for MaterialError {
 }
 
 impl std::error::Error for MaterialError {}
+
+/// Response and next state of a law without viscosity. Parameters far from any material may leave it without a number.
+fn finite<S>(name: &str, strain: f64, value: f64, tangent: f64, next: S) -> Result<(Stress, S), MaterialError> {
+    if value.is_finite() && tangent.is_finite() {
+        return Ok((Stress { value, tangent, damping: 0.0 }, next));
+    }
+    Err(MaterialError(format!("{name} has no stress at a strain of {strain:.6e}: its parameters are out of range")))
+}
 
 /// A uniaxial law with a fixed number of state variables.
 pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {

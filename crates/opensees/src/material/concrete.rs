@@ -2,8 +2,11 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::{Tcl, warn};
-use hysteron_engine::material::{Concrete01, Concrete02, Concrete04, Material};
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::material::{
+    Concrete01, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta, Material,
+    TsaiEnvelope,
+};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -23,6 +26,32 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Concrete04"],
         usage: "uniaxialMaterial Concrete04 $tag $fpc $epsc0 $epscu $Ec0 <$ft $etu <$beta>>",
         make: concrete04,
+    },
+    Kind {
+        names: &["ConcreteCM"],
+        usage: "uniaxialMaterial ConcreteCM $tag $fpcc $epcc $Ec $rc $xcrn $ft $et $rt $xcrp <$mon | -GapClose $gap>",
+        make: concrete_cm,
+    },
+    Kind {
+        names: &["Concrete02IS"],
+        usage: "uniaxialMaterial Concrete02IS $tag $E0 $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
+        make: concrete02_is,
+    },
+    Kind {
+        names: &["Concrete06"],
+        usage: "uniaxialMaterial Concrete06 $tag $fc $e0 $n $k $alpha1 $fcr $ecr $b $alpha2",
+        make: concrete06,
+    },
+    Kind {
+        names: &["ConcreteD"],
+        usage: "uniaxialMaterial ConcreteD $tag $fc $epsc $ft $epst $Ec $alphac $alphat <$cesp $etap>",
+        make: concrete_d,
+    },
+    Kind {
+        names: &["ConcretewBeta"],
+        usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
+                <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
+        make: concrete_w_beta,
     },
 ];
 
@@ -46,6 +75,12 @@ fn concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
 
 fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
+    Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
+}
+
+/// Ratio of the unloading slope, tensile strength, softening modulus: all or none.
+fn tension(interp: &mut Tcl, a: &mut Args<'_>, fc: f64, epsc0: f64) -> Result<[f64; 3], Exception> {
     let (mut ratio, mut ft, mut ets) = (0.1, -0.1 * fc, 0.1 * fc / epsc0);
     if a.left() > 0 {
         ratio = a.float("ratio of the unloading slope lambda")?;
@@ -66,7 +101,107 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
             warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
         }
     }
-    Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
+    Ok([ratio, ft, ets])
+}
+
+fn concrete02_is(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e0 = a.positive("initial modulus E0")?;
+    let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
+    Ok(Arc::new(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }))
+}
+
+fn concrete06(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (fc, eo) = (-compressive(a, "compressive strength fc")?, -compressive(a, "strain at the strength e0")?);
+    let r = a.float("shape of the curve n")?;
+    if r <= 1.0 {
+        return Err(a.refuse(format!("the shape of the curve n is {r}"), "expected more than 1"));
+    }
+    let (k, alpha_c) =
+        (a.positive("steepness after the strength k")?, a.not_negative("rate of plastic strain alpha1")?);
+    let (fcr, ecr) = (a.positive("tensile strength fcr")?, a.positive("strain at the tensile strength ecr")?);
+    let (b, alpha_t) =
+        (a.not_negative("exponent of tension stiffening b")?, a.not_negative("rate of plastic strain alpha2")?);
+    Ok(Arc::new(Concrete06 { fc, eo, r, k, alpha_c, fcr, ecr, b, alpha_t }))
+}
+
+fn concrete_d(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (fc, ec) = (-compressive(a, "compressive strength fc")?, -compressive(a, "strain at the strength epsc")?);
+    let (ft, et) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength epst")?);
+    let modulus = a.positive("initial modulus Ec")?;
+    let least = (fc / ec).max(ft / et);
+    if modulus <= least {
+        let label = format!("expected more than the secant moduli of the strengths, {least}");
+        return Err(a.refuse(format!("the initial modulus Ec is {modulus}"), label));
+    }
+    let alpha = [a.not_negative("softening in compression alphac")?, a.not_negative("softening in tension alphat")?];
+    let mut plastic = [0.25, 1.15];
+    if a.left() > 0 {
+        plastic =
+            [a.not_negative("factor of the plastic strain cesp")?, a.float("exponent of the plastic strain etap")?];
+    }
+    Ok(Arc::new(ConcreteD { fc, ec, ft, et, modulus, alpha, plastic }))
+}
+
+fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let place = |a: &mut Args<'_>, what: &str, stress: &str, strain: &str| {
+        let f = a.float(&format!("{what} stress {stress}"))?;
+        Ok::<_, Exception>([f, a.float(&format!("{what} strain {strain}"))?])
+    };
+    let negative = |a: &mut Args<'_>, what: &str, stress: &str, strain: &str| {
+        let f = place(a, what, stress, strain)?;
+        if f[0] > 0.0 || f[1] >= 0.0 {
+            return Err(
+                a.refuse(format!("the {what} stress and strain are {} and {}", f[0], f[1]), "expected compression")
+            );
+        }
+        Ok(f)
+    };
+    let peak = negative(a, "peak", "fpc", "ec0")?;
+    if peak[0] == 0.0 {
+        return Err(a.refuse("the peak stress fpc is 0", "expected a number less than 0"));
+    }
+    let (middle, residual) = (negative(a, "middle", "fcint", "ecint")?, negative(a, "residual", "fcres", "ecres")?);
+    let ft = a.not_negative("tensile strength ft")?;
+    let tension_middle = place(a, "middle tensile", "ftint", "etint")?;
+    let tension_residual = place(a, "residual tensile", "ftres", "etres")?;
+    let secant = peak[0] / peak[1];
+    let (mut lambda, mut alpha, mut stiffening, mut e0, mut confined) = (0.5, 1.0, 0.0, 2.0 * secant, peak);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-lambda" => lambda = a.float("share lambda of the secant modulus in unloading")?,
+            "-alpha" => alpha = a.not_negative("closing stress over tensile strength alpha")?,
+            // The strain across has an effect in panels alone.
+            "-beta" => (0..4).try_for_each(|_| a.float("point of the reduction by the strain across").map(|_| ()))?,
+            "-M" => stiffening = a.not_negative("share of tension stiffening M")?,
+            "-E" => e0 = a.positive("initial modulus E")?,
+            "-conf" => confined = negative(a, "confined", "fcc", "ecc")?,
+            _ => ignore_option(interp, a, &["-lambda", "-alpha", "-beta", "-M", "-E", "-conf"])?,
+        }
+    }
+    if confined[0] > peak[0] || confined[1] > peak[1] {
+        let d = Diagnostic::warning("ConcretewBeta: the confined strength is below that without, and is not used");
+        warn(interp, d.at(a.last_span(), "expected a larger strength at a larger strain"))?;
+        confined = peak;
+    }
+    if !(secant..=2.0 * secant).contains(&e0) {
+        let d = Diagnostic::warning(format!("ConcretewBeta: the initial modulus {e0} is taken into its bounds"));
+        warn(interp, d.at(a.last_span(), format!("expected {secant} to {}", 2.0 * secant)))?;
+        e0 = e0.clamp(secant, 2.0 * secant);
+    }
+    Ok(Arc::new(ConcreteWBeta {
+        peak,
+        confined,
+        middle,
+        residual,
+        ft,
+        tension_middle,
+        tension_residual,
+        lambda,
+        alpha,
+        stiffening,
+        e0,
+    }))
 }
 
 /// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.
@@ -94,6 +229,42 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         beta = a.optional_float("share beta of the tensile strength at the ultimate strain")?.unwrap_or(beta);
     }
     Ok(Arc::new(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }))
+}
+
+fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (strength, strain) =
+        (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
+    let ec = a.positive("initial modulus Ec")?;
+    let shape = |a: &mut Args<'_>, side: &str| {
+        Ok::<_, Exception>((
+            a.positive(&format!("shape parameter {side}"))?,
+            a.positive(&format!("critical strain {}", if side == "rc" { "xcrn" } else { "xcrp" }))?,
+        ))
+    };
+    let (r, critical) = shape(a, "rc")?;
+    let compression = TsaiEnvelope { strength, strain, r, critical };
+    let (strength, strain) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?);
+    let (r, critical) = shape(a, "rt")?;
+    let tension = TsaiEnvelope { strength, strain, r, critical };
+    let (mut stiff_closure, mut monotonic) = (false, false);
+    if a.at_number() {
+        monotonic = switch(a, "switch mon of the envelopes alone")?;
+    } else if let Some(option) = a.option() {
+        match option.as_ref() {
+            "-GapClose" => stiff_closure = switch(a, "switch gap of the closure")?,
+            _ => ignore_option(interp, a, &["-GapClose"])?,
+        }
+    }
+    Ok(Arc::new(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }))
+}
+
+/// 0 or 1.
+fn switch(a: &mut Args<'_>, what: &str) -> Result<bool, Exception> {
+    match a.int(what)? {
+        0 => Ok(false),
+        1 => Ok(true),
+        x => Err(a.refuse(format!("the {what} is {x}"), "expected 0 or 1")),
+    }
 }
 
 /// A number other than zero that stands for compression, whatever its sign.

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
-    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, HookGap, Material, NoTension,
+    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material, NoTension,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -28,6 +28,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["ElasticBilin", "ElasticBilinear"],
         usage: "uniaxialMaterial ElasticBilin $tag $EP1 $EP2 $epsP2 <$EN1 $EN2 $epsN2>",
         make: elastic_bilin,
+    },
+    Kind {
+        names: &["ElasticPowerFunc"],
+        usage: "uniaxialMaterial ElasticPowerFunc $tag <$eta> -coeff $c1 $c2 ... -exp $e1 $e2 ...",
+        make: elastic_power,
     },
     Kind {
         names: &["ElasticMultiLinear"],
@@ -161,4 +166,26 @@ fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         a.refuse(message, "expected at least 2 strains that rise, and as many stresses")
     })?;
     Ok(Arc::new(law))
+}
+
+fn elastic_power(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
+    let mut list = |options: &[&str], what: &str| {
+        let word = a.word(options[0])?;
+        if options.contains(&word.as_ref()) {
+            return a.floats(what);
+        }
+        Err(a.refuse(format!("\"{word}\" is not {}", options[0]), format!("expected {} and a list", options[0])))
+    };
+    let coefficients = list(&["-coeff", "-coefficient", "-coefficients"], "coefficient")?;
+    let exponents = list(&["-exp", "-exponent", "-exponents"], "exponent")?;
+    let (n, m) = (coefficients.len(), exponents.len());
+    if n == 0 || n != m {
+        return Err(a.refuse(format!("{n} coefficients and {m} exponents"), "expected as many of either, at least one"));
+    }
+    if let Some(n) = exponents.iter().find(|n| **n < 0.0) {
+        return Err(a.refuse(format!("an exponent is {n}"), "expected 0 or more: the stress would be infinite at rest"));
+    }
+    let terms = coefficients.into_iter().zip(exponents).map(|(c, n)| [c, n]).collect();
+    Ok(Arc::new(ElasticPower { terms, eta }))
 }

@@ -5,8 +5,8 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    BarFatigue, BondSp01, BrbBranch, Buckling, Hardening, MAX_BACKSTRESSES, Material, MultiLinear, ReinforcingSteel,
-    Steel01, Steel02, SteelBrb, SteelMpf, UvcUniaxial,
+    BarFatigue, BondSp01, BrbBranch, Buckling, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
+    ReinforcingSteel, Steel01, Steel02, SteelBrb, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -57,6 +57,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Bond_SP01 $tag $fy $sy $fu $su $b $R <$Cd $db $fc $la>",
         make: bond_sp01,
     },
+    Kind { names: &["GNG"], usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>", make: gng },
 ];
 
 /// The hardening ratio of a steel, with a warning where it is none: numbers in another order, or percent.
@@ -219,6 +220,19 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         return Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }));
     }
     Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }))
+}
+
+fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("elastic stiffness E")?;
+    let yield_stress = a.positive("yield force sigY")?;
+    let pitch = a.positive("pitch of the teeth P")?;
+    let mut eta = a.optional_float("hardening ratio eta")?.unwrap_or(0.0);
+    if eta.abs() >= 1.0 {
+        let message = format!("GNG: the hardening ratio {eta} is taken for 0");
+        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a ratio between -1 and 1"))?;
+        eta = 0.0;
+    }
+    Ok(Arc::new(Gng { e, yield_stress, pitch, eta }))
 }
 
 fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, slips, warn};
-use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma};
+use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -30,6 +30,7 @@ pub(super) const KINDS: &[Kind] = &[
                 $maxIter",
         make: bwbn,
     },
+    Kind { names: &["ASD_SMA_3K"], usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta", make: sma_3k },
     Kind { names: &["SMA"], usage: "uniaxialMaterial SMA $tag $E $epsL $sigAMs $sigAMf $sigMAs $sigMAf", make: sma },
 ];
 
@@ -124,4 +125,18 @@ fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         warn(interp, d.at(a.last_span(), "expected 0 <= sigMAf <= sigMAs, 0 < sigAMs <= sigAMf"))?;
     }
     Ok(Arc::new(Sma { e, eps_l, forward, reverse }))
+}
+
+fn sma_3k(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k1 = a.positive("elastic stiffness k1")?;
+    let (k2, k3) = (a.not_negative("stiffness of the plateaus k2")?, a.positive("stiffness of unloading k3")?);
+    if k2 >= k1 || k3 > k1 || k3 <= k2 {
+        return Err(a.refuse(format!("k1, k2 and k3 are {k1}, {k2}, {k3}"), "expected k2 < k3 <= k1 and k2 < k1"));
+    }
+    let force = a.positive("force of activation sigAct")?;
+    let beta = a.float("height of the flag beta")?;
+    if !(0.0..=1.0).contains(&beta) {
+        return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected 0 to 1"));
+    }
+    Ok(Arc::new(Sma3k { k1, k2, k3, force, beta }))
 }

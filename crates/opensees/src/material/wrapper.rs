@@ -18,6 +18,11 @@ pub(super) const KINDS: &[Kind] = &[
         make: parallel,
     },
     Kind {
+        names: &["Multiplier", "MultiplierMaterial"],
+        usage: "uniaxialMaterial Multiplier $tag $material $factor",
+        make: multiplier,
+    },
+    Kind {
         names: &["Series"],
         usage: "uniaxialMaterial Series $tag $material1 $material2 ... <-iter $maxIter $tol>",
         make: series,
@@ -70,6 +75,12 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     Ok(Arc::new(Parallel::new(all, factors)))
+}
+
+fn multiplier(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
+    let factor = a.float("factor of the stress")?;
+    Ok(Arc::new(Parallel::new(vec![inner], vec![factor])))
 }
 
 fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -203,6 +203,16 @@ pub(super) const OTHERS: &[Slip] = &[
         "It is stored.",
     ),
     differs(
+        "`ConcreteCM`: a second turn within an inner loop of unloading from tension; transitions to the envelope in compression",
+        "The transition takes the end of another one, or a number that nobody has set.",
+        "It takes its own end.",
+    ),
+    differs(
+        "`ConcretewBeta` beyond the residual strain; `ConcreteD` in tension after compression; `GNG` below zero strain: tangent",
+        "It is the secant of the step, lacks the damage of compression, or is zero.",
+        "It is consistent.",
+    ),
+    differs(
         "`UVCuniaxial` at rest after a plastic step",
         "The tangent is the plastic or the elastic one, by round-off.",
         "As in OpenSees, with other round-off.",
