@@ -223,6 +223,11 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Corners, "ShellDKGQ @ 43"),
     (3, 6, Shape::Corners, "ShellNLDKGQ @ 43"),
     (3, 6, Shape::Triangle, "ShellDKGT @ 43"),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43"),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43 -noeas -drillingStab 0.3 -local 1. 1. 0."),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43 -corotational -drillingNL"),
+    (3, 6, Shape::Triangle, "ASDShellT3 @ 43 -local 0. 1. 0.3"),
+    (3, 6, Shape::Triangle, "ASDShellT3 @ 43 -corotational -reducedIntegration -drillingNL"),
     (3, 3, Shape::Brick, "stdBrick @ 31"),
     (3, 3, Shape::Brick, "bbarBrick @ 31"),
     (

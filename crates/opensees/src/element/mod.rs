@@ -102,6 +102,8 @@ const KINDS: &[Kind] = &[
     shell::DKGQ,
     shell::DKGT,
     shell::UPDATED,
+    shell::ENHANCED,
+    shell::ENHANCED_TRIANGLE,
     wall::MVLEM,
     joint_2d::JOINT_2D,
 ];
