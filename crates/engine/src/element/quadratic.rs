@@ -44,7 +44,8 @@ impl QuadraticShape {
     fn functions(self, s: f64, t: f64) -> Vec<Function> {
         match self {
             Self::Triangle => {
-                let l = [(s, Vector2::new(1.0, 0.0)), (t, Vector2::new(0.0, 1.0)), (1.0 - s - t, Vector2::new(-1.0, -1.0))];
+                let l =
+                    [(s, Vector2::new(1.0, 0.0)), (t, Vector2::new(0.0, 1.0)), (1.0 - s - t, Vector2::new(-1.0, -1.0))];
                 let corner = l.map(|(l, d)| (l * (2.0 * l - 1.0), d * (4.0 * l - 1.0)));
                 let side = |i: usize, j: usize| (4.0 * l[i].0 * l[j].0, (l[i].1 * l[j].0 + l[j].1 * l[i].0) * 4.0);
                 corner.into_iter().chain([side(0, 1), side(1, 2), side(2, 0)]).collect()
@@ -183,7 +184,9 @@ impl PlaneElastic {
             let (j, middle) = ((i + 1) % shape.corners(), shape.corners() + i);
             for (from, to) in [(i, middle), (middle, j)] {
                 let normal = [nodes[to][1] - nodes[from][1], nodes[from][0] - nodes[to][0]];
-                for (node, share) in [(from, if from == middle { 2.0 } else { 1.0 }), (to, if to == middle { 2.0 } else { 1.0 })] {
+                for (node, share) in
+                    [(from, if from == middle { 2.0 } else { 1.0 }), (to, if to == middle { 2.0 } else { 1.0 })]
+                {
                     for (d, n) in normal.iter().enumerate() {
                         load[2 * node + d] -= options.pressure * share * n / 3.0;
                     }
@@ -377,7 +380,9 @@ impl Element for PlaneElastic {
                     shares.iter().enumerate().for_each(|(point, share)| axpy(*share, &at(point, true), out));
                 }
             }
-            kind => out.copy_from_slice(&at(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2))),
+            kind => {
+                out.copy_from_slice(&at(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2)))
+            }
         }
     }
 }

@@ -48,7 +48,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     options.lumped = !bbar && a.flag("-lumped");
     let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
     if made.is_inverted() {
-        let warning = Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
+        let warning =
+            Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
         warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other"))?;
     }
     Ok((nodes, Arc::new(made)))

@@ -73,6 +73,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "They are in equilibrium to round-off.",
     ),
     differs(
+        "`zeroLengthImpact3D`: reported force while it slides",
+        "It is computed anew from the committed state, in which the friction is zero.",
+        "It is the force of the step.",
+    ),
+    differs(
         "`tri6n` with a pressure",
         "On the half of the side 3-1 that ends at node 1 it is taken along the line from node 6 to node 4.",
         "It is square to the sides.",

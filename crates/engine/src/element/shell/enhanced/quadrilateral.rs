@@ -4,7 +4,8 @@
 
 use super::super::mitc4::{self, Bilinear, SIGNS, bilinear};
 use super::super::{Geometry, MAX, Row};
-use super::{INTERNAL, LocalPoint};
+use super::INTERNAL;
+use super::point::LocalPoint;
 use crate::numeric::axpy;
 use crate::section::plate::PLATE_ORDER;
 

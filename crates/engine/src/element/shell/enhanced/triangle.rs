@@ -4,7 +4,7 @@
 //! 343-357).
 
 use super::super::{Geometry, MAX, Row};
-use super::LocalPoint;
+use super::point::LocalPoint;
 use nalgebra::{Matrix2, Matrix3, SMatrix};
 
 /// Points at the middles of the sides, or the centroid, in area coordinates 2 and 3, with the share of the area.
