@@ -8,7 +8,8 @@ taken if it imports openseespy, builds a model, analyses it, and no other script
 at most --each scripts, chosen by a hash of their paths. Each script runs with openseespy and with `hysteron.install()`, both in a
 copy of its folder and for at most --limit seconds. It counts if it is within scope and openseespy runs it to its end with numbers.
 It is equal if each answer of each call, in the order of the calls, and every column of every file differs by at most --tolerance
-of its peak; without either, the numbers that it prints are compared. `--compat` tries OpenSees' slips where the default differs.
+of its peak; without either, the numbers that it prints are compared. `--compat` tries OpenSees' slips where the default differs or
+refuses.
 """
 import argparse
 import hashlib
@@ -36,7 +37,7 @@ NOT_HERE = re.compile(
 NOT_COMPARED = {"version", "pyversion", "accelCPU", "solveCPU", "totalCPU", "numIter", "numFact", "testIter", "testNorm", "testNorms",
                 "recorder", "logFile", "systemSize", "getNumThreads"}
 # Modes have no sign, and equal frequencies no order.
-MODES = {"nodeEigenvector"}
+MODES = {"nodeEigenvector", "modalProperties"}
 # Forces of which nothing but round-off is left.
 FORCES = {"nodeReaction", "nodeUnbalance", "eleForce", "eleResponse", "basicForce", "localForce"}
 NO_FORCE = 1e-8
@@ -256,7 +257,7 @@ def judge(options, repository, script):
         detail = "timeout" if want[0] == "timeout" else (lines or ["no numbers"])[-1][:160]
         return (*head, "OpenSees fails", detail)
     outcome, detail = difference(want, run(options, "hysteron", script), options.tolerance)
-    if outcome == "differs" and options.compat:
+    if outcome in ("differs", "refused") and options.compat:
         if difference(want, run(options, "compat", script), options.tolerance)[0] == "equal":
             return (*head, "equal", "with compat")
     return (*head, outcome, detail)

@@ -67,6 +67,59 @@ fn an_unloaded_mechanism_stands_still() {
     assert_eq!(bars("0.", Script::default()).numbers()[0], -3.0);
 }
 
+/// A square whose corners go round the other way, beside an area of 100: the axial stiffness of openseespy 3.7.1.
+#[test]
+fn fibers_of_negative_area() {
+    let stretch = |script: Script| {
+        script.run(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 0; fix 1 1 1 1; fix 2 0 1 1
+            uniaxialMaterial Elastic 1 1.
+            section Fiber 1 { fiber 0. 0. 100. 1; patch quad 1 2 2 0. 0. 0. 2. 3. 2. 3. 0. }
+            element zeroLengthSection 1 1 2 1
+            timeSeries Linear 1; pattern Plain 1 1 { load 2 1. 0. 0. }
+            integrator LoadControl 1.; analysis Static; analyze 1; puts [nodeDisp 2 1]",
+        )
+    };
+    let [stretched] = stretch(Script::compat()).done().numbers()[..] else { panic!("one number") };
+    assert!((1.0 / stretched - 94.0).abs() < 1e-9, "{stretched}");
+    assert!(stretch(Script::default()).error().message.contains("area"));
+}
+
+#[test]
+fn deformations_of_an_elastic_beam_in_the_plane() {
+    let asked = |script: Script| {
+        script.run(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 1 0; fix 1 1 1 1; geomTransf Linear 1
+            element elasticBeamColumn 1 1 2 1. 1. 1. 1
+            puts [llength [eleResponse 1 basicDeformation]]; catch {eleResponse 1 deformations} all; puts [llength $all]",
+        )
+    };
+    assert_ne!(asked(Script::compat()).done().numbers(), [3.0, 3.0]);
+    assert_eq!(asked(Script::default()).done().numbers(), [3.0, 3.0]);
+}
+
+/// `nodeReaction` before and after `reactions`, and one step further; the first two numbers are those of openseespy 3.7.1.
+#[test]
+fn reactions_are_those_of_the_command() {
+    let push = |script: Script| {
+        let ran = script.run(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0; fix 1 1
+            uniaxialMaterial Elastic 1 2.
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            timeSeries Linear 1; pattern Plain 1 1 { load 2 1. }
+            integrator LoadControl 1.; analysis Static
+            analyze 1; puts [nodeReaction 1 1]
+            reactions; analyze 1; puts [nodeReaction 1 1]",
+        );
+        ran.done().numbers()
+    };
+    assert_eq!(push(Script::compat()), [0.0, -1.0]);
+    assert_eq!(push(Script::default()), [-1.0, -2.0]);
+}
+
 /// A load that is there at once when the reference load is formed; numbers of openseespy 3.7.1.
 #[test]
 fn reference_load_of_a_state_out_of_balance() {

@@ -37,7 +37,6 @@ const LISTS: &[&str] = &[
     "sectionForce",
     "sectionLocation",
     "sectionStiffness",
-    "sectionTag",
     "sectionWeight",
     "testNorm",
     "testNorms",
@@ -49,27 +48,56 @@ const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements"];
 /// Commands that answer nothing in openseespy.
 const SILENT: &[&str] = &["responseSpectrumAnalysis"];
 
-/// The answer of a command as an object of Python.
-pub(crate) fn answer(py: Python<'_>, command: &str, value: &Value) -> PyResult<Py<PyAny>> {
-    match value.form() {
-        Form::Empty if LISTS.contains(&command) => Ok(PyList::empty(py).into_any().unbind()),
-        Form::Empty => Ok(py.None()),
-        _ if SILENT.contains(&command) => Ok(py.None()),
-        Form::List(pairs) if command == "modalProperties" => {
-            let dict = PyDict::new(py);
-            for pair in pairs.chunks_exact(2) {
-                dict.set_item(pair[0].as_str(), list(py, &pair[1])?)?;
+/// What the answer of a command is in Python.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Answer {
+    /// What it is in Tcl; `None` where it is empty.
+    Plain,
+    /// A list, even where it is empty.
+    List,
+    /// A list, even of one whole number.
+    ListedNumber,
+    /// Nothing.
+    Silent,
+    /// A dictionary of lists.
+    Table,
+    /// Tags, which come as responses: doubles.
+    Tags,
+}
+
+impl Answer {
+    /// Of a command by its name.
+    pub(crate) fn of(command: &str) -> Self {
+        match command {
+            "modalProperties" => Self::Table,
+            "sectionTag" => Self::Tags,
+            _ if LISTED_NUMBERS.contains(&command) => Self::ListedNumber,
+            _ if SILENT.contains(&command) => Self::Silent,
+            _ if LISTS.contains(&command) => Self::List,
+            _ => Self::Plain,
+        }
+    }
+
+    /// The answer as an object of Python.
+    pub(crate) fn object(self, py: Python<'_>, value: &Value) -> PyResult<Py<PyAny>> {
+        match (value.form(), self) {
+            (Form::Empty, Self::List | Self::Tags) => Ok(PyList::empty(py).into_any().unbind()),
+            (Form::Empty, _) | (_, Self::Silent) => Ok(py.None()),
+            (Form::List(pairs), Self::Table) => {
+                let dict = PyDict::new(py);
+                for pair in pairs.chunks_exact(2) {
+                    dict.set_item(pair[0].as_str(), list(py, &pair[1])?)?;
+                }
+                Ok(dict.into_any().unbind())
             }
-            Ok(dict.into_any().unbind())
+            (Form::Double(tag), Self::Tags) => Ok((tag as i64).into_pyobject(py)?.into_any().unbind()),
+            (Form::List(tags), Self::Tags) => {
+                let tags = tags.iter().map(|t| t.to_f64().unwrap_or_default() as i64);
+                Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
+            }
+            (Form::Int(_), Self::ListedNumber) => list(py, value),
+            _ => object(py, value),
         }
-        // Tags of sections come as responses, which are doubles.
-        Form::Double(tag) if command == "sectionTag" => Ok((tag as i64).into_pyobject(py)?.into_any().unbind()),
-        Form::List(tags) if command == "sectionTag" => {
-            let tags = tags.iter().map(|t| t.to_f64().unwrap_or_default() as i64);
-            Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
-        }
-        Form::Int(_) if LISTED_NUMBERS.contains(&command) => list(py, value),
-        _ => object(py, value),
     }
 }
 

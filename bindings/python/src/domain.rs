@@ -1,30 +1,27 @@
 //! A model with its state and analysis, as Python sees it.
 
-use crate::answers::answer;
 use crate::errors::{OpenSeesError, Place};
 use crate::messages::render;
+use crate::methods::Entry;
 use crate::outputs::{self, Files, MEMORY, Shared, Signals, Text, hold};
 use crate::owned::Owned;
 use crate::words::words;
 use hysteron_engine::analysis::{Options, RecoveryStrategy};
 use hysteron_opensees::run::{Run, Settings};
-use hysteron_opensees::{Command, Mode, Session, calls};
+use hysteron_opensees::{Again, Mode, Session};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, OsFiles, Value};
 use hysteron_view::Units;
 use numpy::PyArray2;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyInt, PyTuple};
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 use std::time::Instant;
 
-/// Commands that may take long: Python's other threads go on meanwhile.
-const LONG: &[&str] = &["analyze", "eigen", "modalProperties"];
-
-/// Commands that change nothing of what the queries give.
-const PURE: &[&str] = &["nodeCoord", "nodeMass", "getNodeTags", "getEleTags", "eleNodes", "eleType", "nodeEigenvector"];
+/// Steps times elements up to which an analysis is so short that other threads do not notice it.
+const MAX_HELD_WORK: usize = 200;
 
 /// A model with its state and analysis: each command of OpenSees by `_call`, and fast queries.
 #[pyclass(frozen, subclass, module = "hysteron._hysteron")]
@@ -48,6 +45,12 @@ impl Inner {
     pub(crate) fn session(&mut self) -> &mut Session {
         &mut self.owned.run().interp.host
     }
+
+    /// Returns true if an analysis of so many steps is shorter than the change between two threads.
+    fn is_short(&mut self, steps: usize) -> bool {
+        let engine = &self.session().engine;
+        steps.saturating_mul(engine.model().elements.len()) <= MAX_HELD_WORK && engine.options.ladder.is_none()
+    }
 }
 
 impl Domain {
@@ -59,34 +62,77 @@ impl Domain {
         })
     }
 
+    /// Call a command with Python's arguments.
+    pub(crate) fn enter(
+        &self,
+        py: Python<'_>,
+        entry: &'static Entry,
+        args: &Bound<'_, PyTuple>,
+    ) -> PyResult<Py<PyAny>> {
+        let words = words(entry, args)?;
+        if entry.is_long { self.long_command(py, entry, words) } else { self.command(py, entry, words) }
+    }
+
     /// Call a command with words.
-    pub(crate) fn command(&self, py: Python<'_>, command: &'static Command, words: &[Value]) -> PyResult<Py<PyAny>> {
+    pub(crate) fn command(&self, py: Python<'_>, entry: &'static Entry, mut words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
-        if !PURE.contains(&command.name) {
+        inner.owned.put_name(entry, &mut words);
+        if !entry.is_pure {
             inner.reactions = None;
         }
         let run = inner.owned.run();
         run.interp.interrupt.store(false, Ordering::Relaxed);
-        let outcome = run.call(command, words);
-        self.finish(py, &mut inner, command, words, outcome)
+        let outcome = run.call(entry.command, &words);
+        let result = self.finish(py, &mut inner, entry, &words, outcome);
+        // The name is shared with the model: its references are counted while the model is held.
+        drop(words);
+        result
+    }
+
+    /// Make steps of an analysis: without a look at the words, and holding Python's interpreter, where it is short and goes on
+    /// from the last call.
+    pub(crate) fn analyze_again(
+        &self,
+        py: Python<'_>,
+        entry: &'static Entry,
+        steps: usize,
+        dt: Option<f64>,
+        all: impl FnOnce() -> PyResult<Vec<Value>>,
+    ) -> PyResult<Py<PyAny>> {
+        let mut inner = self.hold()?;
+        if !inner.is_short(steps) {
+            drop(inner);
+            return self.long_command(py, entry, all()?);
+        }
+        inner.reactions = None;
+        let run = inner.owned.run();
+        run.interp.interrupt.store(false, Ordering::Relaxed);
+        match run.analyze_again(steps, dt) {
+            Some(Again::Silent) => Ok(PyInt::new(py, 0).into_any().unbind()),
+            Some(Again::Told(done)) => {
+                let mut words = all()?;
+                inner.owned.put_name(entry, &mut words);
+                let outcome = inner.owned.run().conclude(done, &words);
+                self.finish(py, &mut inner, entry, &words, outcome)
+            }
+            None => {
+                drop(inner);
+                self.command(py, entry, all()?)
+            }
+        }
     }
 
     /// The same for a command that may take long.
-    fn long_command(
-        &self,
-        py: Python<'_>,
-        command: &'static Command,
-        args: &Bound<'_, PyTuple>,
-    ) -> PyResult<Py<PyAny>> {
-        let words = words(command.name, args)?;
+    fn long_command(&self, py: Python<'_>, entry: &'static Entry, mut words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
         inner.reactions = None;
         inner.owned.run().interp.interrupt.store(false, Ordering::Relaxed);
         let owned = &mut inner.owned;
+        owned.put_name(entry, &mut words);
         owned.set_words(words);
-        py.detach(|| owned.call(command));
+        py.detach(|| owned.call(entry.command));
         let (words, outcome) = owned.take();
-        self.finish(py, &mut inner, command, &words, outcome)
+        self.finish(py, &mut inner, entry, &words, outcome)
     }
 
     /// Give out text and warnings, and the answer or the error.
@@ -94,7 +140,7 @@ impl Domain {
         &self,
         py: Python<'_>,
         inner: &mut Inner,
-        command: &'static Command,
+        entry: &'static Entry,
         words: &[Value],
         outcome: Result<Value, Exception>,
     ) -> PyResult<Py<PyAny>> {
@@ -105,7 +151,7 @@ impl Domain {
         let render = |d: &Diagnostic| render(d, words, numbers, &interp.core.sources);
         let warned: Vec<String> = warned.iter().map(&render).collect();
         let result = match outcome {
-            Ok(value) => answer(py, command.name, &value),
+            Ok(value) => entry.answer.object(py, &value),
             Err(Exception::Error(e)) => {
                 let d = &e.diagnostic;
                 let place = match d.span {
@@ -115,7 +161,7 @@ impl Domain {
                 Err(place.error(py, render(d)))
             }
             Err(Exception::Interrupted) => Err(self.interruption()),
-            Err(_) => Err(OpenSeesError::new_err(format!("{}: ended by a command of its body", command.name))),
+            Err(_) => Err(OpenSeesError::new_err(format!("{}: ended by a command of its body", entry.command.name))),
         };
         self.text.flush(py)?;
         warned.iter().try_for_each(|w| outputs::warn(py, w, 2))?;
@@ -125,10 +171,6 @@ impl Domain {
     fn interruption(&self) -> PyErr {
         let raised = hold(&self.raised).take();
         raised.unwrap_or_else(|| PyRuntimeError::new_err("the analysis was interrupted"))
-    }
-
-    fn known(name: &str) -> PyResult<&'static Command> {
-        calls::command(name).ok_or_else(|| OpenSeesError::new_err(format!("unknown command \"{name}\"")))
     }
 }
 
@@ -159,11 +201,7 @@ impl Domain {
     /// Call a command of OpenSees by its name.
     #[pyo3(signature = (name, *args))]
     pub(crate) fn _call(&self, py: Python<'_>, name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        let command = Self::known(name)?;
-        if LONG.contains(&name) {
-            return self.long_command(py, command, args);
-        }
-        self.command(py, command, &words(name, args)?)
+        self.enter(py, Entry::of(name)?, args)
     }
 
     /// Keep in memory what a recorder of these words would write; the number of the recorder.
@@ -174,15 +212,16 @@ impl Domain {
             inner.recorded += 1;
             format!("{MEMORY}{}", inner.recorded)
         };
-        let mut all = words("recorder", args)?;
+        let recorder = Entry::of("recorder")?;
+        let mut all = words(recorder, args)?;
         all.splice(1..1, [Value::from(kind), Value::from("-file"), Value::from(name.as_str()), Value::from("-time")]);
-        let tag = self.command(py, Self::known("recorder")?, &all)?;
+        let tag = self.command(py, recorder, all)?;
         Ok((tag.extract(py)?, name))
     }
 
     /// Rows of a recorder in memory, which is removed: the times, then the columns.
     fn _recorded<'py>(&self, py: Python<'py>, tag: i64, name: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.command(py, Self::known("remove")?, &[Value::from("remove"), Value::from("recorder"), Value::from(tag)])?;
+        self.command(py, Entry::of("remove")?, vec![Value::EMPTY, Value::from("recorder"), Value::from(tag)])?;
         let rows = self.files.take(name);
         PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
     }

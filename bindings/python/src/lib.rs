@@ -5,6 +5,7 @@ mod batch;
 mod domain;
 mod errors;
 mod messages;
+mod methods;
 mod outputs;
 mod owned;
 mod queries;
@@ -22,6 +23,8 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("OpenSeesWarning", py.get_type::<errors::OpenSeesWarning>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
     m.add_class::<domain::Domain>()?;
+    m.add_class::<methods::Method>()?;
+    m.add_class::<methods::BoundMethod>()?;
     m.add_class::<script::ScriptResult>()?;
     m.add_class::<study::Study>()?;
     m.add_class::<batch::Plan>()?;

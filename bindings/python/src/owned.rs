@@ -1,5 +1,6 @@
 //! A model that one thread at a time uses.
 
+use crate::methods::Entry;
 use hysteron_opensees::Command;
 use hysteron_opensees::run::Run;
 use hysteron_tcl::{Exception, Value};
@@ -9,6 +10,8 @@ use hysteron_view::{Collector, Observer, Units, page};
 pub(crate) struct Owned {
     run: Run,
     words: Vec<Value>,
+    /// Names of the commands that have been called, by their place among all.
+    names: Vec<Value>,
     outcome: Option<Result<Value, Exception>>,
     /// Keeps the motion for a page, once that has been asked for.
     observer: Option<Observer>,
@@ -16,7 +19,7 @@ pub(crate) struct Owned {
 
 impl Owned {
     pub(crate) fn new(run: Run) -> Self {
-        Self { run, words: vec![], outcome: None, observer: None }
+        Self { run, words: vec![], names: vec![], outcome: None, observer: None }
     }
 
     pub(crate) fn run(&mut self) -> &mut Run {
@@ -36,6 +39,20 @@ impl Owned {
         let models = collector.models.max(1);
         let motion = collector.finish(&mut self.run.interp.host.engine)?;
         Some(page(&motion, title, units, models))
+    }
+
+    /// The name of a command as the first of the words of its call.
+    pub(crate) fn put_name(&mut self, entry: &Entry, words: &mut [Value]) {
+        if self.names.len() <= entry.index {
+            self.names.resize(entry.index + 1, Value::EMPTY);
+        }
+        let name = &mut self.names[entry.index];
+        if name.is_empty() {
+            *name = Value::from(entry.command.name);
+        }
+        if let Some(first) = words.first_mut() {
+            *first = name.clone();
+        }
     }
 
     /// Keep the words of the next call.

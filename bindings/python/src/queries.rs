@@ -2,56 +2,104 @@
 
 use crate::domain::{Domain, Inner};
 use crate::errors::OpenSeesError;
+use crate::methods::Entry;
+use crate::words::words;
 use hysteron_engine::analysis::State;
 use hysteron_engine::model::{ElementId, NodeId};
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyList, PyString, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use std::sync::OnceLock;
 
-/// Values of a node: all of them, or the one of a degree of freedom. `None` where the words need a closer look.
-fn pick(py: Python<'_>, values: &[f64], dof: Option<i32>) -> Option<PyResult<Py<PyAny>>> {
-    match dof {
+/// An argument that may be left out.
+type Arg<'py> = Option<Bound<'py, PyAny>>;
+
+/// Values: all of them, or the one of a number from 1. `None` where the words need a closer look.
+fn pick(py: Python<'_>, values: &[f64], number: Option<i32>) -> Option<PyResult<Py<PyAny>>> {
+    match number {
         None => Some(PyList::new(py, values).map(|l| l.into_any().unbind())),
-        Some(dof) => {
-            let x = values.get(usize::try_from(dof).ok()?.checked_sub(1)?)?;
+        Some(number) => {
+            let x = values.get(usize::try_from(number).ok()?.checked_sub(1)?)?;
             Some(Ok(PyFloat::new(py, *x).into_any().unbind()))
         }
     }
 }
 
-/// One or two whole numbers.
-fn numbers(args: &Bound<'_, PyTuple>) -> Option<(i32, Option<i32>)> {
-    let number = |i| args.get_borrowed_item(i).ok()?.extract::<i32>().ok();
-    match args.len() {
-        1 => Some((number(0)?, None)),
-        2 => Some((number(0)?, Some(number(1)?))),
-        _ => None,
+/// A query with its arguments: a tag, and mostly a number.
+struct Asked<'a, 'py> {
+    name: &'static str,
+    given: Given<'a, 'py>,
+}
+
+/// A list of tags.
+fn tags(py: Python<'_>, tags: impl Iterator<Item = i32>) -> PyResult<Py<PyAny>> {
+    Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
+}
+
+/// Arguments of a call, of which there are mostly two.
+struct Given<'a, 'py> {
+    first: &'a Arg<'py>,
+    second: &'a Arg<'py>,
+    more: &'a Bound<'py, PyTuple>,
+}
+
+impl<'py> Given<'_, 'py> {
+    /// One or two whole numbers; `None` for anything else.
+    fn numbers(&self) -> Option<(i32, Option<i32>)> {
+        if !self.more.is_empty() {
+            return None;
+        }
+        let first = self.first.as_ref()?.extract::<i32>().ok()?;
+        match &self.second {
+            None => Some((first, None)),
+            Some(number) => Some((first, Some(number.extract::<i32>().ok()?))),
+        }
+    }
+
+    /// Number and length of steps; `None` for anything else.
+    fn steps(&self) -> Option<(usize, Option<f64>)> {
+        if !self.more.is_empty() {
+            return None;
+        }
+        let steps = self.first.as_ref()?.cast::<PyInt>().ok()?.extract::<usize>().ok()?;
+        match &self.second {
+            None => Some((steps, None)),
+            Some(dt) => Some((steps, Some(dt.cast::<PyFloat>().ok()?.value()))),
+        }
+    }
+
+    fn all(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let given = [self.first, self.second].into_iter().flatten().cloned().chain(self.more.iter());
+        PyTuple::new(py, given.collect::<Vec<_>>())
     }
 }
 
 impl Domain {
-    fn node_field(
-        &self,
-        py: Python<'_>,
-        name: &str,
-        args: &Bound<'_, PyTuple>,
-        field: fn(&State) -> &[f64],
-    ) -> PyResult<Py<PyAny>> {
-        self.of_node(py, name, args, |inner, node| {
-            let session = inner.session();
-            let dofs = session.node_dofs(node);
-            Some(&field(session.engine.state())[dofs])
-        })
+    /// The command itself, for words that need a closer look.
+    fn by_words(&self, py: Python<'_>, asked: &Asked<'_, '_>) -> PyResult<Py<PyAny>> {
+        self.enter(py, Entry::of(asked.name)?, &asked.given.all(py)?)
+    }
+
+    /// Make steps of an analysis; at once where it goes on from the last call.
+    fn analyze_given(&self, py: Python<'_>, given: &Given<'_, '_>) -> PyResult<Py<PyAny>> {
+        static ANALYZE: OnceLock<&'static Entry> = OnceLock::new();
+        let entry = match ANALYZE.get() {
+            Some(entry) => entry,
+            None => Entry::of("analyze").map(|e| *ANALYZE.get_or_init(|| e))?,
+        };
+        match given.steps() {
+            Some((steps, dt)) => self.analyze_again(py, entry, steps, dt, || words(entry, &given.all(py)?)),
+            None => self.enter(py, entry, &given.all(py)?),
+        }
     }
 
     /// Values of a node by the quick way, or else by the command.
     fn of_node(
         &self,
         py: Python<'_>,
-        name: &str,
-        args: &Bound<'_, PyTuple>,
+        asked: &Asked<'_, '_>,
         values: impl for<'a> FnOnce(&'a mut Inner, NodeId) -> Option<&'a [f64]>,
     ) -> PyResult<Py<PyAny>> {
-        if let Some((tag, dof)) = numbers(args) {
+        if let Some((tag, dof)) = asked.given.numbers() {
             let mut inner = self.hold()?;
             if let Some(node) = inner.session().engine.model().node(tag)
                 && let Some(found) = values(&mut inner, node).and_then(|v| pick(py, v, dof))
@@ -59,7 +107,15 @@ impl Domain {
                 return found;
             }
         }
-        self._call(py, name, args)
+        self.by_words(py, asked)
+    }
+
+    fn node_field(&self, py: Python<'_>, asked: &Asked<'_, '_>, field: fn(&State) -> &[f64]) -> PyResult<Py<PyAny>> {
+        self.of_node(py, asked, |inner, node| {
+            let session = inner.session();
+            let dofs = session.node_dofs(node);
+            Some(&field(session.engine.state())[dofs])
+        })
     }
 
     fn element(&self, inner: &mut Inner, tag: i32) -> Option<ElementId> {
@@ -67,8 +123,8 @@ impl Domain {
     }
 
     /// A response with a command of its own.
-    fn named(&self, py: Python<'_>, name: &str, args: &Bound<'_, PyTuple>, response: &str) -> PyResult<Py<PyAny>> {
-        if let Some((tag, column)) = numbers(args) {
+    fn named(&self, py: Python<'_>, asked: &Asked<'_, '_>, response: &str) -> PyResult<Py<PyAny>> {
+        if let Some((tag, column)) = asked.given.numbers() {
             let mut inner = self.hold()?;
             if let Some(element) = self.element(&mut inner, tag)
                 && let Some(values) = inner.session().element_response(element, &[response])
@@ -77,40 +133,79 @@ impl Domain {
                 return found;
             }
         }
-        self._call(py, name, args)
+        self.by_words(py, asked)
     }
+}
+
+/// Queries of a tag and a number, with the function that answers them.
+macro_rules! queries {
+    ($($(#[doc = $doc:literal])* $function:ident $name:literal $by:ident($($how:expr),*);)*) => {
+        #[pymethods]
+        impl Domain {
+            $(
+                $(#[doc = $doc])*
+                #[pyo3(name = $name, signature = (tag = None, number = None, /, *more))]
+                fn $function<'py>(
+                    &self,
+                    py: Python<'py>,
+                    tag: Arg<'py>,
+                    number: Arg<'py>,
+                    more: &Bound<'py, PyTuple>,
+                ) -> PyResult<Py<PyAny>> {
+                    self.$by(py, &Asked { name: $name, given: Given { first: &tag, second: &number, more } }, $($how),*)
+                }
+            )*
+        }
+    };
+}
+
+queries! {
+    /// Displacements of a node: `nodeDisp(node)`, or one of them: `nodeDisp(node, dof)`.
+    node_disp "nodeDisp" node_field(|s| &s.disp);
+    /// Velocities of a node: `nodeVel(node)`, or one of them: `nodeVel(node, dof)`.
+    node_vel "nodeVel" node_field(|s| &s.vel);
+    /// Accelerations of a node: `nodeAccel(node)`, or one of them: `nodeAccel(node, dof)`.
+    node_accel "nodeAccel" node_field(|s| &s.accel);
+    /// Coordinates of a node: `nodeCoord(node)`, or one of them: `nodeCoord(node, direction)`.
+    node_coord "nodeCoord" of_node(|inner, node| Some(&inner.session().engine.model().nodes[node.0].coords));
+    /// Reactions at a node: `nodeReaction(node)`, or one of them: `nodeReaction(node, dof)`.
+    node_reaction "nodeReaction" of_node(|inner, node| {
+        if inner.reactions.is_none() {
+            inner.reactions = inner.session().reactions().ok();
+        }
+        let dofs = inner.session().node_dofs(node);
+        inner.reactions.as_ref()?.get(dofs)
+    });
+    /// Global force of an element: `eleForce(element)`, or one of its values: `eleForce(element, number)`.
+    ele_force "eleForce" named("force");
+    /// Basic force of an element: `basicForce(element)`, or one of its values: `basicForce(element, number)`.
+    basic_force "basicForce" named("basicForce");
+    /// Basic deformations of an element: `basicDeformation(element)`, or one of them: `basicDeformation(element, number)`.
+    basic_deformation "basicDeformation" named("basicDeformation");
+    /// Local force of an element: `localForce(element)`, or one of its values: `localForce(element, number)`.
+    local_force "localForce" named("localForce");
 }
 
 #[pymethods]
 impl Domain {
-    /// Displacements of a node: `nodeDisp(node)`, or one of them: `nodeDisp(node, dof)`.
-    #[pyo3(name = "nodeDisp", signature = (*args))]
-    fn node_disp(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.node_field(py, "nodeDisp", args, |s| &s.disp)
-    }
-
-    /// Velocities of a node: `nodeVel(node)`, or one of them: `nodeVel(node, dof)`.
-    #[pyo3(name = "nodeVel", signature = (*args))]
-    fn node_vel(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.node_field(py, "nodeVel", args, |s| &s.vel)
-    }
-
-    /// Accelerations of a node: `nodeAccel(node)`, or one of them: `nodeAccel(node, dof)`.
-    #[pyo3(name = "nodeAccel", signature = (*args))]
-    fn node_accel(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.node_field(py, "nodeAccel", args, |s| &s.accel)
-    }
-
-    /// Reactions at a node: `nodeReaction(node)`, or one of them: `nodeReaction(node, dof)`.
-    #[pyo3(name = "nodeReaction", signature = (*args))]
-    fn node_reaction(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.of_node(py, "nodeReaction", args, |inner, node| {
-            if inner.reactions.is_none() {
-                inner.reactions = inner.session().reactions().ok();
-            }
-            let dofs = inner.session().node_dofs(node);
-            inner.reactions.as_ref()?.get(dofs)
-        })
+    /// `analyze(steps, dt)`: 0, or the code of the failure.
+    ///
+    /// With `record`, the histories of responses by name: `record={'roof': ('disp', 4, 1)}` for node 4 and degree of
+    /// freedom 1, `('Element', '-ele', 1, 'force')` for the words of a recorder without its file. They are arrays of shape
+    /// (rows, columns), or (rows,) for a single column.
+    #[pyo3(signature = (steps = None, dt = None, /, *more, record = None))]
+    fn analyze<'py>(
+        slf: &Bound<'py, Self>,
+        steps: Arg<'py>,
+        dt: Arg<'py>,
+        more: &Bound<'py, PyTuple>,
+        record: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Py<PyAny>> {
+        let (py, given) = (slf.py(), Given { first: &steps, second: &dt, more });
+        match record {
+            None => slf.get().analyze_given(py, &given),
+            Some(record) => Ok(slf.call_method1("_analyze_recorded", (given.all(py)?, record))?.unbind()),
+        }
     }
 
     /// Time of the committed state, or the load factor of a static analysis.
@@ -119,31 +214,61 @@ impl Domain {
         Ok(self.hold()?.session().engine.state().time)
     }
 
-    /// Global force of an element: `eleForce(element)`, or one of its values: `eleForce(element, number)`.
-    #[pyo3(name = "eleForce", signature = (*args))]
-    fn ele_force(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.named(py, "eleForce", args, "force")
+    /// Tags of the nodes, rising.
+    #[pyo3(name = "getNodeTags", signature = (*args))]
+    fn get_node_tags(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        if args.is_empty() {
+            return tags(py, self.hold()?.session().engine.model().node_tags());
+        }
+        self.enter(py, Entry::of("getNodeTags")?, args)
     }
 
-    /// Basic force of an element: `basicForce(element)`, or one of its values: `basicForce(element, number)`.
-    #[pyo3(name = "basicForce", signature = (*args))]
-    fn basic_force(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.named(py, "basicForce", args, "basicForce")
+    /// Tags of the elements, rising.
+    #[pyo3(name = "getEleTags", signature = (*args))]
+    fn get_ele_tags(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        if args.is_empty() {
+            return tags(py, self.hold()?.session().engine.model().element_tags());
+        }
+        self.enter(py, Entry::of("getEleTags")?, args)
+    }
+
+    /// Tags of the nodes of an element.
+    #[pyo3(name = "eleNodes", signature = (*args))]
+    fn ele_nodes(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        if args.len() == 1
+            && let Ok(tag) = args.get_borrowed_item(0)?.extract::<i32>()
+        {
+            let mut inner = self.hold()?;
+            if let Some(element) = self.element(&mut inner, tag) {
+                let model = inner.session().engine.model();
+                return tags(py, model.elements[element.0].nodes.iter().map(|n| model.nodes[n.0].tag));
+            }
+        }
+        self.enter(py, Entry::of("eleNodes")?, args)
     }
 
     /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name.
     #[pyo3(name = "eleResponse", signature = (*args))]
     fn ele_response(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        let word = |i: usize| -> Option<String> {
-            let item = args.get_borrowed_item(i).ok()?;
+        if let Ok((tag, word)) = args.extract::<(i32, Bound<'_, PyString>)>() {
+            let mut inner = self.hold()?;
+            if let Some(element) = self.element(&mut inner, tag)
+                && let Some(values) = inner.session().element_response(element, &[word.to_cow()?.trim()])
+            {
+                return Ok(PyList::new(py, values)?.into_any().unbind());
+            }
+        }
+        let items: Vec<Bound<'_, PyAny>> = args.iter().skip(1).collect();
+        let word = |item: &Bound<'_, PyAny>| -> Option<String> {
             match item.cast::<PyString>() {
                 Ok(text) => Some(text.to_cow().ok()?.trim().to_owned()),
                 Err(_) => Some(item.extract::<i64>().ok()?.to_string()),
             }
         };
+        let entry = Entry::of("eleResponse")?;
         if args.len() >= 2
             && let Some(tag) = args.get_borrowed_item(0).ok().and_then(|t| t.extract::<i32>().ok())
-            && let Some(words) = (1..args.len()).map(word).collect::<Option<Vec<String>>>()
+            && let Some(words) = items.iter().map(word).collect::<Option<Vec<String>>>()
         {
             let mut inner = self.hold()?;
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -153,7 +278,7 @@ impl Domain {
                     None => drop(inner),
                 }
                 // OpenSees has no message here, and programs that show models ask for what may not be there.
-                return match self._call(py, "eleResponse", args) {
+                return match self.enter(py, entry, args) {
                     Err(e) if e.is_instance_of::<OpenSeesError>(py) => {
                         crate::outputs::warn(py, &e.value(py).to_string(), 1)?;
                         Ok(PyList::empty(py).into_any().unbind())
@@ -162,6 +287,6 @@ impl Domain {
                 };
             }
         }
-        self._call(py, "eleResponse", args)
+        self.enter(py, entry, args)
     }
 }

@@ -1,6 +1,7 @@
 //! Words of a command from Python's arguments: numbers stay numbers, and sequences are flattened.
 
 use crate::errors::OpenSeesError;
+use crate::methods::Entry;
 use hysteron_tcl::Value;
 use numpy::{PyArrayDyn, PyArrayMethods as _, PyUntypedArray};
 use pyo3::prelude::*;
@@ -9,10 +10,11 @@ use pyo3::types::{PyFloat, PyInt, PyList, PyString, PyTuple};
 /// Depth of sequences within sequences.
 const MAX_DEPTH: usize = 16;
 
-/// The words of a call: the name of the command and its arguments.
-pub(crate) fn words(name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value>> {
+/// The words of a call: a place for the name of the command, and its arguments.
+pub(crate) fn words(entry: &Entry, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value>> {
+    let name = entry.command.name;
     let mut words = Vec::with_capacity(args.len() + 1);
-    words.push(Value::from(name));
+    words.push(Value::EMPTY);
     for (i, arg) in args.iter().enumerate() {
         push(&mut words, &arg, 0).map_err(|e| match e {
             Refused::Python(e) => e,
@@ -22,8 +24,8 @@ pub(crate) fn words(name: &str, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Value
             )),
         })?;
     }
-    if name.starts_with("block") {
-        gather_block(&mut words);
+    if entry.is_block {
+        gather_block(&mut words, if name == "block3D" { 3 } else { 2 });
     }
     Ok(words)
 }
@@ -90,9 +92,9 @@ fn integer(arg: &Bound<'_, PyAny>) -> Result<Value, Refused> {
 
 /// Gather the words of `block2D` and `block3D` into the two lists that the commands take: arguments of the elements, and
 /// numbers of points with their coordinates.
-fn gather_block(words: &mut Vec<Value>) {
+fn gather_block(words: &mut Vec<Value>, divisions: usize) {
     // Name, divisions, first node, first element, kind of element.
-    let (divisions, corners) = if words[0].as_str() == "block3D" { (3, 8) } else { (2, 4) };
+    let corners = 1 << divisions;
     let head = divisions + 4;
     if words.len() <= head {
         return;
@@ -132,7 +134,7 @@ mod tests {
     fn blocks_have_two_lists() {
         let text = "block2D 8 2 1 1 quad 1.0 PlaneStrain 1 1 0 0 2 4 0 3 4 3 4 0 3";
         let mut words: Vec<Value> = text.split(' ').map(Value::from).collect();
-        gather_block(&mut words);
+        gather_block(&mut words, 2);
         assert_eq!(words.len(), 8);
         assert_eq!(words[6].as_str(), "1.0 PlaneStrain 1");
         assert_eq!(words[7].as_str(), "1 0 0 2 4 0 3 4 3 4 0 3");

@@ -92,6 +92,51 @@ impl Style {
 /// Most digits that the shortest text of a number decides.
 const DECIDED: usize = 14;
 
+/// The decimal logarithm of two as a whole number of parts of two to this power.
+const LOG10_2_BITS: u32 = 20;
+const LOG10_2_SCALED: i32 = 315_653;
+
+/// Fraction of the last digit within which a scaled number does not decide.
+const UNDECIDED: f64 = 1e-9;
+
+/// Powers of ten that are whole numbers of 53 bits times a power of two.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+/// Powers of ten.
+const TENS_WHOLE: [u64; DECIDED + 1] = {
+    let mut all = [1; DECIDED + 1];
+    let mut i = 1;
+    while i <= DECIDED {
+        all[i] = 10 * all[i - 1];
+        i += 1;
+    }
+    all
+};
+
+/// Product of two numbers, and what its rounding left (Dekker, 1971).
+fn exact_product(a: f64, b: f64) -> (f64, f64) {
+    let split = |x: f64| {
+        let c = 134_217_729.0 * x;
+        let high = c - (c - x);
+        (high, x - high)
+    };
+    let (p, (a1, a2), (b1, b2)) = (a * b, split(a), split(b));
+    (p, a2 * b2 - (((p - a1 * b1) - a2 * b1) - a1 * b2))
+}
+
+/// A number times a power of ten as a sum of two. `None` where the power is too large or too small.
+fn scale(value: f64, power: i32) -> Option<(f64, f64)> {
+    let ten = *TENS.get(power.unsigned_abs() as usize)?;
+    if power >= 0 {
+        return Some(exact_product(value, ten));
+    }
+    let quotient = value / ten;
+    let (product, rest) = exact_product(quotient, ten);
+    Some((quotient, ((value - product) - rest) / ten))
+}
+
 /// A number rounded to decimal digits: d.ddd times ten to the power of the exponent, without zeros at the end.
 struct Decimal {
     digits: [u8; 64],
@@ -107,8 +152,8 @@ impl Decimal {
             zero.digits[0] = b'0';
             return Some(zero);
         }
-        let mut decimal = None;
-        if most <= DECIDED {
+        let mut decimal = Self::scaled(value.abs(), most);
+        if decimal.is_none() && most <= DECIDED {
             decimal = Self::parse(zmij::Buffer::new().format_finite(value.abs()).as_bytes())?.rounded(most);
         }
         if decimal.is_none() {
@@ -117,6 +162,40 @@ impl Decimal {
             decimal = Self::parse(&text.bytes[..text.len]);
         }
         decimal
+    }
+
+    /// The same by a product or quotient with a power of ten, whose rounding error is known. `None` near a boundary of
+    /// rounding, and where the power is not a number of two to the 53rd.
+    fn scaled(value: f64, most: usize) -> Option<Self> {
+        let limit = *TENS_WHOLE.get(most).filter(|_| most <= DECIDED)?;
+        // The exponent of ten is this or one more.
+        let binary = (value.to_bits() >> 52) as i32 - 1023;
+        let mut exponent = (binary * LOG10_2_SCALED) >> LOG10_2_BITS;
+        let (mut high, mut low) = scale(value, most as i32 - 1 - exponent)?;
+        if high >= limit as f64 {
+            exponent += 1;
+            (high, low) = scale(value, most as i32 - 1 - exponent)?;
+        }
+        let whole = high as u64;
+        let part = (high - whole as f64) + low;
+        let up = part > 0.5 + UNDECIDED;
+        if whole >= limit || whole < limit / 10 || !(up || (UNDECIDED..0.5 - UNDECIDED).contains(&part)) {
+            return None;
+        }
+        let mut number = whole + u64::from(up);
+        if number == limit {
+            (number, exponent) = (number / 10, exponent + 1);
+        }
+        let mut decimal = Self { digits: [0; 64], len: most, exponent };
+        let (first, pairs) = decimal.digits[..most].as_rchunks_mut::<2>();
+        for pair in pairs.iter_mut().rev() {
+            let two = (number % 100) as u8;
+            *pair = [b'0' + two / 10, b'0' + two % 10];
+            number /= 100;
+        }
+        first.iter_mut().for_each(|digit| *digit = b'0' + number as u8);
+        decimal.trim();
+        Some(decimal)
     }
 
     /// Digits and exponent of a positive number.

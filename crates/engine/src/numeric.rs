@@ -7,7 +7,7 @@ pub(crate) mod lanes;
 pub use dual::Dual;
 
 /// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
-#[inline]
+#[inline(always)]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     let (head_a, tail_a) = a[..n].as_chunks::<4>();
@@ -20,6 +20,14 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     }
     let rest: f64 = tail_a.iter().zip(tail_b).map(|(x, y)| x * y).sum();
     (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest
+}
+
+/// Product of a matrix by rows with a vector.
+#[inline]
+pub fn product<const R: usize, const C: usize>(a: &[[f64; C]; R], x: &[f64; C]) -> [f64; R] {
+    let mut y = [0.0; R];
+    y.iter_mut().zip(a).for_each(|(y, row)| *y = dot(row, x));
+    y
 }
 
 /// y += c x
@@ -212,9 +220,37 @@ pub fn invert(a: &mut [f64], n: usize) -> bool {
 fn invert_known<const N: usize>(a: &mut [f64]) -> bool {
     let mut own = [[0.0; N]; N];
     own.as_flattened_mut().copy_from_slice(&a[..N * N]);
-    let done = invert_any(own.as_flattened_mut(), N);
+    let done = invert_in_order(&mut own) || {
+        own.as_flattened_mut().copy_from_slice(&a[..N * N]);
+        invert_any(own.as_flattened_mut(), N)
+    };
     a[..N * N].copy_from_slice(own.as_flattened());
     done
+}
+
+/// A pivot of at least this part of the largest entry below it needs no row exchange.
+const SUFFICIENT_PIVOT: f64 = 1e-2;
+
+/// Inverts without row exchanges; `false` where a pivot is too small, and the matrix is spoilt then.
+#[inline(always)]
+fn invert_in_order<const N: usize>(a: &mut [[f64; N]; N]) -> bool {
+    for column in 0..N {
+        let p = a[column][column];
+        let below = a[column..].iter().fold(0.0, |most, row| f64::max(most, row[column].abs()));
+        let sufficient = p.abs() > 0.0 && p.abs() >= SUFFICIENT_PIVOT * below && p.is_finite();
+        if !sufficient {
+            return false;
+        }
+        a[column][column] = 1.0;
+        let inverse = 1.0 / p;
+        a[column].iter_mut().for_each(|x| *x *= inverse);
+        let pivot_row = a[column];
+        for (_, row) in a.iter_mut().enumerate().filter(|(row, _)| *row != column) {
+            let factor = std::mem::replace(&mut row[column], 0.0);
+            row.iter_mut().zip(&pivot_row).for_each(|(x, pivot)| *x -= factor * pivot);
+        }
+    }
+    true
 }
 
 #[inline(always)]

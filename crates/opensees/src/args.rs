@@ -5,6 +5,7 @@ use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::borrow::Cow;
+use std::fmt::Display;
 
 /// Number of names that a message lists. Of longer lists it says how to print them.
 const MAX_LISTED: usize = 6;
@@ -72,12 +73,12 @@ impl<'a> Args<'a> {
 
     /// Returns true if the next word is a number.
     pub(crate) fn at_number(&self) -> bool {
-        self.call.get(self.at).is_some_and(|v| v.to_f64().is_ok())
+        self.call.get(self.at).is_some_and(|v| v.as_f64().is_some())
     }
 
     /// Returns true if the next word looks like an option: a minus that begins no number.
     pub(crate) fn at_option(&self) -> bool {
-        self.peek().is_some_and(|w| w.starts_with('-')) && !self.at_number()
+        !self.at_number() && self.peek().is_some_and(|w| w.starts_with('-'))
     }
 
     /// An error about the last word taken.
@@ -100,12 +101,12 @@ impl<'a> Args<'a> {
     }
 
     /// The error for a word that is not there.
-    fn missing(&self, what: &str) -> Exception {
+    fn missing(&self, what: &dyn Display) -> Exception {
         let span = self.call.whole_span().or_else(|| self.call.span(0));
         self.refuse_at(span, format!("{}: the {what} is missing", self.call.name()), format!("expected the {what}"))
     }
 
-    fn take(&mut self, what: &str) -> Result<&'a Value, Exception> {
+    fn take(&mut self, what: &dyn Display) -> Result<&'a Value, Exception> {
         if self.left() == 0 {
             return Err(self.missing(what));
         }
@@ -115,15 +116,15 @@ impl<'a> Args<'a> {
 
     /// The next word.
     pub(crate) fn word(&mut self, what: &str) -> Result<Cow<'a, str>, Exception> {
-        self.take(what).map(Value::as_str)
+        self.take(&what).map(Value::as_str)
     }
 
     /// The next word as it is, for instance a body.
     pub(crate) fn value(&mut self, what: &str) -> Result<Value, Exception> {
-        self.take(what).cloned()
+        self.take(&what).cloned()
     }
 
-    fn number(&mut self, what: &str, sign: Sign) -> Result<f64, Exception> {
+    fn number(&mut self, what: &dyn Display, sign: Sign) -> Result<f64, Exception> {
         let value = self.take(what)?;
         let expected = match sign {
             Sign::Any => "a number",
@@ -131,7 +132,7 @@ impl<'a> Args<'a> {
             Sign::NotNegative => "a number not less than 0",
         };
         let label = || format!("expected the {what}, {expected}");
-        let Ok(x) = value.to_f64() else {
+        let Some(x) = value.as_f64() else {
             let text = value.as_str();
             return Err(self.refuse(format!("{what} is not a number: \"{text}\""), label()));
         };
@@ -148,17 +149,27 @@ impl<'a> Args<'a> {
 
     /// A finite number.
     pub(crate) fn float(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(what, Sign::Any)
+        self.number(&what, Sign::Any)
     }
 
     /// A number greater than zero.
     pub(crate) fn positive(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(what, Sign::Positive)
+        self.number(&what, Sign::Positive)
     }
 
     /// A number not less than zero.
     pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(what, Sign::NotNegative)
+        self.number(&what, Sign::NotNegative)
+    }
+
+    /// A finite number that is one of several, counted from 1: the message of an error names it.
+    pub(crate) fn nth_float(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
+        self.number(&format_args!("{what} {i}"), Sign::Any)
+    }
+
+    /// The same for a number not less than zero.
+    pub(crate) fn nth_not_negative(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
+        self.number(&format_args!("{what} {i}"), Sign::NotNegative)
     }
 
     /// A number, where the next word is one.
@@ -170,7 +181,7 @@ impl<'a> Args<'a> {
     pub(crate) fn floats(&mut self, what: &str) -> Result<Vec<f64>, Exception> {
         let mut out = vec![];
         while let Some(value) = self.call.get(self.at) {
-            if let Ok(x) = value.to_f64() {
+            if let Some(x) = value.as_f64() {
                 if !x.is_finite() {
                     self.at += 1;
                     return Err(self.refuse(format!("a {what} is not finite"), "expected a number"));
@@ -188,6 +199,15 @@ impl<'a> Args<'a> {
 
     /// A whole number. OpenSees takes `2.0` for 2; so do we.
     pub(crate) fn int(&mut self, what: &str) -> Result<i32, Exception> {
+        self.int_as(&what)
+    }
+
+    /// The same for one of several, counted from 1: the message of an error names it.
+    pub(crate) fn nth_int(&mut self, what: &str, i: usize) -> Result<i32, Exception> {
+        self.int_as(&format_args!("{what} {i}"))
+    }
+
+    fn int_as(&mut self, what: &dyn Display) -> Result<i32, Exception> {
         let value = self.take(what)?;
         match as_int(value) {
             Some(i) => Ok(i),
@@ -271,7 +291,7 @@ impl<'a> Args<'a> {
     /// A thing by its tag.
     pub(crate) fn of<T: Clone>(&mut self, registry: &Registry<T>) -> Result<(T, Tag), Exception> {
         let kind = registry.kind;
-        let tag = self.int(&format!("tag of a {kind}"))?;
+        let tag = self.int_as(&format_args!("tag of a {kind}"))?;
         match registry.get(tag) {
             Some(thing) => {
                 self.taken.push((kind, tag));
@@ -367,15 +387,15 @@ impl<'a> Args<'a> {
 }
 
 fn as_int(value: &Value) -> Option<i32> {
-    if let Ok(i) = value.to_i64() {
+    if let Some(i) = value.as_i64() {
         return i32::try_from(i).ok();
     }
-    let x = value.to_f64().ok()?;
+    let x = value.as_f64()?;
     (x.fract() == 0.0 && x.abs() < f64::from(i32::MAX)).then_some(x as i32)
 }
 
 /// The elements of a list of numbers.
 fn numbers(value: &Value) -> Option<Vec<f64>> {
     let list = value.to_list().ok()?;
-    list.iter().map(|v| v.to_f64().ok().filter(|x| x.is_finite())).collect()
+    list.iter().map(|v| v.as_f64().filter(|x| x.is_finite())).collect()
 }

@@ -25,8 +25,9 @@
 
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
-use crate::{Command, Mode, Outcome, Outputs, Session, commands, elsewhere};
-use hysteron_engine::analysis::{Failure, ReactionKind};
+use crate::slips;
+use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, elsewhere};
+use hysteron_engine::analysis::Failure;
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::{SourceId, Span};
@@ -67,6 +68,15 @@ impl CallNumbers {
     }
 }
 
+/// Source that stands for the calls, and the number of the next one.
+pub(crate) fn next_number(interp: &mut Tcl) -> (SourceId, u32) {
+    let numbers = &mut interp.host.call_numbers;
+    numbers.last = numbers.last.wrapping_add(1);
+    let number = numbers.last;
+    let source = *numbers.source.get_or_insert_with(|| interp.core.sources.add("call", ""));
+    (source, number)
+}
+
 impl Run {
     /// Prepare to call commands one by one with [`Run::call`].
     ///
@@ -81,6 +91,7 @@ impl Run {
         let mut interp = Interp::new(session, console, files);
         crate::install(&mut interp);
         interp.elsewhere = elsewhere::command;
+        interp.core.follow_current_dir();
         interp.host.called_by_host = true;
         let interrupt = interp.interrupt.clone();
         interp.host.stop_on(interrupt);
@@ -95,21 +106,12 @@ impl Run {
     /// # Errors
     /// The command is rejected. The places in the message are those of [`CallNumbers`].
     pub fn call(&mut self, command: &'static Command, words: &[Value]) -> Outcome {
-        let numbers = &mut self.interp.host.call_numbers;
-        numbers.last = numbers.last.wrapping_add(1);
-        let number = numbers.last;
-        let source = match numbers.source {
-            Some(source) => source,
-            None => {
-                let source = self.interp.core.sources.add("call", "");
-                self.interp.host.call_numbers.source = Some(source);
-                source
-            }
-        };
-        if !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
+        let (source, number) = next_number(&mut self.interp);
+        self.interp.host.looked.again = None;
+        let is_open = self.interp.host.builder.open_section.is_some();
+        if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             open::settle(&mut self.interp)?;
         }
-        self.interp.core.enter_current_dir();
         (command.run)(&mut self.interp, &Call::numbered(words, source, number))
     }
 }
@@ -125,9 +127,11 @@ impl Session {
     /// # Errors
     /// The model cannot be evaluated.
     pub fn reactions(&mut self) -> Result<Vec<f64>, Failure> {
+        if self.follows(&[slips::KEPT_REACTIONS]) {
+            return Ok(self.engine.kept_reactions());
+        }
         let mut all = vec![];
-        let kind: ReactionKind = self.output.reaction_kind;
-        self.engine.reactions(kind, &mut all)?;
+        self.engine.reactions(self.output.reaction_kind, &mut all)?;
         Ok(all)
     }
 

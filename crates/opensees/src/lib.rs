@@ -31,6 +31,7 @@ use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value};
 
+pub use analysis::again::Again;
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use files::series::{DiskSeries, FileSeries};

@@ -84,8 +84,8 @@ pub struct Core {
     /// State of `rand`.
     pub(crate) seed: Option<i64>,
     pub(crate) channels: Channels,
-    /// Current folder.
-    pub(crate) cwd: String,
+    /// Current folder; `None` where it is that of the files at any time.
+    pub(crate) cwd: Option<String>,
     /// Files read so far: their text and its parsed form.
     pub(crate) loaded: HashMap<String, (Arc<str>, Value)>,
     pub(crate) packages: Packages,
@@ -228,16 +228,16 @@ impl Core {
             precision: 0,
             seed: None,
             channels: Channels::default(),
-            cwd,
+            cwd: Some(cwd),
             loaded: HashMap::new(),
             packages: Packages::default(),
             spare: Spare::default(),
         }
     }
 
-    /// Take the current folder of the files for that of the script: the host may have changed it.
-    pub fn enter_current_dir(&mut self) {
-        self.cwd = self.files.current_dir();
+    /// Take the current folder of the files for that of the script from now on: the host may change it.
+    pub fn follow_current_dir(&mut self) {
+        self.cwd = None;
     }
 
     /// Called before each command.

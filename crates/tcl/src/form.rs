@@ -1,6 +1,7 @@
 //! Form of a value: what it is made of, for hosts whose values have types.
 
 use super::list::List;
+use super::number::Number;
 use super::value::{Rep, Value};
 
 /// Form in which a value was made.
@@ -36,6 +37,33 @@ impl Value {
             Rep::Big(_) | Rep::Str(_) => Form::Text(self.as_str()),
             Rep::List(l) => Form::List(List(l.clone())),
             Rep::Dict(d) => Form::Dict(d.to_list()),
+        }
+    }
+}
+
+impl Value {
+    /// The text as a double, where it is one: [`Value::to_f64`] without a message.
+    #[inline]
+    pub fn as_f64(&self) -> Option<f64> {
+        let x = match &self.0 {
+            Rep::Int(i) => *i as f64,
+            Rep::Double(d) => d.get(),
+            Rep::Empty => return None,
+            _ => self.number()?.to_f64(),
+        };
+        (!x.is_nan()).then_some(x)
+    }
+
+    /// The text as an integer of 64 bits, where it is one: [`Value::to_i64`] without a message.
+    #[inline]
+    pub fn as_i64(&self) -> Option<i64> {
+        match &self.0 {
+            Rep::Int(i) => Some(*i),
+            Rep::Empty | Rep::Double(_) => None,
+            _ => match self.number()? {
+                Number::Int(i) => Some(i),
+                Number::Big(_) | Number::Double(_) => None,
+            },
         }
     }
 }

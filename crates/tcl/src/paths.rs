@@ -1,6 +1,7 @@
 //! Names of files, with `/` between their parts.
 
 use super::core::Core;
+use std::borrow::Cow;
 
 /// Root of an absolute path: `/`, or on Windows a drive.
 fn root(path: &str) -> Option<&str> {
@@ -115,16 +116,16 @@ impl Core {
         {
             return normalize(&format!("{home}{rest}"));
         }
-        if root(&name).is_some() { normalize(&name) } else { normalize(&format!("{}/{name}", self.cwd)) }
+        if root(&name).is_some() { normalize(&name) } else { normalize(&format!("{}/{name}", self.current_dir())) }
     }
 
     /// The folder in which relative names are looked up.
-    pub fn current_dir(&self) -> &str {
-        &self.cwd
+    pub fn current_dir(&self) -> Cow<'_, str> {
+        self.cwd.as_deref().map_or_else(|| self.files.current_dir().into(), Cow::from)
     }
 
     /// Look up relative names in this folder from now on.
     pub fn set_current_dir(&mut self, path: &str) {
-        self.cwd = self.absolute(path);
+        self.cwd = Some(self.absolute(path));
     }
 }

@@ -6,8 +6,6 @@ import os
 import tempfile
 from pathlib import Path
 
-import numpy as np
-
 from ._hysteron import OpenSeesError, Plan
 
 #: Tasks for each thread of the workers: few enough to cost little, enough to level out cases of different length.
@@ -39,6 +37,8 @@ class Table:
 
 
 def _column(words):
+    import numpy as np
+
     try:
         return np.array([float(w) if w else np.nan for w in words])
     except ValueError:
@@ -67,6 +67,8 @@ def batch(plan, out="batch", *, client=None, threads=None, resume=False):
 
 
 def _on_workers(client, plan, loaded, cases, resume):
+    import numpy as np
+
     hashes = loaded.hashes
     left = [i for i, name in enumerate(hashes) if not (resume and loaded.is_complete(i, cases))]
     tasks = max(1, sum(client.nthreads().values()) * _TASKS_A_THREAD)

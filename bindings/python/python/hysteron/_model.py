@@ -4,8 +4,6 @@ import difflib
 import html
 import sys
 
-import numpy as np
-
 from . import _hysteron
 from ._hysteron import OpenSeesError
 from ._scope import REASONS
@@ -50,16 +48,6 @@ def _documentation(name):
     return "\n".join(lines)
 
 
-def _method(name):
-    def call(self, *args):
-        return self._call(name, *args)
-
-    call.__name__ = name
-    call.__qualname__ = f"Model.{name}"
-    call.__doc__ = _documentation(name)
-    return call
-
-
 def _refusal(name):
     reason = REASONS[name]
 
@@ -99,19 +87,12 @@ class Model(_hysteron.Domain):
     def __reduce__(self):
         raise TypeError("a Model cannot be pickled: a task builds its own, from the parameters that it is given")
 
-    def analyze(self, *args, record=None):
-        """analyze(steps, <dt>): 0, or the code of the failure.
-
-        With ``record``, the histories of responses by name: ``record={'roof': ('disp', 4, 1)}`` for node 4 and degree of
-        freedom 1, ``('Element', '-ele', 1, 'force')`` for the words of a recorder without its file. They are arrays of shape
-        (rows, columns), or (rows,) for a single column.
-        """
-        if record is None:
-            return self._call("analyze", *args)
+    def _analyze_recorded(self, args, record):
+        """Histories of an analysis by name."""
         made = {name: self._record(*_recorder_words(name, what)) for name, what in record.items()}
         histories = Recording()
         try:
-            histories.code = self._call("analyze", *args)
+            histories.code = self.analyze(*args)
         finally:
             for name, (tag, file) in made.items():
                 rows = self._recorded(tag, file)
@@ -185,7 +166,7 @@ def _recorder_words(name, what):
 
 for _name in USAGES:
     if _name not in _TCL_ONLY and not hasattr(Model, _name) | (_name in Model.__dict__):
-        setattr(Model, _name, _method(_name))
+        setattr(Model, _name, _hysteron.Method(_name, _documentation(_name)))
 for _name in REASONS:
     if _name not in USAGES:
         setattr(Model, _name, _refusal(_name))

@@ -2,8 +2,6 @@
 
 import json
 
-import numpy as np
-
 from . import _hysteron
 
 
@@ -38,11 +36,15 @@ class Calibration(_Result):
     @property
     def x(self):
         """Values of the parameters as an array."""
+        import numpy as np
+
         return np.array(list(self.parameters.values()))
 
     @property
     def intervals(self):
         """Intervals of 95 % of the parameters, an array of shape (parameters, 2); NaN where there are none."""
+        import numpy as np
+
         known = {i["name"]: (i["lower"], i["upper"]) for i in (self.table.get("uncertainty") or {}).get("intervals", [])}
         return np.array([known.get(name, (np.nan, np.nan)) for name in self.names], dtype=float)
 
@@ -107,6 +109,8 @@ class Study(_hysteron.Study):
 
     def loglike_many(self, x, *, n=None, threads=1, client=None):
         """`loglike` at the rows of `x`, on several threads or on the workers of Dask."""
+        import numpy as np
+
         x = np.asarray(x, dtype=float)
         if client is None:
             return super().loglike_many(x, n=n, threads=threads)

@@ -104,6 +104,8 @@ pub(super) struct Results {
     pub modes: Option<super::modes::Modes>,
     /// Buffer of the last `reactions`.
     pub reaction_words: Vec<f64>,
+    /// Reactions that OpenSees keeps until they are asked for.
+    pub kept_reactions: Vec<f64>,
 }
 
 /// A model, its state, and the steps that advance it.
@@ -230,9 +232,10 @@ impl Engine {
         result
     }
 
+    /// Room for what has been added. The trial state becomes the committed one where the changed model gets its plan.
     fn grow(&mut self) {
         self.committed.grow(&self.model);
-        self.trial.clone_from(&self.committed);
+        self.trial.grow(&self.model);
     }
 
     /// Add a node.
@@ -242,16 +245,14 @@ impl Engine {
         for shape in self.results.modes.iter_mut().flat_map(|m| &mut m.shapes) {
             shape.resize(shape.len() + ndf, 0.0);
         }
-        self.committed.grow(&self.model);
-        self.trial.grow(&self.model);
+        self.grow();
         id
     }
 
     /// Add an element.
     pub fn add_element(&mut self, tag: Tag, nodes: Vec<NodeId>, element: Arc<dyn Element>) -> ElementId {
         let id = self.model.add_element(tag, nodes, element);
-        self.committed.grow(&self.model);
-        self.trial.grow(&self.model);
+        self.grow();
         id
     }
 

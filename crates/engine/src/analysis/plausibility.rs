@@ -124,6 +124,9 @@ impl Engine {
             let axis = || i.iter().zip(j).map(|(i, j)| j - i);
             // The node pushes the end i towards the end j.
             let along: f64 = axis().zip(force).map(|(x, f)| x * f).sum();
+            if along <= 0.0 {
+                return None;
+            }
             let load = along / axis().map(|x| x * x).sum::<f64>().sqrt();
             (load > critical).then_some(Overload { load, critical })
         };

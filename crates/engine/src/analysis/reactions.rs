@@ -32,6 +32,19 @@ impl Engine {
         result
     }
 
+    /// Keep reactions that have been worked out, as OpenSees keeps them at its nodes.
+    pub fn keep_reactions(&mut self, reactions: &[f64]) {
+        self.results.kept_reactions.clear();
+        self.results.kept_reactions.extend_from_slice(reactions);
+    }
+
+    /// The reactions kept last at all degrees of freedom; zero where there are none.
+    pub fn kept_reactions(&self) -> Vec<f64> {
+        let mut all = self.results.kept_reactions.clone();
+        all.resize(self.model().dofs(), 0.0);
+        all
+    }
+
     /// Loads on all degrees of freedom at the committed time, into `out`; less inertia and mass-proportional damping
     /// of the nodes if `inertia`.
     ///

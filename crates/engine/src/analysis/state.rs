@@ -1,6 +1,6 @@
 //! Everything that changes from step to step, as flat data.
 
-use crate::model::Model;
+use crate::model::{ElementEntry, Model};
 
 /// The motion of a model and the history of its elements at one time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -122,11 +122,10 @@ impl State {
         self.history.resize(model.state_len(), 0.0);
         self.force.resize(model.force_len(), 0.0);
         self.element_load.resize(model.load_len(), 0.0);
-        for e in &model.elements {
-            // An element without history has a force all the same.
-            if e.state.start >= known && e.force.start >= known_force {
-                e.element.init(&mut self.history[e.state.clone()]);
-            }
+        // An element without history has a force all the same.
+        let is_new = |e: &&ElementEntry| e.state.start >= known && e.force.start >= known_force;
+        for e in model.elements.iter().rev().take_while(is_new) {
+            e.element.init(&mut self.history[e.state.clone()]);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Concrete without tension: Kent, Scott and Park.
 
-use super::lanes::{PointLaw, update_blocks};
+use super::lanes::{Block, BlockLaw, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
-use crate::numeric::lanes::select;
+use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
 
 /// Parabola up to the strength, a straight line to the crushing strength, and constant stress beyond; no tension.
@@ -67,16 +67,58 @@ impl Concrete01 {
     }
 }
 
-impl PointLaw<{ History::LEN }> for Concrete01 {
+/// Columns of a block, as in [`History`].
+const STRAIN: usize = 0;
+const MIN: usize = 3;
+
+impl BlockLaw<{ History::LEN }> for Concrete01 {
     #[inline(always)]
-    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+        let law = self.clone();
+        let mut on_envelope = [0; W];
+        for (i, on_envelope) in on_envelope.iter_mut().enumerate() {
+            let (strain, min) = (block.words[STRAIN][i], block.words[MIN][i]);
+            *on_envelope = flag(Self::is_on_envelope(block.strain[i], strain, min));
+        }
+        // Few blocks reach the envelope: the others are spared its divisions.
+        if any(&on_envelope) {
+            for i in 0..W {
+                let (next, value, tangent) = law.response::<true>(block.point(i), block.strain[i]);
+                block.set_point(i, next);
+                (block.value[i], block.tangent[i]) = (value, tangent);
+            }
+        } else {
+            for i in 0..W {
+                let (next, value, tangent) = law.response::<false>(block.point(i), block.strain[i]);
+                block.set_point(i, next);
+                (block.value[i], block.tangent[i]) = (value, tangent);
+            }
+        }
+    }
+}
+
+impl Concrete01 {
+    /// Returns true for a point that reaches the envelope from its committed strain and smallest strain.
+    #[inline(always)]
+    fn is_on_envelope(eps: f64, strain: f64, min: f64) -> bool {
+        (eps <= min) & (eps < strain) & (eps <= 0.0)
+    }
+
+    /// Trial state, stress and tangent from the committed state and the trial strain. Without `ENVELOPE` the point must
+    /// not be on the envelope.
+    #[inline(always)]
+    fn response<const ENVELOPE: bool>(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
         let [strain, stress, softening, min, end, unloading] = c;
         let modulus = self.modulus();
         let slope = modulus - unloading;
         let straight = stress + slope * (eps - strain);
-        let on_envelope = (eps <= min) & (eps < strain) & (eps <= 0.0);
-        let (peak, peak_slope) = self.envelope(eps);
-        let (new_end, new_slope) = self.unload(eps, peak);
+        let on_envelope = ENVELOPE && Self::is_on_envelope(eps, strain, min);
+        let ((peak, peak_slope), (new_end, new_slope)) = if ENVELOPE {
+            let (peak, peak_slope) = self.envelope(eps);
+            ((peak, peak_slope), self.unload(eps, peak))
+        } else {
+            Default::default()
+        };
         let before_end = eps <= end;
         let loaded = select(on_envelope, peak, select(before_end, slope * (eps - end), 0.0));
         let loaded_slope = select(on_envelope, peak_slope, select(before_end, slope, 0.0));
@@ -110,7 +152,10 @@ impl UniaxialLaw for Concrete01 {
     const BY_QUANTITY: bool = true;
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        Ok(self.respond_to(c, strain.value))
+        let mut words = [0.0; History::LEN];
+        c.write(&mut words);
+        let (next, value, tangent) = self.response::<true>(words, strain.value);
+        Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
     }
 
     fn update_points(

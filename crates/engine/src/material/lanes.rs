@@ -4,7 +4,7 @@
 //! the law loops.
 
 use super::{MaterialError, Strains, Stress, Stresses, UniaxialLaw};
-use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes, select};
+use crate::numeric::lanes::{BLOCK, Lanes, any, copy_back, flag, in_lanes, load};
 use crate::state_struct::StateStruct as _;
 
 /// A block of `W` points of a law with `Q` state variables: one array for each quantity.
@@ -24,7 +24,9 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
     /// State variables of a point.
     #[inline(always)]
     pub(crate) fn point(&self, i: usize) -> [f64; Q] {
-        std::array::from_fn(|q| self.words[q][i])
+        let mut words = [0.0; Q];
+        words.iter_mut().zip(&self.words).for_each(|(word, column)| *word = column[i]);
+        words
     }
 
     /// Sets the state variables of a point.
@@ -38,15 +40,11 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
     /// First point whose stress or tangent is not finite.
     #[inline(always)]
     fn not_finite(&self) -> Option<usize> {
-        let mut wrong = [0.0; W];
+        let mut wrong = [0; W];
         for (i, wrong) in wrong.iter_mut().enumerate() {
-            *wrong = select(self.value[i].is_finite() & self.tangent[i].is_finite(), 0.0, 1.0);
+            *wrong = flag(!(self.value[i].is_finite() & self.tangent[i].is_finite()));
         }
-        let mut sums = [0.0; LANES];
-        for chunk in wrong.as_chunks::<LANES>().0 {
-            sums.iter_mut().zip(chunk).for_each(|(sum, wrong)| *sum += wrong);
-        }
-        if sums == [0.0; LANES] { None } else { wrong.iter().position(|w| *w != 0.0) }
+        if any(&wrong) { wrong.iter().position(|w| *w != 0) } else { None }
     }
 }
 
@@ -102,10 +100,10 @@ impl<L: BlockLaw<Q>, const Q: usize> Points<'_, L, Q> {
         let n = self.strain.len();
         let end = n.min(start + W);
         let zeros = [0.0; W];
-        let mut block = Block::<Q, W> { strain: zeros, words: [zeros; Q], value: zeros, tangent: zeros };
-        copy(&self.strain[start..end], &mut block.strain);
+        let mut block =
+            Block { strain: load(&self.strain[start..end]), words: [zeros; Q], value: zeros, tangent: zeros };
         for (q, column) in block.words.iter_mut().enumerate() {
-            copy(&self.committed[q * n + start..q * n + end], column);
+            *column = load(&self.committed[q * n + start..q * n + end]);
         }
         self.law.respond(&mut block);
         for (q, column) in block.words.iter().enumerate() {
@@ -122,16 +120,15 @@ impl<L: BlockLaw<Q>, const Q: usize> Points<'_, L, Q> {
 impl<L: BlockLaw<Q>, const Q: usize> Lanes for Points<'_, L, Q> {
     #[inline(always)]
     fn evaluate(&mut self) {
-        const FULL: usize = 4 * LANES;
+        const DOUBLE: usize = 2 * BLOCK;
         let n = self.strain.len();
         let mut start = 0;
-        while n > start + 2 * LANES {
-            self.block::<FULL>(start);
-            start += FULL;
+        while n > start + BLOCK {
+            self.block::<DOUBLE>(start);
+            start += DOUBLE;
         }
-        while start < n {
-            self.block::<LANES>(start);
-            start += LANES;
+        if start < n {
+            self.block::<BLOCK>(start);
         }
     }
 }

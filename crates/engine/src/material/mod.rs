@@ -58,6 +58,7 @@ mod viscous;
 mod viscous_damper;
 mod wrapped;
 
+use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -284,6 +285,10 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn init_all(&self, _n: usize, state: &mut [f64]) {
         state.chunks_exact_mut(self.state_len().max(1)).for_each(|point| self.init(point));
     }
+    /// Number of points that [`Uniaxial::update_all`] evaluates at once. A multiple of it takes least time.
+    fn block_len(&self) -> usize {
+        1
+    }
     /// Returns the stress for a trial strain from the committed history, and writes every variable of `next`.
     ///
     /// # Errors
@@ -391,6 +396,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let mut one = vec![0.0; len];
         L::State::default().write(&mut one);
         state.chunks_exact_mut(n.max(1)).zip(one).for_each(|(quantity, value)| quantity.fill(value));
+    }
+    fn block_len(&self) -> usize {
+        if L::BY_QUANTITY { BLOCK } else { 1 }
     }
     fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
         let len = L::State::LEN;

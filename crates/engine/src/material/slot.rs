@@ -1,6 +1,6 @@
 //! Storage of a material's state in an element, with the responses that every material has.
 
-use super::{Material, MaterialError, Strain, Stress};
+use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
 use crate::probe::Probe;
 
 /// A material at an offset in the state of its owner. The first five variables are strain, strain rate, stress,
@@ -101,6 +101,46 @@ impl Slot {
         head[TANGENT] = s.tangent;
         head[ENERGY] = was[ENERGY] + 0.5 * (was[STRESS] + s.value) * (strain.value - was[STRAIN]);
         Ok(s)
+    }
+
+    /// As [`Slot::update`], for many points that are always updated together, at strains that are `shift` more than
+    /// given. A state holds each variable of the header for all points, then the histories as
+    /// [`super::Uniaxial::init_all`] lays them out. The slot must begin the state.
+    ///
+    /// # Errors
+    /// The law has no response at one of the strains.
+    pub fn update_all(
+        &self,
+        committed: &[f64],
+        shift: f64,
+        strains: &Strains<'_>,
+        trial: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        let n = strains.value.len();
+        let (was, old) = committed.split_at(HEADER * n);
+        let (head, new) = trial.split_at_mut(HEADER * n);
+        let (strain, head) = head.split_at_mut(n);
+        strain.iter_mut().zip(strains.value).for_each(|(own, x)| *own = x + shift);
+        let own = Strains { value: strain, ..*strains };
+        self.material.update_all(old, &own, new, stresses)?;
+        head[..n].copy_from_slice(strains.rate);
+        head[(STRESS - 1) * n..STRESS * n].copy_from_slice(&stresses.value[..n]);
+        head[(TANGENT - 1) * n..TANGENT * n].copy_from_slice(&stresses.tangent[..n]);
+        let before = was[..n].iter().zip(&was[STRESS * n..]).zip(&was[ENERGY * n..]);
+        let after = strain.iter().zip(&stresses.value[..n]);
+        let energies = head[(ENERGY - 1) * n..].iter_mut();
+        for (energy, (((e0, s0), was), (e1, s1))) in energies.zip(before.zip(after)) {
+            *energy = was + 0.5 * (s0 + s1) * (e1 - e0);
+        }
+        Ok(())
+    }
+
+    /// Copies the state of one point between states as of [`Slot::update_all`]. Each triple is the state, the index of
+    /// the point, and the number of points.
+    pub fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        (0..HEADER).for_each(|q| to[q * m + j] = from[q * n + i]);
+        self.material.copy_history((&from[HEADER * n..], i, n), (&mut to[HEADER * m..], j, m));
     }
 
     /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.

@@ -3,7 +3,7 @@
 use super::lanes::{Block, BlockLaw, no_stress, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
-use crate::numeric::lanes::select;
+use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
 use crate::numeric::sign;
 use crate::state_struct::StateStruct;
 
@@ -154,21 +154,36 @@ impl Steel02 {
     }
 }
 
+/// A single point on its branch, evaluated by the instructions of the processor.
+struct BranchPoint<'a> {
+    law: &'a Steel02,
+    words: [f64; History::LEN],
+    strain: f64,
+    /// Stress and tangent.
+    stress: (f64, f64),
+}
+
+impl Lanes for BranchPoint<'_> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        self.stress = self.law.on_branch(self.words, self.strain);
+    }
+}
+
 impl BlockLaw<{ History::LEN }> for Steel02 {
     #[inline(always)]
     fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
         let law = self.clone();
         let initial = law.sig_init / law.e0;
-        let (mut turns, mut any) = ([0.0; W], 0.0);
+        let mut turns = [0; W];
         for (i, turns) in turns.iter_mut().enumerate() {
             let (loading, before) = (block.words[LOADING][i], block.words[STRAIN][i]);
             let d = (block.strain[i] + initial) - (before + initial);
-            *turns = select((loading == 0.0) | (loading * d < 0.0), 1.0, 0.0);
+            *turns = flag((loading == 0.0) | (loading * d < 0.0));
         }
-        turns.iter().for_each(|t| any += t);
-        if any > 0.0 {
+        if any(&turns) {
             // Few points turn in a step: they take their new branches one by one.
-            for i in (0..W).filter(|i| turns[*i] != 0.0) {
+            for i in (0..W).filter(|i| turns[*i] != 0) {
                 let c = History::read(&block.point(i));
                 let mut words = [0.0; History::LEN];
                 law.branch(&c, block.strain[i]).unwrap_or(c).write(&mut words);
@@ -197,7 +212,9 @@ impl UniaxialLaw for Steel02 {
         };
         let mut words = [0.0; History::LEN];
         t.write(&mut words);
-        let (value, tangent) = self.on_branch(words, strain.value);
+        let mut point = BranchPoint { law: self, words, strain: strain.value, stress: (0.0, 0.0) };
+        in_lanes(&mut point);
+        let (value, tangent) = point.stress;
         t.stress = value - self.sig_init;
         if !(value.is_finite() && tangent.is_finite()) {
             return Err(no_stress::<Self>(strain.value));

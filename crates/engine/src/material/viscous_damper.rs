@@ -98,10 +98,15 @@ impl ViscousDamper {
     fn force_rate(&self, rate: Dual, force: Dual) -> Dual {
         let p = 1.0 / self.alpha;
         let size = force.value.abs() / self.c;
-        let flow = size.powf(p).copysign(force.value);
-        // The derivative is infinite at zero force for α > 1, so it is bounded.
-        let slope = if p < 1.0 && size < MIN_FORCE_RATIO { MIN_FORCE_RATIO } else { size };
-        let slope = p * slope.powf(p - 1.0) / self.c * force.slope;
+        let power = size.powf(p);
+        let flow = power.copysign(force.value);
+        let lower = match size {
+            // The derivative is infinite at zero force for α > 1, so it is bounded.
+            _ if p < 1.0 && size < MIN_FORCE_RATIO => MIN_FORCE_RATIO.powf(p - 1.0),
+            0.0 => size.powf(p - 1.0),
+            _ => power / size,
+        };
+        let slope = p * lower / self.c * force.slope;
         self.k * Dual { value: rate.value - flow, slope: rate.slope - slope }
     }
 

@@ -1,6 +1,6 @@
 //! Materials that wrap another one: strain limits, and an initial state.
 
-use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use super::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -154,6 +154,26 @@ impl Uniaxial for InitialState {
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         self.inner.update(committed, Strain { value: strain.value + self.strain, ..strain }, next)
+    }
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        let mut one = vec![0.0; self.state_len()];
+        self.init(&mut one);
+        (0..n).for_each(|j| self.copy_history((&one, 0, 1), (&mut *state, j, n)));
+    }
+    fn block_len(&self) -> usize {
+        self.inner.material.block_len()
+    }
+    fn update_all(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        self.inner.update_all(committed, self.strain, strains, next, stresses)
+    }
+    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
+        self.inner.copy_history(from, to);
     }
     fn initial_tangent(&self) -> f64 {
         self.inner.material.initial_tangent()

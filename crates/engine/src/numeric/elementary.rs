@@ -1,7 +1,8 @@
 //! Exponential and logarithm for lanes of vector instructions.
 //!
-//! The functions have no branches and no calls, so that the compiler evaluates several numbers at once. They use no
-//! fused operations: every processor gives the same bits. Reductions and coefficients are those of fdlibm (Sun
+//! The functions have no branches and no calls, so that the compiler evaluates several numbers at once. Products and
+//! sums are fused, which every processor does to the same bits: one without the instruction calls the C library.
+//! They belong inside [`super::lanes::in_lanes`], where the instruction is known to the compiler. Reductions and coefficients are those of fdlibm (Sun
 //! Microsystems, 1993: `e_log.c`, `e_exp.c`); the errors are below two units in the last place.
 
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
@@ -10,6 +11,24 @@ const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 const ROOT_2_BITS: u64 = 0x3FE6_A09E_667F_3BCD;
 /// 2⁵² + 2⁵¹: added to a number, it leaves the nearest integer in the last bits.
 const INTEGER_MAGIC: f64 = 6_755_399_441_055_744.0;
+/// Coefficients of the logarithm, of the powers of s².
+const LN_SERIES: [f64; 7] = [
+    6.666_666_666_666_735e-1,
+    3.999_999_999_940_942e-1,
+    2.857_142_874_366_239e-1,
+    2.222_219_843_214_978_4e-1,
+    1.818_357_216_161_805e-1,
+    1.531_383_769_920_937_3e-1,
+    1.479_819_860_511_658_6e-1,
+];
+/// Coefficients of the exponential, of the powers of r².
+const EXP_SERIES: [f64; 5] = [
+    1.666_666_666_666_660_2e-1,
+    -2.777_777_777_701_559_3e-3,
+    6.613_756_321_437_934e-5,
+    -1.653_390_220_546_525_2e-6,
+    4.138_136_797_057_238_5e-8,
+];
 /// Argument beyond which the exponential is taken at the limit itself.
 const EXP_LIMIT: f64 = 708.0;
 
@@ -25,12 +44,11 @@ pub(crate) fn ln(x: f64) -> f64 {
     let s = f / (2.0 + f);
     let z = s * s;
     let w = z * z;
-    let even = w * (3.999_999_999_940_942e-1 + w * (2.222_219_843_214_978_4e-1 + w * 1.531_383_769_920_937_3e-1));
-    let odd = z
-        * (6.666_666_666_666_735e-1
-            + w * (2.857_142_874_366_239e-1 + w * (1.818_357_216_161_805e-1 + w * 1.479_819_860_511_658_6e-1)));
+    let even = w * w.mul_add(w.mul_add(LN_SERIES[5], LN_SERIES[3]), LN_SERIES[1]);
+    let odd = z * w.mul_add(w.mul_add(w.mul_add(LN_SERIES[6], LN_SERIES[4]), LN_SERIES[2]), LN_SERIES[0]);
     let half_square = 0.5 * f * f;
-    k * LN_2_HIGH - ((half_square - (s * (half_square + (even + odd)) + k * LN_2_LOW)) - f)
+    let correction = s.mul_add(half_square + (even + odd), k * LN_2_LOW);
+    k.mul_add(LN_2_HIGH, -((half_square - correction) - f))
 }
 
 /// Exponential; arguments beyond ±708 count as ±708.
@@ -38,15 +56,13 @@ pub(crate) fn ln(x: f64) -> f64 {
 pub(crate) fn exp(x: f64) -> f64 {
     let x = if x > EXP_LIMIT { EXP_LIMIT } else { x };
     let x = if x < -EXP_LIMIT { -EXP_LIMIT } else { x };
-    let rounded = x * std::f64::consts::LOG2_E + INTEGER_MAGIC;
+    let rounded = x.mul_add(std::f64::consts::LOG2_E, INTEGER_MAGIC);
     let k = rounded - INTEGER_MAGIC;
-    let (high, low) = (x - k * LN_2_HIGH, k * LN_2_LOW);
+    let (high, low) = (k.mul_add(-LN_2_HIGH, x), k * LN_2_LOW);
     let r = high - low;
     let t = r * r;
-    let c = r - t
-        * (1.666_666_666_666_660_2e-1
-            + t * (-2.777_777_777_701_559_3e-3
-                + t * (6.613_756_321_437_934e-5 + t * (-1.653_390_220_546_525_2e-6 + t * 4.138_136_797_057_238_5e-8))));
+    let [p1, p2, p3, p4, p5] = EXP_SERIES;
+    let c = (-t).mul_add(t.mul_add(t.mul_add(t.mul_add(t.mul_add(p5, p4), p3), p2), p1), r);
     let y = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
     f64::from_bits(y.to_bits().wrapping_add(rounded.to_bits() << 52))
 }

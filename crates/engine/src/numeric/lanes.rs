@@ -1,12 +1,14 @@
 //! Loops by the widest vector instructions of the processor.
 //!
 //! A loop over arrays without branches and calls becomes vector instructions. Each number has the same bits with all
-//! instructions, because none of them is fused.
+//! instructions, because products and sums are fused where the source says so, and nowhere else.
 
 use pulp::{Arch, NullaryFnOnce};
 
 /// Numbers of a vector. Sums of many numbers are made of as many sums side by side.
 pub(crate) const LANES: usize = 4;
+/// Numbers of a block: those of the widest vector instructions. Arrays that are padded to whole blocks need no copies.
+pub(crate) const BLOCK: usize = 2 * LANES;
 
 /// Arrays with a loop over them.
 pub(crate) trait Lanes {
@@ -34,19 +36,32 @@ pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {
     if condition { a } else { b }
 }
 
-/// Copies up to `W` numbers into an array, in pieces of a known length.
+/// 1 if the condition holds, else 0: a flag for [`any`].
 #[inline(always)]
-pub(crate) fn copy<const W: usize>(from: &[f64], to: &mut [f64; W]) {
+pub(crate) fn flag(condition: bool) -> u64 {
+    u64::from(condition)
+}
+
+/// Returns true if a flag is set.
+#[inline(always)]
+pub(crate) fn any<const W: usize>(flags: &[u64; W]) -> bool {
+    flags.iter().fold(0, |all, flag| all | flag) != 0
+}
+
+/// Up to `W` numbers of a slice as an array, with zeros behind them.
+#[inline(always)]
+pub(crate) fn load<const W: usize>(from: &[f64]) -> [f64; W] {
     if let Some(from) = from.first_chunk::<W>() {
-        *to = *from;
-        return;
+        return *from;
     }
+    let mut out = [0.0; W];
     let (chunks, rest) = from.as_chunks::<LANES>();
-    let (to, _) = to.as_chunks_mut::<LANES>();
+    let (to, _) = out.as_chunks_mut::<LANES>();
     to.iter_mut().zip(chunks).for_each(|(to, from)| *to = *from);
     if let Some(to) = to.get_mut(chunks.len()) {
         copy_rest(rest, to);
     }
+    out
 }
 
 /// Copies as many numbers of an array as there is room for, in pieces of a known length.

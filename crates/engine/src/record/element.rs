@@ -1,5 +1,6 @@
 //! Responses of elements.
 
+use super::opensees::probe;
 use super::{Group, RecordError, Source};
 use crate::analysis::Engine;
 use crate::model::{ElementId, Tag};
@@ -47,7 +48,7 @@ impl Known {
         let at = match self.found.iter().position(|known| known.element == id && known.words == words) {
             Some(at) => at,
             None => {
-                let probe = engine.model().elements[id.0].element.probe(words)?;
+                let probe = probe(engine, id, words)?;
                 let (columns, words) = (probe.len(), words.iter().map(|w| (*w).to_owned()).collect());
                 self.found.push(KnownResponse { element: id, words, path: probe.path, columns });
                 self.found.len() - 1
@@ -100,7 +101,7 @@ impl ElementResponse {
         let element = &engine.model().elements[id.0].element;
         let words: Vec<&str> = self.words.iter().map(String::as_str).collect();
         // A joint has a response of its own by the name of the global force.
-        let own = element.probe(&words).map(Response::Probe);
+        let own = probe(engine, id, &words).map(Response::Probe);
         if own.is_none() && words.first().is_some_and(|w| FORCE.contains(w)) {
             return Some(Response::Force(element.force_labels()));
         }
@@ -115,13 +116,13 @@ impl ElementResponse {
 
     /// Returns true if an element has a response of that name.
     pub fn is_known(engine: &Engine, id: ElementId, words: &[&str]) -> bool {
-        words.first().is_some_and(|w| FORCE.contains(w)) || engine.model().elements[id.0].element.probe(words).is_some()
+        words.first().is_some_and(|w| FORCE.contains(w)) || probe(engine, id, words).is_some()
     }
 
     /// Value of the response of one element in the committed state; `None` where it has none of that name.
     pub fn evaluate(engine: &Engine, id: ElementId, words: &[&str], known: &mut Known) -> Option<Vec<f64>> {
         let mut values = vec![];
-        let own = || engine.model().elements[id.0].element.probe(words).is_some();
+        let own = || probe(engine, id, words).is_some();
         if words.first().is_some_and(|w| FORCE.contains(w)) && !own() {
             engine.element_force(id, &mut values);
             return Some(values);

@@ -8,6 +8,7 @@ mod element;
 mod envelope;
 mod file;
 mod node;
+mod opensees;
 mod output;
 mod place;
 mod text;

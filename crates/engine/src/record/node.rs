@@ -124,7 +124,10 @@ impl NodeResponse {
     fn work_out(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         let failed = |f: crate::analysis::Failure| RecordError(f.to_string());
         match self.quantity {
-            NodeQuantity::Reaction(kind) => engine.reactions(kind, &mut self.reactions).map_err(failed)?,
+            NodeQuantity::Reaction(kind) => {
+                engine.reactions(kind, &mut self.reactions).map_err(failed)?;
+                engine.keep_reactions(&self.reactions);
+            }
             NodeQuantity::Unbalance { inertia } => engine.unbalanced(inertia, &mut self.reactions).map_err(failed)?,
             NodeQuantity::IncrDisp => {
                 let disp = &engine.state().disp;

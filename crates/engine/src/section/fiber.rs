@@ -4,6 +4,7 @@ mod points;
 
 use super::{Resultant, Section, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
+use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use points::Points;
 use std::collections::HashMap;
@@ -35,13 +36,16 @@ pub enum FiberBending {
 /// Fibers with the strains of a plane section: ε = ε₀ - y κ_z + z κ_y, with y and z from the centroid of the areas.
 /// Torsion is uncoupled in space.
 ///
-/// Fibers of one material with the same strain share a point. The history holds strain, stress, tangent and energy of
+/// Fibers of one material with the same strain share a point. Points of laws that are evaluated in blocks are padded by
+/// points without an area. The history holds strain, stress, tangent and energy of
 /// all points, one quantity after the other. The variables of the laws follow, run after run, and then those of the
 /// torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
     fibers: Vec<PlacedFiber>,
     points: Points,
+    /// Number of points that belong to a run; the padding follows.
+    updated: usize,
     runs: Vec<FiberRun>,
     torsion: Option<Slot>,
     /// Bending about both axes.
@@ -191,11 +195,19 @@ impl FiberSection {
                 }
                 (placed[i].point, placed[i].run) = (points.len() - 1, runs.len() - 1);
             }
+            // The padding of a law that is evaluated in blocks belongs to its run.
+            let padded = points.pad(material.block_len().min(BLOCK));
+            if let Some(run) = runs.last_mut() {
+                run.points.end = padded;
+                at = run.words().end;
+            }
         }
+        let updated = points.len();
+        points.pad(BLOCK);
         at += POINT_HEADER * points.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        Self { fibers: placed, points, runs, torsion, biaxial, centroid, state_len }
+        Self { fibers: placed, points, updated, runs, torsion, biaxial, centroid, state_len }
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
@@ -210,7 +222,9 @@ impl FiberSection {
         let n = self.points.len();
         let (old, new) = (Parts::of(committed, n), Parts::of_mut(next, n));
         self.points.strains::<M>(e, new.strain);
-        let mut damping = NO_RATE;
+        for padding in [&mut *new.stress, &mut *new.tangent] {
+            padding[self.updated..].fill(0.0);
+        }
         for run in &self.runs {
             let (range, words) = (run.points.clone(), run.words());
             let n = range.len();
@@ -218,7 +232,8 @@ impl FiberSection {
             let mut stresses = Stresses {
                 value: &mut new.stress[range.clone()],
                 tangent: &mut new.tangent[range],
-                damping: &mut damping[..n],
+                // A damping has no use in a section: the energies are written after it.
+                damping: &mut new.energy[..n],
             };
             run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
         }

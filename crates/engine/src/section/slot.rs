@@ -108,11 +108,16 @@ impl SectionSlot {
         &state[self.at + 2 * self.order..self.at + self.header()]
     }
 
-    /// Inverse of a section stiffness, n x n by rows.
+    /// Number of resultants.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Inverse of a section stiffness, n x n by rows; `out` has at least as many entries.
     ///
     /// # Errors
     /// The stiffness is singular.
-    pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64; MAX_ORDER * MAX_ORDER]) -> Result<(), MaterialError> {
+    pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64]) -> Result<(), MaterialError> {
         let n = self.order;
         if let (2, [a, b, c, d, ..]) = (n, stiffness) {
             // The section of a beam in the plane: by determinants.

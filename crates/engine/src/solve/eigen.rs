@@ -39,6 +39,9 @@ const SKEW: f64 = 1e-9;
 /// A basis of more vectors is a long one.
 const LONG: usize = 120;
 
+/// The values are looked at again when the basis has grown by one of these parts: each look costs its size cubed.
+const PARTS_OF_BASIS: usize = 6;
+
 /// Vectors start from the same numbers every time.
 struct Random(u64);
 
@@ -88,7 +91,10 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Result<Vec<Pair>, NotF
     let mut basis = Basis { v: vec![], mv: vec![] };
     // Products of the operator with the basis.
     let mut av: Vec<Vec<f64>> = vec![];
+    let mut operator = Operator::default();
     let mut last: Vec<f64> = vec![];
+    // Size of the basis at which the values are looked at next.
+    let mut next = 0;
     start(pencil, &mut basis, &mut random, block);
     if basis.v.is_empty() {
         return Ok(vec![]);
@@ -102,14 +108,18 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Result<Vec<Pair>, NotF
             pencil.solve(&mut w);
             av.push(w);
         }
-        let ritz = Ritz::of(&basis, &av)?;
-        let wanted = &ritz.theta[..count.min(ritz.theta.len())];
-        let settled = wanted.len() == last.len()
-            && wanted.len() == count
-            && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= ritz.tolerance() * a.abs());
-        last = wanted.to_vec();
-        if settled {
-            return Ok(pairs(pencil, &basis, &ritz.complete()?, count));
+        operator.extend(&basis, &av);
+        if full >= next {
+            next = full + block.max(full / PARTS_OF_BASIS);
+            let ritz = Ritz::of(&operator)?;
+            let wanted = &ritz.theta[..count.min(ritz.theta.len())];
+            let settled = wanted.len() == last.len()
+                && wanted.len() == count
+                && wanted.iter().zip(&last).all(|(a, b)| (a - b).abs() <= ritz.tolerance() * a.abs());
+            last = wanted.to_vec();
+            if settled {
+                return Ok(pairs(pencil, &basis, &ritz.complete()?, count));
+            }
         }
         for w in &av[known..full] {
             let scale = length(pencil, w);
@@ -120,7 +130,7 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Result<Vec<Pair>, NotF
             start(pencil, &mut basis, &mut random, block);
         }
         if basis.v.len() == full {
-            return Ok(pairs(pencil, &basis, &ritz.complete()?, count));
+            return Ok(pairs(pencil, &basis, &Ritz::of(&operator)?.complete()?, count));
         }
     }
 }
@@ -145,7 +155,24 @@ fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count
     }
 }
 
-/// The operator in a basis.
+/// The operator in a basis that grows, by columns.
+#[derive(Default)]
+struct Operator {
+    columns: Vec<Vec<f64>>,
+}
+
+impl Operator {
+    /// Adds the rows and columns of the vectors that are new; `av` are products of the operator with the basis.
+    fn extend(&mut self, basis: &Basis, av: &[Vec<f64>]) {
+        self.columns.resize(av.len(), vec![]);
+        for (column, av) in self.columns.iter_mut().zip(av) {
+            let known = column.len();
+            column.extend(basis.mv[known..].iter().map(|mv| dot(mv, av)));
+        }
+    }
+}
+
+/// Eigenvalues and vectors of the operator in a basis.
 struct Ritz {
     /// Eigenvalues θ, the largest by size first. Of a complex pair |θ|²/Re θ, so that 1/θ is the real part of λ, as OpenSees
     /// gives it.
@@ -162,9 +189,9 @@ fn of_pair(theta: Complex<f64>) -> f64 {
 }
 
 impl Ritz {
-    fn of(basis: &Basis, av: &[Vec<f64>]) -> Result<Self, NotFound> {
-        let m = av.len();
-        let t = DMatrix::from_fn(m, m, |i, j| dot(&basis.mv[i], &av[j]));
+    fn of(operator: &Operator) -> Result<Self, NotFound> {
+        let m = operator.columns.len();
+        let t = DMatrix::from_fn(m, m, |i, j| operator.columns[j][i]);
         if t.iter().any(|x| !x.is_finite()) {
             return Err(NotFound);
         }
@@ -200,10 +227,10 @@ impl Ritz {
     /// Part by which values that are settled may still differ. Without symmetry round-off moves them more, and a basis that
     /// has grown long would grow to all equations for it.
     fn tolerance(&self) -> f64 {
-        match &self.unsymmetric {
-            None => 1e-15,
-            Some(t) if t.nrows() <= LONG => 1e-13,
-            Some(_) => 1e-10,
+        match (&self.unsymmetric, self.theta.len() <= LONG) {
+            (None, true) => 1e-15,
+            (None, false) | (Some(_), true) => 1e-13,
+            (Some(_), false) => 1e-10,
         }
     }
 }

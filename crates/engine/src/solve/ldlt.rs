@@ -61,7 +61,10 @@ impl Ldlt {
             Spec::default(),
         );
         if let Err(LdltError::ZeroPivot { index }) = result {
-            return Err(SolveError::Singular { equation: self.original(index) });
+            // The index may be one within a supernode.
+            let mut equation = None;
+            self.see_pivots(|own, d| equation = equation.or((d == 0.0 || !d.is_finite()).then_some(own)));
+            return Err(SolveError::Singular { equation: equation.unwrap_or_else(|| self.original(index)) });
         }
         Ok(self.pivots())
     }
@@ -73,10 +76,13 @@ impl Ldlt {
 
     fn pivots(&self) -> Pivots {
         let mut pivots = Pivots::GOOD;
-        let mut see = |row: usize, d: f64| {
-            let equation = self.original(row);
-            pivots.see(equation, d, self.diagonal[equation]);
-        };
+        self.see_pivots(|equation, d| pivots.see(equation, d, self.diagonal[equation]));
+        pivots
+    }
+
+    /// Calls `look` with the equation and value of each pivot in the order of the elimination.
+    fn see_pivots(&self, mut look: impl FnMut(usize, f64)) {
+        let mut see = |row: usize, d: f64| look(self.original(row), d);
         match self.symbolic.raw() {
             SymbolicCholeskyRaw::Simplicial(s) => {
                 // The pivot is the first entry of each column.
@@ -92,7 +98,6 @@ impl Ldlt {
                 }
             }
         }
-        pivots
     }
 
     pub(super) fn solve(&mut self, x: &mut [f64]) {

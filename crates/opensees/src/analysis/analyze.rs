@@ -145,6 +145,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         plausibility::before(interp, dt, call.span(0))?;
     }
     let session = &mut interp.host;
+    session.note_checked(kind, dt);
     session.builder.loads_time = None;
     let done = match session.mode {
         // Messages of an analysis of a wrong model follow from the mistake in the model.
@@ -176,6 +177,11 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     };
+    conclude(interp, call, done)
+}
+
+/// Give the messages about an analysis that has been made, and its code.
+pub(super) fn conclude(interp: &mut Tcl, call: &Call<'_>, done: Result<(), Failure>) -> Outcome {
     let printed = std::mem::take(&mut interp.host.output.recorders.printed);
     if !printed.is_empty() {
         crate::print_error(interp, &printed);

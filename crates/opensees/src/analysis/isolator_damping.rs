@@ -82,12 +82,17 @@ impl IsolatorDamping {
         if self.elements.is_empty() || !share.is_finite() { 0.0 } else { share }
     }
 
+    /// Returns true if the share of the energy is too large.
+    pub(crate) fn is_suspect(&self) -> bool {
+        self.share() >= MIN_SHARE
+    }
+
     /// The warning about a share of the energy that is too large.
     pub(crate) fn warning(&self, span: Option<Span>) -> Option<Diagnostic> {
-        let share = self.share();
-        if share < MIN_SHARE {
+        if !self.is_suspect() {
             return None;
         }
+        let share = self.share();
         let which = match self.tags[..] {
             [one] => format!("isolator {one}"),
             [first, .., last] => format!("the {} isolators, elements {first} to {last}", self.tags.len()),

@@ -1,5 +1,6 @@
 //! Commands that set up and run an analysis.
 
+pub(crate) mod again;
 pub(crate) mod algorithm;
 pub(crate) mod analyze;
 pub(crate) mod damping;

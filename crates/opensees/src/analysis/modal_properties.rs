@@ -83,7 +83,10 @@ fn dictionary(p: &ModalProperties) -> Value {
         ("partiMassRatios", &ratios, 100.0),
         ("partiMassRatiosCumu", &cumulative(&ratios), 100.0),
     ] {
-        for (i, direction) in directions(p.ndm).iter().enumerate() {
+        // Those of the plane come first.
+        let directions = directions(p.ndm).iter().enumerate();
+        let (plane, space): (Vec<_>, Vec<_>) = directions.partition(|(_, d)| ["MX", "MY", "RMZ"].contains(d));
+        for (i, direction) in plane.into_iter().chain(space) {
             put(format!("{name}{direction}"), list(&mut rows.iter().map(|r| scale * r[i])));
         }
     }

@@ -1,8 +1,10 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
+use super::again::Checked;
 use crate::session::{Mode, Session};
 use crate::{Tcl, warn};
-use hysteron_engine::analysis::Kind;
+use hysteron_engine::analysis::{Engine, Kind};
+use hysteron_engine::element::Overload;
 use hysteron_engine::model::{ElementId, Model, Pattern, PatternKind, Tag};
 use hysteron_engine::series::Series;
 use hysteron_tcl::Exception;
@@ -22,6 +24,8 @@ const MAX_EQUATIONS: usize = 200_000;
 /// Patterns and steps that have been looked at.
 #[derive(Debug, Default)]
 pub(crate) struct Looked {
+    /// Analysis that a host may go on with, without the checks before it.
+    pub(crate) again: Option<Checked>,
     /// Patterns that a transient analysis has begun with.
     patterns: BTreeSet<Tag>,
     /// Revision of the model and step of time that were looked at before an analysis. Scripts may call it for each step.
@@ -62,6 +66,23 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         Some(d) => warn_once(interp, "damped isolators", d),
         None => Ok(()),
     }
+}
+
+/// Returns true if [`after`] has nothing to look at more closely.
+pub(super) fn is_plausible(session: &mut Session) -> bool {
+    session.engine.loose_constraint(MAX_LOOSENESS).is_none()
+        && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())
+        && !session.output.recorders.isolator_damping.is_suspect()
+}
+
+/// Look at the Euler loads of the beams, which are worked out once for a revision of the model.
+fn euler_loads<T>(session: &mut Session, look: impl FnOnce(&Engine, &[(ElementId, f64)]) -> T) -> T {
+    let Session { engine, looked, .. } = session;
+    let revision = engine.model().revision();
+    if looked.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
+        looked.euler_loads = Some((revision, engine.euler_loads()));
+    }
+    look(engine, looked.euler_loads.as_ref().map_or(&[], |(_, loads)| loads))
 }
 
 /// Warn once for each key.
@@ -197,20 +218,13 @@ fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     if is_reported(&interp.host, KEY) {
         return Ok(());
     }
-    let Session { engine, looked, .. } = &mut interp.host;
-    let revision = engine.model().revision();
-    if looked.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
-        looked.euler_loads = Some((revision, engine.euler_loads()));
-    }
-    let loads = looked.euler_loads.as_ref().map_or(&[][..], |(_, loads)| loads);
-    let Some((e, overload)) = engine.buckled_beam(loads) else { return Ok(()) };
-    let message = format!(
-        "the compression of {} {} is {:.4e}, above its Euler load of {:.4e}",
-        e.element.class(),
-        e.tag,
-        overload.load,
-        overload.critical
-    );
+    let message = euler_loads(&mut interp.host, |engine, loads| {
+        engine.buckled_beam(loads).map(|(e, Overload { load, critical })| {
+            let (class, tag) = (e.element.class(), e.tag);
+            format!("the compression of {class} {tag} is {load:.4e}, above its Euler load of {critical:.4e}")
+        })
+    });
+    let Some(message) = message else { return Ok(()) };
     let d = Diagnostic::warning(message).at(span, "it has buckled");
     warn_once(
         interp,

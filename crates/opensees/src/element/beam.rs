@@ -57,7 +57,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Excepti
 
 /// Numbers before the options. OpenSees distinguishes the forms of the command by their count.
 pub(super) fn numbers_ahead(a: &Args<'_>) -> usize {
-    a.ahead().take_while(|v| v.to_f64().is_ok()).count()
+    a.ahead().take_while(|v| v.as_f64().is_some()).count()
 }
 
 pub(super) type Place = Option<hysteron_tcl::diagnostic::Span>;

@@ -140,7 +140,7 @@ fn take(
     deflects: Option<bool>,
 ) -> Result<Words, Exception> {
     check(a, ends)?;
-    let second_is_number = a.ahead().nth(1).is_some_and(|v| v.to_f64().is_ok());
+    let second_is_number = a.ahead().nth(1).is_some_and(|v| v.as_f64().is_some());
     let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
         // The number of points and `-sections`, or with one section for all of them.
         (3.., _) => {
@@ -237,7 +237,7 @@ fn iterations(interp: &mut Tcl, a: &mut Args<'_>, force_based: &mut ForceBased) 
 /// A rule of integration in the words of an element: its name and numbers in a list.
 fn in_words(interp: &Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Exception> {
     let list = value.to_list().map(|l| l.to_vec()).unwrap_or_default();
-    let numbers: Option<Vec<f64>> = list.iter().skip(1).map(|v| v.to_f64().ok()).collect();
+    let numbers: Option<Vec<f64>> = list.iter().skip(1).map(Value::as_f64).collect();
     match (list.first(), numbers) {
         (Some(name), Some(numbers)) if !numbers.is_empty() => integration(interp, a, &name.as_str(), &numbers),
         _ => Err(a.refuse(

@@ -190,7 +190,7 @@ fn can_be_layers(v: &[f64]) -> bool {
 
 /// Scripts for the first `HDR` give a yield force and a yield displacement before the shear modulus.
 fn first_form(a: &Args<'_>) -> Result<(), Exception> {
-    let numbers: Vec<f64> = a.ahead().map_while(|v| v.to_f64().ok()).collect();
+    let numbers: Vec<f64> = a.ahead().map_while(|v| v.as_f64()).collect();
     if numbers.len() < 19 || can_be_layers(&numbers) || !can_be_layers(&numbers[2..]) {
         return Ok(());
     }

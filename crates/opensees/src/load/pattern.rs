@@ -147,7 +147,7 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, LOAD);
     let node = node_of(interp, &mut a, "tag of the node")?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
-    let values = (1..=ndf).map(|i| a.float(&format!("force on degree of freedom {i}")));
+    let values = (1..=ndf).map(|i| a.nth_float("force on degree of freedom", i));
     let values = values.collect::<Result<Vec<f64>, _>>()?;
     let (mut constant, mut named) = (false, None);
     while let Some(option) = a.option() {

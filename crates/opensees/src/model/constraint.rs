@@ -27,7 +27,7 @@ const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <
 const LINK: &str = "rigidLink beam|bar $retained $constrained";
 
 fn flags(a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {
-    (1..=n).map(|i| a.int(&format!("flag of degree of freedom {i}")).map(|f| f != 0)).collect()
+    (1..=n).map(|i| a.nth_int("flag of degree of freedom", i).map(|f| f != 0)).collect()
 }
 
 fn hold(interp: &mut Tcl, node: NodeId, flags: &[bool]) {

@@ -93,8 +93,8 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-ndf" | "-NDF" => ndf = a.dof("number of degrees of freedom", 6)? + 1,
             "-mass" => mass = Some(masses(&mut a, ndf)?),
-            "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement")?),
-            "-vel" => vel = Some(values(&mut a, ndf, "velocity")?),
+            "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement of degree of freedom")?),
+            "-vel" => vel = Some(values(&mut a, ndf, "velocity of degree of freedom")?),
             _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
         }
     }
@@ -117,11 +117,11 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn values(a: &mut Args<'_>, n: usize, what: &str) -> Result<Vec<f64>, Exception> {
-    (1..=n).map(|i| a.float(&format!("{what} of degree of freedom {i}"))).collect()
+    (1..=n).map(|i| a.nth_float(what, i)).collect()
 }
 
 fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
-    (1..=n).map(|i| a.not_negative(&format!("mass of degree of freedom {i}"))).collect()
+    (1..=n).map(|i| a.nth_not_negative("mass of degree of freedom", i)).collect()
 }
 
 fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::session::Session;
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
@@ -104,9 +105,7 @@ fn failed(call: &Call<'_>, f: &Failure) -> Exception {
 fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
     let node = node_of(interp, &mut a, "tag of the node")?;
-    let kind = interp.host.output.reaction_kind;
-    let mut all = vec![];
-    interp.host.engine.reactions(kind, &mut all).map_err(|f| failed(call, &f))?;
+    let all = interp.host.reactions().map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
     pick(interp, &mut a, &values, DOF)
 }
@@ -120,7 +119,7 @@ fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     pick(interp, &mut a, &values, DOF)
 }
 
-/// Set the kind of reactions that `nodeReaction` gives. They always belong to the present state.
+/// Set the kind of reactions that `nodeReaction` gives. They belong to the present state, and in OpenSees to that of this command.
 fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "reactions <-dynamic> <-rayleigh>");
     interp.host.output.reaction_kind = ReactionKind::Static;
@@ -132,6 +131,12 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-rayleigh" | "-Rayleigh" => interp.host.output.reaction_kind = ReactionKind::Rayleigh,
             _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
         }
+    }
+    if interp.host.follows(&[slips::KEPT_REACTIONS]) {
+        let Session { engine, output, .. } = &mut interp.host;
+        let mut all = vec![];
+        engine.reactions(output.reaction_kind, &mut all).map_err(|f| failed(call, &f))?;
+        engine.keep_reactions(&all);
     }
     Ok(Value::EMPTY)
 }

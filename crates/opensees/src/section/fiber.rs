@@ -1,7 +1,7 @@
 //! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
 
 use crate::args::Args;
-use crate::{Command, ModelBuilder, Outcome, Tcl, finish, warn};
+use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -24,6 +24,7 @@ fn add(
     made: impl IntoIterator<Item = ([f64; 2], f64)>,
 ) -> Result<(), Exception> {
     finish(interp, a)?;
+    let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
     let ModelBuilder { fibers, open_section, .. } = &mut interp.host.builder;
     let mut push: Box<dyn FnMut(Fiber)> = match (fibers, open_section) {
         (Some(fibers), _) => Box::new(|f| fibers.push(f)),
@@ -34,7 +35,7 @@ fn add(
         }
     };
     for ([y, z], area) in made {
-        if area <= 0.0 {
+        if area.is_nan() || area <= 0.0 && !keeps_negative {
             let message = format!("a fiber at y = {y:.6}, z = {z:.6} has an area of {area:.6e}");
             return Err(a.refuse(message, "expected corners in the sense that goes from y to z"));
         }
@@ -46,7 +47,8 @@ fn add(
 fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIBER);
     let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
-    let area = a.not_negative("area of the fiber")?;
+    let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
+    let area = if keeps_negative { a.float("area of the fiber")? } else { a.not_negative("area of the fiber")? };
     let at = a.last_span();
     let material = a.of(&interp.host.builder.definitions.materials)?;
     if area == 0.0 {
@@ -97,7 +99,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 warn(interp, d.at(radii_at, "expected the inner radius before the outer one"))?;
                 std::mem::swap(&mut inner, &mut outer);
                 angles.reverse();
-            } else if inner > outer {
+            } else if inner > outer && !interp.host.follows(&[slips::NEGATIVE_AREAS]) {
                 return Err(a.refuse_at(
                     radii_at,
                     format!("the outer radius {outer} is not greater than the inner one"),

@@ -1,9 +1,21 @@
 //! Beams, trusses and links.
 
-use super::Shown::{Case, Nowhere};
+use super::Shown::{Case, Nowhere, Test};
 use super::{Slip, differs, slips};
 
 slips! {
+    NEGATIVE_AREAS, Command, Test("tests/analysis/opensees.rs", "fibers_of_negative_area"),
+    "`patch` with corners, radii or angles the other way round; `fiber` with a negative area",
+    "The fibers have negative areas.",
+    "The command is refused.",
+    "The section would lose what it was meant to gain.";
+
+    PLANE_DEFORMATIONS, Analysis, Test("tests/analysis/opensees.rs", "deformations_of_an_elastic_beam_in_the_plane"),
+    "Response `deformations` of `elasticBeamColumn` in the plane",
+    "There is none of that name; it is `basicDeformation`.",
+    "The basic deformations.",
+    "Other beams have it.";
+
     COROTATIONAL_TRIALS, Command, Case("force_beams_space_pushed"),
     "`geomTransf Corotational` in space, `ASDShellQ4` and `ASDShellT3` with `-corotational`: large rotations of the nodes",
     "They are the sum of those of all trial states. The tangent of the shells is that of fixed axes.",

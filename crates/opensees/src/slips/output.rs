@@ -1,6 +1,6 @@
 //! Recorders, reactions and the exit status.
 
-use super::Shown::{Case, Nowhere};
+use super::Shown::{Case, Nowhere, Test};
 use super::{Slip, differs, slips};
 
 slips! {
@@ -15,6 +15,12 @@ slips! {
     "The damping of elements with `-doRayleigh` off counts.",
     "The damping that acts counts.",
     "OpenSees asks no element if it takes part.";
+
+    KEPT_REACTIONS, Command, Test("tests/analysis/opensees.rs", "reactions_are_those_of_the_command"),
+    "`nodeReaction`",
+    "Reactions are those of the last `reactions`, or of the last row of a recorder of reactions; zero without either.",
+    "Reactions are those of the present state.",
+    "A reaction of another state is wrong.";
 
     FAILED_TEST, Command, Nowhere,
     "`testIter` after a step that failed",

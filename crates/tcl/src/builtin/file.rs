@@ -184,7 +184,7 @@ fn cd(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
         posix(&e, |why| format!("couldn't change working directory to \"{name}\": {why}")).at(call.span(1), "")
     };
     match core.files.info(&path, true) {
-        Ok(info) if info.kind == FileKind::Directory => core.cwd = path,
+        Ok(info) if info.kind == FileKind::Directory => core.cwd = Some(path),
         Ok(_) => return Err(refuse(io::ErrorKind::NotADirectory.into())),
         Err(e) => return Err(refuse(e)),
     }
@@ -193,7 +193,7 @@ fn cd(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
 
 fn pwd(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     call.expect(1..=1, "pwd")?;
-    Ok(Value::from(core.cwd.as_str()))
+    Ok(Value::from(&*core.current_dir()))
 }
 
 fn mkdir(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {

@@ -51,8 +51,28 @@ impl Workspace {
         inertia: f64,
         out: &mut [f64; MAX_DOFS],
     ) {
-        let n = dofs.len();
-        let (mut v, mut a) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        // Products of the sizes of beams have no loops.
+        match dofs.len() {
+            6 => self.add_dynamic_force_of::<6>(6, dofs, m, r, state, inertia, out),
+            12 => self.add_dynamic_force_of::<12>(12, dofs, m, r, state, inertia, out),
+            n => self.add_dynamic_force_of::<MAX_DOFS>(n, dofs, m, r, state, inertia, out),
+        }
+    }
+
+    /// The same for an element of `n` degrees of freedom, at most `N`.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn add_dynamic_force_of<const N: usize>(
+        &self,
+        n: usize,
+        dofs: &[u32],
+        m: &ElementWorkspace,
+        r: &Rayleigh,
+        state: &State,
+        inertia: f64,
+        out: &mut [f64; MAX_DOFS],
+    ) {
+        let (mut v, mut a) = ([0.0; N], [0.0; N]);
         for ((&d, v), a) in dofs.iter().zip(&mut v).zip(&mut a) {
             *v = state.vel[d as usize];
             *a = r.alpha_m * *v + inertia * state.accel[d as usize];

@@ -5,7 +5,7 @@ use super::member::{Basic, Formulation, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
-use crate::numeric::{dot, invert};
+use crate::numeric::{axpy, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
 /// A beam with cubic deflections and linear axial displacements: curvatures are linear, axial strain is constant.
@@ -29,14 +29,53 @@ fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     row
 }
 
-/// Adds wᵢ L aᵀ k a for the section stiffness k by rows.
-fn add_section<const B: usize>(rows: &[[f64; B]], k: &[f64], weight: f64, kb: &mut [[f64; B]; B]) {
-    for (a, k) in rows.iter().zip(k.chunks_exact(rows.len().max(1))) {
-        for (b, k) in rows.iter().zip(k) {
-            for (row, a) in kb.iter_mut().zip(a) {
-                row.iter_mut().zip(b).for_each(|(kb, b)| *kb += weight * a * k * b);
+/// Interpolation of a section. `M` bounds the number of resultants, so that the sizes of all loops are known; the rows
+/// beyond the resultants of the section are zero.
+struct Interpolation<const B: usize, const M: usize> {
+    rows: [[f64; B]; M],
+}
+
+impl<const B: usize, const M: usize> Interpolation<B, M> {
+    fn new(resultants: &[Resultant], x: f64, length: f64) -> Self {
+        let mut rows = [[0.0; B]; M];
+        rows.iter_mut().zip(resultants).for_each(|(a, r)| *a = row(*r, x, length));
+        Self { rows }
+    }
+
+    /// Adds wᵢ L aᵀ k a for the stiffness k of a section with `n` resultants, by rows.
+    fn add_stiffness(&self, n: usize, k: &[f64], weight: f64, kb: &mut [[f64; B]; B]) {
+        for (a, k) in self.rows.iter().zip(k.chunks_exact(n.max(1))) {
+            // Resultant for each basic deformation.
+            let mut per_deformation = [0.0; B];
+            for (k, b) in k.iter().zip(&self.rows) {
+                axpy(weight * k, b, &mut per_deformation);
             }
+            kb.iter_mut().zip(a).for_each(|(row, a)| axpy(*a, &per_deformation, row));
         }
+    }
+}
+
+impl DisplacementBased {
+    /// [`Formulation::respond`] for sections of at most `M` resultants.
+    fn respond_of_order<const N: usize, const B: usize, const M: usize>(
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        (committed, trial): (&[f64], &mut [f64]),
+    ) -> Result<Basic<B>, ElementError> {
+        let mut basic = Basic { q: [0.0; B], k: [[0.0; B]; B] };
+        basic.q.copy_from_slice(&motion.load[..B]);
+        for (section, x, weight) in member.along() {
+            let order = section.order();
+            let interpolation = Interpolation::<B, M>::new(section.resultants(), x, member.length());
+            let e = product(&interpolation.rows, v);
+            section.update(committed, &e, motion.dt, trial)?;
+            for (row, s) in interpolation.rows.iter().zip(section.resultant(trial)) {
+                axpy(weight * s, row, &mut basic.q);
+            }
+            interpolation.add_stiffness(order, section.stiffness(trial), weight, &mut basic.k);
+        }
+        Ok(basic)
     }
 }
 
@@ -64,32 +103,22 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
-        let mut basic = Basic { q: [0.0; B], k: [[0.0; B]; B] };
-        basic.q.copy_from_slice(&motion.load[..B]);
-        for (section, x, weight) in member.along() {
-            let (mut rows, mut e) = ([[0.0; B]; MAX_ORDER], [0.0; MAX_ORDER]);
-            for ((row_, e), r) in rows.iter_mut().zip(&mut e).zip(section.resultants()) {
-                *row_ = row(*r, x, member.length());
-                *e = dot(row_, v);
-            }
-            section.update(committed, &e, motion.dt, trial)?;
-            let rows = &rows[..section.resultants().len()];
-            for (row, s) in rows.iter().zip(section.resultant(trial)) {
-                basic.q.iter_mut().zip(row).for_each(|(q, a)| *q += weight * a * s);
-            }
-            add_section(rows, section.stiffness(trial), weight, &mut basic.k);
+        match member.order() {
+            ..=2 => Self::respond_of_order::<N, B, 2>(member, v, motion, (committed, trial)),
+            3 => Self::respond_of_order::<N, B, 3>(member, v, motion, (committed, trial)),
+            4 => Self::respond_of_order::<N, B, 4>(member, v, motion, (committed, trial)),
+            _ => Self::respond_of_order::<N, B, MAX_ORDER>(member, v, motion, (committed, trial)),
         }
-        Ok(basic)
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {
         let mut kb = [[0.0; B]; B];
         for (section, x, weight) in member.along() {
             let n = section.resultants().len();
-            let (mut rows, mut k) = ([[0.0; B]; MAX_ORDER], [0.0; MAX_ORDER * MAX_ORDER]);
-            rows.iter_mut().zip(section.resultants()).for_each(|(a, r)| *a = row(*r, x, member.length()));
+            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
             section.section.initial_stiffness(&mut k[..n * n]);
-            add_section(&rows[..n], &k[..n * n], weight, &mut kb);
+            let interpolation = Interpolation::<B, MAX_ORDER>::new(section.resultants(), x, member.length());
+            interpolation.add_stiffness(n, &k[..n * n], weight, &mut kb);
         }
         kb
     }
@@ -99,6 +128,6 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
         if !invert(f.as_flattened_mut(), B) {
             return [0.0; B];
         }
-        f.map(|row| dot(&row, q))
+        product(&f, q)
     }
 }

@@ -1,12 +1,13 @@
 //! The force-based beam: `forceBeamColumn`.
 
 use super::member::{Basic, Formulation, Member, Trace, bending_at, set};
+use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
-use crate::numeric::{axpy, dot, invert};
-use crate::section::{MAX_ORDER, Resultant, SectionSlot};
+use crate::numeric::{axpy, dot, invert, product};
+use crate::section::{MAX_ORDER, Resultant};
 
 /// Internal forces are in equilibrium with the basic forces and the loads on the beam. Basic deformations are the
 /// weighted integral of the section deformations (Spacone, Filippou and Taucer, 1996; Neuenhofer and Filippou, 1997).
@@ -110,89 +111,6 @@ pub(super) fn add_torsion<const N: usize, const B: usize>(
     }
 }
 
-/// A section in an iteration: its interpolation, flexibility, deformations and resultants in a state.
-pub(super) struct Point<const B: usize> {
-    rows: [[f64; B]; MAX_ORDER],
-    flexibility: [f64; MAX_ORDER * MAX_ORDER],
-    e: [f64; MAX_ORDER],
-    s: [f64; MAX_ORDER],
-}
-
-impl<const B: usize> Point<B> {
-    /// A section at a fraction `x` of a length, without a state.
-    fn at(section: &SectionSlot, (x, length): (f64, f64)) -> Self {
-        let mut p = Self {
-            rows: [[0.0; B]; MAX_ORDER],
-            flexibility: [0.0; MAX_ORDER * MAX_ORDER],
-            e: [0.0; MAX_ORDER],
-            s: [0.0; MAX_ORDER],
-        };
-        for (rows, r) in p.rows.iter_mut().zip(section.resultants()) {
-            *rows = row(*r, x, length);
-        }
-        p
-    }
-
-    /// Reads a section from a state. The flexibility is that of the virgin section if `initial`.
-    ///
-    /// # Errors
-    /// The stiffness is singular.
-    pub(super) fn new(
-        section: &SectionSlot,
-        place: (f64, f64),
-        trial: &[f64],
-        initial: bool,
-    ) -> Result<Self, MaterialError> {
-        let mut p = Self::at(section, place);
-        p.read(section, trial, initial)?;
-        Ok(p)
-    }
-
-    /// Reads flexibility, deformations and resultants anew.
-    ///
-    /// # Errors
-    /// The stiffness is singular.
-    pub(super) fn read(&mut self, section: &SectionSlot, trial: &[f64], initial: bool) -> Result<(), MaterialError> {
-        let (e, s, k) = section.parts(trial);
-        if initial {
-            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
-            section.section.initial_stiffness(&mut k[..e.len() * e.len()]);
-            section.flexibility(&k, &mut self.flexibility)?;
-        } else {
-            section.flexibility(k, &mut self.flexibility)?;
-        }
-        self.e.iter_mut().zip(e).for_each(|(own, e)| *own = *e);
-        self.s.iter_mut().zip(s).for_each(|(own, s)| *own = *s);
-        Ok(())
-    }
-
-    /// Deformations for the basic forces `q`, linear from the state; `internal` are the internal forces of the simple
-    /// beam at the section.
-    pub(super) fn deformations(&self, resultants: &[Resultant], q: &[f64; B], internal: &[f64]) -> [f64; MAX_ORDER] {
-        let n = resultants.len();
-        let mut residual = [0.0; MAX_ORDER];
-        for (i, r) in resultants.iter().enumerate() {
-            residual[i] = dot(&self.rows[i], q) + of_load(*r, internal) - self.s[i];
-        }
-        let mut e = self.e;
-        for (i, e) in e[..n].iter_mut().enumerate() {
-            *e += dot(&self.flexibility[i * n..(i + 1) * n], &residual[..n]);
-        }
-        e
-    }
-
-    /// Adds weight x aᵀ f a to the flexibility and weight x aᵀ e to the basic deformations.
-    pub(super) fn add(&self, n: usize, weight: f64, e: &[f64], f: &mut [[f64; B]; B], v: &mut [f64; B]) {
-        for (i, a) in self.rows[..n].iter().enumerate() {
-            axpy(weight * e[i], a, v);
-            for (j, b) in self.rows[..n].iter().enumerate() {
-                let fij = weight * self.flexibility[i * n + j];
-                f.iter_mut().zip(a).for_each(|(row, a)| axpy(fij * a, b, row));
-            }
-        }
-    }
-}
-
 /// Internal forces of the simple beam at a section, from the load sums of the beam.
 pub(super) fn internal_forces(load: &[f64], section: usize) -> &[f64] {
     &load[REACTIONS + section * INTERNAL..REACTIONS + (section + 1) * INTERNAL]
@@ -213,7 +131,7 @@ pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
 impl ForceBased {
     /// Basic forces for deformations `v`: from the last trial, or in equal increments from the committed state. `None` without
     /// convergence.
-    fn attempt<const N: usize, const B: usize>(
+    fn attempt<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
@@ -240,25 +158,27 @@ impl ForceBased {
         }
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
         let mut points = Vec::with_capacity(member.sections.len());
-        for (section, x, _) in member.along() {
-            points.push(Point::<B>::new(section, (x, length), trial, false)?);
+        for (i, (section, x, _)) in member.along().enumerate() {
+            let internal = internal_forces(motion.load, i);
+            points.push(Point::<B, M>::new(section, ((x, length), internal), trial, false)?);
         }
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
             let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
                 let (mut f, mut basic_deformations) = ([[0.0; B]; B], [0.0; B]);
-                for (i, ((section, _, weight), p)) in member.along().zip(&points).enumerate() {
-                    let e = p.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
-                    p.add(section.resultants().len(), weight, &e, &mut f, &mut basic_deformations);
+                for ((.., weight), p) in member.along().zip(&points) {
+                    p.add(weight, &p.deformations(&basic.q), &mut f, &mut basic_deformations);
                 }
                 add_torsion(member, &basic.q, &mut f, &mut basic_deformations);
                 if !invert(f.as_flattened_mut(), B) {
                     return Ok(None);
                 }
-                let residual: [f64; B] =
-                    std::array::from_fn(|i| start[i] + share * (v[i] - start[i]) - basic_deformations[i]);
-                let step = f.map(|row| dot(&row, &residual));
+                let mut residual = [0.0; B];
+                for (i, residual) in residual.iter_mut().enumerate() {
+                    *residual = start[i] + share * (v[i] - start[i]) - basic_deformations[i];
+                }
+                let step = product(&f, &residual);
                 axpy(1.0, &step, &mut basic.q);
                 basic.k = f;
                 let energy = dot(&step, &residual).abs();
@@ -281,12 +201,11 @@ impl ForceBased {
                     Correction::InitialFirst => iteration == 1,
                     Correction::Initial => true,
                 };
-                for (i, (section, point)) in member.sections.iter().zip(&mut points).enumerate() {
+                for (section, point) in member.sections.iter().zip(&mut points) {
                     if initial {
                         point.read(section, trial, true)?;
                     }
-                    let e = point.deformations(section.resultants(), &basic.q, internal_forces(motion.load, i));
-                    section.update(committed, &e, motion.dt, trial)?;
+                    section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
                     point.read(section, trial, false)?;
                 }
                 updated = true;
@@ -298,6 +217,30 @@ impl ForceBased {
         Ok(Some(basic))
     }
 
+    /// [`Formulation::respond`] for sections of at most `M` resultants.
+    fn respond_of_order<const N: usize, const B: usize, const M: usize>(
+        &self,
+        member: &Member<N, B>,
+        v: &[f64; B],
+        motion: &ElementInput<'_>,
+        (committed, trial): (&[f64], &mut [f64]),
+    ) -> Result<Basic<B>, ElementError> {
+        let not_found =
+            || ElementError("the deformations of the sections do not come to add up to those of the beam".into());
+        if self.compat {
+            return self.iterate_from_trial::<N, B, M>(member, v, motion, committed, trial)?.ok_or_else(not_found);
+        }
+        let mut failure = None;
+        for attempt in ATTEMPTS {
+            match self.attempt::<N, B, M>(member, v, motion, (committed, trial), attempt) {
+                Ok(Some(basic)) => return Ok(basic),
+                Ok(None) => {}
+                Err(e) => failure = Some(e),
+            }
+        }
+        Err(failure.map_or_else(not_found, ElementError::from))
+    }
+
     /// Flexibility of the virgin beam, and its basic deformations from loads at zero basic forces.
     fn initial_flexibility<const N: usize, const B: usize>(
         member: &Member<N, B>,
@@ -305,21 +248,13 @@ impl ForceBased {
     ) -> ([[f64; B]; B], [f64; B]) {
         let (mut f, mut v) = ([[0.0; B]; B], [0.0; B]);
         for (i, (section, x, weight)) in member.along().enumerate() {
-            let n = section.resultants().len();
-            let mut k = [0.0; MAX_ORDER * MAX_ORDER];
-            section.section.initial_stiffness(&mut k[..n * n]);
-            let mut p = Point::<B>::at(section, (x, member.length()));
-            if section.flexibility(&k, &mut p.flexibility).is_err() {
+            let internal = if load.is_empty() { load } else { internal_forces(load, i) };
+            let mut p = Point::<B, MAX_ORDER>::at(section, (x, member.length()), internal);
+            if p.make_virgin(section).is_err() {
                 continue;
             }
-            let mut s = [0.0; MAX_ORDER];
-            for (j, r) in section.resultants().iter().enumerate() {
-                s[j] = load.get(REACTIONS + i * INTERNAL..).map_or(0.0, |internal| of_load(*r, internal));
-            }
-            for j in 0..n {
-                p.e[j] = dot(&p.flexibility[j * n..(j + 1) * n], &s[..n]);
-            }
-            p.add(n, weight, &p.e, &mut f, &mut v);
+            p.load_alone();
+            p.add(weight, &p.e(), &mut f, &mut v);
         }
         add_torsion(member, &[0.0; B], &mut f, &mut v);
         (f, v)
@@ -360,20 +295,12 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
-        let not_found =
-            || ElementError("the deformations of the sections do not come to add up to those of the beam".into());
-        if self.compat {
-            return self.iterate_from_trial(member, v, motion, committed, trial)?.ok_or_else(not_found);
+        match member.order() {
+            ..=2 => self.respond_of_order::<N, B, 2>(member, v, motion, (committed, trial)),
+            3 => self.respond_of_order::<N, B, 3>(member, v, motion, (committed, trial)),
+            4 => self.respond_of_order::<N, B, 4>(member, v, motion, (committed, trial)),
+            _ => self.respond_of_order::<N, B, MAX_ORDER>(member, v, motion, (committed, trial)),
         }
-        let mut failure = None;
-        for attempt in ATTEMPTS {
-            match self.attempt(member, v, motion, (committed, trial), attempt) {
-                Ok(Some(basic)) => return Ok(basic),
-                Ok(None) => {}
-                Err(e) => failure = Some(e),
-            }
-        }
-        Err(failure.map_or_else(not_found, ElementError::from))
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {

@@ -1,11 +1,13 @@
 //! The mixed beam: `mixedBeamColumn`.
 
-use super::force_based::{ForceBased, Point, internal_forces};
+use super::force_based::{ForceBased, internal_forces};
 use super::member::{Basic, Formulation, Member, Trace};
+use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
-use crate::numeric::{axpy, dot, invert};
+use crate::numeric::{axpy, dot, invert, product};
+use crate::section::MAX_ORDER;
 
 /// Internal forces are in equilibrium with natural forces, as in a force-based beam. Section deformations are those of
 /// a displacement-based beam in the mean, weighted by the internal forces (Alemdar and White, 2005; Denavit and
@@ -95,23 +97,22 @@ impl Mixed {
         missing.copy_from_slice(&trial[natural + B..natural + NATURAL * B]);
         axpy(1.0, &projection.of(&trace.dv), &mut missing);
         let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-        for (section, x, weight) in member.along() {
-            let n = section.resultants().len();
-            let e = section.deformation(trial).to_vec();
-            Point::new(section, (x, length), trial, false)?.add(n, weight, &e, &mut f, &mut gathered);
+        let mut points = Vec::with_capacity(member.sections.len());
+        for (i, (section, x, weight)) in member.along().enumerate() {
+            let internal = internal_forces(motion.load, i);
+            let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), trial, false)?;
+            point.add(weight, &point.e(), &mut f, &mut gathered);
+            points.push(point);
         }
         if !invert(f.as_flattened_mut(), B) {
             return Err(singular());
         }
-        axpy(1.0, &f.map(|row| dot(&row, &missing)), &mut q);
+        axpy(1.0, &product(&f, &missing), &mut q);
         (f, gathered) = ([[0.0; B]; B], [0.0; B]);
-        for (i, (section, x, weight)) in member.along().enumerate() {
-            let (internal, resultants) = (internal_forces(motion.load, i), section.resultants());
-            let e = Point::new(section, (x, length), trial, false)?.deformations(resultants, &q, internal);
-            section.update(committed, &e, motion.dt, trial)?;
-            let point = Point::new(section, (x, length), trial, false)?;
-            let e = point.deformations(resultants, &q, internal);
-            point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
+        for ((section, _, weight), point) in member.along().zip(&mut points) {
+            section.update(committed, &point.deformations(&q), motion.dt, trial)?;
+            point.read(section, trial, false)?;
+            point.add(weight, &point.deformations(&q), &mut f, &mut gathered);
         }
         if !invert(f.as_flattened_mut(), B) {
             return Err(singular());
@@ -120,7 +121,7 @@ impl Mixed {
         missing = std::array::from_fn(|i| wanted[i] - gathered[i]);
         trial[natural..natural + B].copy_from_slice(&q);
         trial[natural + B..natural + NATURAL * B].copy_from_slice(&missing);
-        axpy(1.0, &f.map(|row| dot(&row, &missing)), &mut q);
+        axpy(1.0, &product(&f, &missing), &mut q);
         Ok(Basic { q: projection.transposed().of(&q), k: projection.of_stiffness(&f) })
     }
 }

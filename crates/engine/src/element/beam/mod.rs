@@ -9,6 +9,7 @@ mod integration;
 mod member;
 mod mixed;
 mod opensees;
+mod point;
 mod timoshenko;
 
 pub use component::{ComponentBeam, ComponentOptions};

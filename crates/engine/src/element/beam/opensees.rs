@@ -3,11 +3,12 @@
 //! The iteration starts from the last trial state and ends at a small residual energy. Without convergence it is repeated
 //! with the initial flexibility of the sections, and then with smaller increments.
 
-use super::force_based::{ForceBased, Point, add_torsion, internal_forces};
+use super::force_based::{ForceBased, add_torsion, internal_forces};
 use super::member::{Basic, Member, Trace};
+use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
-use crate::numeric::{axpy, dot, invert, norm};
+use crate::numeric::{axpy, dot, invert, norm, product};
 
 /// Choice of the section flexibility that turns unbalanced section forces into deformations.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -29,7 +30,7 @@ impl ForceBased {
     ///
     /// # Errors
     /// A section without a force, if no scheme converges.
-    pub(super) fn iterate_from_trial<const N: usize, const B: usize>(
+    pub(super) fn iterate_from_trial<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
@@ -52,7 +53,7 @@ impl ForceBased {
             let mut found = None;
             for scheme in SCHEMES {
                 member.set_responses(&sections, trial);
-                match self.iterate(member, (&basic, &increment, &to), scheme, motion, (committed, trial)) {
+                match self.iterate::<N, B, M>(member, (&basic, &increment, &to), scheme, motion, (committed, trial)) {
                     Ok(None) => {}
                     Ok(converged) => {
                         found = converged;
@@ -78,7 +79,7 @@ impl ForceBased {
     }
 
     /// Iterates over an increment of the deformations that ends at `to`.
-    fn iterate<const N: usize, const B: usize>(
+    fn iterate<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
         (from, increment, to): (&Basic<B>, &[f64; B], &[f64; B]),
@@ -88,11 +89,12 @@ impl ForceBased {
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let length = member.length();
         let mut basic = *from;
-        let first = from.k.map(|row| dot(&row, increment));
+        let first = product(&from.k, increment);
         axpy(1.0, &first, &mut basic.q);
         let mut points = Vec::with_capacity(member.sections.len());
-        for (section, x, _) in member.along() {
-            points.push(Point::new(section, (x, length), trial, flexibility != Flexibility::Current)?);
+        for (i, (section, x, _)) in member.along().enumerate() {
+            let place = ((x, length), internal_forces(motion.load, i));
+            points.push(Point::<B, M>::new(section, place, trial, flexibility != Flexibility::Current)?);
         }
         for iteration in 0..times * self.max_iterations {
             let initial = match flexibility {
@@ -101,23 +103,20 @@ impl ForceBased {
                 Flexibility::InitialFirst => iteration == 0,
             };
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-            for (i, ((section, _, weight), point)) in member.along().zip(&mut points).enumerate() {
-                let (internal, resultants) = (internal_forces(motion.load, i), section.resultants());
+            for ((section, _, weight), point) in member.along().zip(&mut points) {
                 if initial && iteration > 0 {
                     point.read(section, trial, true)?;
                 }
-                let wanted = point.deformations(resultants, &basic.q, internal);
-                section.update(committed, &wanted, motion.dt, trial)?;
+                section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
                 point.read(section, trial, false)?;
-                let e = point.deformations(resultants, &basic.q, internal);
-                point.add(resultants.len(), weight, &e, &mut f, &mut gathered);
+                point.add(weight, &point.deformations(&basic.q), &mut f, &mut gathered);
             }
             add_torsion(member, &basic.q, &mut f, &mut gathered);
             if !invert(f.as_flattened_mut(), B) {
                 return Ok(None);
             }
             let missing: [f64; B] = std::array::from_fn(|i| to[i] - gathered[i]);
-            let step = f.map(|row| dot(&row, &missing));
+            let step = product(&f, &missing);
             axpy(1.0, &step, &mut basic.q);
             basic.k = f;
             let energy = dot(&step, &missing);

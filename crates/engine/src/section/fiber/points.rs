@@ -1,6 +1,6 @@
 //! Points of a fiber section: strains from the deformations of the section, and sums over stresses and tangents.
 
-use crate::numeric::lanes::{LANES, Lanes, copy, copy_back, in_lanes};
+use crate::numeric::lanes::{BLOCK, LANES, Lanes, copy_back, in_lanes, load};
 
 /// Coordinates and areas of the points, one quantity after the other.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +51,15 @@ impl Points {
         self.areas.iter_mut().last().into_iter().for_each(|a| *a += area);
     }
 
+    /// Repeats the last point without an area up to a multiple of `block`; returns the new number of points.
+    pub(super) fn pad(&mut self, block: usize) -> usize {
+        while !self.len().is_multiple_of(block) {
+            let gradient = std::array::from_fn(|i| self.gradients[i].last().copied().unwrap_or(0.0));
+            self.push(gradient, 0.0);
+        }
+        self.len()
+    }
+
     /// Strains for `M` deformations.
     pub(super) fn strains<const M: usize>(&self, e: &[f64], out: &mut [f64]) {
         let axial = e[0];
@@ -86,8 +95,6 @@ impl Points {
 
 /// Sums in space: three resultants and six stiffnesses.
 const QUANTITIES: usize = 9;
-/// Points of a block, and sums side by side.
-const BLOCK: usize = 2 * LANES;
 
 struct Summation<'a, const M: usize> {
     points: &'a Points,
@@ -96,31 +103,27 @@ struct Summation<'a, const M: usize> {
     sums: [[f64; BLOCK]; QUANTITIES],
 }
 
-/// The numbers of a block, zeros after the end of the slice.
-#[inline(always)]
-fn block(slice: &[f64], start: usize) -> [f64; BLOCK] {
-    let mut out = [0.0; BLOCK];
-    copy(&slice[start..], &mut out);
-    out
-}
-
 impl<const M: usize> Lanes for Summation<'_, M> {
     #[inline(always)]
     fn evaluate(&mut self) {
         let n = self.points.len();
         let [all_y, all_z] = &self.points.gradients;
+        // On the stack, where the sums stay in registers.
+        let mut sums = [[0.0; BLOCK]; QUANTITIES];
         for start in (0..n).step_by(BLOCK) {
-            let [e0, e1] = self.work.strains.map(|s| block(s, start));
-            let [s0, s1] = self.work.stresses.map(|s| block(s, start));
-            let (area, tangent, y) =
-                (block(&self.points.areas, start), block(self.tangent, start), block(all_y, start));
-            let mut energy = block(self.work.energies.0, start);
+            // No closures: they would be compiled without the instructions of the processor.
+            let e0: [f64; BLOCK] = load(&self.work.strains[0][start..]);
+            let e1: [f64; BLOCK] = load(&self.work.strains[1][start..]);
+            let s0: [f64; BLOCK] = load(&self.work.stresses[0][start..]);
+            let s1: [f64; BLOCK] = load(&self.work.stresses[1][start..]);
+            let (area, tangent, y): ([f64; BLOCK], [f64; BLOCK], [f64; BLOCK]) =
+                (load(&self.points.areas[start..]), load(&self.tangent[start..]), load(&all_y[start..]));
+            let mut energy = load::<BLOCK>(&self.work.energies.0[start..]);
             for i in 0..BLOCK {
                 energy[i] += 0.5 * (s0[i] + s1[i]) * (e1[i] - e0[i]);
             }
             copy_back(&energy, &mut self.work.energies.1[start..n]);
             // Each sum is a loop of its own, which is sure to become vector instructions.
-            let sums = &mut self.sums;
             let (mut force, mut stiffness, mut by_y) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
             for i in 0..BLOCK {
                 force[i] = s1[i] * area[i];
@@ -133,7 +136,7 @@ impl<const M: usize> Lanes for Summation<'_, M> {
             add(&mut sums[M + 1], &by_y);
             add_products(&mut sums[M + 2], &by_y, &y);
             if M == 3 {
-                let z = block(all_z, start);
+                let z: [f64; BLOCK] = load(&all_z[start..]);
                 let mut by_z = [0.0; BLOCK];
                 for i in 0..BLOCK {
                     by_z[i] = stiffness[i] * z[i];
@@ -144,6 +147,7 @@ impl<const M: usize> Lanes for Summation<'_, M> {
                 add_products(&mut sums[M + 5], &by_z, &z);
             }
         }
+        self.sums = sums;
     }
 }
 

@@ -1,0 +1,147 @@
+//! Commands as methods of a model: each name is looked up once.
+
+use crate::answers::Answer;
+use crate::domain::Domain;
+use crate::errors::OpenSeesError;
+use hysteron_opensees::{Command, calls, commands};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use pyo3::{PyTraverseError, PyVisit};
+use std::collections::HashMap;
+use std::sync::OnceLock;
+
+/// Commands that may take long: Python's other threads go on meanwhile.
+const LONG: &[&str] = &["analyze", "eigen", "modalProperties"];
+
+/// Commands that change nothing of what the queries give.
+const PURE: &[&str] = &["nodeCoord", "nodeMass", "getNodeTags", "getEleTags", "eleNodes", "eleType", "nodeEigenvector"];
+
+/// A command with what its calls from Python need to know.
+pub(crate) struct Entry {
+    /// The command.
+    pub(crate) command: &'static Command,
+    /// Its place among all commands.
+    pub(crate) index: usize,
+    /// It may take long.
+    pub(crate) is_long: bool,
+    /// It changes nothing of what the queries give.
+    pub(crate) is_pure: bool,
+    /// Its last words are gathered into lists.
+    pub(crate) is_block: bool,
+    /// Python's object for its answer.
+    pub(crate) answer: Answer,
+}
+
+impl Entry {
+    /// The command of a name.
+    pub(crate) fn of(name: &str) -> PyResult<&'static Self> {
+        static KNOWN: OnceLock<HashMap<&'static str, Entry>> = OnceLock::new();
+        let all = || {
+            let known = commands().filter_map(|c| calls::command(c.name));
+            known.enumerate().map(|(i, command)| (command.name, Self::new(command, i))).collect()
+        };
+        let known = KNOWN.get_or_init(all).get(name);
+        known.ok_or_else(|| OpenSeesError::new_err(format!("unknown command \"{name}\"")))
+    }
+
+    fn new(command: &'static Command, index: usize) -> Self {
+        let name = command.name;
+        Self {
+            command,
+            index,
+            is_long: LONG.contains(&name),
+            is_pure: PURE.contains(&name),
+            is_block: name.starts_with("block"),
+            answer: Answer::of(name),
+        }
+    }
+}
+
+/// A command as an attribute of the class of models.
+#[pyclass(frozen, module = "hysteron._hysteron")]
+pub(crate) struct Method {
+    entry: &'static Entry,
+    doc: String,
+}
+
+#[pymethods]
+impl Method {
+    #[new]
+    fn new(name: &str, doc: String) -> PyResult<Self> {
+        Ok(Self { entry: Entry::of(name)?, doc })
+    }
+
+    fn __get__(slf: &Bound<'_, Self>, model: &Bound<'_, PyAny>, _class: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        if model.is_none() {
+            return Ok(slf.clone().into_any().unbind());
+        }
+        let model = model.cast::<Domain>()?.clone().unbind();
+        let method = slf.clone().unbind();
+        let bound = BoundMethod { entry: slf.get().entry, model, method };
+        Ok(Py::new(slf.py(), bound)?.into_any())
+    }
+
+    #[pyo3(signature = (model, *args))]
+    fn __call__(&self, py: Python<'_>, model: &Bound<'_, Domain>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        model.get().enter(py, self.entry, args)
+    }
+
+    #[getter]
+    fn __name__(&self) -> &str {
+        self.entry.command.name
+    }
+
+    #[getter]
+    fn __qualname__(&self) -> String {
+        format!("Model.{}", self.entry.command.name)
+    }
+
+    #[getter]
+    fn __doc__(&self) -> &str {
+        &self.doc
+    }
+}
+
+/// A command of one model.
+#[pyclass(frozen, module = "hysteron._hysteron")]
+pub(crate) struct BoundMethod {
+    entry: &'static Entry,
+    model: Py<Domain>,
+    method: Py<Method>,
+}
+
+#[pymethods]
+impl BoundMethod {
+    #[pyo3(signature = (*args))]
+    fn __call__(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+        self.model.get().enter(py, self.entry, args)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<command {} of a model>", self.entry.command.name)
+    }
+
+    #[getter]
+    fn __self__(&self, py: Python<'_>) -> Py<Domain> {
+        self.model.clone_ref(py)
+    }
+
+    #[getter]
+    fn __name__(&self) -> &str {
+        self.entry.command.name
+    }
+
+    #[getter]
+    fn __qualname__(&self) -> String {
+        format!("Model.{}", self.entry.command.name)
+    }
+
+    #[getter]
+    fn __doc__(&self) -> &str {
+        &self.method.get().doc
+    }
+
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(&self.model)
+    }
+}
