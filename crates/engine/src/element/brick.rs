@@ -112,7 +112,7 @@ impl Brick {
         });
         let mean = options.mean_dilatation.then(|| mean_derivatives(&gauss));
         for (n, d, volume) in gauss {
-            if !(volume.abs() > 0.0) {
+            if volume.is_nan() || volume == 0.0 {
                 return Err(ElementError("the corners do not make a brick".into()));
             }
             made.inverted |= volume < 0.0;

@@ -103,8 +103,8 @@ impl Impact {
     /// Force, tangent on demand, and the next state.
     fn contact(&self, u: &[f64], old: &ContactState, force: &mut [f64], tangent: Option<&mut [f64]>) -> ContactState {
         let Kinematics { penetration, rows: [n, t1, t2] } = self.kinematics(u);
-        // Negated comparison, so that NaN is no contact; without contact the last one stays in memory.
-        if !(penetration >= 0.0) {
+        // Without contact the last one stays in memory.
+        if penetration.is_nan() || penetration < 0.0 {
             return *old;
         }
         let (pressure, stiffness) = self.pressure(penetration, old);

@@ -168,7 +168,7 @@ impl PlaneElastic {
         for ([s, t], weight) in shape.points() {
             let functions = shape.functions(s, t);
             let (det, gradients) = gradients(nodes, &functions);
-            if !(det > 0.0) {
+            if det.is_nan() || det <= 0.0 {
                 return Err(ElementError("the nodes do not make a convex element against the clock".into()));
             }
             let volume = det * weight * options.thickness;
@@ -233,7 +233,7 @@ impl PlaneElastic {
         for at in SIGNS.map(|s| s.map(|s| s / 3.0f64.sqrt())) {
             let functions = bilinear(at);
             let (det, gradients) = gradients(corners, &functions);
-            if !(det > 0.0) {
+            if det.is_nan() || det <= 0.0 {
                 return Err(ElementError("the corners do not make a convex quadrilateral against the clock".into()));
             }
             let volume = det * thickness;

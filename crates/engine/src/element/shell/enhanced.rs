@@ -130,7 +130,8 @@ impl EnhancedShell {
             None => nodes[1] - nodes[0],
         };
         let in_plane = frame.axes * axis;
-        if !(in_plane.x.hypot(in_plane.y) > 1e-12 * in_plane.norm()) {
+        let across = in_plane.x.hypot(in_plane.y);
+        if across.is_nan() || across <= 1e-12 * in_plane.norm() {
             return Err(ElementError("the local axis is square to the shell".into()));
         }
         let angle = in_plane.y.atan2(in_plane.x);
