@@ -112,7 +112,7 @@ impl NodalTurns {
 
     /// The state for displacements `u`.
     pub(super) fn advanced(&self, nodes: usize, u: &[f64]) -> Self {
-        let mut next = self.clone();
+        let mut next = *self;
         for node in 0..nodes {
             let q = UnitQuaternion::new_normalize(self.turned(node, u).into_inner());
             next.quaternions[4 * node..4 * node + 4].copy_from_slice(&[q.i, q.j, q.k, q.w]);

@@ -153,9 +153,9 @@ fn add_shear(geometry: &Geometry, double: f64, [xi, eta]: [f64; 2], reduction: f
         ],
     ];
     for row in 0..2 {
-        for node in 0..3 {
+        for (node, (first, second)) in natural[0].iter().zip(&natural[1]).enumerate() {
             for (at, dof) in [(2, false), (0, true), (1, true)].into_iter().enumerate() {
-                let value = (0..2).map(|i| to_axes[(row, i)] * natural[i][node][at]).sum::<f64>();
+                let value = to_axes[(row, 0)] * first[at] + to_axes[(row, 1)] * second[at];
                 geometry.add(&mut p.rows[6 + row], node, dof, reduction * value);
             }
         }
