@@ -188,6 +188,8 @@ enum Shape {
     Corners,
     Triangle,
     Brick,
+    /// Corners, middles of the sides, and the centre, as many as there are nodes.
+    Quadratic(usize),
     /// One above the other.
     Wall,
     /// At the middles of the edges of a rectangle.
@@ -215,6 +217,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::MaterialPoint, "zeroLength @ -mat 11 13 11 -dir 1 2 6 -orient 1. 2. 0. -2. 1. 0."),
     (3, 6, Shape::MaterialPoint, "zeroLength @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 1. 2. 0.5 -2. 1. 0."),
     (3, 6, Shape::MaterialPoint, "CoupledZeroLength @ 1 3 11"),
+    (3, 3, Shape::MaterialPoint, "zeroLengthImpact3D @ 2 0.0 0.3 80. 200. 40. 0.01 0.02"),
     (2, 3, Shape::MaterialPoint, "zeroLengthSection @ 22"),
     (3, 6, Shape::MaterialPoint, "zeroLengthSection @ 24"),
     (2, 3, Shape::Line, "dispBeamColumn @ 4 22 1"),
@@ -238,6 +241,15 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Corners, "ShellDKGQ @ 43"),
     (3, 6, Shape::Corners, "ShellNLDKGQ @ 43"),
     (3, 6, Shape::Triangle, "ShellDKGT @ 43"),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43"),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43 -noeas -drillingStab 0.3 -local 1. 1. 0."),
+    (3, 6, Shape::Corners, "ASDShellQ4 @ 43 -corotational -drillingNL"),
+    (3, 6, Shape::Triangle, "ASDShellT3 @ 43 -local 0. 1. 0.3"),
+    (3, 6, Shape::Triangle, "ASDShellT3 @ 43 -corotational -reducedIntegration -drillingNL"),
+    (2, 2, Shape::Quadratic(9), "quad9n @ 0.2 PlaneStrain 31"),
+    (2, 2, Shape::Quadratic(8), "quad8n @ 0.2 PlaneStress 31"),
+    (2, 2, Shape::Quadratic(6), "tri6n @ 0.2 PlaneStrain 31"),
+    (2, 2, Shape::Corners, "enhancedQuad @ 0.2 PlaneStress 31"),
     (3, 3, Shape::Brick, "stdBrick @ 31"),
     (3, 3, Shape::Brick, "bbarBrick @ 31"),
     (
@@ -282,6 +294,17 @@ fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
             // In space the plane of the corners is oblique.
             let height = |x: f64, y: f64| if ndm == 3 { 0.3 * x - 0.4 * y + 0.2 } else { 0.0 };
             corners[..count].iter().map(|&[x, y]| Vector3::new(x, y, height(x, y))).collect()
+        }
+        Shape::Quadratic(count) => {
+            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]].map(|[x, y]| Vector3::new(x, y, 0.0));
+            let corners = if count == 6 { &corners[..3] } else { &corners[..] };
+            let middle = |i: usize| {
+                let bend = 0.03 * Vector3::new(1.0, i as f64 - 1.0, 0.0);
+                0.5 * (corners[i] + corners[(i + 1) % corners.len()]) + bend
+            };
+            let centre = corners.iter().sum::<Vector3<f64>>() / corners.len() as f64;
+            let all = corners.iter().copied().chain((0..corners.len()).map(middle)).chain([centre]);
+            all.take(count).collect()
         }
         Shape::Brick => {
             let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];

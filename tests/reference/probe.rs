@@ -37,7 +37,7 @@ geomTransf Linear 1; section Elastic 1 1. 1. 1.
 uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 9 -dir 1 2 3; mass 2 1 1 1";
 
 const FLAT: &str = "model basic -ndm 2 -ndf 2
-node 1 0 0; node 2 1 0; node 3 1 1; node 4 0 1; fix 1 1 1
+node 1 0 0; node 2 1 0; node 3 1 1; node 4 0 1; node 5 0.5 0; node 6 1 0.5; node 7 0.5 1; node 8 0 0.5; node 9 0.5 0.5; fix 1 1 1
 section Elastic 1 1. 1. 1.; uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 -dir 1 2; mass 2 1 1";
 
 const SOLID: &str = "model basic -ndm 3 -ndf 3

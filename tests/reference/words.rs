@@ -46,7 +46,7 @@ pub const PAGES: &[Page] = &[
         name: "model",
         title: "Model",
         intro: "Nodes, masses, supports, constraints between nodes, damping and parameters.",
-        commands: "wipe database save restore model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF rigidDiaphragm \
+        commands: "wipe database save restore model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF equalDOF_Mixed rigidDiaphragm \
                    rigidLink rayleigh region setElementRayleighDampingFactors setElementRayleighFactors \
                    modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
                    getParamValue getParamTags remove domainChange defaultUnits",

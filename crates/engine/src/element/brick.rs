@@ -46,6 +46,7 @@ pub struct Brick {
     elasticity: [[f64; STRESSES]; STRESSES],
     points: Vec<(Rows, f64)>,
     class: &'static str,
+    inverted: bool,
 }
 
 /// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
@@ -101,6 +102,7 @@ impl Brick {
             elasticity,
             points: vec![],
             class: if options.mean_dilatation { "BbarBrick" } else { "Brick" },
+            inverted: false,
         };
         let (mut lumped, mut consistent) = (vec![0.0; DOFS], vec![0.0; DOFS * DOFS]);
         let root = 3.0f64.sqrt().recip();
@@ -110,9 +112,10 @@ impl Brick {
         });
         let mean = options.mean_dilatation.then(|| mean_derivatives(&gauss));
         for (n, d, volume) in gauss {
-            if volume <= 0.0 {
-                return Err(ElementError("the corners do not make a convex brick".into()));
+            if volume.is_nan() || volume == 0.0 {
+                return Err(ElementError("the corners do not make a brick".into()));
             }
+            made.inverted |= volume < 0.0;
             let mut rows = [[0.0; DOFS]; STRESSES];
             for (node, d) in d.iter().enumerate() {
                 let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
@@ -150,6 +153,12 @@ impl Brick {
             made.mass = if options.lumped { Mass::Lumped(lumped) } else { Mass::Consistent(consistent) };
         }
         Ok(made)
+    }
+
+    /// Returns true if the volume at a Gauss point is negative: the corners go round the other way or are not convex.
+    /// Stiffness and mass are then negative there.
+    pub fn is_inverted(&self) -> bool {
+        self.inverted
     }
 
     /// Strains or stresses of a Gauss point.

@@ -37,7 +37,7 @@ pub struct Quad {
 type Rows = [[f64; 8]; 3];
 
 /// Natural coordinates of the corners, counterclockwise. Gauss points are at 1/√3 of them.
-const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+pub(super) const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// Shape functions, their derivatives by x and y, and the Jacobian determinant at natural coordinates `at`.
 fn shape(corners: &[[f64; 2]; 4], at: [f64; 2]) -> ([f64; 4], [[f64; 2]; 4], f64) {

@@ -2,12 +2,13 @@
 
 use super::quad::isotropic;
 use super::{Kind, Make, refused};
-use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::{Tcl, warn};
 use hysteron_engine::element::{Brick, BrickOptions, Element};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -46,5 +47,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     }
     options.lumped = !bbar && a.flag("-lumped");
     let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
+    if made.is_inverted() {
+        let warning =
+            Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
+        warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other"))?;
+    }
     Ok((nodes, Arc::new(made)))
 }

@@ -5,6 +5,7 @@ mod beam;
 mod bearing;
 mod brick;
 mod component;
+mod contact;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
@@ -87,6 +88,7 @@ const KINDS: &[Kind] = &[
     zero_length::ZERO_LENGTH,
     zero_length::COUPLED,
     zero_length_section::ZERO_LENGTH_SECTION,
+    contact::IMPACT,
     fiber_beam::DISPLACEMENT,
     fiber_beam::FORCE,
     fiber_beam::CURVATURE,
@@ -96,12 +98,18 @@ const KINDS: &[Kind] = &[
     quad::QUAD,
     quad::STABILISED,
     quad::TRIANGLE,
+    quad::NINE_NODES,
+    quad::EIGHT_NODES,
+    quad::SIX_NODES,
+    quad::ENHANCED,
     brick::BRICK,
     brick::MEAN_DILATATION,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
     shell::UPDATED,
+    shell::ENHANCED,
+    shell::ENHANCED_TRIANGLE,
     wall::MVLEM,
     joint_2d::JOINT_2D,
 ];

@@ -1,10 +1,10 @@
-//! `element quad`, `SSPquad` and `tri31`.
+//! `element quad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
 
 use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
-use hysteron_engine::element::{ConstantStrain, Element, Quad, QuadOptions};
+use hysteron_engine::element::{ConstantStrain, Element, PlaneElastic, Quad, QuadOptions, QuadraticShape};
 use hysteron_engine::material::{Isotropic, Plane};
 use hysteron_engine::model::{NdMaterial, NodeId};
 use hysteron_tcl::Exception;
@@ -26,6 +26,30 @@ pub(super) const TRIANGLE: Kind = Kind {
     names: &["tri31", "Tri31"],
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     make: Make::AnyNodes(make_triangle),
+};
+
+pub(super) const NINE_NODES: Kind = Kind {
+    names: &["quad9n", "nineNodeQuad", "NineNodeQuad"],
+    usage: "element quad9n $tag $n1 ... $n9 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    make: Make::AnyNodes(|interp, a| make_quadratic::<9>(interp, a, QuadraticShape::Lagrange)),
+};
+
+pub(super) const EIGHT_NODES: Kind = Kind {
+    names: &["quad8n", "eightNodeQuad", "EightNodeQuad"],
+    usage: "element quad8n $tag $n1 ... $n8 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    make: Make::AnyNodes(|interp, a| make_quadratic::<8>(interp, a, QuadraticShape::Serendipity)),
+};
+
+pub(super) const SIX_NODES: Kind = Kind {
+    names: &["tri6n", "sixNodeTri", "SixNodeTri"],
+    usage: "element tri6n $tag $n1 ... $n6 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    make: Make::AnyNodes(|interp, a| make_quadratic::<6>(interp, a, QuadraticShape::Triangle)),
+};
+
+pub(super) const ENHANCED: Kind = Kind {
+    names: &["enhancedQuad", "EnhancedQuad"],
+    usage: "element enhancedQuad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material",
+    make: Make::AnyNodes(make_enhanced),
 };
 
 /// An elastic material of continua.
@@ -115,5 +139,28 @@ fn make_stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, A
     let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
     body_forces(a, &mut o.body)?;
     let made = ConstantStrain::stabilised_quad(&corners, (&material, plane), &o).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, Arc::new(made)))
+}
+
+fn make_quadratic<const N: usize>(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    shape: QuadraticShape,
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let (nodes, places) = corners::<N>(interp, a)?;
+    let place = a.last_span();
+    let (material, plane, o) = properties(interp, a)?;
+    let made = PlaneElastic::quadratic(shape, &places, (&material, plane), &o).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, Arc::new(made)))
+}
+
+fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let (nodes, corners) = corners::<4>(interp, a)?;
+    let place = a.last_span();
+    let thickness = a.positive("thickness")?;
+    let plane = plane(a)?;
+    let material = isotropic(interp, a)?;
+    possible(a, &material, plane)?;
+    let made = PlaneElastic::enhanced(&corners, (&material, plane), thickness).map_err(|e| refused(a, place, e))?;
     Ok((nodes, Arc::new(made)))
 }

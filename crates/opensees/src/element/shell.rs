@@ -1,11 +1,13 @@
-//! `element ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`.
+//! `element ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`, `ASDShellQ4`, `ASDShellT3`.
 
 use super::{Kind, Make, refused};
-use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::element::Element;
-use hysteron_engine::element::shell::{Formulation, Shell, UpdatedShell};
+use hysteron_engine::element::shell::{
+    Drilling, EnhancedShell, EnhancedShellOptions, Formulation, Shell, UpdatedShell,
+};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
@@ -33,6 +35,20 @@ pub(super) const UPDATED: Kind = Kind {
     names: &["ShellNLDKGQ", "shellNLDKGQ"],
     usage: "element ShellNLDKGQ $tag $i $j $k $l $section",
     make: Make::AnyNodes(make_updated),
+};
+
+pub(super) const ENHANCED: Kind = Kind {
+    names: &["ASDShellQ4", "asdShellQ4"],
+    usage: "element ASDShellQ4 $tag $i $j $k $l $section <-corotational> <-noeas> <-drillingStab $share> <-drillingNL> \
+            <-local $x1 $x2 $x3>",
+    make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 4)),
+};
+
+pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
+    names: &["ASDShellT3", "asdShellT3"],
+    usage: "element ASDShellT3 $tag $i $j $k $section <-corotational> <-reducedIntegration> <-drillingNL> \
+            <-local $x1 $x2 $x3>",
+    make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 3)),
 };
 
 /// Nodes of the corners, their places, and their displacements.
@@ -76,5 +92,56 @@ fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<
     let (section, _) = a.of(&interp.host.builder.definitions.plates)?;
     let places = std::array::from_fn(|i| places[i]);
     let made = UpdatedShell::new(places, section).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, Arc::new(made)))
+}
+
+/// Share of the drilling penalty of a quadrilateral that is integrated fully, where none is given.
+const DRILLING_SHARE: f64 = 0.01;
+
+const OPTIONS: &[&str] = &["-corotational", "-noeas", "-drillingStab", "-reducedIntegration", "-drillingNL", "-local"];
+
+fn make_enhanced(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    count: usize,
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let (nodes, places, disp) = corners(interp, a, count)?;
+    let place = a.last_span();
+    let (section, _) = a.of(&interp.host.builder.definitions.plates)?;
+    let mut o = EnhancedShellOptions {
+        corotational: false,
+        internal: count == 4,
+        reduced: false,
+        drilling: Drilling::Elastic(DRILLING_SHARE),
+        axis: None,
+        opensees_axes: interp.host.follows(&[slips::SHELL_AXES]),
+        by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]),
+    };
+    let (mut share, mut damaged) = (None, false);
+    while let Some(option) = a.option() {
+        match (option.as_ref(), count) {
+            ("-corotational" | "-Corotational", _) => o.corotational = true,
+            ("-noeas", 4) => o.internal = false,
+            ("-drillingStab", 4) => share = Some(a.float("share of full integration of the drilling stiffness")?),
+            ("-reducedIntegration", 3) => o.reduced = true,
+            ("-drillingNL", _) => damaged = true,
+            ("-local", _) => {
+                let axis = [a.float("x1 of axis 1")?, a.float("x2 of axis 1")?, a.float("x3 of axis 1")?];
+                o.axis = axis.iter().any(|x| *x != 0.0).then_some(axis);
+            }
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+        if share.is_some() && damaged {
+            return Err(a.refuse("-drillingStab and -drillingNL exclude each other", "expected one of them"));
+        }
+    }
+    if let Some(share) = share {
+        o.drilling = Drilling::Elastic(share.clamp(0.0, 1.0));
+    }
+    // A triangle with three points has no drilling penalty that could be damaged.
+    if damaged && (count == 4 || o.reduced) {
+        o.drilling = Drilling::Damaged;
+    }
+    let made = EnhancedShell::new(&places, section, o, &disp).map_err(|e| refused(a, place, e))?;
     Ok((nodes, Arc::new(made)))
 }

@@ -13,6 +13,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("fixY", FIX_LEVEL, |i, c| fix_level(i, c, 1)),
     Command::new("fixZ", FIX_LEVEL, |i, c| fix_level(i, c, 2)),
     Command::new("equalDOF", EQUAL, equal_dof),
+    Command::new("equalDOF_Mixed", EQUAL_MIXED, equal_dof_mixed),
     Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm),
     Command::new("rigidLink", LINK, rigid_link),
 ];
@@ -20,6 +21,8 @@ pub(crate) const COMMANDS: &[Command] = &[
 const FIX: &str = "fix $node $flag1 <$flag2 ...> (1 held, 0 free)";
 const FIX_LEVEL: &str = "fixX $coordinate $flag1 <$flag2 ...> <-tol $tolerance>";
 const EQUAL: &str = "equalDOF $retained $constrained $dof1 <$dof2 ...>";
+const EQUAL_MIXED: &str =
+    "equalDOF_Mixed $retained $constrained $count $retainedDof1 $constrainedDof1 <$retainedDof2 $constrainedDof2 ...>";
 const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...>";
 const LINK: &str = "rigidLink beam|bar $retained $constrained";
 
@@ -110,6 +113,28 @@ fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut matrix = vec![0.0; n * n];
     (0..n).for_each(|i| matrix[i * n + i] = 1.0);
     add(interp, retained, constrained, (dofs.clone(), dofs), matrix);
+    Ok(Value::EMPTY)
+}
+
+fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, EQUAL_MIXED);
+    let (retained, constrained) = pair(interp, &mut a)?;
+    let nodes = &interp.host.engine.model().nodes;
+    let (of_retained, of_constrained) = (nodes[retained.0].ndf, nodes[constrained.0].ndf);
+    let n = a.count("number of pairs of degrees of freedom")?;
+    let (mut leading, mut following) = (vec![], vec![]);
+    for _ in 0..n {
+        leading.push(a.dof("degree of freedom of the retained node", of_retained)?);
+        let dof = a.dof("degree of freedom of the constrained node", of_constrained)?;
+        if following.contains(&dof) {
+            return Err(a.refuse(format!("degree of freedom {} follows two", dof + 1), "expected another one"));
+        }
+        following.push(dof);
+    }
+    finish(interp, &a)?;
+    let mut matrix = vec![0.0; n * n];
+    (0..n).for_each(|i| matrix[i * n + i] = 1.0);
+    add(interp, retained, constrained, (following, leading), matrix);
     Ok(Value::EMPTY)
 }
 

@@ -23,8 +23,8 @@ slips! {
     "Other beams have it.";
 
     COROTATIONAL_TRIALS, Command, Case("force_beams_space_pushed"),
-    "`geomTransf Corotational` in space: large rotations of the nodes",
-    "They are the sum of those of all trial states.",
+    "`geomTransf Corotational` in space, `ASDShellQ4` and `ASDShellT3` with `-corotational`: large rotations of the nodes",
+    "They are the sum of those of all trial states. The tangent of the shells is that of fixed axes.",
     "They are the sum of those of all steps.",
     "They would depend on the iterations.";
 
@@ -51,6 +51,13 @@ slips! {
     "The tangent is the derivative of the force, which turns with the offset.",
     "Newton's method converges.";
 
+    SHELL_AXES, Command, Case("shells_enhanced"),
+    "`ASDShellQ4` and `ASDShellT3`: axes of the section",
+    "Without `-local` axis 1 is square to the side from node 1 to node 2; transverse shear strains turn from the axes of the shell to \
+     those of the section the other way round (openseespy 3.7.1).",
+    "Axis 1 runs along the first direction of the mesh, as documented, and all strains turn with it.",
+    "Layers and recorders would be turned by a right angle.";
+
     WALL_MASS, Command, Case("wall_lines"),
     "`MVLEM` with a density",
     "The element has no mass: it is computed before the height is known.",
@@ -73,6 +80,31 @@ slips! {
 
 /// Other differences.
 pub(super) const OTHERS: &[Slip] = &[
+    differs(
+        "`ASDShellT3`, and `-drillingNL`, with layers that yield",
+        "Its transverse shear is reduced for the thickness that the current stiffness of the layers has, and damage is measured by it.",
+        "Both are by the initial stiffness.",
+    ),
+    differs(
+        "`ASDShellQ4` without `-noeas`, with layers that yield",
+        "Internal modes of the membrane take one step of Newton's method in each iteration, and what is left is committed.",
+        "They are in equilibrium to round-off.",
+    ),
+    differs(
+        "`zeroLengthImpact3D`: reported force while it slides",
+        "It is computed anew from the committed state, in which the friction is zero.",
+        "It is the force of the step.",
+    ),
+    differs(
+        "`tri6n` with a pressure",
+        "On the half of the side 3-1 that ends at node 1 it is taken along the line from node 6 to node 4.",
+        "It is square to the sides.",
+    ),
+    differs(
+        "`ASDShellQ4` with `-noeas`, nodes in no parallelogram",
+        "The drilling strain at the centre is that of the last point of the shell that was evaluated before.",
+        "It is that of the shell.",
+    ),
     differs(
         "`eleLoad` on an `elasticBeamColumn` with releases",
         "openseespy 3.7.1 takes the end moments of the clamped beam for partial loads, and in space for point loads. A moment is left at a \

@@ -1,7 +1,7 @@
 //! The four-node shell with tied transverse shear strains: Dvorkin and Bathe, 1984, Engineering Computations 1, 77-88;
 //! Bathe and Dvorkin, 1985, International Journal for Numerical Methods in Engineering 21, 367-383.
 
-use super::{Geometry, MAX, Point};
+use super::{Geometry, MAX, Point, Row};
 use crate::section::plate::{PLATE_ORDER, PlateSection};
 use nalgebra::Matrix3;
 
@@ -39,15 +39,47 @@ pub(super) fn bilinear(corners: &[[f64; 2]], [xi, eta]: [f64; 2]) -> Bilinear {
     Bilinear { shape, gradients, tangents, area: det }
 }
 
+/// Directions of the natural axes at the centre.
+pub(super) fn directions(corners: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    bilinear(corners, [0.0, 0.0]).tangents.map(|[x, y]| {
+        let length = x.hypot(y);
+        [x / length, y / length]
+    })
+}
+
+/// Adds the transverse shear strains at natural coordinates `at` to the rows of the deformations.
+pub(super) fn add_shear(
+    geometry: &Geometry,
+    (at, tangents, det): ([f64; 2], &[[f64; 2]; 2], f64),
+    [first, second]: [[f64; 2]; 2],
+    rows: &mut [Row; PLATE_ORDER],
+) {
+    let corners = &geometry.corners;
+    // Covariant shear strains from those of the sides, turned into the axes of the plane.
+    let lengths = tangents.map(|[x, y]| x.hypot(y));
+    let turned = [[second[1], -first[1]], [-second[0], first[0]]];
+    for (i, j, direction, side) in SIDES {
+        let other = 1 - direction;
+        let weight = 0.5 * (1.0 + side * at[other]) * lengths[other] / det;
+        let [dx, dy] = [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
+        for (axis, factors) in turned.iter().enumerate() {
+            let factor = factors[direction] * weight;
+            let row = &mut rows[6 + axis];
+            for (node, deflection) in [(i, -0.5), (j, 0.5)] {
+                geometry.add(row, node, (2, false), factor * deflection);
+                geometry.add(row, node, (0, true), -0.25 * factor * dy);
+                geometry.add(row, node, (1, true), 0.25 * factor * dx);
+            }
+        }
+    }
+}
+
 /// Gauss points of a quadrilateral.
 pub(super) fn points(geometry: &Geometry) -> Vec<Point> {
     let corners = &geometry.corners;
     let root = 3.0f64.sqrt();
     // The directions of the natural axes are those at the centre at all points.
-    let [first, second] = bilinear(corners, [0.0, 0.0]).tangents.map(|[x, y]| {
-        let length = x.hypot(y);
-        [x / length, y / length]
-    });
+    let directions = directions(corners);
     let mut all = vec![];
     for at in SIGNS.map(|s| s.map(|s| s / root)) {
         let Bilinear { shape, gradients, tangents, area: det } = bilinear(corners, at);
@@ -65,23 +97,7 @@ pub(super) fn points(geometry: &Geometry) -> Vec<Point> {
                 geometry.add(&mut p.drilling, node, dof, value);
             }
         }
-        // Covariant shear strains from those of the sides, turned into the axes of the plane.
-        let lengths = tangents.map(|[x, y]| x.hypot(y));
-        let turned = [[second[1], -first[1]], [-second[0], first[0]]];
-        for (i, j, direction, side) in SIDES {
-            let other = 1 - direction;
-            let weight = 0.5 * (1.0 + side * at[other]) * lengths[other] / det;
-            let [dx, dy] = [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
-            for (axis, factors) in turned.iter().enumerate() {
-                let factor = factors[direction] * weight;
-                let row = &mut p.rows[6 + axis];
-                for (node, deflection) in [(i, -0.5), (j, 0.5)] {
-                    geometry.add(row, node, (2, false), factor * deflection);
-                    geometry.add(row, node, (0, true), -0.25 * factor * dy);
-                    geometry.add(row, node, (1, true), 0.25 * factor * dx);
-                }
-            }
-        }
+        add_shear(geometry, (at, &tangents, det), directions, &mut p.rows);
         all.push(p);
     }
     all

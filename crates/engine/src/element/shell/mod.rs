@@ -1,10 +1,11 @@
-//! Flat shells: `ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`.
+//! Shells: `ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`, `ASDShellQ4`, `ASDShellT3`.
 //!
 //! A formulation gives the derivatives of the plate's deformations by the displacements at each Gauss point; [`Shell`] is
 //! the element around them. Displacements are small, and the plate stays where its nodes were. [`UpdatedShell`] follows its
-//! nodes.
+//! nodes, and [`EnhancedShell`] can.
 
 mod discrete_kirchhoff;
+mod enhanced;
 mod mitc4;
 mod updated;
 
@@ -14,6 +15,7 @@ use crate::probe::Probe;
 use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, SharedPlateSection};
 use nalgebra::Vector3;
 
+pub use enhanced::{Drilling, EnhancedShell, EnhancedShellOptions};
 pub use updated::UpdatedShell;
 
 /// Degrees of freedom of the largest shell.
