@@ -75,8 +75,7 @@ fn groups_of_rows(ptr: &[usize], idx: &[usize]) -> Vec<Vec<Group>> {
     let mut first = 0;
     while first < n {
         let end = ends[first];
-        for at in ptr[first] + 1..ptr[first + 1] {
-            let row = idx[at];
+        for (at, &row) in idx.iter().enumerate().take(ptr[first + 1]).skip(ptr[first] + 1) {
             rows[row].push(Group { columns: first..end.min(row), at });
         }
         first = end;
