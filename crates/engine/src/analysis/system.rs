@@ -40,8 +40,6 @@ pub struct System<'a> {
     pub passed: Option<f64>,
     /// Displacements or element loads differ from the committed ones, or may.
     pub moved: bool,
-    /// Elements stay as they are, wherever their nodes go.
-    pub elements_stay: bool,
     /// Time of the last evaluation of all elements in this step. Elements that have not moved since are not evaluated again.
     pub evaluated_at: Option<f64>,
     /// Nothing has a velocity in this step.
@@ -67,7 +65,6 @@ impl<'a> System<'a> {
             elapses: false,
             passed: None,
             moved: true,
-            elements_stay: false,
             evaluated_at: None,
             still: false,
             summed: false,

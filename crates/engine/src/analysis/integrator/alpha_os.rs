@@ -23,8 +23,6 @@ pub struct AlphaOs {
     last: Vec<f64>,
     /// Velocities predicted for the end of the step.
     vel: Vec<f64>,
-    /// Displacements of the nodes at the end of the step.
-    corrected: Vec<f64>,
     /// Correction of the last step, at all degrees of freedom, and what follows from it in the equations.
     lag: Vec<f64>,
     extra: Vec<f64>,
@@ -34,21 +32,8 @@ impl AlphaOs {
     /// From its parameters.
     pub fn new(name: &'static str, p: AlphaParameters, update_elements: bool) -> Self {
         let c = Coefficients::default();
-        let [disp, last, vel, corrected, lag, extra] = [const { vec![] }; 6];
-        Self { name, p, update_elements, c, dt: 0.0, corrections: 0, disp, last, vel, corrected, lag, extra }
-    }
-
-    /// Give the elements the velocity of the end of the step, at the predicted displacement where they stay.
-    fn leave_elements(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
-        self.corrected.copy_from_slice(&s.new.disp);
-        let held = &s.work.plan.map.held;
-        for i in (0..held.len()).filter(|&i| !held[i]) {
-            s.new.disp[i] = (1.0 - self.p.force) * self.last[i] + self.p.force * self.disp[i];
-        }
-        s.respond(s.work.wants_committed_tangent())?;
-        s.new.disp.copy_from_slice(&self.corrected);
-        s.elements_stay = true;
-        Ok(())
+        let [disp, last, vel, lag, extra] = [const { vec![] }; 5];
+        Self { name, p, update_elements, c, dt: 0.0, corrections: 0, disp, last, vel, lag, extra }
     }
 
     /// The elements were at the predicted displacement of the last step, not at the corrected one: the linear stiffness makes
@@ -81,7 +66,6 @@ impl Integrator for AlphaOs {
         let n = s.old.disp.len();
         self.disp.resize(n, 0.0);
         self.vel.resize(n, 0.0);
-        self.corrected.resize(n, 0.0);
         self.lag.clear();
         self.lag.resize(n, 0.0);
         self.extra.resize(s.work.b.len(), 0.0);
@@ -120,9 +104,7 @@ impl Integrator for AlphaOs {
         (0..held.len()).filter(|&i| !held[i]).for_each(|i| new.accel[i] = 0.0);
         s.spread(correction);
         s.add_motion(self.c);
-        if !self.update_elements {
-            self.leave_elements(s)?;
-        }
+        s.moved = self.update_elements;
         s.apply_loads_at_end(self.p.force, self.dt)
     }
 

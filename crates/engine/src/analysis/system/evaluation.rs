@@ -22,7 +22,7 @@ impl System<'_> {
         if self.work.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed)) {
             return Err(self.failure(Cause::Interrupted));
         }
-        if self.elements_stay || self.evaluation_is_current(want_tangent) {
+        if self.evaluation_is_current(want_tangent) {
             return Ok(());
         }
         self.evaluate(want_tangent)
