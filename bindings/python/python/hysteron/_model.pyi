@@ -77,7 +77,8 @@ class Model:
         """eleType(element)"""
     def equalDOF(self, *args: _Word) -> None:
         """equalDOF(retained, constrained, dof1, <dof2, ...>)"""
-    def equalDOF_Mixed(self, *args: Any) -> NoReturn: ...
+    def equalDOF_Mixed(self, *args: _Word) -> None:
+        """equalDOF_Mixed(retained, constrained, count, retainedDof1, constrainedDof1, <retainedDof2, constrainedDof2, ...>)"""
     def fiber(self, y: _Word, z: _Word, area: _Word, material: _Word, /) -> None:
         """fiber(y, z, area, material)"""
     def figure(self, *args: _Word) -> None:

@@ -26,7 +26,7 @@ OUT_OF_SCOPE = {
     ),
     "queries that hysteron does not have yet": (
         "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag eleDynamicalForce printGID printX "
-        "sdfResponse setStartNodeTag updateElementDomain equalDOF_Mixed"
+        "sdfResponse setStartNodeTag updateElementDomain"
     ),
 }
 REASONS = {name: reason for reason, names in OUT_OF_SCOPE.items() for name in names.split()}

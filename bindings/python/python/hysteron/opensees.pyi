@@ -72,7 +72,8 @@ def eleType(element: _Word, /) -> str:
     """eleType(element)"""
 def equalDOF(*args: _Word) -> None:
     """equalDOF(retained, constrained, dof1, <dof2, ...>)"""
-def equalDOF_Mixed(*args: Any) -> NoReturn: ...
+def equalDOF_Mixed(*args: _Word) -> None:
+    """equalDOF_Mixed(retained, constrained, count, retainedDof1, constrainedDof1, <retainedDof2, constrainedDof2, ...>)"""
 def fiber(y: _Word, z: _Word, area: _Word, material: _Word, /) -> None:
     """fiber(y, z, area, material)"""
 def figure(*args: _Word) -> None:
