@@ -8,6 +8,8 @@ mod amended;
 mod columns;
 #[path = "analysis/constraints.rs"]
 mod constraints;
+#[path = "analysis/continua.rs"]
+mod continua;
 #[path = "analysis/dynamics.rs"]
 mod dynamics;
 #[path = "analysis/energy.rs"]

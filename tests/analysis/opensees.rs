@@ -422,44 +422,6 @@ fn tolerances_are_warnings() {
     }
 }
 
-/// Numbers of openseespy 3.7.1.
-#[test]
-fn plane_elements_with_nodes_on_their_sides() {
-    let points = "node 1 0 0; node 2 2 0.1; node 3 2.2 1.5; node 4 0 1.2; node 5 1 0.05; node 6 2.1 0.8; node 7 1.1 1.4
-        node 8 0 0.6; node 9 1.05 0.7";
-    for (elements, expected) in [
-        (
-            "element quad8n 1 1 2 3 4 5 6 7 8 0.5 PlaneStress 1 0.2 0.0 0.1 -0.3; fix 8 1 1; fix 9 1 1",
-            [0.009641837490232369, -0.09591935054280186, 0.03583557532885182, -0.02924525248357781],
-        ),
-        (
-            "element quad9n 1 1 2 3 4 5 6 7 8 9 0.5 PlaneStrain 1; fix 8 1 1",
-            [0.014856349426514308, -0.053784303142411075, 0.016465502115243072, 0.0058962950681954755],
-        ),
-        (
-            "element tri6n 1 1 2 3 5 6 9 0.5 PlaneStress 1; element tri6n 2 1 3 4 9 7 8 0.5 PlaneStress 1; fix 8 1 1",
-            [0.014326508850873639, -0.04288341678465408, 0.02617766611138719, 0.002494187945591973],
-        ),
-        (
-            "element enhancedQuad 1 1 2 3 4 0.5 PlaneStrain 1; foreach n {5 6 7 8 9} { fix $n 1 1 }",
-            [0.0008378593548593668, -0.039157605429402866, 0.023909258729421994, -0.021489835212771927],
-        ),
-    ] {
-        let model = format!(
-            "model basic -ndm 2 -ndf 2; nDMaterial ElasticIsotropic 1 200. 0.3 2.0
-            {points}
-            {elements}; fix 1 1 1; fix 4 1 1
-            timeSeries Linear 1; pattern Plain 1 1 {{ load 2 1. -2.; load 3 0.5 1.5 }}
-            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear; integrator LoadControl 1.0
-            analysis Static; analyze 1
-            puts \"[nodeDisp 2 1] [nodeDisp 2 2] [nodeDisp 3 1] [nodeDisp 3 2]\""
-        );
-        for (got, e) in run(&model).numbers().iter().zip(expected) {
-            assert!((got - e).abs() < 1e-12, "{elements}: {got} {e}");
-        }
-    }
-}
-
 /// A deflection of a beam that a spring along its axis takes part in; numbers of openseespy 3.7.1.
 #[test]
 fn degrees_of_freedom_of_other_directions_are_tied() {

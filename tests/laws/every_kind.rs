@@ -252,6 +252,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 2, Shape::Corners, "enhancedQuad @ 0.2 PlaneStress 31"),
     (3, 3, Shape::Brick, "stdBrick @ 31"),
     (3, 3, Shape::Brick, "bbarBrick @ 31"),
+    (3, 3, Shape::Brick, "SSPbrick @ 31"),
     (
         2,
         3,

@@ -7,15 +7,15 @@ use crate::numeric::axpy;
 use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
 
-const NODES: usize = 8;
-const DOFS: usize = 3 * NODES;
-const STRESSES: usize = 6;
+pub(super) const NODES: usize = 8;
+pub(super) const DOFS: usize = 3 * NODES;
+pub(super) const STRESSES: usize = 6;
 
 /// Derivatives of the strains 11, 22, 33, 12, 23, 31 by the displacements of the corners; shears are angles.
-type Rows = [[f64; DOFS]; STRESSES];
+pub(super) type Rows = [[f64; DOFS]; STRESSES];
 
 /// Natural coordinates of the corners.
-const SIGNS: [[f64; 3]; NODES] = [
+pub(super) const SIGNS: [[f64; 3]; NODES] = [
     [-1.0, -1.0, -1.0],
     [1.0, -1.0, -1.0],
     [1.0, 1.0, -1.0],
@@ -50,7 +50,7 @@ pub struct Brick {
 }
 
 /// Values of the shape functions, their derivatives by the axes, and the Jacobian determinant.
-type Shape = ([f64; NODES], [Vector3<f64>; NODES], f64);
+pub(super) type Shape = ([f64; NODES], [Vector3<f64>; NODES], f64);
 
 /// Shape functions at natural coordinates.
 fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> Shape {
@@ -70,9 +70,44 @@ fn shape(corners: &[Vector3<f64>; NODES], at: [f64; 3]) -> Shape {
 }
 
 /// Means over the volume of the derivatives of the shape functions.
-fn mean_derivatives(gauss: &[Shape; NODES]) -> [Vector3<f64>; NODES] {
+pub(super) fn mean_derivatives(gauss: &[Shape; NODES]) -> [Vector3<f64>; NODES] {
     let volume: f64 = gauss.iter().map(|(.., v)| v).sum();
     std::array::from_fn(|node| gauss.iter().map(|(_, d, v)| *v * d[node]).sum::<Vector3<f64>>() / volume)
+}
+
+/// Shapes at the 2 x 2 x 2 Gauss points.
+pub(super) fn gauss_points(corners: &[Vector3<f64>; NODES]) -> [Shape; NODES] {
+    let root = 3.0f64.sqrt().recip();
+    std::array::from_fn(|at| {
+        let sign = |bit: usize| if at >> bit & 1 == 1 { root } else { -root };
+        shape(corners, [sign(2), sign(1), sign(0)])
+    })
+}
+
+/// Derivatives of the strains by the displacements, from those of the shape functions.
+pub(super) fn strain_rows(derivatives: &[Vector3<f64>; NODES]) -> Rows {
+    let mut rows = [[0.0; DOFS]; STRESSES];
+    for (node, d) in derivatives.iter().enumerate() {
+        let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
+        (rows[0][x], rows[1][y], rows[2][z]) = (d.x, d.y, d.z);
+        (rows[3][x], rows[3][y], rows[4][y], rows[4][z], rows[5][x], rows[5][z]) = (d.y, d.x, d.z, d.y, d.z, d.x);
+    }
+    rows
+}
+
+/// Stresses for unit strains.
+pub(super) fn elasticity(material: &Isotropic) -> [[f64; STRESSES]; STRESSES] {
+    let (shear, bulk) = (0.5 * material.e / (1.0 + material.nu), material.e / 3.0 / (1.0 - 2.0 * material.nu));
+    let mut elasticity = [[0.0; STRESSES]; STRESSES];
+    for (i, row) in elasticity.iter_mut().enumerate() {
+        if i < 3 {
+            row[..3].fill(bulk - 2.0 / 3.0 * shear);
+            row[i] += 2.0 * shear;
+        } else {
+            row[i] = shear;
+        }
+    }
+    elasticity
 }
 
 impl Brick {
@@ -85,16 +120,7 @@ impl Brick {
         material: &Isotropic,
         options: &BrickOptions,
     ) -> Result<Self, ElementError> {
-        let (shear, bulk) = (0.5 * material.e / (1.0 + material.nu), material.e / 3.0 / (1.0 - 2.0 * material.nu));
-        let mut elasticity = [[0.0; STRESSES]; STRESSES];
-        for (i, row) in elasticity.iter_mut().enumerate() {
-            if i < 3 {
-                row[..3].fill(bulk - 2.0 / 3.0 * shear);
-                row[i] += 2.0 * shear;
-            } else {
-                row[i] = shear;
-            }
-        }
+        let elasticity = elasticity(material);
         let mut made = Self {
             stiffness: vec![0.0; DOFS * DOFS],
             load_force: [0.0; DOFS],
@@ -105,23 +131,16 @@ impl Brick {
             inverted: false,
         };
         let (mut lumped, mut consistent) = (vec![0.0; DOFS], vec![0.0; DOFS * DOFS]);
-        let root = 3.0f64.sqrt().recip();
-        let gauss: [_; NODES] = std::array::from_fn(|at| {
-            let sign = |bit: usize| if at >> bit & 1 == 1 { root } else { -root };
-            shape(corners, [sign(2), sign(1), sign(0)])
-        });
+        let gauss = gauss_points(corners);
         let mean = options.mean_dilatation.then(|| mean_derivatives(&gauss));
         for (n, d, volume) in gauss {
             if volume.is_nan() || volume == 0.0 {
                 return Err(ElementError("the corners do not make a brick".into()));
             }
             made.inverted |= volume < 0.0;
-            let mut rows = [[0.0; DOFS]; STRESSES];
+            let mut rows = strain_rows(&d);
             for (node, d) in d.iter().enumerate() {
                 let [x, y, z] = [3 * node, 3 * node + 1, 3 * node + 2];
-                (rows[0][x], rows[1][y], rows[2][z]) = (d.x, d.y, d.z);
-                (rows[3][x], rows[3][y], rows[4][y], rows[4][z], rows[5][x], rows[5][z]) =
-                    (d.y, d.x, d.z, d.y, d.z, d.x);
                 let Some(mean) = &mean else { continue };
                 let change = (mean[node] - d) / 3.0;
                 for (dof, change) in [x, y, z].into_iter().zip([change.x, change.y, change.z]) {
@@ -171,8 +190,8 @@ const ALL_STRESSES: u32 = 3;
 const ALL_STRAINS: u32 = 4;
 /// First response of a single Gauss point: stresses and then strains.
 const SINGLE_POINT: u32 = 20;
-const STRESS_NAMES: [&str; STRESSES] = ["sigma11", "sigma22", "sigma33", "sigma12", "sigma23", "sigma13"];
-const STRAIN_NAMES: [&str; STRESSES] = ["eps11", "eps22", "eps33", "eps12", "eps23", "eps13"];
+pub(super) const STRESS_NAMES: [&str; STRESSES] = ["sigma11", "sigma22", "sigma33", "sigma12", "sigma23", "sigma13"];
+pub(super) const STRAIN_NAMES: [&str; STRESSES] = ["eps11", "eps22", "eps33", "eps12", "eps23", "eps13"];
 
 impl Element for Brick {
     fn class(&self) -> &'static str {

@@ -1,14 +1,15 @@
-//! `element stdBrick` and `bbarBrick`.
+//! `element stdBrick`, `bbarBrick` and `SSPbrick`.
 
 use super::quad::isotropic;
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::model::nodes::node_of;
 use crate::{Tcl, warn};
-use hysteron_engine::element::{Brick, BrickOptions, Element};
+use hysteron_engine::element::{Brick, BrickOptions, Element, StabilisedBrick};
+use hysteron_engine::material::Isotropic;
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -24,7 +25,29 @@ pub(super) const MEAN_DILATATION: Kind = Kind {
     make: Make::AnyNodes(|interp, a| make(interp, a, true)),
 };
 
-fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+pub(super) const STABILISED: Kind = Kind {
+    names: &["SSPbrick", "SSPBrick"],
+    usage: "element SSPbrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(stabilised),
+};
+
+/// Words that all bricks have: nodes, places of the corners, material, and body forces. The places are those of the
+/// last node, for errors.
+struct Read {
+    nodes: Vec<NodeId>,
+    corners: [Vector3<f64>; 8],
+    material: Isotropic,
+    body: [f64; 3],
+    place: Option<Span>,
+}
+
+fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let r = read(interp, a)?;
+    let made = StabilisedBrick::new(&r.corners, &r.material, r.body).map_err(|e| refused(a, r.place, e))?;
+    Ok((r.nodes, Arc::new(made)))
+}
+
+fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read, Exception> {
     let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 8]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;
@@ -41,10 +64,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     if material.nu == 0.5 {
         return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in a brick"));
     }
-    let mut options = BrickOptions { mean_dilatation: bbar, ..BrickOptions::default() };
-    for (b, name) in options.body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
+    let mut body = [0.0; 3];
+    for (b, name) in body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
         *b = a.optional_float(name)?.unwrap_or(0.0);
     }
+    Ok(Read { nodes, corners, material, body, place })
+}
+
+fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let Read { nodes, corners, material, body, place } = read(interp, a)?;
+    let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
     let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
     if made.is_inverted() {

@@ -104,6 +104,7 @@ const KINDS: &[Kind] = &[
     quad::ENHANCED,
     brick::BRICK,
     brick::MEAN_DILATATION,
+    brick::STABILISED,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
