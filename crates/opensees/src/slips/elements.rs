@@ -91,6 +91,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "They are in equilibrium to round-off.",
     ),
     differs(
+        "`SSPbrick` that is no parallelepiped: mass and body forces of the corners",
+        "They come from an expansion of the volume whose terms are multiplied by the volume once more.",
+        "They are the integrals of the shape functions.",
+    ),
+    differs(
         "`zeroLengthImpact3D`: reported force while it slides",
         "It is computed anew from the committed state, in which the friction is zero.",
         "It is the force of the step.",
