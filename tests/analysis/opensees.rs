@@ -405,7 +405,7 @@ fn constraints_of_equilibrium_paths() {
     assert!(Script::default().run("integrator EQPath 1 9").error().message.contains("there is no constraint 9"));
 }
 
-/// What OpenSees accepts and the manual does not: a test without iterations, concrete with a negative tensile strength.
+/// Commands that OpenSees accepts and its manual does not: a test without iterations, concrete with a negative tensile strength.
 #[test]
 fn tolerances_are_warnings() {
     let model = "model basic -ndm 1 -ndf 1

@@ -84,29 +84,14 @@ pub fn say(model: &str, words: &[String]) -> Said {
     if let Some(said) = ANSWERS.with(|a| a.borrow().get(&key).cloned()) {
         return said;
     }
-    let mut said = said(&run(model, words));
-    if said == Said::Taken
-        && let Some(what) = taken_for(&run_in(strict(), model, words))
-    {
-        said = Said::Missing(what);
-    }
+    let said = said(&run(model, words));
     ANSWERS.with(|a| a.borrow_mut().insert(key, said.clone()));
     said
 }
 
 /// The model after the words of a command.
 pub fn run(model: &str, words: &[String]) -> Ran {
-    run_in(Script::default(), model, words)
-}
-
-fn strict() -> Script {
-    let mut script = Script::default();
-    script.strict = true;
-    script
-}
-
-fn run_in(script: Script, model: &str, words: &[String]) -> Ran {
-    script.run(&format!("{model}\n{PARTS}\n{}\n", words.join(" ")))
+    Script::default().run(&format!("{model}\n{PARTS}\n{}\n", words.join(" ")))
 }
 
 fn said(ran: &Ran) -> Said {
@@ -118,14 +103,16 @@ fn said(ran: &Ran) -> Said {
                 None => Said::Refused(d.message.clone(), d.label.clone()),
             }
         }
-        _ => Said::Taken,
+        _ => match ran.warnings().iter().find_map(|d| taken_for(&d.message)) {
+            Some(what) => Said::Missing(what.to_owned()),
+            None => Said::Taken,
+        },
     }
 }
 
-/// Meaning of a word that OpenSees has a default for where it is missing: a strict run refuses it.
-fn taken_for(ran: &Ran) -> Option<String> {
-    let (End::Rejected(d) | End::Raised(d)) = &ran.end else { return None };
-    Some(d.message.split_once(": the ")?.1.split_once(" is missing and is taken for ")?.0.to_owned())
+/// Meaning of a word that OpenSees has a default for where it is missing, from the warning.
+fn taken_for(message: &str) -> Option<&str> {
+    Some(message.split_once(": the ")?.1.split_once(" is missing and is taken for ")?.0)
 }
 
 /// True if the model was not made to its end.

@@ -48,10 +48,10 @@ const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements"];
 /// Commands that answer nothing in openseespy.
 const SILENT: &[&str] = &["responseSpectrumAnalysis"];
 
-/// What the answer of a command is in Python.
+/// Kind of the answer of a command in Python.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Answer {
-    /// What it is in Tcl; `None` where it is empty.
+    /// The answer as in Tcl; `None` where it is empty.
     Plain,
     /// A list, even where it is empty.
     List,

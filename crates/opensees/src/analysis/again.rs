@@ -1,6 +1,6 @@
 //! `analyze` called once more: loops of a host make a step with each call, and ask for results between them.
 //!
-//! What a call looks at before its first step is the same as before then, and is passed over.
+//! The checks before its first step have the same outcome as those of the call before, and are passed over.
 
 use super::analyze::conclude;
 use super::plausibility;
