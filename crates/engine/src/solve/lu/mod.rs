@@ -1,0 +1,258 @@
+//! Sparse unsymmetric systems with a symmetric pattern: LU without row exchanges.
+//!
+//! The tangents of coupled bearings are unsymmetric, but as strongly diagonal as those of other structures: the order
+//! that faer finds for a symmetric matrix serves, the pattern of L is that of Uᵀ, and the factors are worked out in
+//! place with no bookkeeping. Neighbouring columns with the same rows below them, as those of a node, are taken
+//! together (Ng and Peyton, 1993): their products are summed by vector instructions before they are spread. Where a
+//! pivot is lost after all, the equations are factored again with row exchanges.
+
+mod kernels;
+mod structure;
+
+use super::pivoted::PivotedLu;
+use super::{Pivots, SINGULAR, SolveError};
+use crate::assembly::Pattern;
+use crate::numeric::lanes::{BLOCK, Lanes, in_lanes};
+use kernels::{product, subtract, sums_of};
+use structure::{Panel, Structure, Update, WIDTH};
+
+/// Factors of an unsymmetric matrix.
+#[derive(Debug)]
+pub(super) struct Lu {
+    structure: Structure,
+    /// Entries of L by columns, with a block behind them.
+    lower: Vec<f64>,
+    /// Entries of U by rows, at the same places.
+    upper: Vec<f64>,
+    /// Columns of L and rows of U of a panel that are being worked out.
+    work: [[Vec<f64>; WIDTH]; 2],
+    /// Sums over the columns of an update, with a block behind them.
+    sums: [[Vec<f64>; WIDTH]; 2],
+    x: Vec<f64>,
+    /// Takes over where a pivot is lost.
+    fallback: Option<Box<PivotedLu>>,
+    fallen: bool,
+}
+
+impl Lu {
+    pub(super) fn new(pattern: &Pattern) -> Result<Self, SolveError> {
+        let n = pattern.n;
+        let structure = Structure::new(pattern)?;
+        let padded = structure.idx.len() + BLOCK;
+        let columns = |len: usize| std::array::from_fn(|_| std::array::from_fn(|_| vec![0.0; len]));
+        Ok(Self {
+            structure,
+            lower: vec![0.0; padded],
+            upper: vec![0.0; padded],
+            work: columns(n),
+            sums: columns(n + BLOCK),
+            x: vec![0.0; n],
+            fallback: None,
+            fallen: false,
+        })
+    }
+
+    /// Multiplications of a factorisation and of a solution.
+    pub(super) fn work(&self) -> (f64, f64) {
+        let lengths = self.structure.ptr.windows(2).map(|w| (w[1] - w[0]) as f64);
+        (lengths.map(|l| l * l).sum(), 2.0 * self.structure.idx.len() as f64)
+    }
+
+    pub(super) fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
+        let mut factoring = Factoring { lu: self, values, pivots: Pivots::GOOD };
+        in_lanes(&mut factoring);
+        let pivots = factoring.pivots;
+        self.fallen = pivots.ratio <= SINGULAR;
+        if !self.fallen {
+            return Ok(pivots);
+        }
+        let fallback = match &mut self.fallback {
+            Some(f) => f,
+            none => none.insert(Box::new(PivotedLu::new(pattern)?)),
+        };
+        fallback.factor(pattern, values)?;
+        // Row exchanges hide the pivots. A regular matrix gives back a vector of ones from its row sums.
+        self.x.fill(0.0);
+        for col in 0..pattern.n {
+            for (row, value) in pattern.column(values, col) {
+                self.x[row] += value;
+            }
+        }
+        fallback.solve(&mut self.x);
+        let regular = self.x.iter().all(|x| (x - 1.0).abs() < 1e-3);
+        Ok(if regular { Pivots::GOOD } else { pivots })
+    }
+
+    /// Factors panel by panel, each from those before.
+    #[inline(always)]
+    fn factor_in_order(&mut self, values: &[f64]) -> Pivots {
+        let mut pivots = Pivots::GOOD;
+        let s = &self.structure;
+        let [columns, rows] = &mut self.work;
+        for Panel { columns: panel, updates } in &s.panels {
+            for (k, q) in panel.clone().zip(0..) {
+                let (start, middle) = s.entry_ptr[k];
+                for &(at, i) in &s.entries[start..middle] {
+                    columns[q][i] = values[at];
+                }
+                for &(at, j) in &s.entries[middle..s.entry_ptr[k + 1].0] {
+                    rows[q][j] = values[at];
+                }
+            }
+            let mut diagonal = [0.0; WIDTH];
+            for (k, q) in panel.clone().zip(0..) {
+                diagonal[q] = columns[q][k];
+            }
+            for update in &s.updates[updates.clone()] {
+                update_panel(s, panel.start, update, [&self.lower, &self.upper], &mut self.sums, [columns, rows]);
+            }
+            for (k, q) in panel.clone().zip(0..) {
+                for at in s.ptr[k]..s.ptr[k + 1] {
+                    let i = s.idx[at];
+                    (self.lower[at], self.upper[at]) = (columns[q][i], rows[q][i]);
+                    (columns[q][i], rows[q][i]) = (0.0, 0.0);
+                }
+            }
+            for (k, q) in panel.clone().zip(0..) {
+                let pivot = self.lower[s.ptr[k]];
+                pivots.see(s.original[k], pivot, diagonal[q]);
+                eliminate(&s.ptr, k..panel.end, &mut self.lower, &mut self.upper);
+            }
+        }
+        pivots
+    }
+
+    pub(super) fn solve(&mut self, x: &mut [f64]) {
+        if self.fallen {
+            if let Some(f) = &mut self.fallback {
+                f.solve(x);
+            }
+            return;
+        }
+        for (y, &o) in self.x.iter_mut().zip(&self.structure.original) {
+            *y = x[o];
+        }
+        in_lanes(&mut Substitution(self));
+        for (to, &row) in x.iter_mut().zip(&self.structure.row_of) {
+            *to = self.x[row];
+        }
+    }
+
+    /// Solves with the factors for `x`, group by group.
+    #[inline(always)]
+    fn substitute(&mut self) {
+        let s = &self.structure;
+        let x = &mut self.x;
+        for group in &s.groups {
+            for k in group.clone() {
+                let y = x[k];
+                let inner = s.ptr[k] + 1..s.ptr[k] + group.end - k;
+                subtract(&self.lower[inner], y, &mut x[k + 1..group.end]);
+            }
+            let rows = &s.idx[s.ptr[group.end - 1] + 1..s.ptr[group.end]];
+            let n = rows.len();
+            let sums = &mut self.sums[0][0];
+            for start in (0..n).step_by(BLOCK) {
+                let mut sum = [0.0; BLOCK];
+                for k in group.clone() {
+                    let y = x[k];
+                    let Some(l) = self.lower[s.ptr[k + 1] - n + start..].first_chunk::<BLOCK>() else { break };
+                    for i in 0..BLOCK {
+                        sum[i] = l[i].mul_add(y, sum[i]);
+                    }
+                }
+                if let Some(out) = sums[start..].first_chunk_mut::<BLOCK>() {
+                    *out = sum;
+                }
+            }
+            for (&i, sum) in rows.iter().zip(&*sums) {
+                x[i] -= sum;
+            }
+        }
+        for group in s.groups.iter().rev() {
+            let rows = &s.idx[s.ptr[group.end - 1] + 1..s.ptr[group.end]];
+            let n = rows.len();
+            let right = &mut self.sums[0][0];
+            for (&i, right) in rows.iter().zip(&mut *right) {
+                *right = x[i];
+            }
+            right[n..n + BLOCK].fill(0.0);
+            for k in group.clone().rev() {
+                let outer = product(&self.upper[s.ptr[k + 1] - n..], right, n);
+                let inner: f64 = (k + 1..group.end).zip(s.ptr[k] + 1..).map(|(j, at)| self.upper[at] * x[j]).sum();
+                x[k] = (x[k] - inner - outer) / self.upper[s.ptr[k]];
+            }
+        }
+    }
+}
+
+/// Subtracts from the columns and rows of a panel what columns left of it contribute. Entry (k, j) of L and (j, k) of U
+/// lie at the same place; what follows them in column j of L and row j of U reaches into this panel.
+#[inline(always)]
+fn update_panel(
+    s: &Structure,
+    first: usize,
+    update: &Update,
+    [lower, upper]: [&[f64]; 2],
+    [column_sums, row_sums]: &mut [[Vec<f64>; WIDTH]; 2],
+    [columns, rows]: [&mut [Vec<f64>; WIDTH]; 2],
+) {
+    let reach = &s.idx[update.at..s.ptr[update.columns.start + 1]];
+    let ends = &s.ptr[update.columns.start + 1..=update.columns.end];
+    let n = reach.len();
+    sums_of(update.rows, lower, upper, ends, n, column_sums);
+    sums_of(update.rows, upper, lower, ends, n, row_sums);
+    for q in 0..update.rows {
+        let target = reach[q] - first;
+        let (column, row) = (&mut columns[target], &mut rows[target]);
+        for ((&i, c), r) in reach[q..].iter().zip(&column_sums[q][q..]).zip(&row_sums[q][q..]) {
+            column[i] -= c;
+            row[i] -= r;
+        }
+    }
+}
+
+/// Scales the first of the columns and subtracts it from the others, which have its rows without those before them.
+#[inline(always)]
+fn eliminate(ptr: &[usize], columns: std::ops::Range<usize>, lower: &mut [f64], upper: &mut [f64]) {
+    let k = columns.start;
+    let own = ptr[k]..ptr[k + 1];
+    let pivot = lower[own.start];
+    (lower[own.start], upper[own.start]) = (1.0, pivot);
+    let inverse = 1.0 / pivot;
+    for l in &mut lower[own.start + 1..own.end] {
+        *l *= inverse;
+    }
+    for j in k + 1..columns.end {
+        let n = ptr[j + 1] - ptr[j];
+        let (l, u) = (lower[own.end - n], upper[own.end - n]);
+        let (before, after) = lower.split_at_mut(ptr[j]);
+        subtract(&before[own.end - n..own.end], u, &mut after[..n]);
+        let (before, after) = upper.split_at_mut(ptr[j]);
+        subtract(&before[own.end - n..own.end], l, &mut after[..n]);
+    }
+}
+
+/// Factoring by the widest vector instructions.
+struct Factoring<'a> {
+    lu: &'a mut Lu,
+    values: &'a [f64],
+    pivots: Pivots,
+}
+
+impl Lanes for Factoring<'_> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        self.pivots = self.lu.factor_in_order(self.values);
+    }
+}
+
+/// Substitution by the widest vector instructions.
+struct Substitution<'a>(&'a mut Lu);
+
+impl Lanes for Substitution<'_> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        self.0.substitute();
+    }
+}
