@@ -17,6 +17,7 @@ mod plausibility;
 mod reactions;
 mod recovery;
 mod saved_state;
+mod small_beams;
 mod state;
 mod system;
 mod two_end_residual;

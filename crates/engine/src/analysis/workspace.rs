@@ -1,20 +1,23 @@
 //! Data of an analysis between two changes of the model: plan, factors, matrices of the elements, buffers.
 
 mod forces;
+mod steady;
+mod tangent;
 
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
 use super::opensees::{Stage, UpdateCounts};
+use super::small_beams::SmallBeams;
 use super::system::Coefficients;
 use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{MAX_DOFS, Mass, MatrixMask, Rows};
+use crate::element::{Mass, MatrixMask, Rows};
 use crate::model::{Model, Rayleigh};
-use crate::numeric::dot;
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use steady::SteadyMatrices;
 
 /// Stiffness in the tangent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +44,8 @@ pub(super) struct ElementWorkspace {
     pub motion: usize,
     /// The tangent never changes, and there is no damping matrix.
     pub linear: bool,
+    /// Only the geometric stiffness of its axial force changes, and no damping keeps that of the committed state.
+    p_delta: bool,
     /// The force depends on velocities or on the time that passes.
     pub rates: bool,
     /// The force depends on the number of calls.
@@ -58,6 +63,16 @@ pub(super) struct ElementWorkspace {
     /// Inertia or damping forces come with its motion.
     is_dynamic: bool,
     rayleigh: RayleighFactors,
+}
+
+impl ElementWorkspace {
+    /// Shares of its current and initial tangent.
+    fn mix(&self, mix: TangentMix) -> TangentMix {
+        if !self.initial_is_current {
+            return mix;
+        }
+        TangentMix { current: mix.current + mix.initial, initial: 0.0 }
+    }
 }
 
 /// Factors of Rayleigh damping of an element.
@@ -92,7 +107,9 @@ pub(super) struct ElementMatrices {
     /// Tangents of the committed state; empty unless Rayleigh damping uses them.
     committed: Vec<f64>,
     /// Tangents and damping matrices at the start of the step, and whether they were those of its state.
-    at_start: (Vec<f64>, Vec<f64>, bool),
+    at_start: (Vec<f64>, Vec<f64>, Vec<f64>, bool),
+    /// Axial forces of the beams of [`SmallBeams::p_delta`] in the tangents.
+    pub axial: Vec<f64>,
     mass: Vec<f64>,
     /// The tangents are those of the trial state.
     pub is_current: bool,
@@ -165,6 +182,8 @@ pub struct Workspace {
     pub(super) full: Vec<f64>,
     pub(super) matrix: EquationMatrix,
     pub(super) elements: ElementMatrices,
+    /// Beams that are evaluated side by side.
+    pub(super) small_beams: SmallBeams,
     pub(super) evaluated: EvaluatedMotion,
     /// Iterations of the step so far, and the largest number that the test allows.
     pub(super) progress: (usize, usize),
@@ -177,6 +196,9 @@ pub struct Workspace {
     pub(super) interrupt: Option<Arc<AtomicBool>>,
     /// Lumped masses of the nodes: degree of freedom, mass, mass-proportional damping.
     nodal: Vec<(usize, f64, f64)>,
+    /// Damping and inertia that never change, once they are needed and found.
+    steady: Option<Box<SteadyMatrices>>,
+    looked_for_steady: bool,
 }
 
 /// Options of a [`Workspace`].
@@ -197,22 +219,24 @@ pub struct PrepareOptions {
 impl ElementMatrices {
     /// Keep the tangents at the start of a step, for another try if the step fails.
     pub(super) fn keep_start(&mut self) {
-        let (tangent, damping, is_current) = &mut self.at_start;
+        let (tangent, damping, axial, is_current) = &mut self.at_start;
         *is_current = self.is_current;
         if *is_current {
             tangent.clone_from(&self.tangent);
             damping.clone_from(&self.damping);
+            axial.clone_from(&self.axial);
         }
     }
 
     /// Take back the tangents at the start of a step that has failed. A law has none of its own for a committed state: that of
     /// no increment may be the elastic one, and those of the step are of states that were given up.
     pub(super) fn revert_to_start(&mut self) {
-        let (tangent, damping, is_current) = &self.at_start;
+        let (tangent, damping, axial, is_current) = &self.at_start;
         self.is_current = *is_current;
         if *is_current {
             self.tangent.clone_from(tangent);
             self.damping.clone_from(damping);
+            self.axial.clone_from(axial);
         }
     }
 
@@ -236,6 +260,7 @@ impl ElementMatrices {
                 motion,
                 rows: Rows::of(e.dofs.iter().map(|&d| all || !plan.map.terms(d as usize).is_empty())),
                 linear: traits.linear && !traits.viscous,
+                p_delta: tangent.beta_kc == 0.0 && e.element.small_beam().is_some_and(|b| b.p_delta.is_some()),
                 rates: traits.viscous || traits.elapses,
                 counts_calls: compat && opensees.calls.is_some(),
                 initial_is_current: opensees.initial_is_current,
@@ -286,7 +311,9 @@ impl Workspace {
         })?;
         let mut constrained = plan.map.held.clone();
         plan.map.dependents.iter().for_each(|d| constrained[d.dof] = true);
-        let (elements, motions) = ElementMatrices::new(model, &plan, options.compat);
+        let (mut elements, motions) = ElementMatrices::new(model, &plan, options.compat);
+        let small_beams = SmallBeams::new(model, &plan, |i| elements.entries[i].at);
+        elements.axial = vec![0.0; small_beams.p_delta().count()];
         let nodal = model.nodes.iter().flat_map(|node| {
             node.dofs().zip(&node.mass).filter(|(_, m)| **m != 0.0).map(|(d, &m)| (d, m, node.alpha_m))
         });
@@ -299,6 +326,7 @@ impl Workspace {
             spread: vec![0.0; model.dofs()],
             full: vec![0.0; model.dofs()],
             matrix: EquationMatrix::new(len),
+            small_beams,
             elements,
             evaluated: EvaluatedMotion { elements: vec![0.0; motions], disp: vec![0.0; model.dofs()], calls: 0 },
             progress: (0, 1),
@@ -306,6 +334,8 @@ impl Workspace {
             damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
             interrupt: None,
+            steady: None,
+            looked_for_steady: false,
             plan,
             solver,
         };
@@ -400,93 +430,5 @@ impl Workspace {
         if p.ratio <= NEARLY_SINGULAR && self.plan.handler.eliminates() && self.matrix.weak_pivot.is_none() {
             self.matrix.weak_pivot = Some(p);
         }
-    }
-
-    /// Assemble the tangent into `values`. What does not change from iteration to iteration is kept.
-    pub(super) fn assemble(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
-        if mix.initial != 0.0 {
-            self.fill_initial(model);
-        }
-        if self.matrix.base_of != Some((c, mix)) {
-            self.assemble_base(model, c, mix);
-            self.matrix.base_of = Some((c, mix));
-        }
-        self.matrix.values.copy_from_slice(&self.matrix.base);
-        for (i, (e, m)) in model.elements.iter().zip(&self.elements.entries).enumerate().filter(|(_, (_, m))| !m.linear)
-        {
-            let range = m.at..m.at + e.dofs.len().pow(2);
-            let mix = match m.initial_is_current {
-                true => TangentMix { current: mix.current + mix.initial, initial: 0.0 },
-                false => mix,
-            };
-            let current = c.k * mix.current + c.c * m.rayleigh.tangent.beta_k;
-            if current != 0.0 {
-                self.plan.add_element(i, &self.elements.tangent[range.clone()], current, &mut self.matrix.values);
-            }
-            let initial = c.k * mix.initial + c.c * m.rayleigh.tangent.beta_k0;
-            if initial != 0.0 {
-                self.plan.add_element(i, &self.elements.initial[range.clone()], initial, &mut self.matrix.values);
-            }
-            if m.rayleigh.tangent.beta_kc != 0.0 && c.c != 0.0 {
-                let factor = c.c * m.rayleigh.tangent.beta_kc;
-                self.plan.add_element(i, &self.elements.committed[range.clone()], factor, &mut self.matrix.values);
-            }
-            if let Some(at) = m.damping.filter(|_| c.c != 0.0) {
-                self.plan.add_element(i, &self.elements.damping[at..at + range.len()], c.c, &mut self.matrix.values);
-            }
-        }
-    }
-
-    fn assemble_base(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
-        self.matrix.base.fill(0.0);
-        let mut diagonal = [0.0; MAX_DOFS * MAX_DOFS];
-        for (i, (e, m)) in model.elements.iter().zip(&self.elements.entries).enumerate() {
-            let n = e.dofs.len();
-            if m.linear {
-                let r = &m.rayleigh.tangent;
-                let factor = c.k * (mix.current + mix.initial) + c.c * (r.beta_k + r.beta_k0 + r.beta_kc);
-                self.plan.add_element(i, &self.elements.tangent[m.at..m.at + n * n], factor, &mut self.matrix.base);
-            }
-            let factor = c.m + c.c * m.rayleigh.tangent.alpha_m;
-            if factor == 0.0 {
-                continue;
-            }
-            match m.mass {
-                MassPlace::None => {}
-                MassPlace::Lumped(at) => {
-                    diagonal[..n * n].fill(0.0);
-                    for (k, mass) in self.elements.mass[at..at + n].iter().enumerate() {
-                        diagonal[k * n + k] = *mass;
-                    }
-                    self.plan.add_element(i, &diagonal[..n * n], factor, &mut self.matrix.base);
-                }
-                MassPlace::Consistent(at) => {
-                    self.plan.add_element(i, &self.elements.mass[at..at + n * n], factor, &mut self.matrix.base);
-                }
-            }
-        }
-        for &(dof, mass, alpha_m) in &self.nodal {
-            self.plan.add_diagonal(dof, (c.m + c.c * alpha_m) * mass, &mut self.matrix.base);
-        }
-        self.plan.add_links(if c.k == 0.0 { 0.0 } else { 1.0 }, &mut self.matrix.base);
-    }
-
-    /// Stiffness of the elements, of the mix of the last tangent, times displacements of all degrees of freedom.
-    pub(super) fn stiffness_times(&mut self, model: &Model, disp: &[f64], out: &mut [f64]) {
-        self.full.fill(0.0);
-        for (e, m) in model.elements.iter().zip(&self.elements.entries) {
-            let n = e.dofs.len();
-            let range = m.at..m.at + n * n;
-            let initial = self.matrix.mix.initial != 0.0 && !m.linear && !m.initial_is_current;
-            let k = if initial { &self.elements.initial[range] } else { &self.elements.tangent[range] };
-            let mut u = [0.0; MAX_DOFS];
-            e.dofs.iter().zip(&mut u).for_each(|(&d, u)| *u = disp[d as usize]);
-            for (&d, row) in e.dofs.iter().zip(k.chunks_exact(n)) {
-                self.full[d as usize] += dot(row, &u[..n]);
-            }
-        }
-        let n = self.plan.map.equations;
-        self.plan.map.condense(&self.full, &mut out[..n]);
-        out[n..].fill(0.0);
     }
 }

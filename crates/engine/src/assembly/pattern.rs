@@ -1,5 +1,7 @@
 //! Sparsity pattern of the system matrix.
 
+use std::ops::Range;
+
 /// Storage of the matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
@@ -22,13 +24,15 @@ pub struct Pattern {
     pub col_ptr: Vec<usize>,
     /// Row of each entry, rising within a column; empty for dense storage.
     pub row_idx: Vec<usize>,
+    /// Columns that follow each other and have the same rows, as those of a node; for full storage only.
+    alike: Vec<Range<usize>>,
 }
 
 impl Pattern {
     /// From groups of equations that are all joined with each other (one group an element). The diagonal is always
     /// there.
     pub fn new<'a>(n: usize, storage: Storage, groups: impl Iterator<Item = &'a [u32]>) -> Self {
-        let mut pattern = Self { n, storage, col_ptr: vec![], row_idx: vec![] };
+        let mut pattern = Self { n, storage, col_ptr: vec![], row_idx: vec![], alike: vec![] };
         if storage == Storage::Dense {
             return pattern;
         }
@@ -46,7 +50,23 @@ impl Pattern {
             pattern.row_idx.extend(c.iter().map(|&r| r as usize));
             pattern.col_ptr.push(pattern.row_idx.len());
         }
+        if storage == Storage::Full {
+            pattern.alike = pattern.alike_columns();
+        }
         pattern
+    }
+
+    /// Columns that follow each other and have the same rows, three at most.
+    fn alike_columns(&self) -> Vec<Range<usize>> {
+        let rows = |col: usize| &self.row_idx[self.col_ptr[col]..self.col_ptr[col + 1]];
+        let mut alike: Vec<Range<usize>> = vec![];
+        for col in 0..self.n {
+            match alike.last_mut() {
+                Some(a) if a.len() < 3 && rows(a.start) == rows(col) => a.end = col + 1,
+                _ => alike.push(col..col + 1),
+            }
+        }
+        alike
     }
 
     /// Number of values kept.
@@ -74,6 +94,21 @@ impl Pattern {
         self.row_idx[range.clone()].iter().copied().zip(values[range].iter().copied())
     }
 
+    /// Calls `look` with row, column and value of each entry of a matrix, those for which a transposed entry stands too.
+    pub fn for_each(&self, values: &[f64], mut look: impl FnMut(usize, usize, f64)) {
+        if self.storage == Storage::Dense {
+            return values.iter().enumerate().for_each(|(at, &value)| look(at / self.n, at % self.n, value));
+        }
+        for col in 0..self.n {
+            for (row, value) in self.column(values, col) {
+                look(row, col, value);
+                if self.storage == Storage::Upper && row != col {
+                    look(col, row, value);
+                }
+            }
+        }
+    }
+
     /// y = A x.
     pub fn multiply(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
         if self.storage == Storage::Dense {
@@ -83,12 +118,29 @@ impl Pattern {
             return;
         }
         y.fill(0.0);
-        for col in 0..self.n {
-            for (row, value) in self.column(values, col) {
-                y[row] += value * x[col];
-                if self.storage == Storage::Upper && row != col {
-                    y[col] += value * x[row];
+        if self.storage == Storage::Upper {
+            return self.for_each(values, |row, col, value| y[row] += value * x[col]);
+        }
+        for columns in &self.alike {
+            let first = self.col_ptr[columns.start];
+            let rows = &self.row_idx[first..self.col_ptr[columns.start + 1]];
+            let (n, x) = (rows.len(), &x[columns.clone()]);
+            match *x {
+                [x] => rows.iter().zip(&values[first..first + n]).for_each(|(&row, a)| y[row] += a * x),
+                [x0, x1] => {
+                    let (a, b) = values[first..first + 2 * n].split_at(n);
+                    for ((&row, a), b) in rows.iter().zip(a).zip(b) {
+                        y[row] += a * x0 + b * x1;
+                    }
                 }
+                [x0, x1, x2] => {
+                    let (a, b) = values[first..first + 3 * n].split_at(n);
+                    let (b, c) = b.split_at(n);
+                    for (((&row, a), b), c) in rows.iter().zip(a).zip(b).zip(c) {
+                        y[row] += a * x0 + b * x1 + c * x2;
+                    }
+                }
+                _ => unreachable!("three columns at most"),
             }
         }
     }

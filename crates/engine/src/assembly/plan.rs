@@ -153,6 +153,14 @@ impl Plan {
         }
     }
 
+    /// Entries of an element's matrix (n x n by rows) in the system matrix: place in the one, place in the other, coefficient.
+    pub fn entries(&self, element: usize) -> impl Iterator<Item = (u16, u32, f64)> + '_ {
+        let s = &self.scatters[element];
+        let coef = move |k: usize| s.coefs.map_or(1.0, |at| self.coefs[at + k]);
+        let places = self.from[s.entries.clone()].iter().zip(&self.to[s.entries.clone()]);
+        places.enumerate().map(move |(k, (&from, &to))| (from, to, coef(k)))
+    }
+
     /// Add `factor` times an element's matrix (n x n by rows) to the values of the system matrix.
     #[inline]
     pub fn add_element(&self, element: usize, matrix: &[f64], factor: f64, values: &mut [f64]) {

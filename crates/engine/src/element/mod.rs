@@ -26,6 +26,7 @@ mod opensees;
 mod quad;
 mod quadratic;
 pub mod shell;
+mod small_beam;
 mod springs;
 mod stabilised_brick;
 pub mod transform;
@@ -54,6 +55,7 @@ pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use quad::{Quad, QuadOptions};
 pub use quadratic::{PlaneElastic, QuadraticShape};
 pub use shell::Shell;
+pub use small_beam::{PDeltaParts, SmallBeam};
 pub use stabilised_brick::StabilisedBrick;
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
@@ -334,6 +336,12 @@ pub trait Element: fmt::Debug + Send + Sync {
 
     /// The Euler load π² E I / L² of a beam with small displacements, which does not buckle by itself; `None` for all else.
     fn euler_load(&self) -> Option<f64> {
+        None
+    }
+
+    /// The matrices of an elastic beam with small displacements, which are evaluated side by side; `None` for all else. Its
+    /// load variables are basic forces, then reactions.
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
         None
     }
 

@@ -44,7 +44,16 @@ impl System<'_> {
         let all = self.moved || tangents;
         let evaluated_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
         let mut evaluated = false;
-        for i in 0..self.model.elements.len() {
+        if all && self.work.small_beams.count > 0 {
+            let work = &mut *self.work;
+            let matrices = &mut work.elements;
+            let tangents = want_tangent.then_some((&mut matrices.tangent[..], &mut matrices.axial[..]));
+            work.small_beams.respond(self.new, tangents);
+            work.evaluated.calls += work.small_beams.count;
+            evaluated = true;
+        }
+        for at in 0..self.work.small_beams.others.len() {
+            let i = self.work.small_beams.others[at];
             let m = &self.work.elements.entries[i];
             if (all || m.rates) && !m.counts_calls && !(evaluated_before && self.has_not_moved(i)) {
                 self.respond_one(i, want_tangent, dt, None)?;

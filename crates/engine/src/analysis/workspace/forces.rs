@@ -29,12 +29,15 @@ impl Workspace {
     #[inline]
     pub(in crate::analysis) fn condense_elements(&mut self, model: &Model, state: &State, dynamic: bool, inertia: f64) {
         self.plan.subtract_forces(&state.force, &mut self.b);
-        if !dynamic {
-            return;
+        if dynamic {
+            self.subtract_dynamic(model, state, inertia);
         }
-        for (i, (e, m)) in
-            model.elements.iter().zip(&self.elements.entries).enumerate().filter(|(_, (_, m))| m.is_dynamic)
-        {
+    }
+
+    /// Subtract damping and a share of the inertia of an element from the unbalance of the equations.
+    pub(super) fn subtract_dynamic_of(&mut self, i: usize, model: &Model, state: &State, inertia: f64) {
+        let (e, m) = (&model.elements[i], &self.elements.entries[i]);
+        if m.is_dynamic {
             let mut f = [0.0; MAX_DOFS];
             self.add_dynamic_force(&e.dofs, m, &m.rayleigh.forces, state, inertia, &mut f);
             self.plan.subtract_force(i, e.force.start, &f, &mut self.b);

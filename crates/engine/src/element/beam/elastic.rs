@@ -3,8 +3,8 @@
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    frame_force_labels,
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts, SmallBeam,
+    Snapshot, frame_force_labels,
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -393,6 +393,24 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         }
         add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), sums);
         Ok(())
+    }
+
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        let constant = self.constant.as_ref()?;
+        let frame = self.frame();
+        let p_delta = constant.geometric.as_ref().map(|geometric| PDeltaParts {
+            across: frame.across().map(|row| row.to_vec()).collect(),
+            stiffness: constant.stiffness.as_flattened(),
+            geometric: geometric.as_flattened(),
+        });
+        Some(SmallBeam {
+            length: frame.length,
+            basic: frame.basic.as_flattened(),
+            initial: &frame.initial,
+            stiffness: self.kb.as_flattened(),
+            reactions: frame.reaction_rows(),
+            p_delta,
+        })
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -184,6 +184,11 @@ impl<const N: usize, const B: usize> Frame<N, B> {
         }
     }
 
+    /// Derivatives of the local displacements that the reactions to member loads do work on.
+    pub fn reaction_rows(&self) -> Vec<&[f64]> {
+        reaction_rows(N).iter().map(|&at| &self.local[at][..]).collect()
+    }
+
     /// Adds the reactions to member loads.
     #[inline]
     pub fn add_reactions(&self, p0: &Reactions, force: &mut [f64]) {

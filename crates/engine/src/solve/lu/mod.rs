@@ -13,7 +13,7 @@ use super::pivoted::PivotedLu;
 use super::{Pivots, SINGULAR, SolveError};
 use crate::assembly::Pattern;
 use crate::numeric::lanes::{BLOCK, Lanes, in_lanes};
-use kernels::{product, subtract, sums_of};
+use kernels::{backward, forward, subtract, sums_of};
 use structure::{Panel, Structure, Update, WIDTH};
 
 /// Factors of an unsymmetric matrix.
@@ -24,8 +24,8 @@ pub(super) struct Lu {
     lower: Vec<f64>,
     /// Entries of U by rows, at the same places.
     upper: Vec<f64>,
-    /// Columns of L and rows of U of a panel that are being worked out.
-    work: [[Vec<f64>; WIDTH]; 2],
+    /// Columns of L and rows of U of a panel that are being worked out, entry by entry side by side.
+    work: [Vec<[f64; 2]>; WIDTH],
     /// Sums over the columns of an update, with a block behind them.
     sums: [[Vec<f64>; WIDTH]; 2],
     x: Vec<f64>,
@@ -39,13 +39,12 @@ impl Lu {
         let n = pattern.n;
         let structure = Structure::new(pattern)?;
         let padded = structure.idx.len() + BLOCK;
-        let columns = |len: usize| std::array::from_fn(|_| std::array::from_fn(|_| vec![0.0; len]));
         Ok(Self {
             structure,
             lower: vec![0.0; padded],
             upper: vec![0.0; padded],
-            work: columns(n),
-            sums: columns(n + BLOCK),
+            work: std::array::from_fn(|_| vec![[0.0; 2]; n]),
+            sums: std::array::from_fn(|_| std::array::from_fn(|_| vec![0.0; n + BLOCK])),
             x: vec![0.0; n],
             fallback: None,
             fallen: false,
@@ -88,29 +87,28 @@ impl Lu {
     fn factor_in_order(&mut self, values: &[f64]) -> Pivots {
         let mut pivots = Pivots::GOOD;
         let s = &self.structure;
-        let [columns, rows] = &mut self.work;
+        let work = &mut self.work;
         for Panel { columns: panel, updates } in &s.panels {
             for (k, q) in panel.clone().zip(0..) {
                 let (start, middle) = s.entry_ptr[k];
                 for &(at, i) in &s.entries[start..middle] {
-                    columns[q][i] = values[at];
+                    work[q][i][0] = values[at];
                 }
                 for &(at, j) in &s.entries[middle..s.entry_ptr[k + 1].0] {
-                    rows[q][j] = values[at];
+                    work[q][j][1] = values[at];
                 }
             }
             let mut diagonal = [0.0; WIDTH];
             for (k, q) in panel.clone().zip(0..) {
-                diagonal[q] = columns[q][k];
+                diagonal[q] = work[q][k][0];
             }
             for update in &s.updates[updates.clone()] {
-                update_panel(s, panel.start, update, [&self.lower, &self.upper], &mut self.sums, [columns, rows]);
+                update_panel(s, panel.start, update, [&self.lower, &self.upper], &mut self.sums, work);
             }
             for (k, q) in panel.clone().zip(0..) {
                 for at in s.ptr[k]..s.ptr[k + 1] {
                     let i = s.idx[at];
-                    (self.lower[at], self.upper[at]) = (columns[q][i], rows[q][i]);
-                    (columns[q][i], rows[q][i]) = (0.0, 0.0);
+                    [self.lower[at], self.upper[at]] = std::mem::take(&mut work[q][i]);
                 }
             }
             for (k, q) in panel.clone().zip(0..) {
@@ -138,49 +136,25 @@ impl Lu {
         }
     }
 
-    /// Solves with the factors for `x`, group by group.
+    /// Solves with the factors for `x`, panel by panel.
     #[inline(always)]
     fn substitute(&mut self) {
         let s = &self.structure;
-        let x = &mut self.x;
-        for group in &s.groups {
-            for k in group.clone() {
-                let y = x[k];
-                let inner = s.ptr[k] + 1..s.ptr[k] + group.end - k;
-                subtract(&self.lower[inner], y, &mut x[k + 1..group.end]);
-            }
-            let rows = &s.idx[s.ptr[group.end - 1] + 1..s.ptr[group.end]];
-            let n = rows.len();
-            let sums = &mut self.sums[0][0];
-            for start in (0..n).step_by(BLOCK) {
-                let mut sum = [0.0; BLOCK];
-                for k in group.clone() {
-                    let y = x[k];
-                    let Some(l) = self.lower[s.ptr[k + 1] - n + start..].first_chunk::<BLOCK>() else { break };
-                    for i in 0..BLOCK {
-                        sum[i] = l[i].mul_add(y, sum[i]);
-                    }
-                }
-                if let Some(out) = sums[start..].first_chunk_mut::<BLOCK>() {
-                    *out = sum;
-                }
-            }
-            for (&i, sum) in rows.iter().zip(&*sums) {
-                x[i] -= sum;
+        let (x, buffer) = (&mut self.x, &mut self.sums[0][0]);
+        for Panel { columns, .. } in &s.panels {
+            match columns.len() {
+                1 => forward::<1>(s, columns.start, &self.lower, x, buffer),
+                2 => forward::<2>(s, columns.start, &self.lower, x, buffer),
+                3 => forward::<3>(s, columns.start, &self.lower, x, buffer),
+                _ => forward::<WIDTH>(s, columns.start, &self.lower, x, buffer),
             }
         }
-        for group in s.groups.iter().rev() {
-            let rows = &s.idx[s.ptr[group.end - 1] + 1..s.ptr[group.end]];
-            let n = rows.len();
-            let right = &mut self.sums[0][0];
-            for (&i, right) in rows.iter().zip(&mut *right) {
-                *right = x[i];
-            }
-            right[n..n + BLOCK].fill(0.0);
-            for k in group.clone().rev() {
-                let outer = product(&self.upper[s.ptr[k + 1] - n..], right, n);
-                let inner: f64 = (k + 1..group.end).zip(s.ptr[k] + 1..).map(|(j, at)| self.upper[at] * x[j]).sum();
-                x[k] = (x[k] - inner - outer) / self.upper[s.ptr[k]];
+        for Panel { columns, .. } in s.panels.iter().rev() {
+            match columns.len() {
+                1 => backward::<1>(s, columns.start, &self.upper, x, buffer),
+                2 => backward::<2>(s, columns.start, &self.upper, x, buffer),
+                3 => backward::<3>(s, columns.start, &self.upper, x, buffer),
+                _ => backward::<WIDTH>(s, columns.start, &self.upper, x, buffer),
             }
         }
     }
@@ -195,7 +169,7 @@ fn update_panel(
     update: &Update,
     [lower, upper]: [&[f64]; 2],
     [column_sums, row_sums]: &mut [[Vec<f64>; WIDTH]; 2],
-    [columns, rows]: [&mut [Vec<f64>; WIDTH]; 2],
+    work: &mut [Vec<[f64; 2]>; WIDTH],
 ) {
     let reach = &s.idx[update.at..s.ptr[update.columns.start + 1]];
     let ends = &s.ptr[update.columns.start + 1..=update.columns.end];
@@ -203,11 +177,11 @@ fn update_panel(
     sums_of(update.rows, lower, upper, ends, n, column_sums);
     sums_of(update.rows, upper, lower, ends, n, row_sums);
     for q in 0..update.rows {
-        let target = reach[q] - first;
-        let (column, row) = (&mut columns[target], &mut rows[target]);
+        let work = &mut work[reach[q] - first][..];
         for ((&i, c), r) in reach[q..].iter().zip(&column_sums[q][q..]).zip(&row_sums[q][q..]) {
-            column[i] -= c;
-            row[i] -= r;
+            let [column, row] = &mut work[i];
+            *column -= c;
+            *row -= r;
         }
     }
 }

@@ -20,9 +20,7 @@ pub(super) struct Structure {
     pub(super) ptr: Vec<usize>,
     /// Rows of L by columns, rising.
     pub(super) idx: Vec<usize>,
-    /// Columns that follow each other, where each has the rows of the one before without its first.
-    pub(super) groups: Vec<Range<usize>>,
-    /// Groups in parts of at most [`WIDTH`] columns.
+    /// Columns that follow each other, where each has the rows of the one before without its first, at most [`WIDTH`].
     pub(super) panels: Vec<Panel>,
     /// Updates of the panels.
     pub(super) updates: Vec<Update>,
@@ -71,10 +69,17 @@ impl Structure {
         let groups = groups(&ptr, &idx);
         let (panels, updates) = panels(&ptr, &idx, &groups);
         let (entries, entry_ptr) = entries(pattern, &row_of);
-        Ok(Self { original, row_of, ptr, idx, groups, panels, updates, entries, entry_ptr })
+        Ok(Self { original, row_of, ptr, idx, panels, updates, entries, entry_ptr })
+    }
+
+    /// Rows of a column below its diagonal.
+    #[inline(always)]
+    pub(super) fn rows_below(&self, column: usize) -> &[usize] {
+        &self.idx[self.ptr[column] + 1..self.ptr[column + 1]]
     }
 }
 
+/// Columns that follow each other, where each has the rows of the one before without its first.
 fn groups(ptr: &[usize], idx: &[usize]) -> Vec<Range<usize>> {
     let n = ptr.len() - 1;
     let mut groups: Vec<Range<usize>> = vec![];
