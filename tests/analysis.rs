@@ -30,6 +30,8 @@ mod rubber;
 mod script;
 #[path = "analysis/sections.rs"]
 mod sections;
+#[path = "analysis/side_by_side.rs"]
+mod side_by_side;
 #[path = "analysis/statics.rs"]
 mod statics;
 #[path = "analysis/trapezoidal.rs"]
