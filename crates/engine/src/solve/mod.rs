@@ -21,6 +21,9 @@ pub const SINGULAR: f64 = 1e-14;
 /// A pivot of this fraction means that few digits of the solution are left.
 pub const NEARLY_SINGULAR: f64 = 1e-11;
 
+/// Multiplications of a symmetric factorisation from which on supernodes are quicker than panels of columns.
+const SUPERNODAL: f64 = 1e7;
+
 /// Result of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pivots {
@@ -103,7 +106,10 @@ impl Solver {
     pub fn new(pattern: &Pattern, indefinite: bool) -> Result<Self, SolveError> {
         let kind = match pattern.storage {
             Storage::Dense => Kind::Dense(DenseLu::new(pattern.n)),
-            Storage::Upper => Kind::Ldlt(Box::new(Ldlt::new(pattern)?)),
+            Storage::Upper => {
+                let ldlt = Ldlt::new(pattern)?;
+                if ldlt.work().0 > SUPERNODAL { Kind::Ldlt(Box::new(ldlt)) } else { Kind::Lu(Box::new(Lu::new(pattern)?)) }
+            }
             Storage::Full if indefinite => Kind::Pivoted(Box::new(PivotedLu::new(pattern)?)),
             Storage::Full => Kind::Lu(Box::new(Lu::new(pattern)?)),
         };

@@ -1,25 +1,26 @@
-//! Sparse unsymmetric systems with a symmetric pattern: LU without row exchanges.
+//! Sparse systems with a symmetric pattern: LU without row exchanges, or LDLᵀ where the matrix is symmetric.
 //!
 //! The tangents of coupled bearings are unsymmetric, but as strongly diagonal as those of other structures: the order
 //! that faer finds for a symmetric matrix serves, the pattern of L is that of Uᵀ, and the factors are worked out in
 //! place with no bookkeeping. Neighbouring columns with the same rows below them, as those of a node, are taken
 //! together (Ng and Peyton, 1993): their products are summed by vector instructions before they are spread. Where a
-//! pivot is lost after all, the equations are factored again with row exchanges.
+//! pivot of an unsymmetric matrix is lost after all, the equations are factored again with row exchanges.
 
 mod kernels;
 mod structure;
 
 use super::pivoted::PivotedLu;
 use super::{Pivots, SINGULAR, SolveError};
-use crate::assembly::Pattern;
+use crate::assembly::{Pattern, Storage};
 use crate::numeric::lanes::{BLOCK, Lanes, in_lanes};
 use kernels::{backward, forward, subtract, sums_of};
 use structure::{Panel, Structure, Update, WIDTH};
 
-/// Factors of an unsymmetric matrix.
+/// Factors L U of a matrix. Those of a symmetric one have U = D Lᵀ.
 #[derive(Debug)]
 pub(super) struct Lu {
     structure: Structure,
+    symmetric: bool,
     /// Entries of L by columns, with a block behind them.
     lower: Vec<f64>,
     /// Entries of U by rows, at the same places.
@@ -41,6 +42,7 @@ impl Lu {
         let padded = structure.idx.len() + BLOCK;
         Ok(Self {
             structure,
+            symmetric: pattern.storage == Storage::Upper,
             lower: vec![0.0; padded],
             upper: vec![0.0; padded],
             work: std::array::from_fn(|_| vec![[0.0; 2]; n]),
@@ -54,14 +56,15 @@ impl Lu {
     /// Multiplications of a factorisation and of a solution.
     pub(super) fn work(&self) -> (f64, f64) {
         let lengths = self.structure.ptr.windows(2).map(|w| (w[1] - w[0]) as f64);
-        (lengths.map(|l| l * l).sum(), 2.0 * self.structure.idx.len() as f64)
+        let share = if self.symmetric { 0.5 } else { 1.0 };
+        (share * lengths.map(|l| l * l).sum::<f64>(), 2.0 * self.structure.idx.len() as f64)
     }
 
     pub(super) fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
         let mut factoring = Factoring { lu: self, values, pivots: Pivots::GOOD };
         in_lanes(&mut factoring);
         let pivots = factoring.pivots;
-        self.fallen = pivots.ratio <= SINGULAR;
+        self.fallen = pivots.ratio <= SINGULAR && !self.symmetric;
         if !self.fallen {
             return Ok(pivots);
         }
@@ -86,7 +89,7 @@ impl Lu {
     #[inline(always)]
     fn factor_in_order(&mut self, values: &[f64]) -> Pivots {
         let mut pivots = Pivots::GOOD;
-        let s = &self.structure;
+        let (s, symmetric) = (&self.structure, self.symmetric);
         let work = &mut self.work;
         for Panel { columns: panel, updates } in &s.panels {
             for (k, q) in panel.clone().zip(0..) {
@@ -103,7 +106,12 @@ impl Lu {
                 diagonal[q] = work[q][k][0];
             }
             for update in &s.updates[updates.clone()] {
-                update_panel(s, panel.start, update, [&self.lower, &self.upper], &mut self.sums, work);
+                let factors = [&self.lower[..], &self.upper];
+                if symmetric {
+                    update_symmetric(s, panel.start, update, factors, &mut self.sums[0], work);
+                } else {
+                    update_panel(s, panel.start, update, factors, &mut self.sums, work);
+                }
             }
             for (k, q) in panel.clone().zip(0..) {
                 for at in s.ptr[k]..s.ptr[k + 1] {
@@ -114,6 +122,10 @@ impl Lu {
             for (k, q) in panel.clone().zip(0..) {
                 let pivot = self.lower[s.ptr[k]];
                 pivots.see(s.original[k], pivot, diagonal[q]);
+                if symmetric {
+                    let own = s.ptr[k]..s.ptr[k + 1];
+                    self.upper[own.clone()].copy_from_slice(&self.lower[own]);
+                }
                 eliminate(&s.ptr, k..panel.end, &mut self.lower, &mut self.upper);
             }
         }
@@ -182,6 +194,27 @@ fn update_panel(
             let [column, row] = &mut work[i];
             *column -= c;
             *row -= r;
+        }
+    }
+}
+
+/// The same for the columns alone, whose transposed are the rows.
+#[inline(always)]
+fn update_symmetric(
+    s: &Structure,
+    first: usize,
+    update: &Update,
+    [lower, upper]: [&[f64]; 2],
+    sums: &mut [Vec<f64>; WIDTH],
+    work: &mut [Vec<[f64; 2]>; WIDTH],
+) {
+    let reach = &s.idx[update.at..s.ptr[update.columns.start + 1]];
+    let ends = &s.ptr[update.columns.start + 1..=update.columns.end];
+    sums_of(update.rows, lower, upper, ends, reach.len(), sums);
+    for q in 0..update.rows {
+        let work = &mut work[reach[q] - first][..];
+        for (&i, c) in reach[q..].iter().zip(&sums[q][q..]) {
+            work[i][0] -= c;
         }
     }
 }

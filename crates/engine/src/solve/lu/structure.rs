@@ -1,7 +1,7 @@
 //! Which columns of the factors are worked out together, and which columns before them they need.
 
 use super::super::{SolveError, ordering};
-use crate::assembly::Pattern;
+use crate::assembly::{Pattern, Storage};
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::SymbolicCholeskyRaw;
 use std::ops::Range;
@@ -124,17 +124,17 @@ fn panels(ptr: &[usize], idx: &[usize], groups: &[Range<usize>]) -> (Vec<Panel>,
     (panels, updates)
 }
 
-/// Entries of a matrix by factor column, and where each starts.
+/// Entries of a matrix by factor column, and where each starts. Those of a symmetric one all lie in the columns.
 fn entries(pattern: &Pattern, row_of: &[usize]) -> (Vec<(usize, usize)>, Vec<(usize, usize)>) {
     let n = pattern.n;
     let (mut below, mut right) = (vec![vec![]; n], vec![vec![]; n]);
     for col in 0..n {
         for at in pattern.col_ptr[col]..pattern.col_ptr[col + 1] {
             let (i, j) = (row_of[pattern.row_idx[at]], row_of[col]);
-            if i >= j {
-                below[j].push((at, i));
-            } else {
-                right[i].push((at, j));
+            match pattern.storage {
+                Storage::Upper => below[i.min(j)].push((at, i.max(j))),
+                _ if i >= j => below[j].push((at, i)),
+                _ => right[i].push((at, j)),
             }
         }
     }
