@@ -52,6 +52,15 @@ impl Style {
             });
             return;
         }
+        if !self.scientific && value == 0.0 {
+            return out.extend_from_slice(if value.is_sign_negative() { b"-0" } else { b"0" });
+        }
+        if !self.scientific {
+            let most = self.precision.max(1);
+            if let Some((number, exponent)) = scaled(value.abs(), most) {
+                return push_scaled(number, most, exponent, value < 0.0, out);
+            }
+        }
         let precision = self.precision.min(40);
         let digits = if self.scientific { precision } else { precision.max(1) - 1 };
         let Some(number) = Decimal::new(value, digits + 1) else { return };
@@ -94,7 +103,7 @@ const DECIDED: usize = 14;
 
 /// The decimal logarithm of two as a whole number of parts of two to this power.
 const LOG10_2_BITS: u32 = 20;
-const LOG10_2_SCALED: i32 = 315_653;
+const LOG10_2_SCALED: i64 = 315_653;
 
 /// Fraction of the last digit within which a scaled number does not decide.
 const UNDECIDED: f64 = 1e-9;
@@ -137,6 +146,91 @@ fn scale(value: f64, power: i32) -> Option<(f64, f64)> {
     Some((quotient, ((value - product) - rest) / ten))
 }
 
+/// A positive number rounded to at most `most` significant digits, as a whole number and the exponent of its first digit, by
+/// a product or quotient with a power of ten, whose rounding error is known. `None` near a boundary of rounding, and where
+/// the power is not a number of two to the 53rd.
+fn scaled(value: f64, most: usize) -> Option<(u64, i32)> {
+    let limit = *TENS_WHOLE.get(most)?;
+    // The logarithm of two between powers of two is taken as a line below it: the exponent of ten is this or one more.
+    let binary = (value.to_bits() >> (52 - LOG10_2_BITS)) as i64 - (1023 << LOG10_2_BITS);
+    let mut exponent = ((binary * LOG10_2_SCALED) >> (2 * LOG10_2_BITS)) as i32;
+    let (mut high, mut low) = scale(value, most as i32 - 1 - exponent)?;
+    if high >= limit as f64 {
+        exponent += 1;
+        (high, low) = scale(value, most as i32 - 1 - exponent)?;
+    }
+    let whole = high as u64;
+    let part = (high - whole as f64) + low;
+    let up = part > 0.5 + UNDECIDED;
+    if whole >= limit || whole < limit / 10 || !(up || (UNDECIDED..0.5 - UNDECIDED).contains(&part)) {
+        return None;
+    }
+    let number = whole + u64::from(up);
+    Some(if number == limit { (number / 10, exponent + 1) } else { (number, exponent) })
+}
+
+/// Longest text of a number of [`DECIDED`] digits, rounded up: sign, point, digits, and an exponent or leading zeros.
+const TEXT: usize = 32;
+
+/// Append a number of `most` digits, the first of them of the order of the exponent, as `%g` does. The text is put together
+/// at places of a known length and copied once.
+fn push_scaled(mut number: u64, most: usize, exponent: i32, negative: bool, out: &mut Vec<u8>) {
+    let mut len = most;
+    while number.is_multiple_of(10) && len > 1 {
+        (number, len) = (number / 10, len - 1);
+    }
+    let mut text = [b'0'; TEXT];
+    text[0] = b'-';
+    let start = usize::from(negative);
+    let end = if exponent < -4 || exponent >= most as i32 {
+        let end = put_with_point(number, len, 1, start, &mut text);
+        let size = exponent.unsigned_abs();
+        (text[end], text[end + 1]) = (b'e', if exponent < 0 { b'-' } else { b'+' });
+        // At least two digits, as in C.
+        let places = if size >= 100 { 3 } else { 2 };
+        put_digits(u64::from(size), places, end + 2, &mut text);
+        end + 2 + places
+    } else if exponent < 0 {
+        text[start + 1] = b'.';
+        // The text is filled with zeros.
+        text[start] = b'0';
+        let first = start + 1 + exponent.unsigned_abs() as usize;
+        put_digits(number, len, first, &mut text);
+        first + len
+    } else {
+        let whole = exponent as usize + 1;
+        let end = put_with_point(number, len, whole, start, &mut text);
+        // Zeros before the point, which there is none of then.
+        if whole > len { start + whole } else { end }
+    };
+    let before = out.len();
+    out.extend_from_slice(&text);
+    out.truncate(before + end);
+}
+
+/// Puts the digits of a number, a point behind the first `whole` of them if there are more; returns the end.
+fn put_with_point(number: u64, len: usize, whole: usize, start: usize, text: &mut [u8; TEXT]) -> usize {
+    if whole >= len {
+        put_digits(number, len, start, text);
+        return start + len;
+    }
+    put_digits(number, len, start + 1, text);
+    text.copy_within(start + 1..start + 1 + whole, start);
+    text[start + whole] = b'.';
+    start + len + 1
+}
+
+/// Puts the last `len` digits of a number.
+fn put_digits(mut number: u64, len: usize, start: usize, text: &mut [u8; TEXT]) {
+    let (first, pairs) = text[start..start + len].as_rchunks_mut::<2>();
+    for pair in pairs.iter_mut().rev() {
+        let two = (number % 100) as u8;
+        *pair = [b'0' + two / 10, b'0' + two % 10];
+        number /= 100;
+    }
+    first.iter_mut().for_each(|digit| *digit = b'0' + (number % 10) as u8);
+}
+
 /// A number rounded to decimal digits: d.ddd times ten to the power of the exponent, without zeros at the end.
 struct Decimal {
     digits: [u8; 64],
@@ -152,8 +246,8 @@ impl Decimal {
             zero.digits[0] = b'0';
             return Some(zero);
         }
-        let mut decimal = Self::scaled(value.abs(), most);
-        if decimal.is_none() && most <= DECIDED {
+        let mut decimal = None;
+        if most <= DECIDED {
             decimal = Self::parse(zmij::Buffer::new().format_finite(value.abs()).as_bytes())?.rounded(most);
         }
         if decimal.is_none() {
@@ -162,40 +256,6 @@ impl Decimal {
             decimal = Self::parse(&text.bytes[..text.len]);
         }
         decimal
-    }
-
-    /// The same by a product or quotient with a power of ten, whose rounding error is known. `None` near a boundary of
-    /// rounding, and where the power is not a number of two to the 53rd.
-    fn scaled(value: f64, most: usize) -> Option<Self> {
-        let limit = *TENS_WHOLE.get(most).filter(|_| most <= DECIDED)?;
-        // The exponent of ten is this or one more.
-        let binary = (value.to_bits() >> 52) as i32 - 1023;
-        let mut exponent = (binary * LOG10_2_SCALED) >> LOG10_2_BITS;
-        let (mut high, mut low) = scale(value, most as i32 - 1 - exponent)?;
-        if high >= limit as f64 {
-            exponent += 1;
-            (high, low) = scale(value, most as i32 - 1 - exponent)?;
-        }
-        let whole = high as u64;
-        let part = (high - whole as f64) + low;
-        let up = part > 0.5 + UNDECIDED;
-        if whole >= limit || whole < limit / 10 || !(up || (UNDECIDED..0.5 - UNDECIDED).contains(&part)) {
-            return None;
-        }
-        let mut number = whole + u64::from(up);
-        if number == limit {
-            (number, exponent) = (number / 10, exponent + 1);
-        }
-        let mut decimal = Self { digits: [0; 64], len: most, exponent };
-        let (first, pairs) = decimal.digits[..most].as_rchunks_mut::<2>();
-        for pair in pairs.iter_mut().rev() {
-            let two = (number % 100) as u8;
-            *pair = [b'0' + two / 10, b'0' + two % 10];
-            number /= 100;
-        }
-        first.iter_mut().for_each(|digit| *digit = b'0' + number as u8);
-        decimal.trim();
-        Some(decimal)
     }
 
     /// Digits and exponent of a positive number.
