@@ -119,7 +119,7 @@ pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
-pub use slot::Slot;
+pub use slot::{Shift, Slot};
 pub use sma::Sma;
 pub use sma_3k::Sma3k;
 pub use softening::{Mullins, Peak, Softening};
@@ -348,6 +348,12 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
         self.update_all(committed, strains, next, stresses)
+    }
+
+    /// The material inside one that only shifts its strains, with its slot, and the shift. Points of such materials around
+    /// one law are evaluated together.
+    fn shifted(&self) -> Option<(&Slot, f64)> {
+        None
     }
 
     /// Copies trial histories to committed ones. A law may skip variables that are never read.

@@ -17,6 +17,15 @@ pub struct Slot {
     linear: Option<f64>,
 }
 
+/// What the strains of points are more than those given.
+#[derive(Clone, Copy, Debug)]
+pub enum Shift<'a> {
+    /// The same of all points.
+    All(f64),
+    /// Of each point.
+    Each(&'a [f64]),
+}
+
 const STRAIN: usize = 0;
 const RATE: usize = 1;
 const STRESS: usize = 2;
@@ -112,7 +121,7 @@ impl Slot {
     pub fn update_all(
         &self,
         committed: &[f64],
-        shift: f64,
+        shift: &Shift<'_>,
         strains: &Strains<'_>,
         trial: &mut [f64],
         stresses: &mut Stresses<'_>,
@@ -121,7 +130,11 @@ impl Slot {
         let (was, old) = committed.split_at(HEADER * n);
         let (head, new) = trial.split_at_mut(HEADER * n);
         let (strain, head) = head.split_at_mut(n);
-        strain.iter_mut().zip(strains.value).for_each(|(own, x)| *own = x + shift);
+        let pairs = strain.iter_mut().zip(strains.value);
+        match *shift {
+            Shift::All(shift) => pairs.for_each(|(own, x)| *own = x + shift),
+            Shift::Each(shifts) => pairs.zip(shifts).for_each(|((own, x), shift)| *own = x + shift),
+        }
         let own = Strains { value: strain, ..*strains };
         self.material.update_all(old, &own, new, stresses)?;
         head[..n].copy_from_slice(strains.rate);

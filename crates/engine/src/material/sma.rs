@@ -1,6 +1,9 @@
 //! Superelastic shape-memory alloy with linear transformations (Auricchio, Taylor and Lubliner, 1997).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use super::lanes::{PointLaw, update_blocks};
+use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::numeric::lanes::select;
+use crate::state_struct::StateStruct as _;
 
 /// σ = E (ε - ξ ε_L) with the martensite fraction ξ, alike in tension and compression. Each transformation ends at its
 /// finish stress, on a straight line from the stress at which it starts or at which it is resumed.
@@ -32,52 +35,63 @@ crate::state_struct! {
 
 impl Sma {
     /// Fraction and its slope at a strain on one side (both positive there), while it grows.
+    #[inline(always)]
     fn load(&self, x: f64, stress: f64, m: f64) -> (f64, f64) {
         let ([start, finish], full) = (self.forward, self.e * self.eps_l);
-        if x <= start / self.e + m * self.eps_l {
-            (m, 0.0)
-        } else if x < finish / self.e + self.eps_l {
-            let from = stress.max(start);
-            let over = (1.0 - m) * full + finish - from;
-            (((1.0 - m) * self.e * x + m * finish - from) / over, (1.0 - m) * self.e / over)
-        } else {
-            (1.0, 0.0)
-        }
+        let from = select(stress > start, stress, start);
+        let over = (1.0 - m) * full + finish - from;
+        let (rising, slope) = (((1.0 - m) * self.e * x + m * finish - from) / over, (1.0 - m) * self.e / over);
+        let (waits, transforms) = (x <= start / self.e + m * self.eps_l, x < finish / self.e + self.eps_l);
+        (select(waits, m, select(transforms, rising, 1.0)), select(!waits & transforms, slope, 0.0))
     }
 
     /// The same while the strain decreases.
+    #[inline(always)]
     fn unload(&self, x: f64, stress: f64, m: f64) -> (f64, f64) {
         let ([start, finish], full) = (self.reverse, self.e * self.eps_l);
-        if x >= start / self.e + m * self.eps_l {
-            (m, 0.0)
-        } else if x >= finish / self.e {
-            let over = m * full + stress.min(start) - finish;
-            (m * (self.e * x - finish) / over, m * self.e / over)
-        } else {
-            (0.0, 0.0)
-        }
+        let over = m * full + select(stress < start, stress, start) - finish;
+        let (falling, slope) = (m * (self.e * x - finish) / over, m * self.e / over);
+        let (waits, transforms) = (x >= start / self.e + m * self.eps_l, x >= finish / self.e);
+        (select(waits, m, select(transforms, falling, 0.0)), select(!waits & transforms, slope, 0.0))
+    }
+}
+
+impl PointLaw<{ History::LEN }> for Sma {
+    #[inline(always)]
+    fn response(&self, c: [f64; History::LEN], x: f64) -> ([f64; History::LEN], f64, f64) {
+        let [strain, stress, martensite, softening] = c;
+        let side = select(x < 0.0, -1.0, 1.0);
+        let (size, along) = (x.abs(), side * stress);
+        let (more, less) = (self.load(size, along, martensite), self.unload(size, along, martensite));
+        let grows = side * (x - strain) > 0.0;
+        let (m, slope) = (select(grows, more.0, less.0), select(grows, more.1, less.1));
+        let tangent = self.e * (1.0 - self.eps_l * slope);
+        let value = side * self.e * (size - m * self.eps_l);
+        // The direction of the next step is unknown at rest, so the tangent of the last step is kept.
+        let same = x == strain;
+        let keep = |old, new| select(same, old, new);
+        let next = [x, keep(stress, value), keep(martensite, m), keep(softening, tangent - self.e)];
+        (next, next[1], keep(self.e + softening, tangent))
     }
 }
 
 impl UniaxialLaw for Sma {
     type State = History;
     const NAME: &'static str = "SMA";
+    const BY_QUANTITY: bool = true;
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let x = strain.value;
-        if x == c.strain {
-            // The direction of the next step is unknown at rest, so the tangent of the last step is kept.
-            return Ok((Stress { value: c.stress, tangent: self.e + c.softening, damping: 0.0 }, *c));
-        }
-        let side = if x < 0.0 { -1.0 } else { 1.0 };
-        let (size, stress) = (x.abs(), side * c.stress);
-        let grows = side * (x - c.strain) > 0.0;
-        let (m, slope) =
-            if grows { self.load(size, stress, c.martensite) } else { self.unload(size, stress, c.martensite) };
-        let tangent = self.e * (1.0 - self.eps_l * slope);
-        let value = side * self.e * (size - m * self.eps_l);
-        let next = History { strain: x, stress: value, martensite: m, softening: tangent - self.e };
-        Ok((Stress { value, tangent, damping: 0.0 }, next))
+        Ok(self.respond_to(c, strain.value))
+    }
+
+    fn update_points(
+        &self,
+        committed: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        update_blocks(self, committed, strains, next, stresses)
     }
 
     fn initial_tangent(&self) -> f64 {

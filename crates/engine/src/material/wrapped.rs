@@ -1,6 +1,6 @@
 //! Materials that wrap another one: strain limits, and an initial state.
 
-use super::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use super::{Material, MaterialError, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -170,7 +170,10 @@ impl Uniaxial for InitialState {
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
-        self.inner.update_all(committed, self.strain, strains, next, stresses)
+        self.inner.update_all(committed, &Shift::All(self.strain), strains, next, stresses)
+    }
+    fn shifted(&self) -> Option<(&Slot, f64)> {
+        Some((&self.inner, self.strain))
     }
     fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
         self.inner.copy_history(from, to);

@@ -1,15 +1,20 @@
 //! Fiber sections.
 
 mod points;
+mod runs;
 
 use super::{Resultant, Section, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use points::Points;
-use std::collections::HashMap;
-use std::ops::Range;
+use runs::{FiberRun, MAX_BLOCK_LENGTH, PlacedFiber, Placement, RunBlock};
 use std::sync::Arc;
+
+/// Strain rates of fibers; zero, as in OpenSees.
+const NO_RATE: [f64; MAX_BLOCK_LENGTH] = [0.0; MAX_BLOCK_LENGTH];
+/// State variables of a point in front of those of its law.
+const POINT_HEADER: usize = 4;
 
 /// Input of one fiber: coordinates, area, and material with its tag.
 #[derive(Clone, Debug)]
@@ -38,77 +43,22 @@ pub enum FiberBending {
 ///
 /// Fibers of one material with the same strain share a point. Points of laws that are evaluated in blocks are padded by
 /// points without an area. The history holds strain, stress, tangent and energy of
-/// all points, one quantity after the other. The variables of the laws follow, run after run, and then those of the
+/// all points, one quantity after the other. The variables of the laws follow, block after block, and then those of the
 /// torsion.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
     fibers: Vec<PlacedFiber>,
     points: Points,
-    /// Number of points that belong to a run; the padding follows.
+    /// Number of points that belong to a block; the padding follows.
     updated: usize,
     runs: Vec<FiberRun>,
+    blocks: Vec<RunBlock>,
     torsion: Option<Slot>,
     /// Bending about both axes.
     biaxial: bool,
     /// Reference point of bending, y and z.
     centroid: (f64, f64),
     state_len: usize,
-}
-
-#[derive(Clone, Debug)]
-struct PlacedFiber {
-    y: f64,
-    z: f64,
-    area: f64,
-    /// Index of the point.
-    point: usize,
-    /// Index of the run.
-    run: usize,
-}
-
-/// Consecutive points of the same material, evaluated in one dynamic call.
-#[derive(Clone, Debug)]
-struct FiberRun {
-    /// The material with the slot of a single fiber.
-    slot: Slot,
-    /// Range of points.
-    points: Range<usize>,
-    /// Offset of the laws' state variables.
-    at: usize,
-}
-
-/// Maximum number of points of a run; sizes a buffer on the stack.
-const MAX_RUN_LENGTH: usize = 128;
-/// A run of no more points is not padded.
-const FEW_POINTS: usize = 2;
-/// Strain rates of fibers; zero, as in OpenSees.
-const NO_RATE: [f64; MAX_RUN_LENGTH] = [0.0; MAX_RUN_LENGTH];
-/// State variables of a point in front of those of its law.
-const POINT_HEADER: usize = 4;
-/// Distance of fibers that is round-off of their coordinates, as a part of the largest one.
-const SAME_PLACE: f64 = 1e-14;
-
-/// Fibers of each material in the order of their first fibers. Those of a material are in the order of y, then z in a
-/// section that is bent about both axes.
-fn groups(fibers: &[Fiber], biaxial: bool) -> Vec<(Material, i32, Vec<usize>)> {
-    let mut groups: Vec<(Material, i32, Vec<usize>)> = vec![];
-    let mut known = HashMap::new();
-    for (i, f) in fibers.iter().enumerate() {
-        let (material, tag) = &f.material;
-        let group = *known.entry((*tag, Arc::as_ptr(material).cast::<()>())).or_insert_with(|| {
-            groups.push((material.clone(), *tag, vec![]));
-            groups.len() - 1
-        });
-        groups[group].2.push(i);
-    }
-    let place = |i: usize| (fibers[i].y, if biaxial { fibers[i].z } else { 0.0 });
-    for (.., members) in &mut groups {
-        members.sort_by(|a, b| {
-            let ((y, z), (other_y, other_z)) = (place(*a), place(*b));
-            y.total_cmp(&other_y).then(z.total_cmp(&other_z))
-        });
-    }
-    groups
 }
 
 /// Slices of a history.
@@ -141,13 +91,6 @@ impl<'a> Parts<&'a mut [f64]> {
     }
 }
 
-impl FiberRun {
-    /// Range of the laws' state variables.
-    fn words(&self) -> Range<usize> {
-        self.at..self.at + self.points.len() * self.slot.material.state_len()
-    }
-}
-
 const FIBER: u32 = 1;
 const FIBER_DATA: u32 = 2;
 const CENTROID: u32 = 3;
@@ -167,48 +110,13 @@ impl FiberSection {
             FiberBending::Plane => (false, None),
             FiberBending::Space(torsion) => (true, torsion),
         };
-        let mut placed: Vec<PlacedFiber> =
-            fibers.iter().map(|f| PlacedFiber { y: f.y, z: f.z, area: f.area, point: 0, run: 0 }).collect();
-        let (mut points, mut runs) = (Points::default(), Vec::<FiberRun>::new());
-        let mut at = 0;
-        for (material, tag, group) in groups(&fibers, biaxial) {
-            let mut last: Option<&Fiber> = None;
-            let largest = group.iter().map(|i| fibers[*i].y.abs().max(fibers[*i].z.abs())).fold(0.0, f64::max);
-            for i in group {
-                let f = &fibers[i];
-                let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE * largest;
-                let shared = last.is_some_and(|l| near(l.y, f.y) && (!biaxial || near(l.z, f.z)));
-                if shared {
-                    points.enlarge(f.area);
-                } else {
-                    last = Some(f);
-                    let n = points.push([-(f.y - centroid.0), f.z - centroid.1], f.area);
-                    match runs.last_mut() {
-                        Some(r)
-                            if r.points.len() < MAX_RUN_LENGTH
-                                && r.slot.tag == tag
-                                && Arc::ptr_eq(&r.slot.material, &material) =>
-                        {
-                            r.points.end = n
-                        }
-                        _ => runs.push(FiberRun { slot: Slot::new(material.clone(), tag, 0), points: n - 1..n, at }),
-                    }
-                    at = runs.last().map_or(0, |r| r.words().end);
-                }
-                (placed[i].point, placed[i].run) = (points.len() - 1, runs.len() - 1);
-            }
-            // The padding of a law that is evaluated in blocks belongs to its run. A few points are not worth it.
-            if let Some(run) = runs.last_mut().filter(|r| r.points.len() > FEW_POINTS) {
-                run.points.end = points.pad(run.points.len(), material.block_len().min(BLOCK));
-                at = run.words().end;
-            }
-        }
+        let Placement { placed, mut points, runs, blocks } = Placement::new(&fibers, centroid, biaxial);
         let updated = points.len();
         points.pad(updated, BLOCK);
-        at += POINT_HEADER * points.len();
+        let at = blocks.last().map_or(0, |b| b.words(&runs).end) + POINT_HEADER * points.len();
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        Self { fibers: placed, points, updated, runs, torsion, biaxial, centroid, state_len }
+        Self { fibers: placed, points, updated, runs, blocks, torsion, biaxial, centroid, state_len }
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
@@ -226,8 +134,8 @@ impl FiberSection {
         for padding in [&mut *new.stress, &mut *new.tangent] {
             padding[self.updated..].fill(0.0);
         }
-        for run in &self.runs {
-            let (range, words) = (run.points.clone(), run.words());
+        for block in &self.blocks {
+            let (range, words) = (block.points.clone(), block.words(&self.runs));
             let n = range.len();
             let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
             let mut stresses = Stresses {
@@ -236,7 +144,7 @@ impl FiberSection {
                 // A damping has no use in a section: the energies are written after it.
                 damping: &mut new.energy[..n],
             };
-            run.slot.material.update_all(&old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
+            block.update(&self.runs, &old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
         }
         let history = points::Work {
             strains: [old.strain, new.strain],
@@ -290,8 +198,9 @@ impl FiberSection {
         let mut words = vec![0.0; run.slot.len()];
         let header =
             run.slot.write_header(&mut words, [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]]);
-        // A run stores histories in the layout of the material, which only the material can copy.
-        let from = (&parts.laws[run.words()], i - run.points.start, run.points.len());
+        // A block stores histories in the layout of the material, which only the material can copy.
+        let block = &self.blocks[run.block];
+        let from = (&parts.laws[block.words(&self.runs)], i - block.points.start, block.points.len());
         run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
         run.slot.read(path, &words, out);
     }
@@ -314,9 +223,9 @@ impl Section for FiberSection {
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
         let parts = Parts::of_mut(state, self.points.len());
-        for run in &self.runs {
-            run.slot.material.init_all(run.points.len(), &mut parts.laws[run.words()]);
-            parts.tangent[run.points.clone()].fill(run.slot.material.initial_tangent());
+        for block in &self.blocks {
+            block.init(&self.runs, &mut parts.laws[block.words(&self.runs)]);
+            parts.tangent[block.points.clone()].fill(self.runs[block.runs.start].slot.material.initial_tangent());
         }
         self.torsion.iter().for_each(|t| t.init(state));
     }
@@ -366,6 +275,7 @@ impl Section for FiberSection {
         };
         let chosen = new.runs.iter_mut().map(|r| &mut r.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
         let old = chosen.filter_map(|s| s.set_parameter(rest, value)).last()?;
+        new.blocks.iter_mut().for_each(|b| b.renew(&new.runs));
         Some((Arc::new(new), old))
     }
 

@@ -108,7 +108,11 @@ impl Solver {
             Storage::Dense => Kind::Dense(DenseLu::new(pattern.n)),
             Storage::Upper => {
                 let ldlt = Ldlt::new(pattern)?;
-                if ldlt.work().0 > SUPERNODAL { Kind::Ldlt(Box::new(ldlt)) } else { Kind::Lu(Box::new(Lu::new(pattern)?)) }
+                if ldlt.work().0 > SUPERNODAL {
+                    Kind::Ldlt(Box::new(ldlt))
+                } else {
+                    Kind::Lu(Box::new(Lu::new(pattern)?))
+                }
             }
             Storage::Full if indefinite => Kind::Pivoted(Box::new(PivotedLu::new(pattern)?)),
             Storage::Full => Kind::Lu(Box::new(Lu::new(pattern)?)),
