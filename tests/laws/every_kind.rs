@@ -130,7 +130,7 @@ fn spring(words: &str) -> SingleElement {
 fn step(e: &mut SingleElement, next: &mut [f64], u: f64, from: f64) -> (f64, f64) {
     let (mut force, mut tangent, mut damping) = ([0.0; 2], [0.0; 4], [0.0; 4]);
     let (disp, vel) = ([0.0, u], [0.0, (u - from) / DT]);
-    let motion = ElementInput { disp: &disp, vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 };
+    let motion = ElementInput { disp: &disp, vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0, dynamic: true };
     let response = ElementOutput {
         force: &mut force,
         tangent: Some(&mut tangent),

@@ -100,6 +100,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         material::nd_material::COMMANDS,
         model::block::COMMANDS,
         element::amend::COMMANDS,
+        element::damping::COMMANDS,
         load::series::COMMANDS,
         load::motion_file::COMMANDS,
         load::pattern::COMMANDS,

@@ -2,6 +2,7 @@
 
 use super::Tag;
 use crate::element::beam::Rule;
+use crate::element::damping::ElementDamping;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
 use crate::material::{Isotropic, Material};
@@ -9,6 +10,7 @@ use crate::section::SharedSection;
 use crate::section::plate::{SharedPlateMaterial, SharedPlateSection};
 use crate::series::Series;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Things of one kind by tag.
 #[derive(Clone, Debug)]
@@ -84,6 +86,8 @@ pub struct Definitions {
     pub integrations: Registry<Integration>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
+    /// `damping`.
+    pub dampings: Registry<Arc<ElementDamping>>,
 }
 
 impl Default for Definitions {
@@ -97,6 +101,7 @@ impl Default for Definitions {
             plates: Registry::new("section of plates"),
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
+            dampings: Registry::new("damping"),
         }
     }
 }

@@ -6,6 +6,7 @@ mod bearing;
 mod brick;
 mod component;
 mod contact;
+pub(crate) mod damping;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
