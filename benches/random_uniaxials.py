@@ -94,6 +94,57 @@ def Multiplier(r):
     return [f"Steel01 {tag} {r.uniform(1, 3)} 200. {r.uniform(0, 0.1)}"], f"{tag} {r.uniform(-2, 3)}"
 
 
+@kind(0.02)
+def HystereticSM(r):
+    def envelope(sign):
+        at, force, out = 0.0, 0.0, []
+        for i in range(r.randint(2, 7)):
+            step = r.uniform(0.003, 0.01)
+            rise = r.uniform(100, 300) if i == 0 else r.uniform(5, 60) if i == 1 or r.random() < 0.3 else r.uniform(-60, 5)
+            at, force = at + step, max(force + rise * step, 0.02 * (i + 1))
+            out += [sign * force, sign * at]
+        return " ".join(map(str, out))
+
+    options = [f"-negEnv {envelope(-1)}", f"-pinch {r.uniform(0.2, 1)} {r.uniform(0.2, 1)}", f"-damage {r.uniform(0, 0.05)} {r.uniform(0, 0.05)}"]
+    options += [f"-beta {r.uniform(0, 0.5)}", f"-degEnv {r.uniform(-0.3, 0.1)} {r.uniform(-0.3, 0.1)}"]
+    return f"-posEnv {envelope(1)} {' '.join(r.sample(options, r.randint(0, 5)))}"
+
+
+@kind(0.002)
+def ECC01(r):
+    ft, et0 = r.uniform(2, 5), r.uniform(0.0001, 0.0003)
+    et1, fc, ec0 = r.uniform(0.002, 0.01), r.uniform(30, 60), r.uniform(0.002, 0.004)
+    return f"{ft} {et0} {ft * r.uniform(1.01, 1.5)} {et1} {et1 * r.uniform(1.3, 4)} {-fc} {-ec0} {-ec0 * r.uniform(1.5, 4)} {r.uniform(1, 6)} {r.uniform(1, 5)} {r.uniform(1, 3)} {r.uniform(1, 3)} {r.uniform(0.1, 0.6)} {r.uniform(0.1, 0.6)}"
+
+
+@kind(0.002)
+def FRPConfinedConcrete02(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    first = f"{-fc} {fc / ec0 * r.uniform(1.3, 2)} {-ec0}"
+    last = f"{r.uniform(1, 4)} {r.uniform(500, 5000)} {r.choice([0, 1])}"
+    form = r.choice(["", f"-Ultimate {-fc * r.uniform(1.1, 2)} {-r.uniform(0.006, 0.02)}"])
+    form = r.choice([form, f"-JacketC {r.uniform(0.2, 1)} {r.uniform(5e4, 2e5)} {r.uniform(0.008, 0.016)} {r.uniform(70, 300)}"])
+    return f"{first} {form} {last}"
+
+
+@kind(0.01)
+def Steel4(r):
+    asym = r.random() < 0.5
+    def kin():
+        return f"{r.uniform(0.001, 0.03)} {r.uniform(15, 50)} {r.uniform(0.85, 0.93)} {r.uniform(0.1, 0.2)}"
+
+    def iso():
+        return f"{r.uniform(0.001, 0.02)} {r.uniform(0.3, 2)} {r.uniform(0.0001, 0.002)} {r.uniform(10, 50)}"
+
+    def both(one):
+        return " ".join(str(one()) for _ in range(1 + asym))
+
+    fy = r.uniform(250, 500)
+    options = [f"-kin {both(kin)}", f"-ult {both(lambda: f'{fy * r.uniform(1.1, 1.6)} {r.uniform(2, 10)}')}"]
+    options += [f"-iso {iso()} {r.choice([0, r.uniform(1, 10)])} {iso() if asym else ''}", f"-mem {r.choice([0, 50])}", f"-init {r.uniform(-0.6, 0.6) * fy}"]
+    return f"{fy} {r.uniform(1.9e5, 2.1e5)} {'-asym' if asym else ''} {' '.join(r.sample(options, r.randint(0, 5)))}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0

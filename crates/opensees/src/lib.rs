@@ -91,6 +91,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::nodes::COMMANDS,
         model::constraint::COMMANDS,
         material::COMMANDS,
+        material::backbone::COMMANDS,
         material::friction::COMMANDS,
         section::COMMANDS,
         section::fiber::COMMANDS,

@@ -5,7 +5,7 @@ use crate::element::beam::Rule;
 use crate::element::damping::ElementDamping;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
-use crate::material::{Isotropic, Material};
+use crate::material::{Backbone, Isotropic, Material};
 use crate::section::SharedSection;
 use crate::section::plate::{SharedPlateMaterial, SharedPlateSection};
 use crate::series::Series;
@@ -86,6 +86,8 @@ pub struct Definitions {
     pub integrations: Registry<Integration>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
+    /// `hystereticBackbone`.
+    pub backbones: Registry<Arc<Backbone>>,
     /// `damping`.
     pub dampings: Registry<Arc<ElementDamping>>,
 }
@@ -101,6 +103,7 @@ impl Default for Definitions {
             plates: Registry::new("section of plates"),
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
+            backbones: Registry::new("backbone"),
             dampings: Registry::new("damping"),
         }
     }

@@ -1,9 +1,9 @@
 //! Rayleigh damping and regions.
 
 use crate::args::Args;
+use crate::element::damping::of_tag;
 use crate::session::Region;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
-use crate::element::damping::of_tag;
 use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -86,7 +86,13 @@ fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDa
     for id in &region.elements {
         let entry = &interp.host.engine.model().elements[id.0];
         match Damped::new(entry.element.clone(), damping.clone()) {
-            Ok(made) => interp.host.engine.replace_element(*id, Arc::new(made)),
+            Ok(made) => {
+                // Without the damping in between the history of the former one would remain.
+                if let Some(undamped) = entry.element.undamped() {
+                    interp.host.engine.replace_element(*id, undamped);
+                }
+                interp.host.engine.replace_element(*id, Arc::new(made));
+            }
             Err(e) => {
                 let d = Diagnostic::warning(format!("element {}: {e}", entry.tag));
                 warn(interp, d.at(a.last_span(), "left without this damping"))?;

@@ -137,7 +137,8 @@ fn user_defined_ratios(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamp
     if points.windows(2).any(|p| p[0].0 == p[1].0) {
         return Err(a.refuse("a frequency is given twice", "expected different frequencies"));
     }
-    let mut own = Options { known: &["-tol", "-maxiter", "-activateTime", "-deactivateTime", "-factor"], ..Options::common() };
+    let mut own =
+        Options { known: &["-tol", "-maxiter", "-activateTime", "-deactivateTime", "-factor"], ..Options::common() };
     let law = DampingLaw::Filters { filters: Filters::default(), loss: None };
     let mut made = with_options(interp, a, law, &mut own)?;
     let (frequencies, ratios): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();

@@ -8,10 +8,10 @@ use crate::section::beam_integration::{integration, simple};
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
-use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::beam::{
     CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Mixed, Rule,
 };
+use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform::{self, TransformSpec};
 use hysteron_engine::model::Integration;
 use hysteron_engine::section::{Elastic, ElasticSection, Resultant, SharedSection};
@@ -333,6 +333,15 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     let all = [section_i, section_j, (elastic, 0)];
     let sections = Hinge::Radau.sections().iter().map(|i| all[*i].clone()).collect();
     let integration = Integration { rule: Rule::Hinges(Hinge::Radau, lp_i, lp_j), sections };
-    let words = Words { transform, transform_at, integration, rho, consistent: false, force_based, shear: false, damping: None };
+    let words = Words {
+        transform,
+        transform_at,
+        integration,
+        rho,
+        consistent: false,
+        force_based,
+        shear: false,
+        damping: None,
+    };
     build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
 }

@@ -108,7 +108,13 @@ impl Target {
         // Line of each sample: the first whose end the sample does not exceed by more than a step's rounding.
         let line = |sample: usize| {
             let within = |i: &usize| ((self.log[i + 1] - first) / step).floor() + 1.0 > sample as f64;
-            if sample == 0 { 0 } else if sample + 1 == n { last } else { (0..=last).find(within).unwrap_or(0) }
+            if sample == 0 {
+                0
+            } else if sample + 1 == n {
+                last
+            } else {
+                (0..=last).find(within).unwrap_or(0)
+            }
         };
         let mut at = first - step;
         (0..n)
@@ -156,8 +162,7 @@ impl Target {
     fn fades(&self, filters: &Filters, points: &[(f64, f64)]) -> bool {
         let octave = 2f64.log10();
         let end = |at: f64, step: f64, ratio: f64| {
-            (1..=OCTAVES)
-                .all(|i| (0.0..=ratio).contains(&filters.ratio(TWO_PI * 10f64.powf(at + f64::from(i) * step))))
+            (1..=OCTAVES).all(|i| (0.0..=ratio).contains(&filters.ratio(TWO_PI * 10f64.powf(at + f64::from(i) * step))))
         };
         let (first, last) = (points[0].1, points[points.len() - 1].1);
         end(self.log[0], -octave, first) && end(self.log[self.log.len() - 1], octave, last)
