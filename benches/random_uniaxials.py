@@ -145,6 +145,12 @@ def Steel4(r):
     return f"{fy} {r.uniform(1.9e5, 2.1e5)} {'-asym' if asym else ''} {' '.join(r.sample(options, r.randint(0, 5)))}"
 
 
+@kind(0.002)
+def Concrete01WithSITC(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    return f"{-fc} {-ec0} {-fc * r.uniform(0, 0.6)} {-ec0 * r.uniform(1.5, 5)} {r.choice(['', -0.0003, 0.0005, 0.002])}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0

@@ -262,7 +262,7 @@ impl BasicForces for Springs {
             spring.terms.iter().for_each(|&(i, r)| force[i] += q * r);
         }
     }
-    fn add_stiffness(&self, _: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
+    fn scale_stiffness(&self, _: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
         for s in &self.springs {
             s.add_stiffness(tangent, s.row.len(), factor * s.slot.tangent(state));
         }

@@ -161,6 +161,11 @@ pub(crate) fn of_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Arc<ElementDampin
     a.of(&interp.host.builder.definitions.dampings).map(|(damping, _)| damping)
 }
 
+/// A damping by `-damp`, if that is the next word.
+pub(crate) fn optional(interp: &Tcl, a: &mut Args<'_>) -> Result<Option<Arc<ElementDamping>>, Exception> {
+    if a.flag("-damp") { of_tag(interp, a).map(Some) } else { Ok(None) }
+}
+
 /// The element with a damping, where it has one.
 pub(crate) fn damped(
     element: Arc<dyn Element>,

@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    Concrete01, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta, Ecc01,
-    Material, TsaiEnvelope,
+    Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta,
+    Ecc01, Material, TsaiEnvelope,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -52,6 +52,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
                 <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
         make: concrete_w_beta,
+    },
+    Kind {
+        names: &["Concrete01WithSITC"],
+        usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
+        make: concrete01_sitc,
     },
     Kind {
         names: &["ECC01"],
@@ -208,6 +213,15 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         stiffening,
         e0,
     }))
+}
+
+/// Strain at which debris in cracks has no stress, where it is left out.
+const END_OF_DEBRIS: f64 = 0.03;
+
+fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let end = a.optional_float("strain of the debris without stress endStrainSITC")?.unwrap_or(END_OF_DEBRIS);
+    Ok(Arc::new(Concrete01Sitc { fc, epsc0, fcu, epscu, end }))
 }
 
 fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

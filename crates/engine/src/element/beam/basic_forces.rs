@@ -40,7 +40,7 @@ impl<const N: usize, const B: usize> BasicForces for ElasticBeam<N, B> {
     fn add_global(&self, disp: &[f64], state: &[f64], q: &[f64], force: &mut [f64]) {
         add_global(self.transform.as_ref(), disp, state, q, force);
     }
-    fn add_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
+    fn scale_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
         add_stiffness(self.transform.as_ref(), (disp, state), &self.kb, factor, tangent);
     }
 }
@@ -55,7 +55,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> BasicForces for Fiber
     fn add_global(&self, disp: &[f64], state: &[f64], q: &[f64], force: &mut [f64]) {
         add_global(self.member.transform.as_ref(), disp, &state[..self.member.head()], q, force);
     }
-    fn add_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
+    fn scale_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
         let (own, rest) = state.split_at(self.member.head());
         add_stiffness(self.member.transform.as_ref(), (disp, own), &Basic::<B>::read(rest).k, factor, tangent);
     }

@@ -38,8 +38,8 @@ pub trait BasicForces: fmt::Debug {
     /// Adds the global forces of some basic forces.
     fn add_global(&self, disp: &[f64], state: &[f64], q: &[f64], force: &mut [f64]);
 
-    /// Adds the tangent of the basic forces, times a factor, as a global stiffness n x n by rows.
-    fn add_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]);
+    /// Adds the tangent of the basic forces, times a factor, to the tangent of the element, n x n by rows.
+    fn scale_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]);
 }
 
 /// An element with a damping of its own.
@@ -81,7 +81,7 @@ impl BasicForces for NoForces {
     }
     fn basic_forces(&self, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
     fn add_global(&self, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
-    fn add_stiffness(&self, _: &[f64], _: &[f64], _: f64, _: &mut [f64]) {}
+    fn scale_stiffness(&self, _: &[f64], _: &[f64], _: f64, _: &mut [f64]) {}
 }
 
 const GLOBAL: u32 = 900;
@@ -130,7 +130,7 @@ impl Element for Damped {
         let factor = self.damping.update(q, at, old_filters, new_filters);
         basic.add_global(motion.disp, new, self.damping.forces(self.len, new_filters), output.force);
         if let Some(tangent) = output.tangent.filter(|_| factor != 0.0) {
-            basic.add_stiffness(motion.disp, new, factor, tangent);
+            basic.scale_stiffness(motion.disp, new, factor, tangent);
         }
         Ok(())
     }
