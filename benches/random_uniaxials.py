@@ -117,13 +117,15 @@ def ECC01(r):
     return f"{ft} {et0} {ft * r.uniform(1.01, 1.5)} {et1} {et1 * r.uniform(1.3, 4)} {-fc} {-ec0} {-ec0 * r.uniform(1.5, 4)} {r.uniform(1, 6)} {r.uniform(1, 5)} {r.uniform(1, 3)} {r.uniform(1, 3)} {r.uniform(0.1, 0.6)} {r.uniform(0.1, 0.6)}"
 
 
-@kind(0.002)
+@kind(0.002, "a jump beyond the plastic strain that it makes ends where OpenSees' second trial does", 0.1)
 def FRPConfinedConcrete02(r):
-    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    units = r.choice([0, 1])
+    mpa = 1 if units else 1 / 6.895
+    fc, ec0 = r.uniform(20, 60) * mpa, r.uniform(0.0018, 0.003)
     first = f"{-fc} {fc / ec0 * r.uniform(1.3, 2)} {-ec0}"
-    last = f"{r.uniform(1, 4)} {r.uniform(500, 5000)} {r.choice([0, 1])}"
+    last = f"{r.uniform(1, 4) * mpa} {r.uniform(500, 5000) * mpa} {units}"
     form = r.choice(["", f"-Ultimate {-fc * r.uniform(1.1, 2)} {-r.uniform(0.006, 0.02)}"])
-    form = r.choice([form, f"-JacketC {r.uniform(0.2, 1)} {r.uniform(5e4, 2e5)} {r.uniform(0.008, 0.016)} {r.uniform(70, 300)}"])
+    form = r.choice([form, f"-JacketC {r.uniform(0.2, 1)} {r.uniform(5e4, 2e5) * mpa} {r.uniform(0.008, 0.016)} {r.uniform(70, 300)}"])
     return f"{first} {form} {last}"
 
 

@@ -473,3 +473,44 @@ fn time_rounds_as_in_opensees() {
         assert!(close(run(&text).numbers()[0], 11.98, 1e-12), "{integrator}");
     }
 }
+
+/// Damping ratio of a free vibration of a damped element, from its peaks; `law` is the damping, after its tag.
+fn ratio_of(kind: &str, law: &str, frequency: f64) -> f64 {
+    let omega = 2.0 * std::f64::consts::PI * frequency;
+    let dt = 1.0 / frequency / 400.0;
+    let text = format!(
+        "model basic -ndm 1 -ndf 1
+        node 1 0; node 2 0 -mass 1.0
+        fix 1 1
+        uniaxialMaterial Elastic 1 {k}
+        damping {kind} 1 {law}
+        element zeroLength 1 1 2 -mat 1 -dir 1 -damp 1
+        timeSeries Linear 1; pattern Plain 1 1 {{load 2 {k}}}
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator LoadControl 1.0; analysis Static; analyze 1
+        loadConst -time 0; remove loadPattern 1; wipeAnalysis
+        constraints Plain; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 20; algorithm Newton
+        integrator Newmark 0.5 0.25; analysis Transient
+        analyze 1 {dt}
+        for {{set i 0}} {{$i < 4000}} {{incr i}} {{analyze 1 {dt}; puts [nodeDisp 2 1]}}",
+        k = omega * omega,
+    );
+    let u = run(&text).numbers();
+    let peaks: Vec<f64> = u.windows(3).filter(|w| w[1] > w[0] && w[1] >= w[2]).map(|w| w[1]).collect();
+    let decrement = (peaks[0] / peaks[peaks.len() - 1]).ln() / (peaks.len() - 1) as f64;
+    decrement / (2.0 * std::f64::consts::PI)
+}
+
+/// Filters damp every frequency of their range alike; the secant stiffness in proportion to the frequency.
+#[test]
+fn dampings_of_elements_have_their_ratios() {
+    for frequency in [0.5, 2.0, 10.0] {
+        let uniform = ratio_of("Uniform", "0.03 0.2 30", frequency);
+        assert!((uniform - 0.03).abs() < 0.06 * 0.03, "{frequency} Hz: {uniform}");
+    }
+    let secant = ratio_of("SecStif", "0.004", 2.0);
+    // ζ = β ω / 2 less the error of the backward difference, which is of the order of β Δt ω² / 4.
+    assert!(close(secant, 0.5 * 0.004 * 2.0 * std::f64::consts::PI * 2.0, 0.01), "{secant}");
+    let error = run("damping Uniform 1 0.05 10. 1.");
+    assert!(error.error().to_string().contains("the frequencies are 10 and 1"));
+}

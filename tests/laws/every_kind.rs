@@ -67,6 +67,10 @@ const MATERIALS: &[(&str, f64)] = &[
     ("Backbone @ 35", 0.1),
     ("Backbone @ 36", 0.1),
     ("Backbone @ 37", 0.1),
+    ("Backbone @ 38", 0.1),
+    ("Backbone @ 39", 0.1),
+    ("Backbone @ 40", 0.1),
+    ("Backbone @ 41", 0.1),
     ("GNG @ 200. 2. 0.01 0.05", 0.1),
     ("ElasticPowerFunc @ 0.5 -coeff 20. 300. -exp 1. 3.", 0.1),
     ("ASD_SMA_3K @ 200. 5. 60. 2. 0.6", 0.1),
@@ -136,13 +140,17 @@ const MATERIALS: &[(&str, f64)] = &[
 
 const PARTS: &str = "uniaxialMaterial Steel01 11 2. 200. 0.02\nuniaxialMaterial ElasticPPGap 12 200. -2. -0.01 0.05
 uniaxialMaterial Elastic 13 150.
-hystereticBackbone Raynor 31 200. 2. 3. 0.02 0.08 3. 1.
+hystereticBackbone Raynor 31 200. 2. 3. 0.02 0.2 3. 1.
 hystereticBackbone Arctangent 32 2. 0.02 0.8
 hystereticBackbone Mander 33 3. 0.05 100.
-hystereticBackbone ReeseSand 34 400. 0.03 2. 0.07 3.
+hystereticBackbone ReeseSand 34 400. 0.03 2. 0.2 3.
 hystereticBackbone ReeseStiffClayBelowWS 35 400. 0.01 0.6 4.
 hystereticBackbone ReeseSoftClay 36 3. 0.02 3.
-hystereticBackbone LinearCapped 37 31 0.06 -20. 0.5\n";
+hystereticBackbone LinearCapped 37 31 0.06 -20. 0.5
+hystereticBackbone ReeseStiffClayAboveWS 38 4. 0.01
+hystereticBackbone VuggyLimestone 39 50. 2.
+hystereticBackbone CementedSoil 40 2. 3. 40. 2. 4.
+hystereticBackbone WeakRock 41 400. 3. 0.01\n";
 
 /// Duration of a step, s.
 const DT: f64 = 0.01;

@@ -309,7 +309,13 @@ impl FrpConfinedConcrete02 {
         if t.cycles[0] == 1.0 {
             t.cycles[1] = 1.0;
         }
-        self.unload(t, e)
+        let unloaded = self.unload(t, e);
+        if e < t.plastic {
+            // The step ends beyond the new plastic strain, as the second trial of OpenSees finds it.
+            let before = History { strain: c.strain, stress: c.stress, ..*t };
+            return self.in_tension(&before, t, e);
+        }
+        unloaded
     }
 
     fn in_tension(&self, c: &History, t: &mut History, e: f64) -> (f64, f64) {
