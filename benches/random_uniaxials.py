@@ -153,6 +153,13 @@ def Concrete01WithSITC(r):
     return f"{-fc} {-ec0} {-fc * r.uniform(0, 0.6)} {-ec0 * r.uniform(1.5, 5)} {r.choice(['', -0.0003, 0.0005, 0.002])}"
 
 
+@kind(0.5)
+def CastFuse(r):
+    fingers = f"{r.randint(4, 12)} {r.uniform(3, 8)} {r.uniform(1, 2)} {r.uniform(40, 60)} {r.uniform(28000, 30000)} {r.uniform(8, 15)}"
+    hardening = [x for _ in range(2) for x in (r.choice([0, r.uniform(0, 0.1)]), r.uniform(0.8, 2))]
+    return f"{fingers} {r.uniform(0.005, 0.1)} {r.uniform(15, 30)} {r.uniform(0.9, 0.93)} {r.uniform(0.1, 0.2)} {' '.join(map(str, hardening))}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0

@@ -36,12 +36,12 @@ timeSeries Trig 2 0 100 0.37 -factor 6.0
 pattern UniformExcitation 2 1 -accel 2
 constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-11 50; algorithm Newton
 integrator Newmark 0.5 0.25; analysis Transient
-recorder Node -file disp.out -time -node 1 2 3 6 -dof 1 2 3 disp
-recorder Element -file force.out -time -ele 1 2 3 4 5 6 force
-recorder Element -file local.out -time -ele 2 3 4 localForce
-recorder Element -file damping.out -time -ele 2 3 4 5 6 globalDampingForce
-recorder Node -file reaction.out -time -node 4 5 7 -dof 1 2 3 reaction
-recorder Node -file dynamic.out -time -node 4 5 7 -dof 1 2 3 reactionIncludingInertia
+recorder Node -file disp.out -precision 10 -time -node 1 2 3 6 -dof 1 2 3 disp
+recorder Element -file force.out -precision 10 -time -ele 1 2 3 4 5 6 force
+recorder Element -file local.out -precision 10 -time -ele 2 3 4 localForce
+recorder Element -file damping.out -precision 10 -time -ele 2 3 4 5 6 globalDampingForce
+recorder Node -file reaction.out -precision 10 -time -node 4 5 7 -dof 1 2 3 reaction
+recorder Node -file dynamic.out -precision 10 -time -node 4 5 7 -dof 1 2 3 reactionIncludingInertia
 analyze 220 0.01
 wipe
 model basic -ndm 2 -ndf 2
@@ -54,8 +54,8 @@ timeSeries Trig 2 0 100 0.37
 pattern Plain 2 2 { load 5 10. -30. }
 constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-12 50; algorithm Newton
 integrator Newmark 0.5 0.25; analysis Transient
-recorder Node -file quads.out -time -node 5 -dof 1 2 disp
-recorder Element -file quad.out -time -ele 1 forces
+recorder Node -file quads.out -precision 10 -time -node 5 -dof 1 2 disp
+recorder Element -file quad.out -precision 10 -time -ele 1 forces
 analyze 120 0.01
 wipe
 model basic -ndm 3 -ndf 6
@@ -72,7 +72,7 @@ timeSeries Trig 2 0 100 0.37
 pattern Plain 2 2 { load 5 2. 1. -5. 0 0 0 }
 constraints Plain; numberer RCM; system BandGeneral; test NormDispIncr 1e-12 50; algorithm Newton
 integrator Newmark 0.5 0.25; analysis Transient
-recorder Node -file shells.out -time -node 5 -dof 1 2 3 disp
-recorder Element -file shell.out -time -ele 1 2 forces
+recorder Node -file shells.out -precision 10 -time -node 5 -dof 1 2 3 disp
+recorder Element -file shell.out -precision 10 -time -ele 1 2 forces
 analyze 120 0.01
 wipe

@@ -6,6 +6,7 @@ uniaxialMaterial Steel4 3 2. 200. -asym -kin 0.02 20. 0.9 0.15 0.01 25. 0.9 0.15
 uniaxialMaterial FRPConfinedConcrete02 4 -30. 2000. -0.02 -JacketC 0.4 1e4 0.12 150. 3. 200. 1
 uniaxialMaterial ECC01 5 3. 0.002 4. 0.05 0.2 -40. -0.03 -0.15 3. 4. 2. 1.5 0.4 0.3
 uniaxialMaterial Concrete01WithSITC 6 -30. -0.02 -6. -0.06 0.02
+uniaxialMaterial CastFuse 7 8 0.5 1.5 50. 2900. 12. 0.05 20. 0.92 0.15 0.02 1. 0.03 1.
 hystereticBackbone Raynor 1 200. 2. 3. 0.02 0.12 3. 1.
 hystereticBackbone ReeseSand 2 400. 0.03 2. 0.12 3.
 hystereticBackbone ReeseStiffClayBelowWS 3 400. 0.01 0.6 4.
@@ -22,7 +23,7 @@ timeSeries Path 1 -dt 1 -values $path
 node 1 0.; fix 1 1
 # so that something is free
 node 9 0.; uniaxialMaterial Elastic 9 1.; element zeroLength 9 1 9 -mat 9 -dir 1
-foreach i {1 2 3 4 5 6 21 22 23 24 25} {
+foreach i {1 2 3 4 5 6 7 21 22 23 24 25} {
     node 1$i 0.
     element zeroLength $i 1 1$i -mat $i -dir 1
     pattern Plain $i 1 "sp 1$i 1 1.0"
