@@ -160,6 +160,16 @@ def CastFuse(r):
     return f"{fingers} {r.uniform(0.005, 0.1)} {r.uniform(15, 30)} {r.uniform(0.9, 0.93)} {r.uniform(0.1, 0.2)} {' '.join(map(str, hardening))}"
 
 
+@kind(1.0, "OpenSees gives a level part of the path a slope; the trials of pinching", 0.01)
+def BarSlip(r):
+    units = r.choice(["MPa", "ksi"])
+    stress, length = (1, 1) if units == "MPa" else (1 / 6.895, 1 / 25.4)
+    steel = f"{r.uniform(400, 500) * stress} {2e5 * stress} {r.uniform(550, 700) * stress} {r.uniform(2000, 6000) * stress} {r.choice([16, 20, 25]) * length}"
+    joint = f"{r.uniform(300, 600) * length} {r.randint(2, 6)} {r.uniform(300, 500) * length} {r.uniform(300, 500) * length}"
+    words = f"{r.choice(['strong', 'weak'])} {r.choice(['beamtop', 'beambot', 'column'])} {r.choice(['Damage1', 'Damage2', 'NoDamage'])}"
+    return f"{r.uniform(25, 45) * stress} {steel} {joint} {words} {units}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0

@@ -6,6 +6,7 @@
 
 mod axial_spring;
 mod backbone;
+mod bar_slip;
 mod bilin;
 mod bilinear_oil_damper;
 mod bond_sp01;
@@ -82,6 +83,7 @@ use std::sync::Arc;
 
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use backbone::{Backbone, BackboneElastic, SoilCurve};
+pub use bar_slip::{BarPlace, BarSlip, Bond, BondDamage, StressUnit};
 pub use bilin::{Bilin, BilinSide, Deterioration};
 pub use bilinear_oil_damper::BilinearOilDamper;
 pub use bond_sp01::BondSp01;
@@ -128,7 +130,7 @@ pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
-pub use pinching4::{Damage, Pinching4, Pinching4Parameters, Pinching4Side};
+pub use pinching4::{Damage, LinearDamage, Pinching4, Pinching4Parameters, Pinching4Side};
 pub use ratchet::{Ratchet, Teeth};
 pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use saws::{Saws, SawsParameters};

@@ -4,6 +4,7 @@ pub(crate) mod amend;
 mod beam;
 mod bearing;
 mod brick;
+mod cable;
 mod component;
 mod contact;
 pub(crate) mod damping;
@@ -80,6 +81,7 @@ const KINDS: &[Kind] = &[
     bearing::UFRP,
     kikuchi::KIKUCHI,
     multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
+    cable::CATENARY,
     truss::TRUSS,
     truss::COROT_TRUSS,
     truss::TRUSS_SECTION,

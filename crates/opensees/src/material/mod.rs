@@ -1,6 +1,7 @@
 //! `uniaxialMaterial`, and the commands that try one by itself.
 
 pub(crate) mod backbone;
+mod bar_slip;
 mod bearing;
 mod concrete;
 mod confined_concrete;
@@ -53,6 +54,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         hysteretic::KINDS,
         hysteretic_sm::KINDS,
         backbone::KINDS,
+        bar_slip::KINDS,
         deteriorating::KINDS,
         smooth::KINDS,
         soil::KINDS,
