@@ -130,6 +130,13 @@ def FRPConfinedConcrete02(r):
 
 
 @kind(0.01)
+def Steel03(r):
+    radius = r.choice(["20 0 0", f"{r.uniform(10, 25)} {r.uniform(0.8, 0.95)} {r.uniform(0.1, 0.3)}"])
+    hardening = f"{r.uniform(0, 0.3)} {r.uniform(1, 55)} {r.uniform(0, 0.3)} {r.uniform(1, 55)}"
+    return f"{r.uniform(250, 600)} 2e5 {r.uniform(0, 0.1)} {radius} {r.choice(['', hardening])}"
+
+
+@kind(0.01)
 def Steel4(r):
     asym = r.random() < 0.5
     def kin():
@@ -160,7 +167,7 @@ def CastFuse(r):
     return f"{fingers} {r.uniform(0.005, 0.1)} {r.uniform(15, 30)} {r.uniform(0.9, 0.93)} {r.uniform(0.1, 0.2)} {' '.join(map(str, hardening))}"
 
 
-@kind(1.0, "OpenSees gives a level part of the path a slope; the trials of pinching", 0.01)
+@kind(1.0, "OpenSees gives a level part of the path a slope; the trials of pinching", 0.02)
 def BarSlip(r):
     units = r.choice(["MPa", "ksi"])
     stress, length = (1, 1) if units == "MPa" else (1 / 6.895, 1 / 25.4)

@@ -5,7 +5,7 @@ mod law;
 
 use super::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Overload, Snapshot, Softening,
+    OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening,
 };
 use crate::probe::Probe;
 use std::fmt;
@@ -188,6 +188,9 @@ impl Element for Damped {
     }
     fn undamped(&self) -> Option<Arc<dyn Element>> {
         Some(self.inner.clone())
+    }
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        None
     }
     fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
         let basic = self.basic();
