@@ -5,6 +5,7 @@
 use nalgebra::{DMatrix, DVector};
 
 /// 2 π with the digits of OpenSees.
+#[expect(clippy::approx_constant, reason = "the filters are to be those of OpenSees")]
 const TWO_PI: f64 = 6.28318530718;
 
 /// Largest number of filters beyond the first that is tried for a uniform damping.
