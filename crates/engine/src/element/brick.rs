@@ -1,6 +1,7 @@
 //! The eight-node bricks of elasticity: `stdBrick` and `bbarBrick`.
 
 use super::continuum::{add_point_force, strain_or_stress};
+use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
 use crate::material::Isotropic;
 use crate::numeric::axpy;
@@ -237,6 +238,10 @@ impl Element for Brick {
         OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(self)
+    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let all = |names: [&'static str; STRESSES]| (0..NODES).flat_map(move |_| names);
         Some(match words {
@@ -274,5 +279,30 @@ impl Element for Brick {
                 out.copy_from_slice(&self.at(&self.points[point as usize].0, stress, s.disp));
             }
         }
+    }
+}
+
+impl BasicForces for Brick {
+    fn len(&self) -> usize {
+        NODES * STRESSES
+    }
+    fn in_resisting_force(&self) -> bool {
+        true
+    }
+    fn basic_forces(&self, disp: &[f64], _: &[f64], _: &[f64], out: &mut [f64]) {
+        for (point, q) in out.chunks_exact_mut(STRESSES).enumerate() {
+            q.copy_from_slice(&self.at(&self.points[point].0, true, disp));
+        }
+    }
+    fn add_global(&self, _: &[f64], _: &[f64], q: &[f64], force: &mut [f64]) {
+        for ((rows, volume), q) in self.points.iter().map(|(rows, volume)| (rows, volume)).zip(q.chunks_exact(STRESSES))
+        {
+            for (row, q) in rows.iter().zip(q) {
+                axpy(volume * q, row, force);
+            }
+        }
+    }
+    fn scale_stiffness(&self, _: &[f64], _: &[f64], factor: f64, tangent: &mut [f64]) {
+        tangent.iter_mut().for_each(|k| *k *= 1.0 + factor);
     }
 }

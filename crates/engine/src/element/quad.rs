@@ -1,6 +1,7 @@
 //! The four-node quadrilateral of plane elasticity: `quad`.
 
 use super::continuum::{add_point_force, strain_or_stress};
+use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
 use crate::material::{Isotropic, Plane};
 use crate::numeric::axpy;
@@ -166,6 +167,10 @@ impl Element for Quad {
         OpenSeesTraits { ground_inertia: (self.mass[0] != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(self)
+    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let all = |names: [&'static str; 3]| (0..4).flat_map(move |_| names);
         Some(match words {
@@ -220,5 +225,29 @@ impl Element for Quad {
                 out.copy_from_slice(&self.at(point as usize, stress, s.disp));
             }
         }
+    }
+}
+
+impl BasicForces for Quad {
+    fn len(&self) -> usize {
+        4 * 3
+    }
+    fn in_resisting_force(&self) -> bool {
+        true
+    }
+    fn basic_forces(&self, disp: &[f64], _: &[f64], _: &[f64], out: &mut [f64]) {
+        for (point, q) in out.chunks_exact_mut(3).enumerate() {
+            q.copy_from_slice(&self.at(point, true, disp));
+        }
+    }
+    fn add_global(&self, _: &[f64], _: &[f64], q: &[f64], force: &mut [f64]) {
+        for ((rows, volume), q) in self.points.iter().zip(&self.volumes).zip(q.chunks_exact(3)) {
+            for (row, q) in rows.iter().zip(q) {
+                axpy(volume * q, row, force);
+            }
+        }
+    }
+    fn scale_stiffness(&self, _: &[f64], _: &[f64], factor: f64, tangent: &mut [f64]) {
+        tangent.iter_mut().for_each(|k| *k *= 1.0 + factor);
     }
 }

@@ -1,11 +1,13 @@
 //! `element elasticBeamColumn` and `ModElasticBeam2d`.
 
-use super::{Ends, Kind, Make};
+use super::damping::{damped, of_tag};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
 use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
+use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform;
 use hysteron_engine::section::{ElasticSection, Resultant, SharedSection};
 use hysteron_tcl::Exception;
@@ -16,7 +18,7 @@ pub(super) const ELASTIC: Kind = Kind {
     names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
-            <-releasez $code> <-releasey $code>",
+            <-releasez $code> <-releasey $code> <-damp $damping>",
     make: Make::TwoNodes(make),
 };
 
@@ -26,7 +28,10 @@ pub(super) const MODIFIED: Kind = Kind {
     make: Make::TwoNodes(make_modified),
 };
 
-const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
+/// A damping of the element's own.
+type Damping = Option<Arc<ElementDamping>>;
+
+const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey", "-damp"];
 
 fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     Ok(match a.int("code of the release")? {
@@ -38,8 +43,9 @@ fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     })
 }
 
-fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
-    let mut o = ElasticOptions::default();
+/// Options, and a damping of its own.
+fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Damping), Exception> {
+    let (mut o, mut damping) = (ElasticOptions::default(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => o.rho = a.not_negative("mass per length")?,
@@ -47,12 +53,13 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Excepti
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
             "-releasey" => o.release.1 = release(a)?,
+            "-damp" => damping = Some(of_tag(interp, a)?),
             // Of use to thermal loads alone.
             "-alpha" | "-depth" => drop(a.float("value")?),
             _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
-    Ok(o)
+    Ok((o, damping))
 }
 
 /// Numbers before the options. OpenSees distinguishes the forms of the command by their count.
@@ -142,13 +149,15 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let s = section(interp, a, ends.ndm)?;
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
-    let o = options(interp, a)?;
+    let (o, damping) = options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let wrong = |e| no_transform(a, place, nodes, e);
-    if ends.ndm == 2 {
-        return Ok(Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o)));
-    }
-    Ok(Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o)))
+    let beam: Arc<dyn Element> = if ends.ndm == 2 {
+        Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o))
+    } else {
+        Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o))
+    };
+    damped(beam, damping).map_err(|e| refused(a, place, e))
 }
 
 fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {

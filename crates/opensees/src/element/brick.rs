@@ -1,5 +1,6 @@
 //! `element stdBrick`, `bbarBrick` and `SSPbrick`.
 
+use super::damping::{damped, optional};
 use super::quad::isotropic;
 use super::{Kind, Make, refused};
 use crate::args::Args;
@@ -15,7 +16,7 @@ use std::sync::Arc;
 
 pub(super) const BRICK: Kind = Kind {
     names: &["stdBrick", "Brick", "brick"],
-    usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped>",
+    usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped> <-damp $damping>",
     make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
@@ -75,11 +76,12 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     let Read { nodes, corners, material, body, place } = read(interp, a)?;
     let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
+    let damping = if bbar { None } else { optional(interp, a)? };
     let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
     if made.is_inverted() {
         let warning =
             Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
         warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other"))?;
     }
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, damped(Arc::new(made), damping).map_err(|e| refused(a, place, e))?))
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
+mod isolator;
 pub(crate) mod open;
 mod plate;
 mod shapes;
@@ -56,6 +57,8 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    isolator::BIDIRECTIONAL,
+    isolator::TWO_SPRINGS,
     shapes::WIDE_FLANGE,
     shapes::RECTANGULAR_CONCRETE,
     shapes::CIRCULAR_CONCRETE,
