@@ -112,11 +112,22 @@ fn root_mean_squares() {
     }
 }
 
-/// As in OpenSees a recorder without a response takes the displacements.
+/// As in OpenSees a recorder without a response takes the displacements, where OpenSees is followed.
 #[test]
 fn missing_response() {
-    let text = |response: &str| recorded(&format!("recorder Node -file a -time -node 2 -dof 1 2 {response}"), "a");
-    assert_eq!(text(""), text("disp"));
+    let place = Place::new();
+    let model = MODEL.replace("node 3 4 0\n", "");
+    let recorder = |file: &str, response: &str| format!("recorder Node -file {file} -node 2 -dof 1 2 {response}\n");
+    let recorders = recorder("a", "") + &recorder("b", "disp");
+    place.write(
+        "m.tcl",
+        format!("{model}{recorders}integrator LoadControl 1\nalgorithm Linear\nanalysis Static\nanalyze 2\n"),
+    );
+    let (code, _, err) = place.run(&["run", "--compat", "opensees", "m.tcl"]);
+    assert!(code == Some(0) && err.contains("OpenSees takes disp"), "{err}");
+    let text = |file: &str| fs::read_to_string(place.0.join(file)).unwrap();
+    assert_eq!(text("a"), text("b"));
+    assert_eq!(place.run(&["run", "m.tcl"]).0, Some(2));
 }
 
 /// Shapes of all modes, a row of each; the numbers are those of openseespy 3.7.1.

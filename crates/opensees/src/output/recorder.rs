@@ -4,7 +4,7 @@ use super::pvd;
 use super::recorders::PlacedRecorder;
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{
@@ -354,10 +354,13 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
         }
     }
     let quantity = match &response {
-        None => {
+        None if interp.host.follows(&[slips::MISSING_RESPONSE]) => {
             let d = Diagnostic::warning("recorder: the response is missing: OpenSees takes disp");
             warn(interp, d.at(call.span(0), "expected for instance disp"))?;
             NodeQuantity::Disp
+        }
+        None => {
+            return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp"));
         }
         Some((name, span)) => NodeQuantity::parse(name).ok_or_else(|| {
             let mut d =
