@@ -176,11 +176,11 @@ fn words_of_other_builds() {
     let script = format!(
         "{model}pattern Plain 7 1 {{ignored}} {{ load 2 1 0 0 }}\nintegrator LoadControl 1\nalgorithm Linear\n\
          analysis Static\nanalyze 1\nverify about Tip\nverify value [nodeDisp 2 1] 4e-7 1e-12 tip\n\
-         verify error [nodeDisp 2 1] 4e-7 1e-9\nverify value 1.0 1.1 0.01 wrong\n"
+         verify error [nodeDisp 2 1] 4e-7 1e-9\nverify value 1.0 1.1 text\nverify value 1.0 1.1 0.01 wrong\n"
     );
     place.write("m.tcl", script);
     let (code, out, err) = place.run(&["run", "m.tcl"]);
     assert_eq!(code, Some(2), "{err}");
-    assert!(out.contains("  Tip\n    PASS  ") && out.lines().count() == 3, "{out}");
+    assert!(out.contains("  Tip\n    PASS  ") && out.lines().count() == 4, "{out}");
     assert!(err.contains("verify: 1 is not 1.1 wrong") && err.contains("the last word holds the loads"), "{err}");
 }

@@ -1,7 +1,7 @@
 //! `verify`: a script compares a result with a number.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, finish};
+use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -24,8 +24,14 @@ fn verify(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let result = a.float("result")?;
     let word = a.last_word();
     let reference = a.float("reference")?;
-    let tolerance = a.optional_float("tolerance")?.unwrap_or(TOLERANCE);
+    let given = a.optional_float("tolerance")?;
     let text = if a.left() > 0 { a.word("text")?.into_owned() } else { String::new() };
+    // In OpenSees the text stands in the place of the tolerance, and a number is less than a text.
+    let tolerance = given.unwrap_or(if text.is_empty() { TOLERANCE } else { f64::INFINITY });
+    if tolerance.is_infinite() {
+        let d = Diagnostic::warning("verify: the tolerance is missing, and nothing is compared");
+        warn(interp, d.at(a.last_span(), "expected a tolerance before this"))?;
+    }
     finish(interp, &a)?;
     let scale = if kind == "error" && reference != 0.0 { reference } else { 1.0 };
     let apart = ((result - reference) / scale).abs();
