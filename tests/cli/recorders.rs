@@ -184,3 +184,37 @@ fn words_of_other_builds() {
     assert!(out.contains("  Tip\n    PASS  ") && out.lines().count() == 4, "{out}");
     assert!(err.contains("verify: 1 is not 1.1 wrong") && err.contains("the last word holds the loads"), "{err}");
 }
+
+/// Frames and sections by the names of another build are those of OpenSees.
+#[test]
+fn frames_of_other_builds() {
+    let place = Place::new();
+    let tip = |model: &str, section: &str, element: &str| {
+        let script =
+            format!("model basic {model}\nnode 1 0 0 0\nnode 2 4 0 0\n{section}\n{element}\nputs [nodeDisp 2]\n");
+        place.write("m.tcl", script);
+        let (code, out, err) = place.run(&["run", "m.tcl"]);
+        assert_eq!(code, Some(0), "{err}");
+        out
+    };
+    let space = |section: &str, element: &str| {
+        let rest = "timeSeries Linear 1\npattern Plain 1 1 {load 2 1 2 3 4 5 6}\nalgorithm Linear\n\
+            integrator LoadControl 1\nanalysis Static\nanalyze 1";
+        tip("-ndm 3 -ndf 6", section, &format!("fix 1 1 1 1 1 1 1\ngeomTransf Linear 1 0 0 1\n{element}\n{rest}"))
+    };
+    let plain = space("section Elastic 1 2e8 0.1 1e-3 2e-3 8e7 3e-3", "element elasticBeamColumn 1 1 2 1 1");
+    for section in [
+        "section ElasticFrame 1 2e8 0.1 1e-3 2e-3 8e7 3e-3",
+        "section FrameElastic 1 2e8 -J 3e-3 -G 8e7 -Iy 2e-3 -Iz 1e-3 -A 0.1",
+        "section ElasticFrame 1 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 2e-3 -G 8e7 -J 3e-3 -Ay 0.05 -Az 0.05",
+    ] {
+        assert_eq!(space(section, "element PrismFrame 1 1 2 -section 1 -transform 1 -shear 0"), plain, "{section}");
+    }
+    let sheared = space(
+        "section FrameElastic 1 2e8 0.1 1e-3 2e-3 8e7 3e-3 -Ay 0.05 -Az 0.05",
+        "element PrismFrame 1 1 2 -transform 1 -section 1",
+    );
+    let shear_areas = "element elasticBeamColumn 1 1 2 0.1 2e8 8e7 3e-3 2e-3 1e-3 0.05 0.05 1";
+    assert_eq!(sheared, space("", shear_areas));
+    assert_ne!(sheared, plain);
+}
