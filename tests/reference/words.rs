@@ -89,7 +89,7 @@ pub const PAGES: &[Page] = &[
         name: "output",
         title: "Output and queries",
         intro: "Recorders, and commands that return a result to the script.",
-        commands: "recorder record setPrecision print printModel nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
+        commands: "recorder record setPrecision print printModel verify nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
                    nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
                    setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
                    basicStiffness nodeResponse classType getEleClassTags getCrdTransfTags \

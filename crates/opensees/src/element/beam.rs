@@ -15,10 +15,10 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
-    names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam"],
+    names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam", "PrismFrame"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
-            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
-            <-releasez $code> <-releasey $code> <-damp $damping>",
+            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
+            <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
     make: Make::TwoNodes(make),
 };
 
@@ -141,14 +141,55 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
     }
 }
 
+/// Section and transformation by their options.
+fn named_parts(interp: &Tcl, a: &mut Args<'_>) -> Result<(ElasticSection, transform::TransformSpec, Place), Exception> {
+    let (mut section, mut transform, mut shear) = (None, None, true);
+    while let Some(option) = a.peek() {
+        match option.as_ref() {
+            "-section" => {
+                a.option();
+                section = Some(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0));
+            }
+            "-transform" => {
+                a.option();
+                transform = Some((a.of(&interp.host.builder.definitions.transforms)?.0, a.last_span()));
+            }
+            "-shear" => {
+                a.option();
+                shear = a.int("flag of the shear deformations, 0 or 1")? != 0;
+            }
+            "-order" => {
+                a.option();
+                let order = a.int("order of the frame's kinematics")?;
+                if order != 0 {
+                    return Err(a.refuse(format!("a frame of order {order} is not supported"), "expected 0"));
+                }
+            }
+            _ => break,
+        }
+    }
+    let Some(mut section) = section else { return Err(a.refuse("the section is missing", "expected -section")) };
+    let Some((transform, place)) = transform else {
+        return Err(a.refuse("the transformation is missing", "expected -transform"));
+    };
+    if !shear {
+        section.shear = (None, None);
+    }
+    Ok((section, transform, place))
+}
+
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
     }
-    let s = section(interp, a, ends.ndm)?;
-    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
-    let place = a.last_span();
+    let (s, spec, place) = if a.at_option() {
+        named_parts(interp, a)?
+    } else {
+        let s = section(interp, a, ends.ndm)?;
+        let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
+        (s, spec, a.last_span())
+    };
     let (o, damping) = options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let wrong = |e| no_transform(a, place, nodes, e);

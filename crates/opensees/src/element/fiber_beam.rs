@@ -20,7 +20,7 @@ use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
 pub(super) const DISPLACEMENT: Kind = Kind {
-    names: &["dispBeamColumn", "DispBeamColumn"],
+    names: &["dispBeamColumn", "DispBeamColumn", "CubicFrame"],
     usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> <-damp $damping> or \
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
     make: Make::TwoNodes(make_displacement),
