@@ -53,7 +53,7 @@ def bearings(n):
     return f"""model basic -ndm 2 -ndf 3; uniaxialMaterial Elastic 1 4e5; uniaxialMaterial Elastic 2 1e5; geomTransf Linear 1
 {nodes}
 {spans}
-timeSeries Trig 1 0 1e9 1.5 -factor 4.; pattern UniformExcitation 1 1 -accel 1
+timeSeries Trig 1 0 10 1.5 -factor 4.; pattern UniformExcitation 1 1 -accel 1
 constraints Plain; {EQUATIONS}integrator Newmark 0.5 0.25; analysis Transient
 puts [analyze 500 0.01]; puts [nodeDisp {1000 + 1}]"""
 

@@ -3,6 +3,9 @@
 //! They are most of the elements of an isolated building, whose storeys stay elastic. Each force has the bits that the
 //! element itself gives, but for P-Delta beams with member loads, whose terms are summed in another order.
 
+// Loops over indices become vector instructions; closures would not be compiled for them.
+#![allow(clippy::needless_range_loop)]
+
 use super::state::State;
 use crate::assembly::Plan;
 use crate::element::SmallBeam;

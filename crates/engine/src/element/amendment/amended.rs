@@ -8,7 +8,7 @@ use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::damping::BasicForces;
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
-    Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, Softening, dot,
+    Mass, MatrixMask, OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening, dot,
 };
 use crate::probe::Probe;
 use crate::series::Series;
@@ -407,6 +407,9 @@ impl Element for Amended {
 
     fn mass(&self) -> Mass {
         self.inner.mass()
+    }
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        None
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])

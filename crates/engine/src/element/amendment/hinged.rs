@@ -3,7 +3,7 @@
 use crate::element::damping::BasicForces;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Overload, Snapshot, Softening, dot,
+    OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening, dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
@@ -359,6 +359,9 @@ impl Element for Hinged {
     }
     fn mass(&self) -> Mass {
         self.inner.mass()
+    }
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        None
     }
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         self.inner.overload(&history[..self.inner_len])

@@ -9,6 +9,9 @@ use std::ops::Range;
 /// Columns that are worked out together at most: what their sums keep in registers.
 pub(super) const WIDTH: usize = 4;
 
+/// Place of each entry among the values of the matrix, and its row or column.
+type Entries = Vec<(usize, usize)>;
+
 /// Pattern of the factors. That of L is that of Uᵀ.
 #[derive(Debug)]
 pub(super) struct Structure {
@@ -26,7 +29,7 @@ pub(super) struct Structure {
     pub(super) updates: Vec<Update>,
     /// Entries of the matrix as (place among the values, row or column of the factors), by factor column: those of the
     /// column from the diagonal down, then those of the row right of the diagonal.
-    pub(super) entries: Vec<(usize, usize)>,
+    pub(super) entries: Entries,
     /// Start of both in `entries` by factor column.
     pub(super) entry_ptr: Vec<(usize, usize)>,
 }
@@ -125,7 +128,7 @@ fn panels(ptr: &[usize], idx: &[usize], groups: &[Range<usize>]) -> (Vec<Panel>,
 }
 
 /// Entries of a matrix by factor column, and where each starts. Those of a symmetric one all lie in the columns.
-fn entries(pattern: &Pattern, row_of: &[usize]) -> (Vec<(usize, usize)>, Vec<(usize, usize)>) {
+fn entries(pattern: &Pattern, row_of: &[usize]) -> (Entries, Vec<(usize, usize)>) {
     let n = pattern.n;
     let (mut below, mut right) = (vec![vec![]; n], vec![vec![]; n]);
     for col in 0..n {

@@ -91,15 +91,15 @@ impl Lanes for Congruence<'_> {
             for n in 0..7 {
                 let factor = self.inner[m][n];
                 if factor != 0.0 {
-                    for j in 0..12 {
-                        product[j] += factor * self.rows[n][j];
+                    for (product, row) in product.iter_mut().zip(&self.rows[n]) {
+                        *product += factor * row;
                     }
                 }
             }
             for i in 0..12 {
                 let factor = self.rows[m][i];
-                for j in 0..12 {
-                    self.k[i][j] += factor * product[j];
+                for (k, product) in self.k[i].iter_mut().zip(&product) {
+                    *k += factor * product;
                 }
             }
         }
