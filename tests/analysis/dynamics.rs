@@ -531,6 +531,6 @@ fn dampings_of_elements_have_their_ratios() {
     let secant = ratio_of("SecStif", "0.004", 2.0);
     // ζ = β ω / 2 less the error of the backward difference, which is of the order of β Δt ω² / 4.
     assert!(close(secant, 0.5 * 0.004 * 2.0 * std::f64::consts::PI * 2.0, 0.01), "{secant}");
-    let error = run("damping Uniform 1 0.05 10. 1.");
+    let error = Script::default().run("damping Uniform 1 0.05 10. 1.");
     assert!(error.error().message.contains("the frequencies are 10 and 1"));
 }

@@ -1,6 +1,6 @@
 //! Oil damper with a relief valve and the stiffness of its brace.
 
-use super::viscous_damper::{History, dormand_prince, is_in_gap};
+use super::viscous_damper::{History, dormand_prince, update};
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::Dual;
 
@@ -125,17 +125,11 @@ impl UniaxialLaw for BilinearOilDamper {
     const NAME: &'static str = "BilinearOilDamper";
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let end = if self.compat && strain.rate == 0.0 { c.rate } else { strain.rate };
-        let force = self.integrate(c, end, strain.dt);
-        if !force.value.is_finite() {
-            return Err(MaterialError(format!("BilinearOilDamper found no force at a rate of {end:.6e}")));
-        }
-        let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
-        let in_gap = self.gap > 0.0 && is_in_gap(self.gap, c, &mut t, force.value);
-        let force = if in_gap { Dual::default() } else { force };
-        t.stress = force.value;
-        let damping = if self.compat || !force.slope.is_finite() { 0.0 } else { force.slope };
-        Ok((Stress { value: force.value, tangent: 0.0, damping }, t))
+        update(self.compat, self.gap, c, strain, |end| {
+            let force = self.integrate(c, end, strain.dt);
+            let failed = || MaterialError(format!("BilinearOilDamper found no force at a rate of {end:.6e}"));
+            if force.value.is_finite() { Ok(force) } else { Err(failed()) }
+        })
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -196,8 +196,27 @@ impl ViscousDamper {
     }
 }
 
+/// Response of a damper with a gap, from its force for a rate at the end of the step. OpenSees holds the rate where it is 0,
+/// and has no derivative.
+pub(super) fn update(
+    compat: bool,
+    gap: f64,
+    c: &History,
+    strain: Strain,
+    integrate: impl FnOnce(f64) -> Result<Dual, MaterialError>,
+) -> Result<(Stress, History), MaterialError> {
+    let end = if compat && strain.rate == 0.0 { c.rate } else { strain.rate };
+    let force = integrate(end)?;
+    let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
+    let in_gap = gap > 0.0 && is_in_gap(gap, c, &mut t, force.value);
+    let force = if in_gap { Dual::default() } else { force };
+    t.stress = force.value;
+    let damping = if compat || !force.slope.is_finite() { 0.0 } else { force.slope };
+    Ok((Stress { value: force.value, tangent: 0.0, damping }, t))
+}
+
 /// Returns true if the force vanishes in the gap that opens when the force changes sign.
-pub(super) fn is_in_gap(length: f64, c: &History, t: &mut History, force: f64) -> bool {
+fn is_in_gap(length: f64, c: &History, t: &mut History, force: f64) -> bool {
     let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
     if force > 0.0 && c.stress < 0.0 {
         t.gap = [c.strain + change, 0.0];
@@ -218,14 +237,7 @@ impl UniaxialLaw for ViscousDamper {
     const NAME: &'static str = "ViscousDamper";
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let end = if self.compat && strain.rate == 0.0 { c.rate } else { strain.rate };
-        let force = self.integrate(c, end, strain.dt)?;
-        let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
-        let in_gap = self.gap > 0.0 && is_in_gap(self.gap, c, &mut t, force.value);
-        let force = if in_gap { Dual::default() } else { force };
-        t.stress = force.value;
-        let damping = if self.compat || !force.slope.is_finite() { 0.0 } else { force.slope };
-        Ok((Stress { value: force.value, tangent: 0.0, damping }, t))
+        update(self.compat, self.gap, c, strain, |end| self.integrate(c, end, strain.dt))
     }
 
     fn initial_tangent(&self) -> f64 {
