@@ -35,7 +35,6 @@ mod hysteretic_poly;
 mod hysteretic_smooth;
 mod imk;
 mod impact;
-mod isotropic;
 mod jankowski_impact;
 mod kikuchi_aiken;
 mod kikuchi_aiken_hdr;
@@ -44,6 +43,7 @@ mod lanes;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
+pub mod multiaxial;
 mod no_tension;
 mod parallel;
 mod pinching4;
@@ -69,6 +69,7 @@ mod wrapped;
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
+use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
@@ -77,7 +78,7 @@ pub use bilin::{Bilin, BilinSide, Deterioration};
 pub use bond_sp01::BondSp01;
 pub use bouc_wen::BoucWen;
 pub use bwbn::Bwbn;
-pub use concrete_cm::{ConcreteCm, TsaiEnvelope};
+pub use concrete_cm::{ConcreteCm, History as ConcreteHistory, TsaiEnvelope};
 pub use concrete_d::ConcreteD;
 pub use concrete_w_beta::ConcreteWBeta;
 pub use concrete01::Concrete01;
@@ -103,7 +104,6 @@ pub use hysteretic_poly::HystereticPoly;
 pub use hysteretic_smooth::HystereticSmooth;
 pub use imk::{ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Pinching};
 pub use impact::Impact;
-pub use isotropic::{Isotropic, Plane};
 pub use jankowski_impact::JankowskiImpact;
 pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
@@ -111,6 +111,9 @@ pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
+pub use multiaxial::{
+    Elastic as ElasticContinuum, Fsam, FsamParameters, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, PLANE, Plane, SOLID, SharedMultiaxial, Tangent,
+};
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
 pub use pinching4::{Damage, Pinching4, Pinching4Parameters, Pinching4Side};
@@ -401,6 +404,10 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
         None
     }
+    /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
+    }
     /// Response specific to this material, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
@@ -472,6 +479,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let mut new = self.clone();
         let old = new.set_parameter(words.first()?, value)?;
         Some((Arc::new(new), old))
+    }
+    fn as_any(&self) -> Option<&dyn Any> {
+        Some(self)
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)

@@ -1,12 +1,12 @@
 //! `element stdBrick`, `bbarBrick` and `SSPbrick`.
 
-use super::quad::isotropic;
 use super::{Kind, Make, refused};
 use crate::args::Args;
+use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::{Tcl, warn};
-use hysteron_engine::element::{Brick, BrickOptions, Element, StabilisedBrick};
-use hysteron_engine::material::Isotropic;
+use hysteron_engine::element::{BrickOptions, Continuum, Element};
+use hysteron_engine::material::{SOLID, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -36,14 +36,14 @@ pub(super) const STABILISED: Kind = Kind {
 struct Read {
     nodes: Vec<NodeId>,
     corners: [Vector3<f64>; 8],
-    material: Isotropic,
+    law: SharedMultiaxial<SOLID>,
     body: [f64; 3],
     place: Option<Span>,
 }
 
 fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let r = read(interp, a)?;
-    let made = StabilisedBrick::new(&r.corners, &r.material, r.body).map_err(|e| refused(a, r.place, e))?;
+    let made = Continuum::stabilised_brick(&r.corners, &r.law, r.body).map_err(|e| refused(a, r.place, e))?;
     Ok((r.nodes, Arc::new(made)))
 }
 
@@ -60,22 +60,20 @@ fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read, Exception> {
         nodes.push(id);
     }
     let place = a.last_span();
-    let material = isotropic(interp, a)?;
-    if material.nu == 0.5 {
-        return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in a brick"));
-    }
+    let family = family(interp, a)?;
+    let law = form(a, &family, (family.0.solid.as_ref(), "in space"))?;
     let mut body = [0.0; 3];
     for (b, name) in body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
         *b = a.optional_float(name)?.unwrap_or(0.0);
     }
-    Ok(Read { nodes, corners, material, body, place })
+    Ok(Read { nodes, corners, law, body, place })
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
-    let Read { nodes, corners, material, body, place } = read(interp, a)?;
+    let Read { nodes, corners, law, body, place } = read(interp, a)?;
     let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
-    let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
+    let made = Continuum::brick(&corners, &law, &options).map_err(|e| refused(a, place, e))?;
     if made.is_inverted() {
         let warning =
             Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");

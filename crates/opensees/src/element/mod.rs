@@ -112,6 +112,11 @@ const KINDS: &[Kind] = &[
     shell::ENHANCED,
     shell::ENHANCED_TRIANGLE,
     wall::MVLEM,
+    wall::MVLEM_3D,
+    wall::SFI_MVLEM,
+    wall::E_SFI,
+    wall::SFI_MVLEM_3D,
+    wall::E_SFI_MVLEM_3D,
     joint_2d::JOINT_2D,
 ];
 

@@ -2,9 +2,9 @@
 
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, finish, kind};
-use hysteron_engine::material::Isotropic;
-use hysteron_engine::model::NdMaterial;
-use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar, SharedPlateMaterial};
+use hysteron_engine::material::{ConcreteCm, Fsam, FsamParameters, Isotropic, J2Plasticity, LAYER, NdMaterial, SharedMultiaxial};
+use hysteron_engine::model::Tag;
+use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -21,6 +21,16 @@ const KINDS: &[Kind] = &[
         names: &["ElasticIsotropic", "ElasticIsotropic3D"],
         usage: "nDMaterial ElasticIsotropic $tag $E $nu <$rho>",
         make: elastic_isotropic,
+    },
+    Kind {
+        names: &["J2Plasticity", "J2"],
+        usage: "nDMaterial J2Plasticity $tag $K $G $sig0 $sigInf $delta $H <$eta> <$rho>",
+        make: j2_plasticity,
+    },
+    Kind {
+        names: &["FSAM"],
+        usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
+        make: fsam,
     },
     Kind {
         names: &["PlateFiber", "PlateFiberMaterial"],
@@ -47,31 +57,81 @@ fn elastic_isotropic(_: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, at most 0.5"));
     }
     let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
-    Ok(NdMaterial::Isotropic(Isotropic { e, nu, rho }))
+    Ok(Isotropic { e, nu, rho }.family())
 }
 
-/// A material of plates by its tag; an isotropic one has no stress across the plate.
-pub(crate) fn of_plates(interp: &Tcl, a: &mut Args<'_>) -> Result<SharedPlateMaterial, Exception> {
-    Ok(match a.of(&interp.host.builder.definitions.nd_materials)?.0 {
-        NdMaterial::Isotropic(material) => Arc::new(material),
-        NdMaterial::Plate(material) => material,
+fn j2_plasticity(_: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = J2Plasticity {
+        bulk: a.positive("bulk modulus K")?,
+        shear: a.positive("shear modulus G")?,
+        yield_stress: a.positive("yield stress sig0")?,
+        saturated: a.positive("saturated yield stress sigInf")?,
+        delta: a.not_negative("rate of saturation delta")?,
+        hardening: a.float("linear hardening modulus H")?,
+        viscosity: a.optional_float("viscosity eta")?.unwrap_or(0.0),
+        rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
+    };
+    Ok(NdMaterial::of_solid("J2Plasticity", Arc::new(law)))
+}
+
+fn fsam(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let rho = a.not_negative("mass per volume rho")?;
+    let materials = &interp.host.builder.definitions.materials;
+    let bars = [a.of(materials)?, a.of(materials)?];
+    let (concrete, tag) = a.of(materials)?;
+    let Some(concrete) = concrete.as_any().and_then(|law| law.downcast_ref::<ConcreteCm>()).cloned() else {
+        let message = format!("uniaxial material {tag} is {}", concrete.name());
+        return Err(a.refuse(message, "expected a ConcreteCM"));
+    };
+    let ratios = [a.not_negative("ratio of bars along x")?, a.not_negative("ratio of bars along y")?];
+    let friction = a.not_negative("coefficient of friction nu")?;
+    let dowel = a.not_negative("dowel stiffness alfadow over the modulus of the bars")?;
+    let law = Fsam::new(bars, concrete, FsamParameters { rho, ratios, friction, dowel });
+    Ok(NdMaterial::of_plane_stress("FSAM", law))
+}
+
+/// A material of continua with its tag.
+pub(crate) type Family = (NdMaterial, Tag);
+
+/// A material of continua by its tag.
+pub(crate) fn family(interp: &Tcl, a: &mut Args<'_>) -> Result<Family, Exception> {
+    a.of(&interp.host.builder.definitions.nd_materials)
+}
+
+/// A law of a material that the last word names.
+pub(crate) fn form<const N: usize>(
+    a: &Args<'_>,
+    (material, tag): &Family,
+    (law, name): (Option<&SharedMultiaxial<N>>, &str),
+) -> Result<SharedMultiaxial<N>, Exception> {
+    law.cloned().ok_or_else(|| {
+        let message = format!("material {tag} ({}) has no law {name}", material.class);
+        a.refuse(message, &format!("expected a material that has one {name}"))
     })
 }
 
+/// The law of a layer of plates; an isotropic one has no stress across the plate.
+pub(crate) fn of_plates(interp: &Tcl, a: &mut Args<'_>) -> Result<SharedMultiaxial<LAYER>, Exception> {
+    let family = family(interp, a)?;
+    form(a, &family, (family.0.layer.as_ref(), "of layers of plates"))
+}
+
 fn plate_fiber(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    of_plates(interp, a).map(NdMaterial::Plate)
+    Ok(NdMaterial::of_layers("PlateFiberMaterial", of_plates(interp, a)?))
 }
 
 fn plate_from_plane_stress(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let membrane = of_plates(interp, a)?;
+    let family = family(interp, a)?;
+    let membrane = form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))?;
     let shear = a.not_negative("shear modulus G across the plate")?;
-    Ok(NdMaterial::Plate(Arc::new(PlateFromPlaneStress { membrane, shear })))
+    let law = PlateFromPlaneStress { membrane, shear };
+    Ok(NdMaterial::of_layers("PlateFromPlaneStressMaterial", Arc::new(law)))
 }
 
 fn plate_rebar(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     let degrees = a.float("angle of the bars in degrees")?;
-    Ok(NdMaterial::Plate(Arc::new(PlateRebar::new(material, tag, degrees))))
+    Ok(NdMaterial::of_layers("PlateRebarMaterial", Arc::new(PlateRebar::new(material, tag, degrees))))
 }
 
 fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
