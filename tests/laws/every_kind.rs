@@ -192,6 +192,10 @@ enum Shape {
     Quadratic(usize),
     /// One above the other.
     Wall,
+    /// An oblique rectangle in space.
+    SpaceWall,
+    /// Corners, and the middles of the edges if there are ten nodes.
+    Tetrahedron(usize),
     /// At the middles of the edges of a rectangle.
     Joint,
 }
@@ -260,6 +264,31 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
         "MVLEM 1 2. 1 2 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -rho 0.02 0.1 0.03 -matConcrete 11 13 11 -matSteel 13 11 13 \
          -matShear 11",
     ),
+    (2, 3, Shape::Wall, "SFI_MVLEM @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (2, 3, Shape::Wall, "E_SFI @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (3, 6, Shape::SpaceWall, "SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (3, 6, Shape::SpaceWall, "E_SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35 -Eave 150. -CoR 0.5"),
+    (
+        3,
+        6,
+        Shape::SpaceWall,
+        "MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -rho 0.02 0.1 0.03 -matConcrete 11 13 11 -matSteel 13 11 13 \
+         -matShear 11 -ThickMod 0.8 -Poisson 0.1",
+    ),
+    (3, 3, Shape::Tetrahedron(4), "FourNodeTetrahedron @ 36"),
+    (3, 3, Shape::Tetrahedron(10), "TenNodeTetrahedron @ 36"),
+    // Plastic continua.
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 36"),
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStrain 37"),
+    (2, 2, Shape::Corners, "SSPquad @ 36 PlaneStrain 0.5"),
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 35"),
+    (2, 2, Shape::Triangle, "tri31 @ 0.5 PlaneStress 37"),
+    (2, 2, Shape::Quadratic(9), "quad9n @ 0.5 PlaneStrain 36"),
+    (2, 2, Shape::Quadratic(6), "tri6n @ 0.5 PlaneStress 38"),
+    (3, 3, Shape::Brick, "bbarBrick @ 36"),
+    (3, 3, Shape::Brick, "SSPbrick @ 37"),
+    (3, 3, Shape::Brick, "stdBrick @ 39"),
+    (3, 6, Shape::Corners, "ShellMITC4 @ 45"),
     (2, 3, Shape::Joint, "Joint2D @ 9 11 13 11 13 11 0"),
 ];
 
@@ -275,7 +304,15 @@ fn parts(ndm: usize) -> String {
         section PlateFiber 42 32 0.2\nsection LayeredShell 43 4 32 0.1 33 0.01 34 0.1 33 0.02
         section Fiber 24 -GJ 50. { patch rect 11 6 4 -0.15 -0.1 0.15 0.1 }"
     };
-    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")
+    let continua = "uniaxialMaterial ConcreteCM 14 -6. -0.06 200. 7. 1.035 0.8 0.008 1.2 1e4
+        nDMaterial FSAM 35 0. 11 11 14 0.05 0.04 0.5 0.01
+        nDMaterial J2Plasticity 36 166.7 76.9 2. 3. 12. 3.
+        nDMaterial Simplified3DJ2 37 76.9 166.7 2. 4. 3.
+        nDMaterial PlaneStressSimplifiedJ2 38 76.9 166.7 2. 4. 3.
+        nDMaterial ElasticOrthotropic 40 200. 150. 120. 0.3 0.2 0.15 60. 50. 45.
+        nDMaterial Parallel3D 39 36 40 -weights 0.7 0.4";
+    let plates = if ndm == 3 { "section LayeredShell 45 3 36 0.05 37 0.1 36 0.05" } else { "" };
+    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n{continua}\n{plates}\n")
 }
 
 /// Coordinates of the nodes.
@@ -289,6 +326,15 @@ fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
             [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
         }
         Shape::Wall => vec![start, start + 1.2 * Vector3::y()],
+        Shape::SpaceWall => {
+            let (across, up) = (0.3 * Vector3::new(2.0, 2.0, -1.0), 0.4 * Vector3::new(-1.0, 2.0, 2.0));
+            vec![start, start + across, start + across + up, start + up]
+        }
+        Shape::Tetrahedron(count) => {
+            let corners = [[0.0, 0.0, 0.0], [1.1, 0.1, 0.2], [0.1, 1.2, -0.1], [0.2, 0.3, 0.9]].map(Vector3::from);
+            let middles = [(0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3)].map(|(i, j)| 0.5 * (corners[i] + corners[j]));
+            corners.into_iter().chain(middles).take(count).collect()
+        }
         Shape::Corners | Shape::Triangle => {
             let count = if shape == Shape::Triangle { 3 } else { 4 };
             let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];

@@ -54,7 +54,7 @@ pub use zero_length::{RayleighDamping, ZeroLength};
 pub use zero_length_section::ZeroLengthSection;
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
-pub const MAX_DOFS: usize = 24;
+pub const MAX_DOFS: usize = 30;
 
 /// Input of an element at a trial state.
 #[derive(Clone, Copy, Debug)]

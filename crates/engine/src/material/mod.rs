@@ -112,7 +112,8 @@ pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
 pub use multiaxial::{
-    Elastic as ElasticContinuum, Fsam, FsamParameters, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, PLANE, Plane, SOLID, SharedMultiaxial, Tangent,
+    AsdConcrete, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters, HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial,
+    Orthotropic, PLANE, ParallelSolids, Plane, SOLID, SharedMultiaxial, SimplifiedJ2, Tangent,
 };
 pub use no_tension::NoTension;
 pub use parallel::Parallel;

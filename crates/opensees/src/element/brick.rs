@@ -1,4 +1,4 @@
-//! `element stdBrick`, `bbarBrick` and `SSPbrick`.
+//! `element stdBrick`, `bbarBrick`, `SSPbrick` and the tetrahedra.
 
 use super::{Kind, Make, refused};
 use crate::args::Args;
@@ -31,11 +31,23 @@ pub(super) const STABILISED: Kind = Kind {
     make: Make::AnyNodes(stabilised),
 };
 
-/// Words that all bricks have: nodes, places of the corners, material, and body forces. The places are those of the
+pub(super) const FOUR_NODES: Kind = Kind {
+    names: &["FourNodeTetrahedron"],
+    usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(tetrahedron::<4, 12>),
+};
+
+pub(super) const TEN_NODES: Kind = Kind {
+    names: &["TenNodeTetrahedron"],
+    usage: "element TenNodeTetrahedron $tag $n1 ... $n10 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(tetrahedron::<10, 30>),
+};
+
+/// Words that all have: nodes, places of the corners, material, and body forces. The places are those of the
 /// last node, for errors.
-struct Read {
+struct Read<const N: usize> {
     nodes: Vec<NodeId>,
-    corners: [Vector3<f64>; 8],
+    corners: [Vector3<f64>; N],
     law: SharedMultiaxial<SOLID>,
     body: [f64; 3],
     place: Option<Span>,
@@ -47,8 +59,8 @@ fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dy
     Ok((r.nodes, Arc::new(made)))
 }
 
-fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read, Exception> {
-    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 8]);
+fn read<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read<N>, Exception> {
+    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); N]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;
         let node = &interp.host.engine.model().nodes[id.0];
@@ -74,10 +86,24 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
     let made = Continuum::brick(&corners, &law, &options).map_err(|e| refused(a, place, e))?;
-    if made.is_inverted() {
-        let warning =
-            Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
-        warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other"))?;
-    }
+    warn_of_inversion(interp, made.is_inverted(), place)?;
     Ok((nodes, Arc::new(made)))
+}
+
+fn tetrahedron<const N: usize, const D: usize>(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let Read::<N> { nodes, corners, law, body, place } = read(interp, a)?;
+    let made = Continuum::<SOLID, D>::tetrahedron(&corners, &law, body).map_err(|e| refused(a, place, e))?;
+    warn_of_inversion(interp, made.is_inverted(), place)?;
+    Ok((nodes, Arc::new(made)))
+}
+
+fn warn_of_inversion(interp: &mut Tcl, inverted: bool, place: Option<Span>) -> Result<(), Exception> {
+    if !inverted {
+        return Ok(());
+    }
+    let warning = Diagnostic::warning("the corners go round the other way: stiffness and mass of the element are negative");
+    warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other ones"))
 }

@@ -105,6 +105,8 @@ const KINDS: &[Kind] = &[
     brick::BRICK,
     brick::MEAN_DILATATION,
     brick::STABILISED,
+    brick::FOUR_NODES,
+    brick::TEN_NODES,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,

@@ -53,7 +53,7 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
     names: &["E_SFI_MVLEM_3D"],
     usage: "element E_SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> \
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
-    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShear))),
+    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
 };
 
 type Made = Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;

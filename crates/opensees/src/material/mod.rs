@@ -9,6 +9,7 @@ pub(crate) mod friction;
 mod hysteretic;
 mod impact;
 mod material_test;
+mod nd_concrete;
 pub(crate) mod nd_material;
 mod plastic;
 mod rubber;

@@ -1,6 +1,6 @@
 //! The eight-node bricks `stdBrick` and `bbarBrick`.
 
-use super::{Body, Continuum, ElementError, Mass, Rows};
+use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -94,6 +94,7 @@ impl Continuum<SOLID, DOFS> {
             stabilisation: vec![],
             load_force: [0.0; DOFS],
             mass: Mass::None,
+            size: least_distance(&corners.map(|x| [x.x, x.y, x.z])),
             extrapolation: vec![],
         };
         let (mut lumped, mut consistent) = (vec![0.0; DOFS], vec![0.0; DOFS * DOFS]);

@@ -2,13 +2,15 @@
 //! mass is lumped.
 
 use super::quad::QuadOptions;
-use super::{Body, Continuum, ElementError, lumped, plane_rows};
+use super::{Body, Continuum, ElementError, least_distance, lumped, plane_rows};
 use crate::material::{PLANE, SharedMultiaxial};
 
 /// Derivatives by x and y of the shape functions of the nodes, and the volume that belongs to each node.
 struct Shape {
     gradients: Vec<[f64; 2]>,
     volumes: Vec<f64>,
+    /// Least distance of two nodes.
+    size: f64,
 }
 
 impl Shape {
@@ -27,6 +29,7 @@ impl Shape {
             stabilisation,
             load_force: std::array::from_fn(|i| -options.body[i % 2] * self.volumes[i / 2]),
             mass: lumped(&mass),
+            size: self.size,
             extrapolation: vec![],
         }
     }
@@ -77,7 +80,7 @@ impl Continuum<PLANE, 8> {
                 }
             }
         }
-        let shape = Shape { gradients, volumes };
+        let shape = Shape { gradients, volumes, size: least_distance(corners) };
         Ok(Self::of(shape.body("SSPquad", stabilisation, law, options), law))
     }
 }
@@ -99,7 +102,7 @@ impl Continuum<PLANE, 6> {
         }
         let gradients = (0..3).map(|i| [-side(i)[1] / (2.0 * area), side(i)[0] / (2.0 * area)]).collect();
         let volumes = vec![options.thickness * area / 3.0; 3];
-        let mut body = Shape { gradients, volumes }.body("Tri31", vec![], law, options);
+        let mut body = Shape { gradients, volumes, size: least_distance(corners) }.body("Tri31", vec![], law, options);
         for side in [(0, 1), (1, 2), (2, 0)] {
             options.press(corners, side, &mut body.load_force);
         }

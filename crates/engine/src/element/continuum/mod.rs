@@ -5,6 +5,7 @@ mod constant_strain;
 mod quad;
 mod quadratic;
 mod stabilised_brick;
+mod tetrahedron;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::material::{SharedMultiaxial, Tangent};
@@ -30,6 +31,8 @@ pub(super) struct Body<const S: usize, const D: usize> {
     /// Resisting force at zero displacement.
     load_force: [f64; D],
     mass: Mass,
+    /// Least distance of two nodes.
+    size: f64,
     /// Shares of the points in the stresses at each node; empty where they are not reported.
     extrapolation: Vec<Vec<f64>>,
 }
@@ -84,6 +87,7 @@ fn add_stiffness<const S: usize, const D: usize>(
 
 impl<const S: usize, const D: usize> Continuum<S, D> {
     fn of(body: Body<S, D>, law: &SharedMultiaxial<S>) -> Self {
+        let law = &law.of_length(body.size).unwrap_or_else(|| SharedMultiaxial::clone(law));
         let tangent = law.initial_tangent();
         let mut stiffness = if body.stabilisation.is_empty() { vec![0.0; D * D] } else { body.stabilisation.clone() };
         for (rows, volume) in &body.points {
@@ -225,7 +229,7 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
                     let strain = rows.each_ref().map(|row| dot(row, m.disp));
                     let (own, next) = trial.split_at_mut(S);
                     let (stress, slope) = law.update(&committed[S..], &strain, m.dt, next)?;
-                    own.copy_from_slice(&stress);
+                    own.copy_from_slice(&law.shown_stress(next, stress));
                     add_force(rows, *volume, &stress, force);
                     if let Some(k) = tangent.as_deref_mut() {
                         add_stiffness(rows, *volume, &slope, k);
@@ -321,4 +325,11 @@ fn plane_rows<const D: usize>(gradients: impl IntoIterator<Item = [f64; 2]>) -> 
 /// Lumped mass, or none.
 fn lumped(mass: &[f64]) -> Mass {
     if mass.iter().all(|m| *m == 0.0) { Mass::None } else { Mass::Lumped(mass.to_vec()) }
+}
+
+/// Least distance of two points.
+fn least_distance<P: AsRef<[f64]>>(points: &[P]) -> f64 {
+    let distance = |a: &P, b: &P| a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    let pairs = points.iter().enumerate().flat_map(|(i, a)| points[i + 1..].iter().map(move |b| distance(a, b)));
+    pairs.fold(f64::INFINITY, f64::min)
 }

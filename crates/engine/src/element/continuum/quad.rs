@@ -1,6 +1,6 @@
 //! The four-node quadrilateral `quad`.
 
-use super::{Body, Continuum, ElementError, lumped, plane_rows};
+use super::{Body, Continuum, ElementError, least_distance, lumped, plane_rows};
 use crate::material::{PLANE, SharedMultiaxial};
 use crate::numeric::axpy;
 
@@ -91,6 +91,7 @@ impl Continuum<PLANE, 8> {
             stabilisation: vec![],
             load_force,
             mass: lumped(&mass),
+            size: least_distance(corners),
             extrapolation,
         };
         Ok(Self::of(body, law))

@@ -2,7 +2,7 @@
 //! `enhancedQuad`.
 
 use super::quad::{QuadOptions, SIGNS};
-use super::{Body, Continuum, ElementError, Mass, Rows, lumped, plane_rows};
+use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
 use crate::material::{PLANE, SharedMultiaxial};
 use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2};
 
@@ -167,6 +167,7 @@ impl<const D: usize> Continuum<PLANE, D> {
             stabilisation: vec![],
             load_force: load,
             mass: lumped(&mass),
+            size: least_distance(nodes),
             extrapolation: (0..nodes.len()).map(|i| shape.extrapolation(i)).collect(),
         };
         Ok(Self::of(body, law))
@@ -240,6 +241,7 @@ impl Continuum<PLANE, 8> {
             stabilisation: vec![],
             load_force: [0.0; 8],
             mass: if rho == 0.0 { Mass::None } else { Mass::Consistent(mass) },
+            size: least_distance(corners),
             extrapolation: vec![],
         };
         Ok(Self::of(body, law))

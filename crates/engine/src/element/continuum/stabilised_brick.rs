@@ -1,7 +1,7 @@
 //! The eight-node brick with one point of integration and stabilised hourglass modes: `SSPbrick`.
 
 use super::brick::{DOFS, NODES, SIGNS, gauss_points, mean_derivatives, strain_rows};
-use super::{Body, Continuum, ElementError, Mass};
+use super::{Body, Continuum, ElementError, Mass, least_distance};
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -189,7 +189,8 @@ impl Continuum<SOLID, DOFS> {
             rho => Mass::Lumped((0..DOFS).map(|dof| rho * share(dof)).collect()),
         };
         let points = vec![(strain_rows(&mean), volume)];
-        let body = Body { class: "SSPbrick", points, stabilisation, load_force, mass, extrapolation: vec![] };
+        let size = least_distance(&corners.map(|x| [x.x, x.y, x.z]));
+        let body = Body { class: "SSPbrick", points, stabilisation, load_force, mass, size, extrapolation: vec![] };
         Ok(Self::of(body, law))
     }
 }

@@ -15,6 +15,8 @@ pub enum PanelLaw {
     NoStress,
     /// A function of the shear strain (Massone, Lopez and Kolozvari, 2021).
     FromShear,
+    /// The same, less with more horizontal bars.
+    FromShearAndBars,
 }
 
 /// A panel of a wall, from the left to the right.
@@ -57,7 +59,8 @@ impl<const D: usize> WallPanels<D> {
             left += panel.width;
             let law: SharedMultiaxial<STRIP> = match kind {
                 PanelLaw::NoStress => Condensed::strip(&panel.law),
-                PanelLaw::FromShear => Arc::new(WallStrip { panel: Arc::clone(&panel.law) }),
+                PanelLaw::FromShear => Arc::new(WallStrip::new(panel.law, false)),
+                PanelLaw::FromShearAndBars => Arc::new(WallStrip::new(panel.law, true)),
             };
             let rows = [shape.vertical_strain(x), shear];
             let volume = panel.thickness * panel.width * shape.height;

@@ -182,6 +182,16 @@ impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
         self.condense(&self.law.initial_tangent()).unwrap_or([[0.0; N]; N])
     }
 
+    fn shown_stress(&self, next: &[f64], stress: [f64; N]) -> [f64; N] {
+        let mut whole = [0.0; M];
+        self.given.iter().zip(stress).for_each(|(i, s)| whole[*i] = s);
+        let shown = self.law.shown_stress(&next[self.free.len()..], whole);
+        self.given.map(|i| shown[i])
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<N>> {
+        Some(Self::shared(&self.law.of_length(length)?, self.given, &self.free))
+    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.law.probe(words)
     }

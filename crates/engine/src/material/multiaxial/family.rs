@@ -32,7 +32,17 @@ impl NdMaterial {
 
     /// A law in plane stress alone.
     pub fn of_plane_stress(class: &'static str, law: impl Multiaxial<PLANE> + 'static) -> Self {
-        Self { class, solid: None, plane_strain: None, plane_stress: Some(Arc::new(law)), layer: None }
+        Self::of_shared_plane_stress(class, Arc::new(law))
+    }
+
+    /// A shared law in plane stress alone.
+    pub fn of_shared_plane_stress(class: &'static str, law: SharedMultiaxial<PLANE>) -> Self {
+        Self { class, solid: None, plane_strain: None, plane_stress: Some(law), layer: None }
+    }
+
+    /// A law in plane strain alone.
+    pub fn of_plane_strain(class: &'static str, law: SharedMultiaxial<PLANE>) -> Self {
+        Self { class, solid: None, plane_strain: Some(law), plane_stress: None, layer: None }
     }
 
     /// A law of layers alone.

@@ -292,6 +292,9 @@ impl Multiaxial<PLANE> for Fsam {
     fn density(&self) -> f64 {
         self.parameters.rho
     }
+    fn reinforcement(&self) -> f64 {
+        self.parameters.ratios[0]
+    }
 
     fn update(
         &self,
@@ -332,6 +335,11 @@ impl Multiaxial<PLANE> for Fsam {
         let ec = self.concrete.ec;
         let bar = |i: usize| self.parameters.ratios[i] * self.bars[i].material.initial_tangent();
         [[ec + bar(0), 0.0, 0.0], [0.0, ec + bar(1), 0.0], [0.0, 0.0, 0.5 * ec]]
+    }
+
+    fn shown_stress(&self, next: &[f64], _: [f64; PLANE]) -> [f64; PLANE] {
+        let [concrete, steel] = PanelState::read(next).parts;
+        std::array::from_fn(|i| concrete[i] + steel[i])
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

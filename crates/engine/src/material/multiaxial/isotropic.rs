@@ -1,7 +1,9 @@
 //! Elasticity of continua.
 
+use super::simplified_j2::isotropic_stiffness;
 use super::{LAYER, Multiaxial, NdMaterial, SOLID, Tangent, linear};
 use crate::material::MaterialError;
+use nalgebra::Matrix3;
 use std::sync::Arc;
 
 /// Isotropic linear elasticity (`nDMaterial ElasticIsotropic`).
@@ -42,16 +44,7 @@ impl Isotropic {
     /// Elasticity matrix in space.
     fn solid(&self) -> Tangent<SOLID> {
         let (shear, bulk) = (0.5 * self.e / (1.0 + self.nu), self.e / 3.0 / (1.0 - 2.0 * self.nu));
-        let mut elasticity = [[0.0; SOLID]; SOLID];
-        for (i, row) in elasticity.iter_mut().enumerate() {
-            if i < 3 {
-                row[..3].fill(bulk - 2.0 / 3.0 * shear);
-                row[i] += 2.0 * shear;
-            } else {
-                row[i] = shear;
-            }
-        }
-        elasticity
+        isotropic_stiffness(bulk, shear)
     }
 
     /// Elasticity matrix of a layer without stress across it.
@@ -76,6 +69,35 @@ impl Isotropic {
             plane_stress: Some(Arc::new(Elastic { stiffness: self.plane(Plane::Stress), rho })),
             layer: Some(Arc::new(Elastic { stiffness: self.layer(), rho })),
         }
+    }
+}
+
+/// Orthotropic linear elasticity (Lekhnitskii, 1981, section 10).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orthotropic {
+    /// Moduli of elasticity along x, y and z.
+    pub e: [f64; 3],
+    /// Poisson's ratios xy, yz and zx: contraction along the second axis in tension along the first.
+    pub nu: [f64; 3],
+    /// Shear moduli xy, yz and zx.
+    pub shear: [f64; 3],
+    /// Mass per volume.
+    pub rho: f64,
+}
+
+impl Orthotropic {
+    /// The law in space. `None` if the flexibility is not positive definite.
+    pub fn solid(&self) -> Option<Elastic<SOLID>> {
+        let ([ex, ey, ez], [xy, yz, zx]) = (self.e, self.nu);
+        let (xy, yz, zx) = (-xy / ex, -yz / ey, -zx / ez);
+        let flexibility = Matrix3::new(1.0 / ex, xy, zx, xy, 1.0 / ey, yz, zx, yz, 1.0 / ez);
+        let inverse = flexibility.cholesky()?.inverse();
+        let mut stiffness = [[0.0; SOLID]; SOLID];
+        for i in 0..3 {
+            (0..3).for_each(|j| stiffness[i][j] = inverse[(i, j)]);
+            stiffness[3 + i][3 + i] = self.shear[i];
+        }
+        Some(Elastic { stiffness, rho: self.rho })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Plasticity of von Mises with isotropic hardening: `J2Plasticity`.
 
+use super::simplified_j2::{deviator, isotropic_stiffness, norm};
 use super::{Multiaxial, SOLID, Tangent};
 use crate::material::MaterialError;
 use crate::state_struct;
@@ -53,20 +54,6 @@ impl J2Plasticity {
         -self.delta * (self.yield_stress - self.saturated) * (-self.delta * xi).exp() + self.hardening
     }
 
-    /// Elastic stiffness with a deviatoric modulus `shear`.
-    fn elastic(&self, shear: f64) -> Tangent<SOLID> {
-        let mut k = [[0.0; SOLID]; SOLID];
-        for (i, row) in k.iter_mut().enumerate() {
-            if i < 3 {
-                row[..3].fill(self.bulk - 2.0 / 3.0 * shear);
-                row[i] += 2.0 * shear;
-            } else {
-                row[i] = shear;
-            }
-        }
-        k
-    }
-
     /// Plastic multiplier for the norm of the trial stress.
     fn multiplier(&self, norm: f64, xi: f64, viscous: f64) -> Result<f64, MaterialError> {
         let root = (2.0f64 / 3.0).sqrt();
@@ -109,26 +96,22 @@ impl Multiaxial<SOLID> for J2Plasticity {
         next: &mut [f64],
     ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
         let mut state = J2State::read(committed);
-        let trace: f64 = e[..3].iter().sum();
-        // Components of a tensor: half the angles.
-        let deviator: [f64; SOLID] =
-            std::array::from_fn(|i| if i < 3 { e[i] - trace / 3.0 } else { 0.5 * e[i] });
-        let weight = |i: usize| if i < 3 { 1.0 } else { 2.0 };
-        let trial: [f64; SOLID] = std::array::from_fn(|i| 2.0 * self.shear * (deviator[i] - state.plastic[i]));
-        let norm = trial.iter().enumerate().map(|(i, s)| weight(i) * s * s).sum::<f64>().sqrt();
+        let (strain, trace) = deviator(e);
+        let trial: [f64; SOLID] = std::array::from_fn(|i| 2.0 * self.shear * (strain[i] - state.plastic[i]));
+        let norm = norm(&trial);
         let root = (2.0f64 / 3.0).sqrt();
-        let (mut stress, mut tangent) = (trial, self.elastic(self.shear));
+        let (mut stress, mut tangent) = (trial, isotropic_stiffness(self.bulk, self.shear));
         if norm > root * self.yield_at(state.equivalent) {
             let viscous = if self.viscosity > 0.0 && dt > 0.0 { self.viscosity / dt } else { 0.0 };
             let gamma = self.multiplier(norm, state.equivalent, viscous)?;
             let normal = trial.map(|s| s / norm);
             state.plastic.iter_mut().zip(normal).for_each(|(p, n)| *p += gamma * n);
             state.equivalent += root * gamma;
-            stress = std::array::from_fn(|i| 2.0 * self.shear * (deviator[i] - state.plastic[i]));
+            stress = std::array::from_fn(|i| 2.0 * self.shear * (strain[i] - state.plastic[i]));
             let theta = 2.0 * self.shear + 2.0 / 3.0 * self.slope_at(state.equivalent) + viscous;
             let square = 4.0 * self.shear * self.shear;
             let turning = square * gamma / norm;
-            tangent = self.elastic(self.shear - 0.5 * turning);
+            tangent = isotropic_stiffness(self.bulk, self.shear - 0.5 * turning);
             for (row, a) in tangent.iter_mut().zip(normal) {
                 row.iter_mut().zip(normal).for_each(|(k, b)| *k += (turning - square / theta) * a * b);
             }
@@ -142,6 +125,6 @@ impl Multiaxial<SOLID> for J2Plasticity {
     }
 
     fn initial_tangent(&self) -> Tangent<SOLID> {
-        self.elastic(self.shear)
+        isotropic_stiffness(self.bulk, self.shear)
     }
 }

@@ -3,24 +3,30 @@
 //! Strains of a law of N stresses stand in the order of its form: 11, 22, 33, 12, 23, 31 in space; 11, 22, 12 in a plane;
 //! 11, 22, 12, 23, 31 in a layer of a plate. Shears are angles.
 
+mod asd_concrete;
 mod condensed;
 mod family;
 mod fsam;
 mod isotropic;
 mod j2;
+mod simplified_j2;
 mod wall_strip;
+mod wrapped;
 
 use super::MaterialError;
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
+pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
 pub use condensed::Condensed;
 pub use family::NdMaterial;
 pub use fsam::{Fsam, FsamParameters};
-pub use isotropic::{Elastic, Isotropic, Plane};
+pub use isotropic::{Elastic, Isotropic, Orthotropic, Plane};
 pub use j2::J2Plasticity;
+pub use simplified_j2::SimplifiedJ2;
 pub use wall_strip::WallStrip;
+pub use wrapped::{InitialStrain, ParallelSolids};
 
 /// Number of stresses in space.
 pub const SOLID: usize = 6;
@@ -53,6 +59,10 @@ pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
     }
     /// Mass per volume.
     fn density(&self) -> f64;
+    /// Area of the bars along axis 1 as a share of the whole.
+    fn reinforcement(&self) -> f64 {
+        0.0
+    }
 
     /// Stresses and their derivatives by the strains `e`; writes every variable of `next`. `dt` is the domain time since
     /// the committed state.
@@ -69,6 +79,15 @@ pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
 
     /// Derivatives of the stresses in the virgin state.
     fn initial_tangent(&self) -> Tangent<N>;
+
+    /// Stress that records show for the state `next` after a step with the stress `stress`.
+    fn shown_stress(&self, _next: &[f64], stress: [f64; N]) -> [f64; N] {
+        stress
+    }
+    /// The law for an element of a size, if it depends on the size.
+    fn of_length(&self, _length: f64) -> Option<SharedMultiaxial<N>> {
+        None
+    }
 
     /// Response specific to this law, by the words of a recorder command.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
