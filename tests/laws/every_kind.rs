@@ -371,10 +371,14 @@ fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
 }
 
 fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
-    let places = nodes(ndm, shape);
+    let mut places = nodes(ndm, shape);
     let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
     let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
     let ran = run(&format!("{}element {made}\n", script(ndm, ndf, &places))).done();
+    if shape == Shape::SpaceWall {
+        // The element takes its upper nodes from the left.
+        places.swap(2, 3);
+    }
     (SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
 }
 

@@ -4,7 +4,7 @@ use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
-use crate::{Tcl, warn};
+use crate::{Tcl, slips, warn};
 use hysteron_engine::element::{BrickOptions, Continuum, Element};
 use hysteron_engine::material::{SOLID, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
@@ -95,7 +95,8 @@ fn tetrahedron<const N: usize, const D: usize>(
     a: &mut Args<'_>,
 ) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let Read::<N> { nodes, corners, law, body, place } = read(interp, a)?;
-    let made = Continuum::<SOLID, D>::tetrahedron(&corners, &law, body).map_err(|e| refused(a, place, e))?;
+    let weight = if N == 10 && interp.host.follows(&[slips::TETRAHEDRON_VOLUME]) { 1.0 / 6.0 } else { 1.0 };
+    let made = Continuum::<SOLID, D>::tetrahedron(&corners, &law, (body, weight)).map_err(|e| refused(a, place, e))?;
     warn_of_inversion(interp, made.is_inverted(), place)?;
     Ok((nodes, Arc::new(made)))
 }

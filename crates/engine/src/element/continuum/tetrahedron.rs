@@ -25,14 +25,15 @@ fn functions(nodes: usize, l: [f64; 4]) -> Vec<Function> {
 impl<const D: usize> Continuum<SOLID, D> {
     /// Makes a tetrahedron of four nodes with one point of integration, or of ten nodes with four (Zienkiewicz and Taylor,
     /// 2000, section 8.11), with consistent mass. Nodes 5 to 10 are the middles of the edges 1-2, 2-3, 1-3, 1-4, 3-4 and 2-4.
-    /// Seen from node 4, the nodes 1, 2 and 3 go against the clock. `force` is the force per volume along the axes.
+    /// Seen from node 4, the nodes 1, 2 and 3 go against the clock. `force` is the force per volume along the axes;
+    /// `weight` is a factor of the volume.
     ///
     /// # Errors
     /// The nodes do not make a tetrahedron.
     pub fn tetrahedron(
         nodes: &[Vector3<f64>],
         law: &SharedMultiaxial<SOLID>,
-        force: [f64; 3],
+        (force, weight): ([f64; 3], f64),
     ) -> Result<Self, ElementError> {
         let quadratic = nodes.len() > 4;
         // Points of degree 1 and 2 (Hammer, Marlowe and Stroud, 1956).
@@ -56,7 +57,7 @@ impl<const D: usize> Continuum<SOLID, D> {
         for at in &points {
             let functions = functions(nodes.len(), *at);
             let jacobian: Matrix3<f64> = functions.iter().zip(nodes).map(|((_, d), x)| d * x.transpose()).sum();
-            let volume = -jacobian.determinant() / (6.0 * points.len() as f64);
+            let volume = -weight * jacobian.determinant() / (6.0 * points.len() as f64);
             let Some(inverse) = jacobian.try_inverse() else {
                 return Err(ElementError("the nodes do not make a tetrahedron".into()));
             };
