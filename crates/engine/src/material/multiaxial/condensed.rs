@@ -7,7 +7,9 @@ use crate::probe::Probe;
 use std::sync::Arc;
 
 /// Largest number of Newton's iterations.
-const MAX_ITERATIONS: usize = 50;
+const MAX_ITERATIONS: usize = 200;
+/// First change of the strain where the law has no slope.
+const FIRST_STEP: f64 = 1e-6;
 /// Residual stress over the largest stress.
 const TOLERANCE: f64 = 1e-12;
 /// A residual that no longer falls is round-off below this share of the largest stress.
@@ -25,19 +27,46 @@ pub struct Condensed<const M: usize, const N: usize> {
     free: Vec<usize>,
 }
 
-/// The next strain of Newton's method for one stress, by halves where it leaves the strains of a negative and of a positive
-/// stress.
-fn next_root(bracket: &mut [f64; 2], (strain, stress, slope): (f64, f64, f64)) -> f64 {
-    bracket[usize::from(stress > 0.0)] = strain;
-    let newton = strain - stress / slope;
-    let [low, high] = *bracket;
-    let between = newton > low.min(high) && newton < low.max(high);
-    if low.is_nan() || high.is_nan() {
-        // The stress rises with the strain, although its slope may fall for a while.
-        let step = if newton.is_finite() { (newton - strain).abs() } else { strain.abs().max(1e-6) };
-        return strain - step * stress.signum();
+/// Search for the strain at which one stress is zero: Newton's method, and halves of the interval between a negative and a
+/// positive stress where it does not help.
+struct Root {
+    /// Strains with a negative and with a positive stress.
+    bracket: [f64; 2],
+    /// Last stress, and last step.
+    last: [f64; 2],
+}
+
+impl Default for Root {
+    fn default() -> Self {
+        Self { bracket: [f64::NAN; 2], last: [f64::INFINITY, 0.0] }
     }
-    if between { newton } else { 0.5 * (low + high) }
+}
+
+impl Root {
+    /// Returns true if the stress jumps over zero: there is no strain left between the two.
+    fn is_jump(&self) -> bool {
+        let [low, high] = self.bracket;
+        (high - low).abs() <= 4.0 * f64::EPSILON * low.abs().max(high.abs())
+    }
+
+    fn next(&mut self, strain: f64, stress: f64, slope: f64) -> f64 {
+        self.bracket[usize::from(stress > 0.0)] = strain;
+        let [low, high] = self.bracket;
+        let newton = strain - stress / slope;
+        let [before, step] = self.last;
+        let next = if low.is_nan() || high.is_nan() {
+            // The stress rises with the strain, although its slope may fall for a while.
+            let reach = if newton.is_finite() { (newton - strain).abs() } else { FIRST_STEP };
+            let helped = stress.abs() < 0.5 * before;
+            strain - if helped { reach } else { reach.max(2.0 * step.abs()) } * stress.signum()
+        } else if stress.abs() < 0.5 * before && newton > low.min(high) && newton < low.max(high) {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        self.last = [stress.abs(), next - strain];
+        next
+    }
 }
 
 /// Components of a plane: 11, 22, 12.
@@ -68,19 +97,19 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
         let mut strain = [0.0; M];
         self.given.iter().zip(e).for_each(|(i, e)| strain[*i] = *e);
         self.free.iter().zip(own).for_each(|(i, e)| strain[*i] = *e);
-        let (mut before, mut bracket) = (f64::INFINITY, [f64::NAN; 2]);
+        let (mut before, mut root) = (f64::INFINITY, Root::default());
         for _ in 0..MAX_ITERATIONS {
             let (stress, tangent) = self.law.update(history, &strain, dt, after)?;
             let largest = stress.iter().fold(0.0f64, |m, s| m.max(s.abs()));
             let residual = self.free.iter().fold(0.0f64, |m, i| m.max(stress[*i].abs()));
             let settled = residual >= 0.5 * before && residual <= ROUND_OFF * largest;
-            if residual <= TOLERANCE * largest || settled {
+            if residual <= TOLERANCE * largest || settled || root.is_jump() {
                 found.iter_mut().zip(&self.free).for_each(|(e, i)| *e = strain[*i]);
                 return Ok((stress, tangent));
             }
             before = residual;
             if let [i] = self.free[..] {
-                strain[i] = next_root(&mut bracket, (strain[i], stress[i], tangent[i][i]));
+                strain[i] = root.next(strain[i], stress[i], tangent[i][i]);
                 continue;
             }
             let inverse = self.flexibility(&tangent)?;
