@@ -267,7 +267,12 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Wall, "SFI_MVLEM @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
     (2, 3, Shape::Wall, "E_SFI @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
     (3, 6, Shape::SpaceWall, "SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
-    (3, 6, Shape::SpaceWall, "E_SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35 -Eave 150. -CoR 0.5"),
+    (
+        3,
+        6,
+        Shape::SpaceWall,
+        "E_SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35 -Eave 150. -CoR 0.5",
+    ),
     (
         3,
         6,
@@ -332,7 +337,8 @@ fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
         }
         Shape::Tetrahedron(count) => {
             let corners = [[0.0, 0.0, 0.0], [1.1, 0.1, 0.2], [0.1, 1.2, -0.1], [0.2, 0.3, 0.9]].map(Vector3::from);
-            let middles = [(0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3)].map(|(i, j)| 0.5 * (corners[i] + corners[j]));
+            let middles =
+                [(0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3)].map(|(i, j)| 0.5 * (corners[i] + corners[j]));
             corners.into_iter().chain(middles).take(count).collect()
         }
         Shape::Corners | Shape::Triangle => {

@@ -112,8 +112,9 @@ pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
 pub use multiaxial::{
-    AsdConcrete, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters, HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial,
-    Orthotropic, PLANE, ParallelSolids, Plane, SOLID, SharedMultiaxial, SimplifiedJ2, Tangent,
+    AsdConcrete, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters, HardeningCurve,
+    InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE, ParallelSolids, Plane,
+    SOLID, SharedMultiaxial, SimplifiedJ2, Tangent,
 };
 pub use no_tension::NoTension;
 pub use parallel::Parallel;

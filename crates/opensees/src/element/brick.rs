@@ -105,6 +105,7 @@ fn warn_of_inversion(interp: &mut Tcl, inverted: bool, place: Option<Span>) -> R
     if !inverted {
         return Ok(());
     }
-    let warning = Diagnostic::warning("the corners go round the other way: stiffness and mass of the element are negative");
+    let warning =
+        Diagnostic::warning("the corners go round the other way: stiffness and mass of the element are negative");
     warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other ones"))
 }

@@ -80,7 +80,13 @@ const IN_SPACE: &[&str] = &["-CoR", "-ThickMod", "-Poisson", "-Density", "-Eave"
 
 impl Strips {
     /// Takes the options `needed`, and in space those that may be left out. Defaults are those of OpenSees.
-    fn take(interp: &mut Tcl, a: &mut Args<'_>, count: usize, needed: &[&str], in_space: bool) -> Result<Self, Exception> {
+    fn take(
+        interp: &mut Tcl,
+        a: &mut Args<'_>,
+        count: usize,
+        needed: &[&str],
+        in_space: bool,
+    ) -> Result<Self, Exception> {
         let mut s = Self {
             thickness: vec![],
             width: vec![],
@@ -112,7 +118,9 @@ impl Strips {
                         form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))
                     })?;
                 }
-                "-CoR" if in_space => s.centre = a.float("height of the centre of rotation as a share of the height")?,
+                "-CoR" if in_space => {
+                    s.centre = a.float("height of the centre of rotation as a share of the height")?
+                }
                 "-ThickMod" if in_space => s.bending = a.positive("factor of the thickness in bending")?,
                 "-Poisson" if in_space => s.nu = poisson(a)?,
                 "-Density" if in_space => s.density = a.not_negative("mass per volume")?,
@@ -177,7 +185,8 @@ impl Strips {
         modulus: impl Fn(usize) -> f64,
     ) -> Result<WallShape<SPACE_WALL>, hysteron_engine::element::ElementError> {
         let (area, width) = (self.area(), self.width.iter().sum::<f64>());
-        let mean = self.thickness.iter().zip(&self.width).enumerate().map(|(i, (t, w))| modulus(i) * t * w / area).sum();
+        let mean =
+            self.thickness.iter().zip(&self.width).enumerate().map(|(i, (t, w))| modulus(i) * t * w / area).sum();
         let plate = WallPlate {
             modulus: self.modulus.unwrap_or(mean),
             nu: self.nu,
@@ -288,6 +297,7 @@ fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static 
     let count = count(a)?;
     let s = Strips::take(interp, a, count, PANELS, true)?;
     // The modulus of the concrete: twice the shear modulus of the virgin panel.
-    let shape = s.in_space(&corners, |i| 2.0 * s.panels[i].initial_tangent()[2][2]).map_err(|e| refused(a, place, e))?;
+    let shape =
+        s.in_space(&corners, |i| 2.0 * s.panels[i].initial_tangent()[2][2]).map_err(|e| refused(a, place, e))?;
     Ok((nodes, Arc::new(WallPanels::new(class, s.panels(), kind, shape))))
 }

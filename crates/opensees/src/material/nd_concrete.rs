@@ -11,8 +11,21 @@ pub(super) const USAGE: &str = "nDMaterial ASDConcrete3D $tag $E $nu -Te $strain
     <-implexAlpha $alpha> <-tangent> <-autoRegularization $length>";
 
 const OPTIONS: &[&str] = &[
-    "-Te", "-Ts", "-Td", "-Ce", "-Cs", "-Cd", "-rho", "-Kc", "-eta", "-cdf", "-implex", "-implexControl", "-implexAlpha",
-    "-tangent", "-autoRegularization",
+    "-Te",
+    "-Ts",
+    "-Td",
+    "-Ce",
+    "-Cs",
+    "-Cd",
+    "-rho",
+    "-Kc",
+    "-eta",
+    "-cdf",
+    "-implex",
+    "-implexControl",
+    "-implexAlpha",
+    "-tangent",
+    "-autoRegularization",
 ];
 /// Shape of the surface of failure that OpenSees assumes.
 const KC: f64 = 2.0 / 3.0;

@@ -4,8 +4,8 @@ use super::nd_concrete;
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
-    ConcreteCm, Condensed, Fsam, FsamParameters, InitialStrain, Isotropic, J2Plasticity, LAYER, NdMaterial, Orthotropic,
-    ParallelSolids, SOLID, SharedMultiaxial, SimplifiedJ2,
+    ConcreteCm, Condensed, Fsam, FsamParameters, InitialStrain, Isotropic, J2Plasticity, LAYER, NdMaterial,
+    Orthotropic, ParallelSolids, SOLID, SharedMultiaxial, SimplifiedJ2,
 };
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
@@ -49,12 +49,16 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["PlaneStress", "PlaneStressMaterial"],
         usage: "nDMaterial PlaneStress $tag $material",
-        make: |interp, a| Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?)),
+        make: |interp, a| {
+            Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?))
+        },
     },
     Kind {
         names: &["PlaneStrain", "PlaneStrainMaterial"],
         usage: "nDMaterial PlaneStrain $tag $material",
-        make: |interp, a| Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?)),
+        make: |interp, a| {
+            Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?))
+        },
     },
     Kind {
         names: &["InitStrain", "InitStrainMaterial"],

@@ -3,9 +3,7 @@
 //! As in OpenSees, nodes and elements have numbers for names, and definitions have texts. Parameters of laws are left out.
 
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
-use hysteron_engine::model::{
-    Definitions, ElementEntry, Fix, Model, MultiPoint, Node, Pattern, PatternKind, Tag,
-};
+use hysteron_engine::model::{Definitions, ElementEntry, Fix, Model, MultiPoint, Node, Pattern, PatternKind, Tag};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -144,4 +142,3 @@ fn uniaxial_class(name: &str) -> &str {
         other => other,
     }
 }
-

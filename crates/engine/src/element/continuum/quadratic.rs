@@ -193,7 +193,9 @@ impl Continuum<PLANE, 8> {
             SIGNS.into_iter().map(of).collect()
         };
         if !(law.is_linear() && law.state_len() == 0) {
-            return Err(ElementError("the enhanced strains follow the displacements in linear elasticity alone".into()));
+            return Err(ElementError(
+                "the enhanced strains follow the displacements in linear elasticity alone".into(),
+            ));
         }
         let (elasticity, rho) = (law.initial_tangent(), law.density());
         let d = SMatrix::<f64, 3, 3>::from_fn(|i, j| elasticity[i][j]);

@@ -125,7 +125,11 @@ fn add_plate(a: f64, b: f64, plate: &WallPlate, k: &mut SMatrix<f64, SPACE_WALL,
     let falling = |p: i32, n: i32| (0..n).map(|i| f64::from(p - i)).product::<f64>();
     // Derivative of the term (p, q), `m` times by x and `n` times by y. Lengths are in units of the sides.
     let term = |(p, q): (i32, i32), (m, n): (i32, i32), [x, y]: [f64; 2]| {
-        if p < m || q < n { 0.0 } else { falling(p, m) * falling(q, n) * x.powi(p - m) * y.powi(q - n) / a.powi(m) / b.powi(n) }
+        if p < m || q < n {
+            0.0
+        } else {
+            falling(p, m) * falling(q, n) * x.powi(p - m) * y.powi(q - n) / a.powi(m) / b.powi(n)
+        }
     };
     let mut corners = SMatrix::<f64, 12, 12>::zeros();
     for (corner, at) in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].into_iter().enumerate() {

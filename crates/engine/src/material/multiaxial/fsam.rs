@@ -142,8 +142,7 @@ impl Fsam {
         let (mut next, before) = (*histories, *peaks);
         for i in 0..2 {
             let j = 1 - i;
-            let (stress, history) =
-                law.update(&histories[i], Strain { value: strains[i], ..Strain::default() })?;
+            let (stress, history) = law.update(&histories[i], Strain { value: strains[i], ..Strain::default() })?;
             let (factor, slope, peak) = self.softening(strains[j], stress.value, before[j]);
             peaks[j] = peak;
             local.stress[i] = factor * stress.value;
@@ -239,7 +238,8 @@ impl Fsam {
             stress[i] += self.parameters.ratios[i] * bars[i][0];
             tangent[i][i] = self.parameters.ratios[i] * bars[i][1];
         }
-        let dowels = cracks * self.parameters.ratios[1] * self.parameters.dowel * self.bars[1].material.initial_tangent();
+        let dowels =
+            cracks * self.parameters.ratios[1] * self.parameters.dowel * self.bars[1].material.initial_tangent();
         stress[2] += dowels * e[2];
         tangent[2][2] = dowels;
         tangent

@@ -121,13 +121,7 @@ impl<const N: usize> Multiaxial<N> for Elastic<N> {
     fn density(&self) -> f64 {
         self.rho
     }
-    fn update(
-        &self,
-        _: &[f64],
-        e: &[f64; N],
-        _: f64,
-        _: &mut [f64],
-    ) -> Result<([f64; N], Tangent<N>), MaterialError> {
+    fn update(&self, _: &[f64], e: &[f64; N], _: f64, _: &mut [f64]) -> Result<([f64; N], Tangent<N>), MaterialError> {
         Ok((linear(&self.stiffness, e), self.stiffness))
     }
     fn initial_tangent(&self) -> Tangent<N> {

@@ -111,7 +111,8 @@ impl Multiaxial<SOLID> for ParallelSolids {
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
         let scaled: Vec<_> = self.laws.iter().map(|(law, weight)| (law.of_length(length), law, *weight)).collect();
         scaled.iter().any(|(scaled, ..)| scaled.is_some()).then(|| {
-            let laws = scaled.into_iter().map(|(scaled, law, weight)| (scaled.unwrap_or_else(|| Arc::clone(law)), weight));
+            let laws =
+                scaled.into_iter().map(|(scaled, law, weight)| (scaled.unwrap_or_else(|| Arc::clone(law)), weight));
             Arc::new(Self { laws: laws.collect() }) as _
         })
     }

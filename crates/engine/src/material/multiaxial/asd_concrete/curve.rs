@@ -43,7 +43,12 @@ impl HardeningCurve {
             .iter()
             .zip(stresses)
             .zip(damages)
-            .map(|((x, y), d)| CurvePoint { strain: x.abs(), stress: y.abs(), damage: d.clamp(0.0, 1.0), effective: 0.0 })
+            .map(|((x, y), d)| CurvePoint {
+                strain: x.abs(),
+                stress: y.abs(),
+                damage: d.clamp(0.0, 1.0),
+                effective: 0.0,
+            })
             .collect();
         let most = |f: fn(&CurvePoint) -> f64| points.iter().map(f).fold(0.0, f64::max);
         let (x_max, y_max) = (most(|p| p.strain), most(|p| p.stress));

@@ -127,7 +127,13 @@ impl AsdConcrete {
         for (i, s) in order.into_iter().zip(principal) {
             let v = eigen.eigenvectors.column(i);
             let dyad = [v[0] * v[0], v[1] * v[1], v[2] * v[2], v[0] * v[1], v[1] * v[2], v[0] * v[2]];
-            let sign = if s > 0.0 { 1.0 } else if s < 0.0 { -1.0 } else { 0.0 };
+            let sign = if s > 0.0 {
+                1.0
+            } else if s < 0.0 {
+                -1.0
+            } else {
+                0.0
+            };
             for (row, a) in projection.iter_mut().zip(dyad) {
                 for (j, (out, b)) in row.iter_mut().zip(dyad).enumerate() {
                     *out += 0.5 * sign * a * b * if j < 3 { 1.0 } else { 2.0 };
@@ -152,11 +158,8 @@ impl AsdConcrete {
         let tension =
             if principal[0] < self.tension.stress_tolerance() { 0.0 } else { self.equivalent(principal) / ratio };
         let compression = self.equivalent(principal.map(|s| s.min(0.0)));
-        let [kept, new] = if dt > 0.0 && self.eta > 0.0 {
-            [self.eta, dt].map(|t| t / (self.eta + dt))
-        } else {
-            [0.0, 1.0]
-        };
+        let [kept, new] =
+            if dt > 0.0 && self.eta > 0.0 { [self.eta, dt].map(|t| t / (self.eta + dt)) } else { [0.0, 1.0] };
         let curves = [&self.tension, &self.compression];
         for ((point, curve), stress) in points.iter_mut().zip(curves).zip([tension, compression]) {
             let trial = stress / self.e + point.plastic(self.e);
@@ -168,7 +171,13 @@ impl AsdConcrete {
     }
 
     /// Stress and state for a strain. `explicit` extrapolates the equivalent strains.
-    fn solve(&self, c: &ConcreteState, e: &[f64; SOLID], dt: f64, explicit: bool) -> Result<ConcreteState, MaterialError> {
+    fn solve(
+        &self,
+        c: &ConcreteState,
+        e: &[f64; SOLID],
+        dt: f64,
+        explicit: bool,
+    ) -> Result<ConcreteState, MaterialError> {
         let mut next = ConcreteState { strain: *e, before: c.equivalent, begun: 1.0, ..*c };
         next.steps = if c.begun == 0.0 { [dt, dt] } else { [dt, c.steps[1]] };
         let step: [f64; SOLID] = std::array::from_fn(|i| e[i] - c.strain[i]);
@@ -223,7 +232,13 @@ impl AsdConcrete {
         })
     }
 
-    fn numerical(&self, c: &ConcreteState, e: &[f64; SOLID], dt: f64, stress: &[f64; SOLID]) -> Result<Tangent<SOLID>, MaterialError> {
+    fn numerical(
+        &self,
+        c: &ConcreteState,
+        e: &[f64; SOLID],
+        dt: f64,
+        stress: &[f64; SOLID],
+    ) -> Result<Tangent<SOLID>, MaterialError> {
         let step = self.tension.perturbation(&self.compression);
         let mut tangent = [[0.0; SOLID]; SOLID];
         for j in 0..SOLID {
@@ -277,7 +292,9 @@ impl Multiaxial<SOLID> for AsdConcrete {
         if let Some([tolerance, least]) = x.control {
             let error = (0..2).map(|i| (explicit.damage[i] - implicit.damage[i]).abs()).fold(0.0, f64::max);
             if error > tolerance && dt >= least * implicit.steps[1] {
-                return Err(MaterialError(format!("the extrapolated damage of ASDConcrete3D has an error of {error:.3}")));
+                return Err(MaterialError(format!(
+                    "the extrapolated damage of ASDConcrete3D has an error of {error:.3}"
+                )));
             }
         }
         Ok((explicit.stress, self.secant(&explicit)))
