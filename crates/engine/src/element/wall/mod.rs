@@ -79,7 +79,7 @@ impl WallShape<SPACE_WALL> {
         let height = 0.5 * (h1 + h2);
         let (x, y) = (side(0, 1).normalize(), side(0, 2).normalize());
         let z = x.cross(&y);
-        if !(z.norm() > 0.99) {
+        if z.norm().is_nan() || z.norm() <= 0.99 {
             return Err(ElementError("the corners do not make a rectangle".into()));
         }
         let axes = Matrix3::from_rows(&[x.transpose(), y.transpose(), z.transpose()]);
