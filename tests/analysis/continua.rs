@@ -1,6 +1,6 @@
 //! Elements of elastic continua beside openseespy 3.7.1.
 
-use crate::script::run;
+use crate::script::{Script, run};
 
 #[test]
 fn plane_elements_with_nodes_on_their_sides() {
@@ -108,7 +108,7 @@ nDMaterial PlaneStressSimplifiedJ2 1 80. 160. 2. 1. 1.\nelement quad 1 1 2 3 4 1
             "stresses",
         ),
     ] {
-        let ran = run(script);
+        let ran = Script::default().run(script);
         let error = ran.error();
         assert!(error.message.contains(message) && error.span.is_some(), "{}", error.message);
     }
