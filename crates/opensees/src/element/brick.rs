@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::{Tcl, slips, warn};
-use hysteron_engine::element::{BrickOptions, Continuum, Element};
+use hysteron_engine::element::{BrickOptions, Continuum, Element, Shared};
 use hysteron_engine::material::{SOLID, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
@@ -56,7 +56,7 @@ struct Read<const N: usize> {
 fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let r = read(interp, a)?;
     let made = Continuum::stabilised_brick(&r.corners, &r.law, r.body).map_err(|e| refused(a, r.place, e))?;
-    Ok((r.nodes, Arc::new(made)))
+    Ok((r.nodes, made.shared()))
 }
 
 fn read<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read<N>, Exception> {
@@ -87,18 +87,21 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     options.lumped = !bbar && a.flag("-lumped");
     let made = Continuum::brick(&corners, &law, &options).map_err(|e| refused(a, place, e))?;
     warn_of_inversion(interp, made.is_inverted(), place)?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn tetrahedron<const N: usize, const D: usize>(
     interp: &mut Tcl,
     a: &mut Args<'_>,
-) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
+where
+    Continuum<SOLID, D>: Shared,
+{
     let Read::<N> { nodes, corners, law, body, place } = read(interp, a)?;
     let weight = if N == 10 && interp.host.follows(&[slips::TETRAHEDRON_VOLUME]) { 1.0 / 6.0 } else { 1.0 };
     let made = Continuum::<SOLID, D>::tetrahedron(&corners, &law, (body, weight)).map_err(|e| refused(a, place, e))?;
     warn_of_inversion(interp, made.is_inverted(), place)?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn warn_of_inversion(interp: &mut Tcl, inverted: bool, place: Option<Span>) -> Result<(), Exception> {

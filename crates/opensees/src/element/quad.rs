@@ -5,7 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
-use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape};
+use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape, Shared};
 use hysteron_engine::material::{PLANE, Plane, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
@@ -112,7 +112,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     let place = a.last_span();
     let (law, o) = properties(interp, a)?;
     let made = Continuum::quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn make_triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
@@ -120,7 +120,7 @@ fn make_triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc
     let place = a.last_span();
     let (law, o) = properties(interp, a)?;
     let made = Continuum::triangle(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn make_stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
@@ -132,19 +132,22 @@ fn make_stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, A
     let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
     body_forces(a, &mut o.body)?;
     let made = Continuum::stabilised_quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn make_quadratic<const N: usize, const D: usize>(
     interp: &mut Tcl,
     a: &mut Args<'_>,
     shape: QuadraticShape,
-) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
+where
+    Continuum<PLANE, D>: Shared,
+{
     let (nodes, places) = corners::<N>(interp, a)?;
     let place = a.last_span();
     let (law, o) = properties(interp, a)?;
     let made = Continuum::<PLANE, D>::quadratic(shape, &places, &law, &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
@@ -154,5 +157,5 @@ fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc
     let plane = plane(a)?;
     let law = plane_law(interp, a, plane)?;
     let made = Continuum::enhanced(&corners, &law, thickness).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }

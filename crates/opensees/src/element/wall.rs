@@ -7,7 +7,8 @@ use crate::model::nodes::node_of;
 use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{
-    Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
+    Element, PLANE_WALL, PanelLaw, SPACE_WALL, Shared, WallFibre, WallLines, WallPanel, WallPanels, WallPlate,
+    WallShape,
 };
 use hysteron_engine::material::{Material, PLANE, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
@@ -267,7 +268,7 @@ fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, density * s.area() * height);
     let fibres = s.fibres();
     let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
-    Ok((nodes, Arc::new(WallLines::new("MVLEM", fibres, shear, shape))))
+    Ok((nodes, WallLines::new("MVLEM", fibres, shear, shape).shared()))
 }
 
 fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
@@ -278,7 +279,7 @@ fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let shape = s.in_space(&corners, |i| moduli[i]).map_err(|e| refused(a, place, e))?;
     let fibres = s.fibres();
     let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
-    Ok((nodes, Arc::new(WallLines::new("MVLEM_3D", fibres, shear, shape))))
+    Ok((nodes, WallLines::new("MVLEM_3D", fibres, shear, shape).shared()))
 }
 
 fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
@@ -289,7 +290,7 @@ fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, Pane
     let strips = s.panels();
     let mass = strips.iter().map(|p| p.law.density() * p.thickness * p.width * height).sum();
     let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, mass);
-    Ok((nodes, Arc::new(WallPanels::new(class, strips, kind, shape))))
+    Ok((nodes, WallPanels::new(class, strips, kind, shape).shared()))
 }
 
 fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
@@ -299,5 +300,5 @@ fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static 
     // The modulus of the concrete: twice the shear modulus of the virgin panel.
     let shape =
         s.in_space(&corners, |i| 2.0 * s.panels[i].initial_tangent()[2][2]).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(WallPanels::new(class, s.panels(), kind, shape))))
+    Ok((nodes, WallPanels::new(class, s.panels(), kind, shape).shared()))
 }
