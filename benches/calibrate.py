@@ -172,7 +172,7 @@ def ours(folder, threads):
     out = folder / f"out{threads}"
     command = [binary, "calibrate", folder / "study.toml", "--out", out, "--threads", str(threads)]
     before = os.times()
-    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     after = os.times()
     result = json.loads((out / "calibration.json").read_text())
     cpu = after.children_user - before.children_user + after.children_system - before.children_system

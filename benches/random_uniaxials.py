@@ -94,6 +94,89 @@ def Multiplier(r):
     return [f"Steel01 {tag} {r.uniform(1, 3)} 200. {r.uniform(0, 0.1)}"], f"{tag} {r.uniform(-2, 3)}"
 
 
+@kind(0.02)
+def HystereticSM(r):
+    def envelope(sign):
+        at, force, out = 0.0, 0.0, []
+        for i in range(r.randint(2, 7)):
+            step = r.uniform(0.003, 0.01)
+            rise = r.uniform(100, 300) if i == 0 else r.uniform(5, 60) if i == 1 or r.random() < 0.3 else r.uniform(-60, 5)
+            at, force = at + step, max(force + rise * step, 0.02 * (i + 1))
+            out += [sign * force, sign * at]
+        return " ".join(map(str, out))
+
+    options = [f"-negEnv {envelope(-1)}", f"-pinch {r.uniform(0.2, 1)} {r.uniform(0.2, 1)}", f"-damage {r.uniform(0, 0.05)} {r.uniform(0, 0.05)}"]
+    options += [f"-beta {r.uniform(0, 0.5)}", f"-degEnv {r.uniform(-0.3, 0.1)} {r.uniform(-0.3, 0.1)}"]
+    return f"-posEnv {envelope(1)} {' '.join(r.sample(options, r.randint(0, 5)))}"
+
+
+@kind(0.002)
+def ECC01(r):
+    ft, et0 = r.uniform(2, 5), r.uniform(0.0001, 0.0003)
+    et1, fc, ec0 = r.uniform(0.002, 0.01), r.uniform(30, 60), r.uniform(0.002, 0.004)
+    return f"{ft} {et0} {ft * r.uniform(1.01, 1.5)} {et1} {et1 * r.uniform(1.3, 4)} {-fc} {-ec0} {-ec0 * r.uniform(1.5, 4)} {r.uniform(1, 6)} {r.uniform(1, 5)} {r.uniform(1, 3)} {r.uniform(1, 3)} {r.uniform(0.1, 0.6)} {r.uniform(0.1, 0.6)}"
+
+
+@kind(0.002, "a jump beyond the plastic strain that it makes ends where OpenSees' second trial does", 0.1)
+def FRPConfinedConcrete02(r):
+    units = r.choice([0, 1])
+    mpa = 1 if units else 1 / 6.895
+    fc, ec0 = r.uniform(20, 60) * mpa, r.uniform(0.0018, 0.003)
+    first = f"{-fc} {fc / ec0 * r.uniform(1.3, 2)} {-ec0}"
+    last = f"{r.uniform(1, 4) * mpa} {r.uniform(500, 5000) * mpa} {units}"
+    form = r.choice(["", f"-Ultimate {-fc * r.uniform(1.1, 2)} {-r.uniform(0.006, 0.02)}"])
+    form = r.choice([form, f"-JacketC {r.uniform(0.2, 1)} {r.uniform(5e4, 2e5) * mpa} {r.uniform(0.008, 0.016)} {r.uniform(70, 300)}"])
+    return f"{first} {form} {last}"
+
+
+@kind(0.01)
+def Steel03(r):
+    radius = r.choice(["20 0 0", f"{r.uniform(10, 25)} {r.uniform(0.8, 0.95)} {r.uniform(0.1, 0.3)}"])
+    hardening = f"{r.uniform(0, 0.3)} {r.uniform(1, 55)} {r.uniform(0, 0.3)} {r.uniform(1, 55)}"
+    return f"{r.uniform(250, 600)} 2e5 {r.uniform(0, 0.1)} {radius} {r.choice(['', hardening])}"
+
+
+@kind(0.01)
+def Steel4(r):
+    asym = r.random() < 0.5
+    def kin():
+        return f"{r.uniform(0.001, 0.03)} {r.uniform(15, 50)} {r.uniform(0.85, 0.93)} {r.uniform(0.1, 0.2)}"
+
+    def iso():
+        return f"{r.uniform(0.001, 0.02)} {r.uniform(0.3, 2)} {r.uniform(0.0001, 0.002)} {r.uniform(10, 50)}"
+
+    def both(one):
+        return " ".join(str(one()) for _ in range(1 + asym))
+
+    fy = r.uniform(250, 500)
+    options = [f"-kin {both(kin)}", f"-ult {both(lambda: f'{fy * r.uniform(1.1, 1.6)} {r.uniform(2, 10)}')}"]
+    options += [f"-iso {iso()} {r.choice([0, r.uniform(1, 10)])} {iso() if asym else ''}", f"-mem {r.choice([0, 50])}", f"-init {r.uniform(-0.6, 0.6) * fy}"]
+    return f"{fy} {r.uniform(1.9e5, 2.1e5)} {'-asym' if asym else ''} {' '.join(r.sample(options, r.randint(0, 5)))}"
+
+
+@kind(0.002)
+def Concrete01WithSITC(r):
+    fc, ec0 = r.uniform(20, 60), r.uniform(0.0018, 0.003)
+    return f"{-fc} {-ec0} {-fc * r.uniform(0, 0.6)} {-ec0 * r.uniform(1.5, 5)} {r.choice(['', -0.0003, 0.0005, 0.002])}"
+
+
+@kind(0.5)
+def CastFuse(r):
+    fingers = f"{r.randint(4, 12)} {r.uniform(3, 8)} {r.uniform(1, 2)} {r.uniform(40, 60)} {r.uniform(28000, 30000)} {r.uniform(8, 15)}"
+    hardening = [x for _ in range(2) for x in (r.choice([0, r.uniform(0, 0.1)]), r.uniform(0.8, 2))]
+    return f"{fingers} {r.uniform(0.005, 0.1)} {r.uniform(15, 30)} {r.uniform(0.9, 0.93)} {r.uniform(0.1, 0.2)} {' '.join(map(str, hardening))}"
+
+
+@kind(1.0, "OpenSees gives a level part of the path a slope; the trials of pinching", 0.02)
+def BarSlip(r):
+    units = r.choice(["MPa", "ksi"])
+    stress, length = (1, 1) if units == "MPa" else (1 / 6.895, 1 / 25.4)
+    steel = f"{r.uniform(400, 500) * stress} {2e5 * stress} {r.uniform(550, 700) * stress} {r.uniform(2000, 6000) * stress} {r.choice([16, 20, 25]) * length}"
+    joint = f"{r.uniform(300, 600) * length} {r.randint(2, 6)} {r.uniform(300, 500) * length} {r.uniform(300, 500) * length}"
+    words = f"{r.choice(['strong', 'weak'])} {r.choice(['beamtop', 'beambot', 'column'])} {r.choice(['Damage1', 'Damage2', 'NoDamage'])}"
+    return f"{r.uniform(25, 45) * stress} {steel} {joint} {words} {units}"
+
+
 def strains(r, scale):
     """A history with turns at random places, of steps of random lengths."""
     out, at = [], 0.0

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "analysis/algorithms.rs"]
+mod algorithms;
 #[path = "analysis/amended.rs"]
 mod amended;
 #[path = "analysis/columns.rs"]

@@ -52,7 +52,8 @@ TIMES = re.compile(r"warning|failure|error|second|elapsed|duration|time|clock|da
 # Lines of the command `print`, with -JSON too, which OpenSees writes to its error stream.
 OF_PRINT = re.compile(r"\s*(Node:|Element:|Coordinates|Disps|Velocities|commitAccels|unbalanced|Mass|Eigenvectors|ID\s*:|Rayleigh"
                       r"|strain:|NODE DATA|ELEMENT DATA|Current Time|Committed Time|SP_Constraint|MP_Constraint|Pressure_Constraint"
-                      r"|Nodal Load|LOAD PATTERNS|Load Pattern|Linear Series|PARAMETERS|\"\w+\"\s*:|\{\"|[{}\[\]]+,?\s*$)")
+                      r"|End \d Forces|Number of Sections|Connected |Gauss point|thickness:|surface pressure|mass density|body forces"
+                      r"|\w+, element id|Nodal Load|LOAD PATTERNS|Load Pattern|Linear Series|PARAMETERS|\"\w+\"\s*:|\{\"|[{}\[\]]+,?\s*$)")
 # Results beside a time of the analysis, which is no time of the clock.
 OF_RESULTS = re.compile(r"disp|force|reaction|drift", re.I)
 # Names of files of mode shapes and participation factors.

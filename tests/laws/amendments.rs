@@ -386,8 +386,16 @@ fn zero_time_causes_no_relaxation() {
     element.init(&mut state);
     let mut next = state.clone();
     let (mut force, disp) = (vec![0.0; 6], [0.0, 0.0, 0.0, 0.02, 0.0, 0.0]);
-    let motion =
-        ElementInput { disp: &disp, vel: &[0.0; 6], load: &[], still: false, opensees: None, dt: 0.0, time: 0.0 };
+    let motion = ElementInput {
+        disp: &disp,
+        vel: &[0.0; 6],
+        load: &[],
+        still: false,
+        opensees: None,
+        dt: 0.0,
+        time: 0.0,
+        dynamic: false,
+    };
     element
         .respond(
             &motion,

@@ -137,6 +137,7 @@ fn coincident_ends_are_an_error() {
             opensees: None,
             dt: 0.0,
             time: 0.0,
+            dynamic: false,
         };
         let response = hysteron::element::ElementOutput {
             force: &mut force,

@@ -174,7 +174,15 @@ fn pinching4(rate: f64) -> Pinching4Parameters {
     let damage = Damage { rate: [rate, rate], exponent: [1.0, 1.0], limit: 0.8 };
     let energy = 10.0;
     let [stiffness, reloading, strength] = [damage; 3];
-    Pinching4Parameters { sides: [side; 2], stiffness, reloading, strength, energy, by_cycles: false }
+    Pinching4Parameters {
+        sides: [side; 2],
+        stiffness,
+        reloading,
+        strength,
+        linear_strength: None,
+        energy,
+        by_cycles: false,
+    }
 }
 
 const IMK_SIDE: ImkSide =

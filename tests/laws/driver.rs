@@ -71,7 +71,16 @@ impl SingleElement {
     pub fn trial(&mut self, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = self.element.dofs();
         let (mut force, mut tangent) = (vec![0.0; n], vec![0.0; n * n]);
-        let motion = ElementInput { disp, vel, load: &self.load, still: false, opensees: None, dt: 0.01, time: 1.0 };
+        let motion = ElementInput {
+            disp,
+            vel,
+            load: &self.load,
+            still: false,
+            opensees: None,
+            dt: 0.01,
+            time: 1.0,
+            dynamic: true,
+        };
         let response =
             ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
         self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
@@ -84,8 +93,16 @@ impl SingleElement {
         let (mut force, mut tangent) = (vec![0.0; n], vec![7.0; n * n]);
         part.clear(&mut tangent, n);
         let vel = vec![0.0; n];
-        let motion =
-            ElementInput { disp, vel: &vel, load: &self.load, still: true, opensees: None, dt: 0.01, time: 1.0 };
+        let motion = ElementInput {
+            disp,
+            vel: &vel,
+            load: &self.load,
+            still: true,
+            opensees: None,
+            dt: 0.01,
+            time: 1.0,
+            dynamic: true,
+        };
         let response = ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
         self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
         tangent

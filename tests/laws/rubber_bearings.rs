@@ -339,7 +339,16 @@ fn viscous_part_is_in_the_damping_matrix() {
         let (mut force, mut damping) = (vec![0.0; 12], vec![0.0; 144]);
         let mut disp = [0.0; 12];
         (disp[6], disp[8]) = (0.05, -0.001);
-        let motion = ElementInput { disp: &disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01 };
+        let motion = ElementInput {
+            disp: &disp,
+            vel,
+            load: &[],
+            still: false,
+            opensees: None,
+            dt: 0.01,
+            time: 0.01,
+            dynamic: true,
+        };
         let response = ElementOutput {
             force: &mut force,
             tangent: None,

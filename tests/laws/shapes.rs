@@ -23,6 +23,8 @@ pub enum Shape {
     Tetrahedron(usize),
     /// At the middles of the edges of a rectangle.
     Joint,
+    /// In a line, and loaded by its own weight.
+    Cable,
 }
 
 /// Coordinates of the nodes.
@@ -30,7 +32,7 @@ pub fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     let start = Vector3::new(0.4, -0.3, if ndm == 3 { 0.7 } else { 0.0 });
     let along = if ndm == 3 { Vector3::new(1.0, 0.5, 1.0) } else { Vector3::new(0.9, 1.2, 0.0) };
     match shape {
-        Shape::Line | Shape::Link => vec![start, start + along],
+        Shape::Line | Shape::Link | Shape::Cable => vec![start, start + along],
         Shape::MaterialPoint => vec![start, start],
         Shape::Joint => {
             [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()

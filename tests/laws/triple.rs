@@ -213,7 +213,16 @@ fn rolling_bearing_has_consistent_tangents() {
         ElementOutput { force: &mut f, tangent: None, damping: Some(&mut c), part: hysteron::element::MatrixMask::ALL };
     e.element
         .respond(
-            &ElementInput { disp: &[0.01; 6], vel: &vel, load: &[], still: false, opensees: None, dt: DT, time: 1.0 },
+            &ElementInput {
+                disp: &[0.01; 6],
+                vel: &vel,
+                load: &[],
+                still: false,
+                opensees: None,
+                dt: DT,
+                time: 1.0,
+                dynamic: true,
+            },
             &e.state,
             &mut next,
             response,

@@ -47,7 +47,7 @@ pub const PAGES: &[Page] = &[
         title: "Model",
         intro: "Nodes, masses, supports, constraints between nodes, damping and parameters.",
         commands: "wipe database save restore model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF equalDOF_Mixed rigidDiaphragm \
-                   rigidLink rayleigh region setElementRayleighDampingFactors setElementRayleighFactors \
+                   rigidLink rayleigh damping region setElementRayleighDampingFactors setElementRayleighFactors \
                    modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
                    getParamValue getParamTags remove domainChange defaultUnits",
     },
@@ -55,7 +55,7 @@ pub const PAGES: &[Page] = &[
         name: "material",
         title: "Materials",
         intro: "Uniaxial laws, laws of friction, and the commands that try a law by itself.",
-        commands: "uniaxialMaterial nDMaterial frictionModel testUniaxialMaterial setStrain getStrain getStress \
+        commands: "uniaxialMaterial hystereticBackbone nDMaterial frictionModel testUniaxialMaterial setStrain getStrain getStress \
                    getTangent getDampTangent",
     },
     Page {
@@ -89,7 +89,7 @@ pub const PAGES: &[Page] = &[
         name: "output",
         title: "Output and queries",
         intro: "Recorders, and commands that return a result to the script.",
-        commands: "recorder record setPrecision print printModel nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
+        commands: "recorder record setPrecision print printModel verify nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
                    nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
                    setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
                    basicStiffness nodeResponse classType getEleClassTags getCrdTransfTags \

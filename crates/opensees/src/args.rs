@@ -20,12 +20,17 @@ pub(crate) struct Args<'a> {
     usage: &'static str,
     /// Words so far that are no options.
     unknown: usize,
+    /// Returns true after a word that begins with "#": what follows is meant as a comment.
+    commented: bool,
     /// Definitions that were taken so far: kind and tag.
     pub(crate) taken: Vec<(&'static str, Tag)>,
 }
 
 /// Words of a command that are ignored with a warning each. With more the command is not what was meant.
 const MAX_UNKNOWN: usize = 20;
+
+/// Help about a comment that is none.
+const COMMENT: &str = "a comment after a command begins with \";#\"";
 
 /// Range that a number must lie in.
 #[derive(Clone, Copy)]
@@ -38,7 +43,7 @@ enum Sign {
 impl<'a> Args<'a> {
     /// All words after the name of the command.
     pub(crate) fn new(call: &'a Call<'a>, usage: &'static str) -> Self {
-        Self { call, at: 1, usage, unknown: 0, taken: vec![] }
+        Self { call, at: 1, usage, unknown: 0, commented: false, taken: vec![] }
     }
 
     /// The same words for what a sub-command wants.
@@ -329,11 +334,21 @@ impl<'a> Args<'a> {
     }
 
     /// A warning about the last word taken, which is no option of the command. Numbers after it are left out with it.
+    /// After a word that begins with "#" there is no further warning: OpenSees still takes options from there.
     ///
     /// # Errors
     /// There have been too many.
-    pub(crate) fn unknown_option(&mut self, known: &[&str]) -> Result<Diagnostic, Exception> {
+    pub(crate) fn unknown_option(&mut self, known: &[&str]) -> Result<Option<Diagnostic>, Exception> {
         let (word, span) = (self.last_word(), self.last_span());
+        if self.commented {
+            return Ok(None);
+        }
+        if word.starts_with('#') {
+            self.commented = true;
+            let message = format!("{}: \"{word}\" and what follows it are no options", self.call.name());
+            let d = Diagnostic::warning(message).at(span, "expected an option");
+            return Ok(Some(d.help(COMMENT)));
+        }
         self.unknown += 1;
         if self.unknown > MAX_UNKNOWN {
             return Err(self.refuse(format!("more than {MAX_UNKNOWN} words are no options"), "expected an option"));
@@ -347,10 +362,10 @@ impl<'a> Args<'a> {
         let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
         let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
         let d = Diagnostic::warning(message).at(span, expected);
-        Ok(match diagnostic::nearest(&word, known.iter().copied()) {
+        Ok(Some(match diagnostic::nearest(&word, known.iter().copied()) {
             Some(near) => d.help(format!("did you mean \"{near}\"?")),
             None => d,
-        })
+        }))
     }
 
     /// An error about the last word taken, which is none of the `known` names.
@@ -382,7 +397,7 @@ impl<'a> Args<'a> {
         let message = format!("{}: \"{word}\" and what follows it is ignored", self.call.name());
         let d = Diagnostic::warning(message).at(self.next_span(), "nothing more was expected");
         let comment = word.starts_with('#');
-        Some(d.help(if comment { "a comment after a command begins with \";#\"".into() } else { self.usage_line() }))
+        Some(d.help(if comment { COMMENT.into() } else { self.usage_line() }))
     }
 }
 

@@ -91,6 +91,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::nodes::COMMANDS,
         model::constraint::COMMANDS,
         material::COMMANDS,
+        material::backbone::COMMANDS,
         material::friction::COMMANDS,
         section::COMMANDS,
         section::fiber::COMMANDS,
@@ -100,6 +101,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         material::nd_material::COMMANDS,
         model::block::COMMANDS,
         element::amend::COMMANDS,
+        element::damping::COMMANDS,
         load::series::COMMANDS,
         load::motion_file::COMMANDS,
         load::pattern::COMMANDS,
@@ -117,6 +119,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         output::inventory::COMMANDS,
         output::loads::COMMANDS,
         output::print::COMMANDS,
+        output::verify::COMMANDS,
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,
         model::database::COMMANDS,
@@ -157,8 +160,7 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
 
 /// Warn that the word just taken is none of the command's options, and ignore it.
 fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
-    let d = args.unknown_option(known)?;
-    warn(interp, d)
+    args.unknown_option(known)?.map_or(Ok(()), |d| warn(interp, d))
 }
 
 /// Report a message, whether or not warnings are errors.

@@ -299,8 +299,16 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
     rows.iter().all(|row| {
         let mut stiffness = |size: f64| {
             let disp: Vec<f64> = row.at_j().iter().map(|u| size * u).collect();
-            let motion =
-                ElementInput { disp: &disp, vel: &rest, load: &load, still: true, opensees: None, dt: 0.0, time: 0.0 };
+            let motion = ElementInput {
+                disp: &disp,
+                vel: &rest,
+                load: &load,
+                still: true,
+                opensees: None,
+                dt: 0.0,
+                time: 0.0,
+                dynamic: false,
+            };
             let mut force = vec![0.0; n];
             let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
             element.respond(&motion, &state, &mut next, output).ok()?;

@@ -6,7 +6,7 @@ use super::state::State;
 use super::system::{Coefficients, System};
 use super::workspace::{TangentMix, Workspace};
 use crate::solve::eigen::{self, Pair, Pencil};
-use crate::solve::{SINGULAR, SolveError};
+use crate::solve::{Pivots, SINGULAR, SolveError};
 
 /// Natural modes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -129,6 +129,17 @@ fn as_lapack(matrices: &ElementWorkspace<'_>, pairs: &mut Vec<Pair>, count: usiz
     pairs.resize(pairs.len().max(count), Pair { lambda: f64::MAX, vector: vec![0.0; n] });
 }
 
+/// Stiffen an equation that has no mass. Returns false if it has.
+fn hold(work: &mut Workspace, equation: usize, mass: Option<&[f64]>) -> bool {
+    let Some(place) = work.plan.pattern.place(equation, equation) else { return false };
+    if mass.is_none_or(|m| m[place] != 0.0) {
+        return false;
+    }
+    work.matrix.values[place] += work.matrix.values.iter().fold(0.0f64, |most, k| most.max(k.abs()));
+    work.note_pivot(Pivots { equation, ratio: 0.0 });
+    true
+}
+
 /// Eigenvalue over the shift of the stiffness below which it is round-off.
 const RIGID: f64 = 1e-5;
 
@@ -160,20 +171,16 @@ impl Engine {
         }
         // A body that floats is held by a very soft spring, which the eigenvalues are freed of again.
         let mut shift = 0.0;
-        for attempt in 0..2 {
+        for attempt in 0..work.plan.equations() + 2 {
             let pivots = work.solver.factor(&work.plan.pattern, &work.matrix.values);
-            match pivots {
+            let singular = match pivots {
                 Ok(p) if p.ratio > SINGULAR || !work.plan.handler.eliminates() => break,
                 Err(SolveError::OutOfMemory) => return Err(failure(Cause::OutOfMemory).into()),
-                Ok(p) if attempt == 1 => {
-                    let place = Some(work.plan.equation_name(model, p.equation));
-                    return Err(failure(Cause::Singular).at(place).into());
-                }
-                Err(SolveError::Singular { equation }) if attempt == 1 => {
-                    let place = Some(work.plan.equation_name(model, equation));
-                    return Err(failure(Cause::Singular).at(place).into());
-                }
-                _ => {
+                Ok(p) => p.equation,
+                Err(SolveError::Singular { equation }) => equation,
+            };
+            match attempt {
+                0 => {
                     shift = -1e-7 * sum(&work.matrix.values) / masses;
                     match &mass {
                         Some(m) => work.matrix.values.iter_mut().zip(m).for_each(|(k, m)| *k -= shift * m),
@@ -183,6 +190,12 @@ impl Engine {
                             }
                         }),
                     }
+                }
+                // As in OpenSees a mechanism without mass has no mode, and stops no other.
+                _ if work.opensees.is_some() && hold(work, singular, mass.as_deref()) => {}
+                _ => {
+                    let place = Some(work.plan.equation_name(model, singular));
+                    return Err(failure(Cause::Singular).at(place).into());
                 }
             }
         }

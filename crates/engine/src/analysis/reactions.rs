@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::failure::Failure;
 use super::state::State;
+use crate::element::Snapshot;
 
 /// Forces that count in a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,12 +79,29 @@ impl Engine {
 }
 
 impl super::workspace::Workspace {
+    /// Take the damping of single elements off their forces again.
+    fn add_own_damping(&mut self, model: &crate::model::Model, state: &State) {
+        for e in model.elements.iter().filter(|e| e.element.undamped().is_some()) {
+            let disp: Vec<f64> = e.dofs.iter().map(|&d| state.disp[d as usize]).collect();
+            let snapshot = Snapshot {
+                disp: &disp,
+                state: &state.history[e.state.clone()],
+                force: &state.force[e.force.clone()],
+                load: &state.element_load[e.load.clone()],
+            };
+            let mut force = vec![0.0; disp.len()];
+            e.element.add_own_damping(&snapshot, 1.0, &mut force);
+            e.dofs.iter().zip(&force).for_each(|(&d, f)| self.full[d as usize] += f);
+        }
+    }
+
     /// Loads less forces of elements and nodes, into `full`.
     fn sum_forces(&mut self, model: &crate::model::Model, state: &State, kind: ReactionKind) {
         match kind {
             ReactionKind::Static => {
                 self.loads.of_model(&mut self.full);
                 self.subtract_elements(model, state, false);
+                self.add_own_damping(model, state);
                 self.subtract_nodal_damping(state);
             }
             ReactionKind::Dynamic => {

@@ -12,9 +12,11 @@ mod bar;
 mod basic_row;
 pub mod beam;
 pub mod bearing;
+mod catenary_cable;
 mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
+pub mod damping;
 pub mod friction;
 mod impact;
 mod joint;
@@ -39,6 +41,7 @@ use std::sync::Arc;
 
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
+pub use catenary_cable::CatenaryCable;
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
@@ -75,6 +78,8 @@ pub struct ElementInput<'a> {
     pub dt: f64,
     /// Domain time (the load factor of static analyses).
     pub time: f64,
+    /// The analysis is not static: inertia and damping count.
+    pub dynamic: bool,
 }
 
 /// Output of an element: force, and matrices of which the rows and columns of `part` have been set to zero.
@@ -316,6 +321,19 @@ pub trait Element: fmt::Debug + Send + Sync {
     fn basic_rows(&self) -> Vec<BasicRow> {
         vec![]
     }
+
+    /// Its basic forces, where a damping of its own can act on them.
+    fn basic_forces(&self) -> Option<&dyn damping::BasicForces> {
+        None
+    }
+
+    /// The element without its own damping; `None` where it has none.
+    fn undamped(&self) -> Option<Arc<dyn Element>> {
+        None
+    }
+
+    /// Adds the force of its own damping times a factor, where OpenSees does not count it in the resisting force.
+    fn add_own_damping(&self, _snapshot: &Snapshot<'_>, _factor: f64, _force: &mut [f64]) {}
 
     /// The load that it carries no longer in a committed state, where it has a critical load.
     fn overload(&self, _history: &[f64]) -> Option<Overload> {

@@ -1,5 +1,6 @@
 //! Common part of `zeroLength` and `twoNodeLink`: uniaxial springs in parallel.
 
+use super::damping::BasicForces;
 use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -245,6 +246,25 @@ impl Springs {
                     }
                 }
             }
+        }
+    }
+}
+
+impl BasicForces for Springs {
+    fn len(&self) -> usize {
+        self.springs.len()
+    }
+    fn basic_forces(&self, _: &[f64], state: &[f64], _: &[f64], out: &mut [f64]) {
+        out.iter_mut().zip(&self.springs).for_each(|(q, s)| *q = s.slot.stress(state));
+    }
+    fn add_global(&self, _: &[f64], _: &[f64], q: &[f64], force: &mut [f64]) {
+        for (spring, q) in self.springs.iter().zip(q) {
+            spring.terms.iter().for_each(|&(i, r)| force[i] += q * r);
+        }
+    }
+    fn scale_stiffness(&self, _: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]) {
+        for s in &self.springs {
+            s.add_stiffness(tangent, s.row.len(), factor * s.slot.tangent(state));
         }
     }
 }

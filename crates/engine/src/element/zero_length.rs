@@ -1,5 +1,6 @@
 //! Springs between two nodes at one location: `zeroLength`.
 
+use super::damping::BasicForces;
 use super::springs::Springs;
 use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use crate::material::{Material, Slot};
@@ -113,6 +114,10 @@ impl Element for ZeroLength {
         let mut new = self.clone();
         let old = new.springs.set_parameter(words, value)?;
         Some((Arc::new(new), old))
+    }
+
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(&self.springs)
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {

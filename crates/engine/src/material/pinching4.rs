@@ -41,6 +41,17 @@ pub struct Damage {
     pub limit: f64,
 }
 
+/// A damage index that grows linearly with the largest strain from a strain on; below it the index stays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearDamage {
+    /// Largest strain at which it begins.
+    pub begin: f64,
+    /// Index per largest strain, as a part of that of the last point.
+    pub rate: f64,
+    /// Index at no strain.
+    pub offset: f64,
+}
+
 impl Damage {
     /// The index for a largest strain, and for the energy or the cycles, without its limit.
     fn index(&self, strain: f64, work: Option<f64>) -> f64 {
@@ -59,6 +70,8 @@ pub struct Pinching4Parameters {
     pub reloading: Damage,
     /// Damage of the strength.
     pub strength: Damage,
+    /// Damage of the strength in proportion to the largest strain, in place of that by `strength`.
+    pub linear_strength: Option<LinearDamage>,
     /// Energy capacity divided by the energy under monotonic loading.
     pub energy: f64,
     /// Damage grows with the cycles in place of the energy.
@@ -352,7 +365,12 @@ impl<R: Rules> Pinching4<R> {
             } else {
                 (t.energy > stored).then(|| (t.energy - stored) / self.capacity)
             };
-            modes.map(|m| m.index(largest / ultimate, work).min(m.limit))
+            let mut damage = modes.map(|m| m.index(largest / ultimate, work));
+            if let Some(linear) = &given.linear_strength {
+                let index = linear.rate * (largest / ultimate) + linear.offset;
+                damage[2] = if largest >= linear.begin { index } else { c.damage[2] };
+            }
+            std::array::from_fn(|i| damage[i].min(modes[i].limit))
         } else {
             modes.map(|m| m.limit)
         };

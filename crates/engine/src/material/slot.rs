@@ -62,6 +62,11 @@ impl Slot {
         (slots, at)
     }
 
+    /// Returns true for a linear elastic law without history.
+    pub fn has_no_history(&self) -> bool {
+        self.linear.is_some()
+    }
+
     /// Number of state variables, header included.
     pub fn len(&self) -> usize {
         self.len

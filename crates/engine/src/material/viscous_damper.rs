@@ -93,6 +93,24 @@ const CORRECT: [&[f64]; 6] = [
     &[475.0 / 1440.0, 1427.0 / 1440.0, -798.0 / 1440.0, 482.0 / 1440.0, -173.0 / 1440.0, 27.0 / 1440.0],
 ];
 
+/// A step of Dormand and Prince's method for dF/dt = f(v, F), in which the rate v goes from `v0` to `v1`: force, absolute
+/// and relative error estimate.
+pub(super) fn dormand_prince(
+    f: impl Fn(Dual, Dual) -> Dual,
+    [v0, v1]: [Dual; 2],
+    y0: Dual,
+    h: f64,
+) -> (Dual, f64, f64) {
+    let mut k = [Dual::default(); 7];
+    for i in 0..6 {
+        k[i] = h * f(DP_PLACE[i] * (v1 - v0) + v0, y0 + weighted(DP[i], &k));
+    }
+    let y = y0 + weighted(&DP_END, &k);
+    k[6] = h * f(v1, y);
+    let error = weighted(&DP_ERROR, &k).value;
+    (y, error, (error / y.value).abs())
+}
+
 impl ViscousDamper {
     /// dF/dt at a rate and a force.
     fn force_rate(&self, rate: Dual, force: Dual) -> Dual {
@@ -115,16 +133,7 @@ impl ViscousDamper {
     fn step(&self, v0: Dual, v1: Dual, y0: Dual, h: f64) -> (Dual, f64, f64) {
         let rate = |place: f64| place * (v1 - v0) + v0;
         match self.method {
-            IntegrationMethod::DormandPrince => {
-                let mut k = [Dual::default(); 7];
-                for i in 0..6 {
-                    k[i] = h * self.force_rate(rate(DP_PLACE[i]), y0 + weighted(DP[i], &k));
-                }
-                let y = y0 + weighted(&DP_END, &k);
-                k[6] = h * self.force_rate(v1, y);
-                let error = weighted(&DP_ERROR, &k).value;
-                (y, error, (error / y.value).abs())
-            }
+            IntegrationMethod::DormandPrince => dormand_prince(|v, y| self.force_rate(v, y), [v0, v1], y0, h),
             IntegrationMethod::AdamsBashforthMoulton => {
                 let h = h / 6.0;
                 // Force rates, the latest first.
@@ -185,22 +194,22 @@ impl ViscousDamper {
         }
         Ok(force)
     }
+}
 
-    /// Returns true if the force vanishes in the gap that opens when the force changes sign.
-    fn is_in_gap(&self, c: &History, t: &mut History, force: f64) -> bool {
-        let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
-        if force > 0.0 && c.stress < 0.0 {
-            t.gap = [c.strain + change, 0.0];
-            (t.strain - t.gap[0]).abs() < self.gap
-        } else if force < 0.0 && c.stress > 0.0 {
-            t.gap = [0.0, c.strain + change];
-            (t.strain - t.gap[1]).abs() < self.gap
-        } else if c.stress == 0.0 {
-            let inside = |begin: f64, s: f64| begin != 0.0 && (0.0..self.gap).contains(&(s * (t.strain - begin)));
-            inside(t.gap[0], 1.0) && t.strain != t.gap[0] || inside(t.gap[1], -1.0) && t.strain != t.gap[1]
-        } else {
-            false
-        }
+/// Returns true if the force vanishes in the gap that opens when the force changes sign.
+pub(super) fn is_in_gap(length: f64, c: &History, t: &mut History, force: f64) -> bool {
+    let change = (t.strain - c.strain) * force.abs() / (force - c.stress).abs();
+    if force > 0.0 && c.stress < 0.0 {
+        t.gap = [c.strain + change, 0.0];
+        (t.strain - t.gap[0]).abs() < length
+    } else if force < 0.0 && c.stress > 0.0 {
+        t.gap = [0.0, c.strain + change];
+        (t.strain - t.gap[1]).abs() < length
+    } else if c.stress == 0.0 {
+        let inside = |begin: f64, s: f64| begin != 0.0 && (0.0..length).contains(&(s * (t.strain - begin)));
+        inside(t.gap[0], 1.0) && t.strain != t.gap[0] || inside(t.gap[1], -1.0) && t.strain != t.gap[1]
+    } else {
+        false
     }
 }
 
@@ -212,7 +221,7 @@ impl UniaxialLaw for ViscousDamper {
         let end = if self.compat && strain.rate == 0.0 { c.rate } else { strain.rate };
         let force = self.integrate(c, end, strain.dt)?;
         let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
-        let in_gap = self.gap > 0.0 && self.is_in_gap(c, &mut t, force.value);
+        let in_gap = self.gap > 0.0 && is_in_gap(self.gap, c, &mut t, force.value);
         let force = if in_gap { Dual::default() } else { force };
         t.stress = force.value;
         let damping = if self.compat || !force.slope.is_finite() { 0.0 } else { force.slope };

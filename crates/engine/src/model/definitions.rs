@@ -2,13 +2,15 @@
 
 use super::Tag;
 use crate::element::beam::Rule;
+use crate::element::damping::ElementDamping;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
-use crate::material::{Material, NdMaterial};
+use crate::material::{Backbone, Material, NdMaterial};
 use crate::section::SharedSection;
 use crate::section::plate::SharedPlateSection;
 use crate::series::Series;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Things of one kind by tag.
 #[derive(Clone, Debug)]
@@ -75,6 +77,10 @@ pub struct Definitions {
     pub integrations: Registry<Integration>,
     /// `geomTransf`.
     pub transforms: Registry<TransformSpec>,
+    /// `hystereticBackbone`.
+    pub backbones: Registry<Arc<Backbone>>,
+    /// `damping`.
+    pub dampings: Registry<Arc<ElementDamping>>,
 }
 
 impl Default for Definitions {
@@ -88,6 +94,8 @@ impl Default for Definitions {
             plates: Registry::new("section of plates"),
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
+            backbones: Registry::new("backbone"),
+            dampings: Registry::new("damping"),
         }
     }
 }

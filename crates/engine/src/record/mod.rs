@@ -11,6 +11,7 @@ mod node;
 mod opensees;
 mod output;
 mod place;
+mod rms;
 mod text;
 mod xml;
 
@@ -24,6 +25,7 @@ pub use envelope::Envelope;
 pub use file::RowFile;
 pub use node::{NodeQuantity, NodeResponse};
 pub use output::{Group, Layout, Memory, Output, Separator};
+pub use rms::RootMeanSquare;
 
 /// Reason why a recorder cannot go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,6 +66,11 @@ pub trait Source: fmt::Debug + Send {
     /// A response cannot be worked out.
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError>;
 
+    /// Returns true if the committed state has another row, which is that of the next call of [`Source::row`].
+    fn next_row(&mut self, _: &Engine) -> bool {
+        false
+    }
+
     /// Returns true if the row is all that the source makes.
     fn makes_rows_only(&self) -> bool {
         true
@@ -77,6 +84,8 @@ enum Keep {
     History,
     /// Smallest, largest and largest absolute value of each column.
     Envelope(Envelope),
+    /// Root mean square of each column. A step between two rows counts with the row before it, as in OpenSees.
+    RootMeanSquare(RootMeanSquare),
 }
 
 /// Rows that are recorded.
@@ -115,6 +124,12 @@ impl Recorder {
         Self { keep: Keep::Envelope(Envelope::default()), ..Self::history(source, output, cadence) }
     }
 
+    /// Record the root mean squares.
+    pub fn root_mean_square(source: Box<dyn Source>, output: Box<dyn Output>, cadence: Cadence) -> Self {
+        let cadence = Cadence { time: false, ..cadence };
+        Self { keep: Keep::RootMeanSquare(RootMeanSquare::default()), ..Self::history(source, output, cadence) }
+    }
+
     /// Record the committed state, if it is time to. Returns true if it was; then [`Recorder::last_row`] is its row.
     ///
     /// # Errors
@@ -122,24 +137,35 @@ impl Recorder {
     #[inline]
     pub fn record(&mut self, engine: &mut Engine) -> Result<bool, RecordError> {
         let time = engine.state().time;
-        let c = self.cadence;
-        if c.dt != 0.0 && time - self.next < -c.dt * c.tolerance {
+        if !self.is_due(time) {
+            if let Keep::RootMeanSquare(mean) = &mut self.keep {
+                mean.take(&self.row);
+            }
             return Ok(false);
         }
         self.find(engine)?;
-        if matches!(self.keep, Keep::History) {
-            self.fill(engine)?;
-        } else {
-            self.row.clear();
-            self.source.row(engine, &mut self.row)?;
+        loop {
+            if matches!(self.keep, Keep::History) {
+                self.fill(engine)?;
+            } else {
+                self.row.clear();
+                self.source.row(engine, &mut self.row)?;
+            }
+            self.keep_row(time)?;
+            if !self.source.next_row(engine) {
+                return Ok(true);
+            }
         }
-        self.keep_row(time)?;
-        Ok(true)
+    }
+
+    fn is_due(&self, time: f64) -> bool {
+        let c = self.cadence;
+        c.dt == 0.0 || time - self.next >= -c.dt * c.tolerance
     }
 
     /// Returns true if [`Recorder::record_again`] does what the record of a state does.
     pub fn can_repeat(&self) -> bool {
-        self.source.makes_rows_only()
+        self.source.makes_rows_only() && (self.cadence.dt == 0.0 || !matches!(self.keep, Keep::RootMeanSquare(_)))
     }
 
     /// The row that was recorded last.
@@ -169,6 +195,10 @@ impl Recorder {
                 if envelope.take(time, &self.row) && self.output.wants_every_row() {
                     envelope.write(self.cadence.time, self.output.as_mut())?;
                 }
+                Ok(())
+            }
+            Keep::RootMeanSquare(mean) => {
+                mean.take(&self.row);
                 Ok(())
             }
         }
@@ -217,7 +247,7 @@ impl Recorder {
         let time = || TIME.to_owned();
         match (&self.keep, self.cadence.time) {
             (_, false) => labels,
-            (Keep::History, true) => std::iter::once(time()).chain(labels).collect(),
+            (Keep::History | Keep::RootMeanSquare(_), true) => std::iter::once(time()).chain(labels).collect(),
             (Keep::Envelope(_), true) => labels.into_iter().flat_map(|l| [time(), l]).collect(),
         }
     }
@@ -230,6 +260,7 @@ impl Recorder {
                 self.cadence.time.then_some(time).into_iter().chain(groups).collect()
             }
             Keep::Envelope(_) => groups.into_iter().map(|g| self.enveloped(g)).collect(),
+            Keep::RootMeanSquare(_) => groups,
         }
     }
 
@@ -246,8 +277,10 @@ impl Recorder {
     /// # Errors
     /// An output that cannot be written.
     pub fn finish(&mut self) -> Result<(), RecordError> {
-        if let Keep::Envelope(envelope) = &self.keep {
-            envelope.write(self.cadence.time, self.output.as_mut())?;
+        match &self.keep {
+            Keep::History => {}
+            Keep::Envelope(envelope) => envelope.write(self.cadence.time, self.output.as_mut())?,
+            Keep::RootMeanSquare(mean) => mean.write(self.output.as_mut())?,
         }
         self.output.finish()
     }

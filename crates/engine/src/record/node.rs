@@ -25,6 +25,8 @@ pub enum NodeQuantity {
     },
     /// Shape of a mode, from 1.
     Mode(usize),
+    /// Shapes of all modes: a row of each.
+    Modes,
     /// Length of the displacement over the chosen degrees of freedom: one column a node.
     DispNorm,
 }
@@ -47,10 +49,11 @@ impl NodeQuantity {
                 Self::Unbalance { inertia: true }
             }
             "dispNorm" => Self::DispNorm,
-            _ => {
-                let mode = name.strip_prefix("eigen")?.trim().parse().ok()?;
-                Self::Mode(mode)
-            }
+            "eigen" => Self::Modes,
+            _ => match name.strip_prefix("eigen")?.trim().parse().ok()? {
+                0 => Self::Modes,
+                mode => Self::Mode(mode),
+            },
         })
     }
 
@@ -64,6 +67,7 @@ impl NodeQuantity {
             Self::Reaction(_) => "R".to_owned(),
             Self::Unbalance { .. } => "U".to_owned(),
             Self::Mode(m) => format!("E{m}"),
+            Self::Modes => "E".to_owned(),
         }
     }
 
@@ -100,12 +104,15 @@ pub struct NodeResponse {
     width: usize,
     reactions: Vec<f64>,
     last: Vec<f64>,
+    /// Mode of the next row of all modes, from 0.
+    mode: usize,
 }
 
 impl NodeResponse {
     /// Of nodes (all of them for `None`) and local degrees of freedom from 0 (all for none).
     pub fn new(quantity: NodeQuantity, nodes: Option<Vec<Tag>>, dofs: Vec<usize>, series: Vec<Option<Series>>) -> Self {
-        Self { quantity, nodes, dofs, series, found: vec![], tags: vec![], width: 0, reactions: vec![], last: vec![] }
+        let (found, tags, reactions, last) = (vec![], vec![], vec![], vec![]);
+        Self { quantity, nodes, dofs, series, found, tags, width: 0, reactions, last, mode: 0 }
     }
 
     /// Values of all degrees of freedom that the quantity is taken from.
@@ -116,6 +123,7 @@ impl NodeResponse {
             NodeQuantity::Vel => &state.vel,
             NodeQuantity::Accel => &state.accel,
             NodeQuantity::Mode(m) => engine.modes()?.shapes.get(m.checked_sub(1)?)?,
+            NodeQuantity::Modes => engine.modes()?.shapes.get(self.mode)?,
             NodeQuantity::IncrDisp | NodeQuantity::Reaction(_) | NodeQuantity::Unbalance { .. } => &self.reactions,
         })
     }
@@ -196,6 +204,16 @@ impl Source for NodeResponse {
             columns: columns.clone(),
         };
         self.tags.iter().map(group).collect()
+    }
+
+    fn makes_rows_only(&self) -> bool {
+        self.quantity != NodeQuantity::Modes
+    }
+
+    fn next_row(&mut self, engine: &Engine) -> bool {
+        let modes = engine.modes().map_or(0, |m| m.shapes.len());
+        self.mode = if self.quantity == NodeQuantity::Modes && self.mode + 1 < modes { self.mode + 1 } else { 0 };
+        self.mode > 0
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

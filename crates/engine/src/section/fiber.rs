@@ -44,7 +44,8 @@ pub enum FiberBending {
 /// Fibers of one material with the same strain share a point. Points of laws that are evaluated in blocks are padded by
 /// points without an area. The history holds strain, stress, tangent and energy of
 /// all points, one quantity after the other. The variables of the laws follow, block after block, and then those of the
-/// torsion.
+/// torsion. Where all laws are linear, it holds only the deformations of the section in place of these, and the points have
+/// what follows from them.
 #[derive(Clone, Debug)]
 pub struct FiberSection {
     fibers: Vec<PlacedFiber>,
@@ -53,6 +54,8 @@ pub struct FiberSection {
     updated: usize,
     runs: Vec<FiberRun>,
     blocks: Vec<RunBlock>,
+    /// Stiffness of fibers that are all linear, by rows.
+    linear: Option<Vec<f64>>,
     torsion: Option<Slot>,
     /// Bending about both axes.
     biaxial: bool,
@@ -113,10 +116,43 @@ impl FiberSection {
         let Placement { placed, mut points, runs, blocks } = Placement::new(&fibers, centroid, biaxial);
         let updated = points.len();
         points.pad(updated, BLOCK);
-        let at = blocks.last().map_or(0, |b| b.words(&runs).end) + POINT_HEADER * points.len();
+        let is_linear = runs.iter().all(|r| r.slot.has_no_history());
+        let words = blocks.last().map_or(0, |b| b.words(&runs).end) + POINT_HEADER * points.len();
+        let at = if is_linear { if biaxial { 3 } else { 2 } } else { words };
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        Self { fibers: placed, points, updated, runs, blocks, torsion, biaxial, centroid, state_len }
+        let mut section =
+            Self { fibers: placed, points, updated, runs, blocks, linear: None, torsion, biaxial, centroid, state_len };
+        if is_linear {
+            section.take_stiffness();
+        }
+        section
+    }
+
+    /// Keeps the stiffness of linear fibers.
+    fn take_stiffness(&mut self) {
+        let m = if self.biaxial { 3 } else { 2 };
+        let n = self.resultants().len();
+        let mut k = vec![0.0; n * n];
+        if self.biaxial {
+            self.virgin::<3>(&mut k)
+        } else {
+            self.virgin::<2>(&mut k)
+        }
+        self.linear = Some((0..m * m).map(|i| k[i / m * n + i % m]).collect());
+    }
+
+    /// Strain, stress, tangent and energy of a point.
+    fn header(&self, i: usize, state: &[f64]) -> [f64; POINT_HEADER] {
+        if self.linear.is_none() {
+            let parts = Parts::of(state, self.points.len());
+            return [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]];
+        }
+        let strain = self.points.strain(i, &state[..if self.biaxial { 3 } else { 2 }]);
+        let of_point = |b: &&RunBlock| b.points.contains(&i);
+        let tangent =
+            self.blocks.iter().find(of_point).map_or(0.0, |b| self.runs[b.runs.start].slot.material.initial_tangent());
+        [strain, tangent * strain, tangent, 0.5 * tangent * strain * strain]
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
@@ -129,6 +165,15 @@ impl FiberSection {
         (s, k): (&mut [f64], &mut [f64]),
     ) -> Result<(), MaterialError> {
         let n = self.points.len();
+        if let Some(stiffness) = &self.linear {
+            let rows = self.resultants().len();
+            next[..M].copy_from_slice(&e[..M]);
+            for ((s, k), own) in s.iter_mut().zip(k.chunks_exact_mut(rows)).zip(stiffness.chunks_exact(M)) {
+                *s = own.iter().zip(e).map(|(k, e)| k * e).sum();
+                k[..M].copy_from_slice(own);
+            }
+            return Ok(());
+        }
         let (old, new) = (Parts::of(committed, n), Parts::of_mut(next, n));
         self.points.strains::<M>(e, new.strain);
         for padding in [&mut *new.stress, &mut *new.tangent] {
@@ -193,15 +238,16 @@ impl FiberSection {
 
     /// Value of a probe of a fiber, through the state layout of a single fiber.
     fn read_fiber(&self, i: usize, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let (parts, fiber) = (Parts::of(state, self.points.len()), &self.fibers[i]);
+        let fiber = &self.fibers[i];
         let (run, i) = (&self.runs[fiber.run], fiber.point);
         let mut words = vec![0.0; run.slot.len()];
-        let header =
-            run.slot.write_header(&mut words, [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]]);
-        // A block stores histories in the layout of the material, which only the material can copy.
-        let block = &self.blocks[run.block];
-        let from = (&parts.laws[block.words(&self.runs)], i - block.points.start, block.points.len());
-        run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
+        let header = run.slot.write_header(&mut words, self.header(i, state));
+        if self.linear.is_none() {
+            // A block stores histories in the layout of the material, which only the material can copy.
+            let (parts, block) = (Parts::of(state, self.points.len()), &self.blocks[run.block]);
+            let from = (&parts.laws[block.words(&self.runs)], i - block.points.start, block.points.len());
+            run.slot.material.copy_history(from, (&mut words[header..], 0, 1));
+        }
         run.slot.read(path, &words, out);
     }
 }
@@ -222,10 +268,12 @@ impl Section for FiberSection {
     }
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
-        let parts = Parts::of_mut(state, self.points.len());
-        for block in &self.blocks {
-            block.init(&self.runs, &mut parts.laws[block.words(&self.runs)]);
-            parts.tangent[block.points.clone()].fill(self.runs[block.runs.start].slot.material.initial_tangent());
+        if self.linear.is_none() {
+            let parts = Parts::of_mut(state, self.points.len());
+            for block in &self.blocks {
+                block.init(&self.runs, &mut parts.laws[block.words(&self.runs)]);
+                parts.tangent[block.points.clone()].fill(self.runs[block.runs.start].slot.material.initial_tangent());
+            }
         }
         self.torsion.iter().for_each(|t| t.init(state));
     }
@@ -276,6 +324,9 @@ impl Section for FiberSection {
         let chosen = new.runs.iter_mut().map(|r| &mut r.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
         let old = chosen.filter_map(|s| s.set_parameter(rest, value)).last()?;
         new.blocks.iter_mut().for_each(|b| b.renew(&new.runs));
+        if new.linear.is_some() {
+            new.take_stiffness();
+        }
         Some((Arc::new(new), old))
     }
 
@@ -297,16 +348,16 @@ impl Section for FiberSection {
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let parts = Parts::of(state, self.points.len());
         match path[0] {
             FIBER => self.read_fiber(path[1] as usize, &path[2..], state, out),
             FIBER_DATA => {
                 for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(5)) {
-                    row.copy_from_slice(&[f.y, f.z, f.area, parts.stress[f.point], parts.strain[f.point]]);
+                    let [strain, stress, ..] = self.header(f.point, state);
+                    row.copy_from_slice(&[f.y, f.z, f.area, stress, strain]);
                 }
             }
             CENTROID => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),
-            ENERGY => out[0] = self.fibers.iter().map(|f| f.area * parts.energy[f.point]).sum(),
+            ENERGY => out[0] = self.fibers.iter().map(|f| f.area * self.header(f.point, state)[3]).sum(),
             _ => {
                 if let Some(t) = &self.torsion {
                     t.read(&path[1..], state, out);

@@ -6,10 +6,12 @@
 
 mod aggregator;
 mod axial;
+mod bidirectional;
 mod elastic;
 mod fiber;
 pub mod plate;
 mod slot;
+mod two_spring_isolator;
 
 use crate::material::MaterialError;
 use crate::probe::Probe;
@@ -18,9 +20,11 @@ use std::sync::Arc;
 
 pub use aggregator::Aggregator;
 pub use axial::Axial;
+pub use bidirectional::Bidirectional;
 pub use elastic::{Elastic, ElasticSection};
 pub use fiber::{Fiber, FiberBending, FiberSection};
 pub use slot::SectionSlot;
+pub use two_spring_isolator::TwoSpringIsolator;
 
 /// Maximum number of resultants of a section; sizes the buffers.
 pub const MAX_ORDER: usize = 8;

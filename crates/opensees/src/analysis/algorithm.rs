@@ -43,6 +43,7 @@ fn mix(choice: TangentChoice) -> TangentMix {
     match choice {
         TangentChoice::Always(mix) => mix,
         TangentChoice::InitialThenCurrent => TangentMix::INITIAL,
+        TangentChoice::CurrentThenInitial => TangentMix::CURRENT,
     }
 }
 
@@ -120,10 +121,15 @@ const KINDS: &[Kind] = &[
 ];
 
 fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
-    let Tangents { increment, iterate, .. } = accelerated(interp, a, false)?.tangents;
-    let iterate = iterate.unwrap_or(increment);
-    let same = iterate == increment;
-    Ok(Box::new(Newton::new(if same { TangentChoice::Always(iterate) } else { TangentChoice::InitialThenCurrent })))
+    let Tangents { increment, iterate, once, .. } = accelerated(interp, a, false)?.tangents;
+    let Some(iterate) = iterate else { return Ok(Box::new(ModifiedNewton::new(increment, once))) };
+    Ok(Box::new(Newton::new(if iterate == increment {
+        TangentChoice::Always(iterate)
+    } else if increment == TangentMix::INITIAL {
+        TangentChoice::InitialThenCurrent
+    } else {
+        TangentChoice::CurrentThenInitial
+    })))
 }
 
 fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

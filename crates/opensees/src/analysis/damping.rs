@@ -1,11 +1,14 @@
 //! Rayleigh damping and regions.
 
 use crate::args::Args;
+use crate::element::damping::of_tag;
 use crate::session::Region;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("rayleigh", RAYLEIGH, rayleigh),
@@ -17,7 +20,7 @@ pub(crate) const COMMANDS: &[Command] = &[
 const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc";
 const REGION: &str = "region $tag <-ele $tag ...> <-eleOnly $tag ...> <-eleRange $first $last> <-eleOnlyRange ...> \
                       <-node $tag ...> <-nodeOnly ...> <-nodeRange $first $last> <-nodeOnlyRange ...> \
-                      <-rayleigh $alphaM $betaK $betaK0 $betaKc>";
+                      <-rayleigh $alphaM $betaK $betaK0 $betaKc> <-damp $damping>";
 const FACTORS: &str = "setElementRayleighDampingFactors $element $alphaM $betaK $betaK0 $betaKc";
 
 fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
@@ -78,11 +81,32 @@ fn chosen(a: &mut Args<'_>, range: bool, there: impl Iterator<Item = i32>) -> Re
     Ok(a.ints())
 }
 
+/// Give a damping to the elements of a region; those that take none stay as they are, as in OpenSees.
+fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDamping>) -> Result<(), Exception> {
+    for id in &region.elements {
+        let entry = &interp.host.engine.model().elements[id.0];
+        match Damped::new(entry.element.clone(), damping.clone()) {
+            Ok(made) => {
+                // Without the damping in between the history of the former one would remain.
+                if let Some(undamped) = entry.element.undamped() {
+                    interp.host.engine.replace_element(*id, undamped);
+                }
+                interp.host.engine.replace_element(*id, Arc::new(made));
+            }
+            Err(e) => {
+                let d = Diagnostic::warning(format!("element {}: {e}", entry.tag));
+                warn(interp, d.at(a.last_span(), "left without this damping"))?;
+            }
+        }
+    }
+    Ok(())
+}
+
 fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, REGION);
     let tag = a.int("tag of the region")?;
     let mut region = Region::default();
-    let mut damping = None;
+    let (mut damping, mut own) = (None, None);
     let mut absent: Vec<String> = vec![];
     while let Some(option) = a.option() {
         let option = option.as_ref();
@@ -112,8 +136,9 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 region.nodes.extend(ids);
             }
             "-rayleigh" => damping = Some(factors(interp, &mut a)?),
+            "-damp" => own = Some(of_tag(interp, &mut a)?),
             _ => {
-                let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh"];
+                let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh", "-damp"];
                 ignore_option(interp, &mut a, &known)?;
             }
         }
@@ -131,6 +156,9 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             region.elements.iter().for_each(|e| m.elements[e.0].rayleigh = r);
             region.nodes.iter().for_each(|n| m.nodes[n.0].alpha_m = r.alpha_m);
         });
+    }
+    if let Some(damping) = own {
+        damp(interp, &a, &region, &damping)?;
     }
     interp.host.builder.regions.insert(tag, region);
     Ok(Value::EMPTY)

@@ -72,7 +72,11 @@ const SYSTEMS: &[Kind<()>] = &[
     Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: () },
     Kind { names: &["BandSPD"], usage: "system BandSPD", make: () },
     Kind { names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], usage: "system ProfileSPD", make: () },
-    Kind { names: &["SparseGeneral", "SparseGEN", "SuperLU", "Sparse"], usage: "system SparseGeneral", make: () },
+    Kind {
+        names: &["SparseGeneral", "SparseGEN", "SparseGen", "SuperLU", "Sparse"],
+        usage: "system SparseGeneral",
+        make: (),
+    },
     Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: () },
     Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: () },
     Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: () },

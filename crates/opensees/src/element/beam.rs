@@ -1,11 +1,13 @@
 //! `element elasticBeamColumn` and `ModElasticBeam2d`.
 
-use super::{Ends, Kind, Make};
+use super::damping::{damped, of_tag};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
 use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
+use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform;
 use hysteron_engine::section::{ElasticSection, Resultant, SharedSection};
 use hysteron_tcl::Exception;
@@ -13,10 +15,10 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
-    names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam"],
+    names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam", "PrismFrame"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
-            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf <-mass $m> <-cMass> <-release $code> \
-            <-releasez $code> <-releasey $code>",
+            $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
+            <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
     make: Make::TwoNodes(make),
 };
 
@@ -26,7 +28,10 @@ pub(super) const MODIFIED: Kind = Kind {
     make: Make::TwoNodes(make_modified),
 };
 
-const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey"];
+/// A damping of the element's own.
+type Damping = Option<Arc<ElementDamping>>;
+
+const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey", "-damp"];
 
 fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     Ok(match a.int("code of the release")? {
@@ -38,8 +43,9 @@ fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     })
 }
 
-fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
-    let mut o = ElasticOptions::default();
+/// Options, and a damping of its own.
+fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Damping), Exception> {
+    let (mut o, mut damping) = (ElasticOptions::default(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => o.rho = a.not_negative("mass per length")?,
@@ -47,12 +53,13 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Excepti
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
             "-releasey" => o.release.1 = release(a)?,
+            "-damp" => damping = Some(of_tag(interp, a)?),
             // Of use to thermal loads alone.
             "-alpha" | "-depth" => drop(a.float("value")?),
             _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
-    Ok(o)
+    Ok((o, damping))
 }
 
 /// Numbers before the options. OpenSees distinguishes the forms of the command by their count.
@@ -134,21 +141,64 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
     }
 }
 
+/// Section and transformation by their options.
+fn named_parts(interp: &Tcl, a: &mut Args<'_>) -> Result<(ElasticSection, transform::TransformSpec, Place), Exception> {
+    let (mut section, mut transform, mut shear) = (None, None, true);
+    while let Some(option) = a.peek() {
+        match option.as_ref() {
+            "-section" => {
+                a.option();
+                section = Some(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0));
+            }
+            "-transform" => {
+                a.option();
+                transform = Some((a.of(&interp.host.builder.definitions.transforms)?.0, a.last_span()));
+            }
+            "-shear" => {
+                a.option();
+                shear = a.int("flag of the shear deformations, 0 or 1")? != 0;
+            }
+            "-order" => {
+                a.option();
+                let order = a.int("order of the frame's kinematics")?;
+                if order != 0 {
+                    return Err(a.refuse(format!("a frame of order {order} is not supported"), "expected 0"));
+                }
+            }
+            _ => break,
+        }
+    }
+    let Some(mut section) = section else { return Err(a.refuse("the section is missing", "expected -section")) };
+    let Some((transform, place)) = transform else {
+        return Err(a.refuse("the transformation is missing", "expected -transform"));
+    };
+    if !shear {
+        section.shear = (None, None);
+    }
+    Ok((section, transform, place))
+}
+
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
     }
-    let s = section(interp, a, ends.ndm)?;
-    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
-    let place = a.last_span();
-    let o = options(interp, a)?;
+    let (s, spec, place) = if a.at_option() {
+        named_parts(interp, a)?
+    } else {
+        let s = section(interp, a, ends.ndm)?;
+        let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
+        (s, spec, a.last_span())
+    };
+    let (o, damping) = options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let wrong = |e| no_transform(a, place, nodes, e);
-    if ends.ndm == 2 {
-        return Ok(Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o)));
-    }
-    Ok(Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o)))
+    let beam: Arc<dyn Element> = if ends.ndm == 2 {
+        Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o))
+    } else {
+        Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o))
+    };
+    damped(beam, damping).map_err(|e| refused(a, place, e))
 }
 
 fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {

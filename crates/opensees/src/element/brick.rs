@@ -1,5 +1,6 @@
 //! `element stdBrick`, `bbarBrick`, `SSPbrick` and the tetrahedra.
 
+use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::material::nd_material::{family, form};
@@ -15,7 +16,7 @@ use std::sync::Arc;
 
 pub(super) const BRICK: Kind = Kind {
     names: &["stdBrick", "Brick", "brick"],
-    usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped>",
+    usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped> <-damp $damping>",
     make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
@@ -85,9 +86,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, 
     let Read { nodes, corners, law, body, place } = read(interp, a)?;
     let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
+    let damping = if bbar { None } else { optional(interp, a)? };
     let made = Continuum::brick(&corners, &law, &options).map_err(|e| refused(a, place, e))?;
     warn_of_inversion(interp, made.is_inverted(), place)?;
-    Ok((nodes, made.shared()))
+    Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
 }
 
 fn tetrahedron<const N: usize, const D: usize>(

@@ -1,7 +1,8 @@
 //! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn`, `mixedBeamColumn` and `beamWithHinges`.
 
 use super::beam::{Place, no_transform, numbers_ahead};
-use super::{Ends, Kind, Make};
+use super::damping::{damped, of_tag};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::section::beam_integration::{integration, simple};
 use crate::slips;
@@ -10,6 +11,7 @@ use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
     CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Mixed, Rule,
 };
+use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform::{self, TransformSpec};
 use hysteron_engine::model::Integration;
 use hysteron_engine::section::{Elastic, ElasticSection, Resultant, SharedSection};
@@ -18,15 +20,15 @@ use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
 pub(super) const DISPLACEMENT: Kind = Kind {
-    names: &["dispBeamColumn", "DispBeamColumn"],
-    usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> or \
+    names: &["dispBeamColumn", "DispBeamColumn", "CubicFrame"],
+    usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> <-damp $damping> or \
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
     make: Make::TwoNodes(make_displacement),
 };
 
 pub(super) const FORCE: Kind = Kind {
     names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn", "ForceFrame"],
-    usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> or \
+    usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> <-damp $damping> or \
             $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
     make: Make::TwoNodes(make_force),
 };
@@ -69,6 +71,8 @@ struct Words {
     force_based: ForceBased,
     /// Deflections of shear count.
     shear: bool,
+    /// A damping of its own.
+    damping: Option<Arc<ElementDamping>>,
 }
 
 fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -181,14 +185,15 @@ fn take(
         rule = Some((found.rule, found.sections));
     }
     let Some((mut rule, sections)) = rule else { unreachable!("each form has a rule") };
-    let (mut rho, mut consistent, mut force_based, mut shear) =
-        (0.0, false, follower(interp), deflects.unwrap_or(false));
+    let (mut rho, mut consistent, mut force_based, mut shear, mut damping) =
+        (0.0, false, follower(interp), deflects.unwrap_or(false), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
             "-shear" if deflects.is_some() => shear = true,
             "-cMass" => consistent = true,
             "-lMass" => consistent = false,
+            "-damp" if deflects.is_none() => damping = Some(of_tag(interp, a)?),
             "-iter" => iterations(interp, a, &mut force_based)?,
             // Without --compat the step is cut into parts by itself.
             "-subdivide" => {
@@ -211,11 +216,11 @@ fn take(
                 }
                 rule = found;
             }
-            _ => ignore_option(interp, a, &["-mass", "-cMass", "-iter", "-integration"])?,
+            _ => ignore_option(interp, a, &["-mass", "-cMass", "-iter", "-integration", "-damp"])?,
         }
     }
     let integration = Integration { rule, sections };
-    Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear })
+    Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear, damping })
 }
 
 /// A force-based beam as the run wants it.
@@ -272,12 +277,14 @@ where
         let transform = w.transform.plane(&stand).map_err(wrong)?;
         let points = points(transform.length())?;
         let formulation = formulation(&points.0)?;
-        return Ok(Arc::new(FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass)));
+        let beam = Arc::new(FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass));
+        return damped(beam, w.damping).map_err(|e| refused(a, nodes, e));
     }
     let transform = w.transform.space(&stand).map_err(wrong)?;
     let points = points(transform.length())?;
     let formulation = formulation(&points.0)?;
-    Ok(Arc::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass)))
+    let beam = Arc::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass));
+    damped(beam, w.damping).map_err(|e| refused(a, nodes, e))
 }
 
 /// Refuse sections that leave the beam without a stiffness.
@@ -326,6 +333,15 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     let all = [section_i, section_j, (elastic, 0)];
     let sections = Hinge::Radau.sections().iter().map(|i| all[*i].clone()).collect();
     let integration = Integration { rule: Rule::Hinges(Hinge::Radau, lp_i, lp_j), sections };
-    let words = Words { transform, transform_at, integration, rho, consistent: false, force_based, shear: false };
+    let words = Words {
+        transform,
+        transform_at,
+        integration,
+        rho,
+        consistent: false,
+        force_based,
+        shear: false,
+        damping: None,
+    };
     build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
 }

@@ -4,8 +4,10 @@ pub(crate) mod amend;
 mod beam;
 mod bearing;
 mod brick;
+mod cable;
 mod component;
 mod contact;
+pub(crate) mod damping;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
@@ -79,6 +81,7 @@ const KINDS: &[Kind] = &[
     bearing::UFRP,
     kikuchi::KIKUCHI,
     multiple_normal_spring::MULTIPLE_NORMAL_SPRING,
+    cable::CATENARY,
     truss::TRUSS,
     truss::COROT_TRUSS,
     truss::TRUSS_SECTION,

@@ -1,5 +1,6 @@
 //! `element quad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
 
+use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
@@ -13,7 +14,8 @@ use std::sync::Arc;
 
 pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
-    usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
+            <-damp $damping>",
     make: Make::AnyNodes(make),
 };
 
@@ -112,7 +114,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     let place = a.last_span();
     let (law, o) = properties(interp, a)?;
     let made = Continuum::quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, made.shared()))
+    let damping = optional(interp, a)?;
+    Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
 }
 
 fn make_triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {

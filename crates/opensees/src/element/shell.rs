@@ -1,5 +1,6 @@
 //! `element ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`, `ASDShellQ4`, `ASDShellT3`.
 
+use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::model::nodes::node_of;
@@ -15,19 +16,19 @@ use std::sync::Arc;
 
 pub(super) const MITC4: Kind = Kind {
     names: &["ShellMITC4", "shellMITC4", "Shell", "shell"],
-    usage: "element ShellMITC4 $tag $i $j $k $l $section",
+    usage: "element ShellMITC4 $tag $i $j $k $l $section <-damp $damping>",
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::Mitc4)),
 };
 
 pub(super) const DKGQ: Kind = Kind {
     names: &["ShellDKGQ", "shellDKGQ"],
-    usage: "element ShellDKGQ $tag $i $j $k $l $section",
+    usage: "element ShellDKGQ $tag $i $j $k $l $section <-damp $damping>",
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffQuadrilateral)),
 };
 
 pub(super) const DKGT: Kind = Kind {
     names: &["ShellDKGT", "shellDKGT"],
-    usage: "element ShellDKGT $tag $i $j $k $section",
+    usage: "element ShellDKGT $tag $i $j $k $section <-damp $damping>",
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffTriangle)),
 };
 
@@ -83,7 +84,8 @@ fn make(
     let place = a.last_span();
     let (section, _) = a.of(&interp.host.builder.definitions.plates)?;
     let made = Shell::new(formulation, &places, section, &disp).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    let damping = optional(interp, a)?;
+    Ok((nodes, damped(Arc::new(made), damping).map_err(|e| refused(a, place, e))?))
 }
 
 fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {

@@ -1,5 +1,6 @@
 //! `element zeroLength`.
 
+use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
@@ -16,7 +17,7 @@ use std::sync::Arc;
 pub(super) const ZERO_LENGTH: Kind = Kind {
     names: &["zeroLength"],
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
-            <-dampMats $mat1 ...> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
+            <-dampMats $mat1 ...> <-damp $damping> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
     make: Make::TwoNodes(make),
 };
 
@@ -26,7 +27,7 @@ pub(super) const COUPLED: Kind = Kind {
     make: Make::TwoNodes(make_coupled),
 };
 
-const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-orient"];
+const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-damp", "-orient"];
 
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
     let mut out = vec![a.of(&interp.host.builder.definitions.materials)?];
@@ -40,7 +41,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let span = a.last_span();
     let (mut mats, mut dirs) = (vec![], vec![]);
     let mut damping = RayleighDamping::None;
-    let mut axes = Matrix3::identity();
+    let (mut axes, mut own) = (Matrix3::identity(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-mat" => mats = materials(interp, a)?,
@@ -57,6 +58,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 _ => damping = RayleighDamping::None,
             },
             "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
+            "-damp" => own = Some(of_tag(interp, a)?),
             "-orient" => {
                 let place = a.last_span();
                 let (x, y) = if ends.ndm == 2 {
@@ -101,7 +103,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let last = dirs.last().and_then(|d| d.1);
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
     let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
-    Ok(Arc::new(element.map_err(|e| refused(a, last, e))?))
+    let element = Arc::new(element.map_err(|e| refused(a, last, e))?);
+    damped(element, own).map_err(|e| refused(a, last, e))
 }
 
 fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {

@@ -77,7 +77,15 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
     interp.host.builder.pattern = Some(tag);
     if a.left() > 0 {
-        let body = a.value("loads")?;
+        let mut body = a.value("loads")?;
+        // As in OpenSees the last word holds the loads. A comment after them is none.
+        if a.left() > 0 && !a.peek().is_some_and(|w| w.starts_with('#')) {
+            let message = "pattern: the last word holds the loads, and what is before it is ignored";
+            warn(interp, Diagnostic::warning(message).at(a.last_span(), "not read"))?;
+            while a.left() > 0 {
+                body = a.value("loads")?;
+            }
+        }
         finish(interp, &a)?;
         let before = interp.host.builder.pattern.replace(tag);
         let done = interp.eval_value(&body);

@@ -1,7 +1,7 @@
 //! `timeSeries`.
 
 use crate::args::Args;
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
@@ -187,6 +187,10 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             "-tag" => drop(a.int("tag")?),
             _ => ignore_option(interp, a, PATH_OPTIONS)?,
         }
+    }
+    if values.as_ref().is_some_and(Vec::is_empty) && dt.is_some() && interp.host.follows(&[slips::EMPTY_PATH]) {
+        warn(interp, Diagnostic::warning("the path has no values: it is zero").at(command, "expected values"))?;
+        values = Some(vec![0.0; 2]);
     }
     let Some(mut values) = values.filter(|v| !v.is_empty()) else {
         return Err(a.refuse_at(command, "the path has no values", "expected -values or -filePath"));

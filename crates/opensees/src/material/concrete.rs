@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    Concrete01, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta, Material,
-    TsaiEnvelope,
+    Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta,
+    Ecc01, Material, TsaiEnvelope,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -52,6 +52,17 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
                 <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
         make: concrete_w_beta,
+    },
+    Kind {
+        names: &["Concrete01WithSITC"],
+        usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
+        make: concrete01_sitc,
+    },
+    Kind {
+        names: &["ECC01"],
+        usage: "uniaxialMaterial ECC01 $tag $sigt0 $epst0 $sigt1 $epst1 $epst2 $sigc0 $epsc0 $epsc1 $alphaT1 $alphaT2 \
+                $alphaC $alphaCU $betaT $betaC",
+        make: ecc01,
     },
 ];
 
@@ -202,6 +213,38 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         stiffening,
         e0,
     }))
+}
+
+/// Strain at which debris in cracks has no stress, where it is left out.
+const END_OF_DEBRIS: f64 = 0.03;
+
+fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let end = a.optional_float("strain of the debris without stress endStrainSITC")?.unwrap_or(END_OF_DEBRIS);
+    Ok(Arc::new(Concrete01Sitc { fc, epsc0, fcu, epscu, end }))
+}
+
+fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let first = [a.positive("tensile stress at cracking sigt0")?, a.positive("tensile strain at cracking epst0")?];
+    let peak = [a.positive("peak tensile stress sigt1")?, a.positive("strain at the peak epst1")?];
+    let ultimate = a.positive("ultimate tensile strain epst2")?;
+    if peak[1] <= first[1] || ultimate <= peak[1] {
+        let message = format!("the tensile strains are {}, {} and {ultimate}", first[1], peak[1]);
+        return Err(a.refuse(message, "expected epst0 < epst1 < epst2"));
+    }
+    let bottom = [-compressive(a, "compressive strength sigc0")?, -compressive(a, "strain at the strength epsc0")?];
+    let crushed = -compressive(a, "ultimate compressive strain epsc1")?;
+    if crushed >= bottom[1] {
+        return Err(a.refuse(format!("the ultimate compressive strain epsc1 is {crushed}"), "expected it beyond epsc0"));
+    }
+    let unloading = [
+        a.positive("exponent of unloading alphaT1")?,
+        a.positive("exponent of unloading alphaT2")?,
+        a.positive("exponent of unloading alphaC")?,
+    ];
+    let softening = a.positive("exponent of softening alphaCU")?;
+    let permanent = [a.not_negative("permanent part betaT")?, a.not_negative("permanent part betaC")?];
+    Ok(Arc::new(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }))
 }
 
 /// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper};
+use hysteron_engine::material::{BilinearOilDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -15,6 +15,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["ViscousDamper"],
         usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
         make: viscous_damper,
+    },
+    Kind {
+        names: &["BilinearOilDamper"],
+        usage: "uniaxialMaterial BilinearOilDamper $tag $K $C <$Fr $p> <$LGap> <$NM $relTol $absTol $maxHalf>",
+        make: bilinear_oil_damper,
     },
     Kind {
         names: &["Maxwell", "MaxwellMaterial"],
@@ -60,6 +65,45 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
             3 => IntegrationMethod::Rosenbrock,
             n => {
                 let label = "expected 1 (Dormand-Prince), 2 (Adams-Bashforth-Moulton) or 3 (Rosenbrock)";
+                return Err(a.refuse(format!("there is no method {n}"), label));
+            }
+        };
+        law.relative = a.not_negative("relative tolerance relTol")?;
+        law.absolute = a.not_negative("absolute tolerance absTol")?;
+        law.max_halvings = a.int("largest number of halvings maxHalf")?;
+        if !(0..=20).contains(&law.max_halvings) {
+            return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
+        }
+    }
+    Ok(Arc::new(law))
+}
+
+fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
+    let (k, c) = (a.positive("stiffness K")?, a.positive("damping coefficient C")?);
+    let mut law = BilinearOilDamper {
+        k,
+        c,
+        relief: 1.0,
+        ratio: 1.0,
+        gap: 0.0,
+        differences: false,
+        relative: 1e-6,
+        absolute: 1e-10,
+        max_halvings: 15,
+        compat,
+    };
+    if a.left() > 0 {
+        law.relief = a.positive("relief force Fr")?;
+        law.ratio = a.float("ratio p of the damping coefficients")?.max(0.0);
+    }
+    law.gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);
+    if a.left() > 0 {
+        law.differences = match a.int("number of the method NM")? {
+            1 => false,
+            2 => true,
+            n => {
+                let label = "expected 1 (Dormand-Prince) or 2 (finite differences)";
                 return Err(a.refuse(format!("there is no method {n}"), label));
             }
         };

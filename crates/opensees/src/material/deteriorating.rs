@@ -104,7 +104,7 @@ fn pinching4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     if !by_cycles && !BY_ENERGY.contains(&word.as_ref()) {
         return Err(a.refuse(format!("the kind of damage is \"{word}\""), "expected energy or cycle"));
     }
-    let given = Pinching4Parameters { sides, stiffness, reloading, strength, energy, by_cycles };
+    let given = Pinching4Parameters { sides, stiffness, reloading, strength, linear_strength: None, energy, by_cycles };
     Ok(match interp.host.follows(&[slips::PINCHING_TRIALS]) {
         true => Arc::new(Pinching4::as_opensees(given)),
         false => Arc::new(Pinching4::new(given)),

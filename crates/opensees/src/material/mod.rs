@@ -1,12 +1,16 @@
 //! `uniaxialMaterial`, and the commands that try one by itself.
 
+pub(crate) mod backbone;
+mod bar_slip;
 mod bearing;
 mod concrete;
+mod confined_concrete;
 mod damper;
 mod deteriorating;
 mod elastic;
 pub(crate) mod friction;
 mod hysteretic;
+mod hysteretic_sm;
 mod impact;
 mod material_test;
 mod nd_concrete;
@@ -15,6 +19,7 @@ mod plastic;
 mod rubber;
 mod smooth;
 mod soil;
+mod steel4;
 mod wrapper;
 
 use crate::args::Args;
@@ -45,7 +50,12 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         elastic::KINDS,
         plastic::KINDS,
         concrete::KINDS,
+        confined_concrete::KINDS,
+        steel4::KINDS,
         hysteretic::KINDS,
+        hysteretic_sm::KINDS,
+        backbone::KINDS,
+        bar_slip::KINDS,
         deteriorating::KINDS,
         smooth::KINDS,
         soil::KINDS,

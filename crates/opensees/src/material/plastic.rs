@@ -5,8 +5,8 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    BarFatigue, BondSp01, BrbBranch, Buckling, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
-    ReinforcingSteel, Steel01, Steel02, SteelBrb, SteelMpf, UvcUniaxial,
+    BarFatigue, BondSp01, BrbBranch, Buckling, Cast, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
+    ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -14,11 +14,21 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["CastFuse", "Cast"],
+        usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        make: cast_fuse,
+    },
     Kind { names: &["Steel01"], usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>", make: steel01 },
     Kind {
         names: &["Steel02"],
         usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
         make: steel02,
+    },
+    Kind {
+        names: &["Steel03"],
+        usage: "uniaxialMaterial Steel03 $tag $fy $E0 $b $r $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        make: steel03,
     },
     Kind {
         names: &["SteelBRB"],
@@ -88,6 +98,28 @@ fn isotropic(a: &mut Args<'_>, mut values: [f64; 4]) -> Result<[f64; 4], Excepti
         }
     }
     Ok(values)
+}
+
+fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = a.positive("yield stress fy")?;
+    let e0 = a.positive("elastic modulus E0")?;
+    let b = hardening_ratio(interp, a)?;
+    if b == 1.0 {
+        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
+    }
+    let r = a.positive("radius of the transition r")?;
+    let c_r = [a.not_negative("coefficient cR1")?, a.not_negative("coefficient cR2")?];
+    if c_r[0] >= Steel03::TRILINEAR && c_r[1] == 0.0 {
+        return Err(a.refuse("the coefficient cR2 is 0", "expected more than 0, or cR1 less than 0.1"));
+    }
+    let isotropic = isotropic(a, Steel03::NO_ISOTROPIC)?;
+    for scale in [isotropic[1], isotropic[3]] {
+        if scale <= 0.0 {
+            let label = "expected a2 and a4 greater than 0";
+            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
+        }
+    }
+    Ok(Arc::new(Steel03 { fy, e0, b, r, c_r, a: isotropic }))
 }
 
 fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -303,4 +335,26 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
         }
     }
     Ok(Arc::new(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }))
+}
+
+fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let legs = a.positive("number of fingers n")?;
+    let (width, thickness) = (a.positive("width of a finger bo")?, a.positive("thickness of a finger h")?);
+    let (fy, e) = (a.positive("yield stress fy")?, a.positive("elastic modulus E")?);
+    let length = a.positive("length of a finger L")?;
+    let b = a.float("hardening ratio b")?;
+    if b >= 1.0 {
+        return Err(a.refuse(format!("the hardening ratio b is {b}"), "expected less than 1"));
+    }
+    let r = [a.positive("radius R0")?, a.not_negative("coefficient cR1")?, a.positive("coefficient cR2")?];
+    let mut hardening = [0.0, 1.0, 0.0, 1.0];
+    if a.left() > 0 {
+        hardening = [
+            a.not_negative("isotropic hardening a1")?,
+            a.positive("isotropic hardening a2")?,
+            a.not_negative("isotropic hardening a3")?,
+            a.positive("isotropic hardening a4")?,
+        ];
+    }
+    Ok(Arc::new(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }))
 }

@@ -41,9 +41,14 @@ fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MODEL);
-    let builder = a.word("kind of model")?;
-    if !["basic", "basicbuilder", "modelbuilder"].contains(&builder.to_lowercase().as_str()) {
-        return Err(a.unknown_name("kind of model", ["basic", "BasicBuilder"]));
+    if a.at_option() {
+        let d = Diagnostic::warning("model: the kind of model is missing: it is basic");
+        warn(interp, d.at(a.next_span(), "expected basic before this"))?;
+    } else {
+        let builder = a.word("kind of model")?;
+        if !["basic", "basicbuilder", "modelbuilder"].contains(&builder.to_lowercase().as_str()) {
+            return Err(a.unknown_name("kind of model", ["basic", "BasicBuilder"]));
+        }
     }
     let (mut ndm, mut ndf) = (None, None);
     while let Some(option) = a.option() {

@@ -11,5 +11,6 @@ mod pvd;
 pub(crate) mod query;
 pub(crate) mod recorder;
 pub(crate) mod recorders;
+pub(crate) mod verify;
 
 pub use balance::{AnalysedModel, Balances, ModelSize};

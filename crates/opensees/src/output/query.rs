@@ -58,7 +58,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("nodeDOFs", "nodeDOFs $node", node_dofs),
     Command::new("systemSize", "systemSize", system_size),
     Command::new("testIter", "testIter", iterations),
-    Command::new("numIter", "numIter", iterations),
+    Command::new("numIter", "numIter", algorithm_iterations),
     Command::new("testNorm", "testNorm", norms),
     Command::new("testNorms", "testNorms", norms),
     Command::new("numFact", "numFact", factorizations),
@@ -350,6 +350,14 @@ fn iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
     let tests = interp.host.engine.setup().map_or(0, |s| s.test.iteration);
     let more = usize::from(interp.host.follows(&[slips::FAILED_TEST]) && interp.host.last_failure.is_some());
     Ok(Value::from((tests + more) as i64))
+}
+
+/// Iterations of the algorithm. As in OpenSees those that search along lines or have no test count none.
+fn algorithm_iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
+    const UNCOUNTED: [&str; 5] = ["NewtonLineSearch", "BFGS", "Broyden", "Linear", "ExpressNewton"];
+    let setup = interp.host.engine.setup();
+    let counted = setup.filter(|s| !UNCOUNTED.contains(&s.algorithm.name()));
+    Ok(Value::from(counted.map_or(0, |s| s.test.iteration) as i64))
 }
 
 fn norms(interp: &mut Tcl, _: &Call<'_>) -> Outcome {

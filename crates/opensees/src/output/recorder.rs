@@ -4,7 +4,7 @@ use super::pvd;
 use super::recorders::PlacedRecorder;
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{
@@ -24,41 +24,50 @@ pub(crate) const COMMANDS: &[Command] = &[
 /// A kind of recorder, added to the session by the words after its name.
 type Kind = kind::Kind<fn(&mut Tcl, &Call<'_>, Args<'_>) -> Outcome>;
 
+/// A recorder that keeps rows in one way.
+type Keep = fn(Box<dyn Source>, Box<dyn Output>, Cadence) -> Recorder;
+
 const KINDS: &[Kind] = &[
     Kind {
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
-        make: |interp, call, a| node(interp, call, a, false),
+        make: |interp, call, a| node(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeNode"],
         usage: "recorder EnvelopeNode -file $file <-time> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
-        make: |interp, call, a| node(interp, call, a, true),
+        make: |interp, call, a| node(interp, call, a, Recorder::envelope),
+    },
+    Kind {
+        names: &["NodeRMS"],
+        usage: "recorder NodeRMS -file $file <-dT $dt> -node $tag ... | -nodeRange $first $last | -region $tag \
+                -dof $dof ... $response",
+        make: |interp, call, a| node(interp, call, a, Recorder::root_mean_square),
     },
     Kind {
         names: &["Element"],
         usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
-        make: |interp, call, a| element(interp, call, a, false),
+        make: |interp, call, a| element(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeElement"],
         usage: "recorder EnvelopeElement -file $file <-time> -ele $tag ... | -eleRange $first $last | -region $tag \
                 <-dof $column ...> $response ...",
-        make: |interp, call, a| element(interp, call, a, true),
+        make: |interp, call, a| element(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["Drift", "DriftRecorder"],
         usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
-        make: |interp, call, a| drift(interp, call, a, false),
+        make: |interp, call, a| drift(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeDrift"],
         usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
                 -perpDirn $direction",
-        make: |interp, call, a| drift(interp, call, a, true),
+        make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
     },
     Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
     // Windows of OpenSees.
@@ -131,7 +140,7 @@ impl Common {
     }
 
     /// Open the output and add the recorder; its tag.
-    fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, envelope: bool) -> Outcome {
+    fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, keep: Keep) -> Outcome {
         let output: Box<dyn Output> = match &self.file {
             Some((name, span)) => {
                 let path = interp.absolute(name);
@@ -150,11 +159,7 @@ impl Common {
                 Box::new(Nowhere)
             }
         };
-        let recorder = if envelope {
-            Recorder::envelope(source, output, self.cadence)
-        } else {
-            Recorder::history(source, output, self.cadence)
-        };
+        let recorder = keep(source, output, self.cadence);
         Ok(add(interp, call, recorder, self.file.map(|(name, _)| name), self.tags))
     }
 }
@@ -302,7 +307,7 @@ fn dofs(a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
     Ok(out)
 }
 
-fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {
     let mut common = Common::new(interp);
     let (mut nodes, mut columns, mut series): (Option<Vec<Tag>>, _, Vec<Option<Series>>) = (None, vec![], vec![]);
     let mut response: Option<(String, Option<Span>)> = None;
@@ -349,6 +354,11 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
         }
     }
     let quantity = match &response {
+        None if interp.host.follows(&[slips::MISSING_RESPONSE]) => {
+            let d = Diagnostic::warning("recorder: the response is missing: OpenSees takes disp");
+            warn(interp, d.at(call.span(0), "expected for instance disp"))?;
+            NodeQuantity::Disp
+        }
         None => {
             return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp"));
         }
@@ -362,10 +372,10 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> O
         })?,
     };
     let source = NodeResponse::new(quantity, nodes, columns, series);
-    common.finish(interp, call, Box::new(source), envelope)
+    common.finish(interp, call, Box::new(source), keep)
 }
 
-fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {
     let mut common = Common::new(interp);
     let (mut elements, mut columns, mut words): (Option<Vec<Tag>>, _, Vec<String>) = (None, vec![], vec![]);
     let mut named = None;
@@ -401,7 +411,7 @@ fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -
     }
     check_response(interp, elements.as_deref(), &words, named)?;
     let source = ElementResponse::new(elements, words, columns);
-    common.finish(interp, call, Box::new(source), envelope)
+    common.finish(interp, call, Box::new(source), keep)
 }
 
 /// Warn where none of the elements that are there has the response.
@@ -430,7 +440,7 @@ fn check_response(
     warn(interp, d.help(format!("known: {}", known.join(", "))))
 }
 
-fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> Outcome {
+fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {
     let mut common = Common::new(interp);
     let (mut i, mut j, mut dof, mut across) = (vec![], vec![], None, None);
     while let Some(option) = a.option() {
@@ -457,7 +467,7 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, envelope: bool) -> 
         return Err(a.refuse_at(call.span(0), message, "expected as many after -iNode as after -jNode"));
     }
     let source = Drift::new(i.into_iter().zip(j).collect(), dof.unwrap_or(0), across.unwrap_or(1));
-    common.finish(interp, call, Box::new(source), envelope)
+    common.finish(interp, call, Box::new(source), keep)
 }
 
 fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

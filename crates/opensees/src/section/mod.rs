@@ -2,6 +2,7 @@
 
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
+mod isolator;
 pub(crate) mod open;
 mod plate;
 mod shapes;
@@ -42,6 +43,12 @@ const KINDS: &[Kind] = &[
         make: Make::Beam(elastic),
     },
     Kind {
+        names: &["ElasticFrame", "FrameElastic"],
+        usage: "section ElasticFrame $tag <$E $A $Iz $Iy $G $J> <-E $E> <-A $A> <-Iz $Iz> <-Iy $Iy> <-G $G> <-J $J> \
+                <-Ay $Avy> <-Az $Avz>",
+        make: Make::Beam(elastic_frame),
+    },
+    Kind {
         names: &["Fiber", "fiberSec", "FiberSec", "FiberSection", "fiber"],
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
         make: Make::Beam(fibers),
@@ -56,6 +63,8 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    isolator::BIDIRECTIONAL,
+    isolator::TWO_SPRINGS,
     shapes::WIDE_FLANGE,
     shapes::RECTANGULAR_CONCRETE,
     shapes::CIRCULAR_CONCRETE,
@@ -111,6 +120,41 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
         s.shear.0 = Some(area * a.positive("shear factor alphaY")?);
     }
     Ok(Arc::new(Elastic::new(s, plane)))
+}
+
+/// Properties in the order of `section Elastic`, or each by its name; those of a plane frame are enough in the plane.
+fn elastic_frame(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    const NAMES: [&str; 8] = ["-E", "-A", "-Iz", "-Iy", "-G", "-J", "-Ay", "-Az"];
+    const MEANINGS: [&str; 8] = [
+        "elastic modulus E",
+        "cross-sectional area A",
+        "second moment of area Iz",
+        "second moment of area Iy",
+        "shear modulus G",
+        "torsion constant J",
+        "shear area Avy",
+        "shear area Avz",
+    ];
+    let mut values = [None; 8];
+    for (value, meaning) in values.iter_mut().zip(MEANINGS).take(6) {
+        if !a.at_number() {
+            break;
+        }
+        *value = Some(a.positive(meaning)?);
+    }
+    while let Some(option) = a.option() {
+        match NAMES.iter().position(|n| *n == option.as_ref()) {
+            Some(i) => values[i] = Some(a.positive(MEANINGS[i])?),
+            None => ignore_option(interp, a, &NAMES)?,
+        }
+    }
+    let plane = interp.host.builder.ndm != 3;
+    let needed = if plane { 3 } else { 6 };
+    if let Some(i) = values.iter().take(needed).position(Option::is_none) {
+        return Err(a.refuse(format!("the {} is missing", MEANINGS[i]), format!("expected {}", NAMES[i])));
+    }
+    let [e, area, iz, iy, g, j, ..] = values.map(|v| v.unwrap_or(0.0));
+    Ok(Arc::new(Elastic::new(ElasticSection { e, area, iz, iy, g, j, shear: (values[6], values[7]) }, plane)))
 }
 
 /// The words of a fiber section before its body.

@@ -29,9 +29,22 @@ slips! {
     "The reference load is what one more of the load factor adds.",
     "The answer would depend on how the analysis begins.";
 
+    HS_CONSTRAINT, Analysis, Test("tests/analysis/algorithms.rs", "hyper_spherical_steps"),
+    "`integrator HSConstraint`",
+    "Corrections go half of the way to a constraint in which the sum of the displacements stands for one. Steps are much shorter than asked \
+     for.",
+    "Steps have the length that is asked for.",
+    "OpenSees takes a number from each component of a vector, where it is meant to take it from their scalar product.";
+
+    EMPTY_PATH, Command, Test("tests/analysis/algorithms.rs", "a_path_of_an_empty_file_is_zero"),
+    "`timeSeries Path` of a file without numbers",
+    "The series is zero. A warning says so.",
+    "It is refused.",
+    "A motion that is missing would go unnoticed.";
+
     MECHANISMS, Analysis, Test("tests/analysis/opensees.rs", "an_unloaded_mechanism_stands_still"),
     "A mechanism that carries no load",
-    "The analysis goes on; the mechanism stands still, up to round-off.",
+    "The analysis goes on; the mechanism stands still, up to round-off. Without mass it has no mode.",
     "The step fails, and the message names the degree of freedom without stiffness.",
     "A mechanism is mostly a mistake, and its round-off may grow.";
 

@@ -16,6 +16,12 @@ slips! {
     "The damping that acts counts.",
     "OpenSees asks no element if it takes part.";
 
+    MISSING_RESPONSE, Command, Test("tests/cli/recorders.rs", "missing_response"),
+    "`recorder Node`, `EnvelopeNode` without a response",
+    "The displacements are recorded. A warning says so.",
+    "It is refused.",
+    "Another response may have been meant.";
+
     KEPT_REACTIONS, Command, Test("tests/analysis/opensees.rs", "reactions_are_those_of_the_command"),
     "`nodeReaction`",
     "Reactions are those of the last `reactions`, or of the last row of a recorder of reactions; zero without either.",

@@ -16,6 +16,14 @@ pub(super) trait Accelerator: fmt::Debug + Send {
     fn prepare(&mut self, n: usize, wanted: usize) -> usize;
     /// Better the k-th correction since the tangent, `x`, which the residual called for.
     fn accelerate(&mut self, k: usize, x: &mut [f64], residual: &[f64]);
+    /// Returns true if a new tangent is due after `corrections` of the step, `since` of them with the present tangent.
+    fn is_due(&self, _corrections: usize, since: usize, period: usize) -> bool {
+        since > period
+    }
+    /// Returns true if the acceleration starts anew where a new tangent is due, although the present one is kept.
+    fn restarts_without_tangent(&self) -> bool {
+        true
+    }
     /// Returns true if the test of a transient analysis sees the correction before its acceleration.
     fn hides_from_test(&self) -> bool {
         false
@@ -75,7 +83,7 @@ impl<A: Accelerator> Algorithm for Accelerated<A> {
         it.start_test();
         let hides = self.accelerator.hides_from_test() && !it.integrator.is_static();
         let mut k = 0;
-        loop {
+        for corrections in 1.. {
             it.system.solve()?;
             let work = &mut *it.system.work;
             self.plain.copy_from_slice(&work.x);
@@ -84,19 +92,22 @@ impl<A: Accelerator> Algorithm for Accelerated<A> {
             if hides {
                 it.system.work.x.copy_from_slice(&self.plain);
             }
-            let full = k + 1 > self.period;
-            it.system.form_unbalance(full && iterate.is_some_and(|m| m.current != 0.0))?;
+            k += 1;
+            let due = self.accelerator.is_due(corrections, k, self.period);
+            it.system.form_unbalance(due && iterate.is_some_and(|m| m.current != 0.0))?;
             if let Some(n) = it.judge()? {
                 self.factored = once;
                 return Ok(n);
             }
-            k += 1;
-            if full {
-                k = 0;
+            if due {
                 if let Some(mix) = iterate {
                     it.system.form_tangent(mix, Use::Often)?;
                 }
+                if iterate.is_some() || self.accelerator.restarts_without_tangent() {
+                    k = 0;
+                }
             }
         }
+        unreachable!("the test ends the iterations")
     }
 }

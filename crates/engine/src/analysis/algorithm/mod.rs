@@ -114,6 +114,8 @@ pub enum TangentChoice {
     Always(TangentMix),
     /// The initial tangent in the first iteration, the current one after it.
     InitialThenCurrent,
+    /// The current tangent in the first iteration, the initial one after it.
+    CurrentThenInitial,
 }
 
 impl TangentChoice {
@@ -122,7 +124,9 @@ impl TangentChoice {
         match self {
             Self::Always(mix) => mix,
             Self::InitialThenCurrent if iteration == 0 => TangentMix::INITIAL,
+            Self::CurrentThenInitial if iteration == 0 => TangentMix::CURRENT,
             Self::InitialThenCurrent => TangentMix::CURRENT,
+            Self::CurrentThenInitial => TangentMix::INITIAL,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Algorithm;
 use super::accelerated::{Accelerated, Accelerator, Tangents};
+use crate::analysis::workspace::TangentMix;
 use crate::numeric::dot;
 
 /// `algorithm SecantNewton` (Crisfield, 1979 and 1991): each correction of modified Newton is scaled, and parts of the
@@ -10,12 +11,16 @@ use crate::numeric::dot;
 ///
 /// `terms` of the acceleration, 0 to 3; corrections are left as they are where the factors would be beyond `cut_out`.
 pub fn secant_newton(tangents: Tangents, terms: usize, cut_out: Option<(f64, f64)>) -> Box<dyn Algorithm> {
-    Box::new(Accelerated::new(Secant { terms, cut_out, last: [vec![], vec![]], residual: vec![] }, tangents))
+    let renews = tangents.iterate == Some(TangentMix::CURRENT);
+    let secant = Secant { terms, renews, cut_out, last: [vec![], vec![]], residual: vec![] };
+    Box::new(Accelerated::new(secant, tangents))
 }
 
 #[derive(Debug)]
 struct Secant {
     terms: usize,
+    /// The current tangent is formed anew within a step.
+    renews: bool,
     cut_out: Option<(f64, f64)>,
     /// Last correction, accelerated and not.
     last: [Vec<f64>; 2],
@@ -26,6 +31,19 @@ struct Secant {
 impl Accelerator for Secant {
     fn name(&self) -> &'static str {
         if self.terms == 0 { "PeriodicNewton" } else { "SecantNewton" }
+    }
+
+    /// As in OpenSees, where the first tangent of `PeriodicNewton` serves one correction.
+    fn is_due(&self, corrections: usize, since: usize, period: usize) -> bool {
+        match self.terms {
+            0 => since >= period || (self.renews && corrections == 1),
+            1 => since > period,
+            _ => since >= period,
+        }
+    }
+
+    fn restarts_without_tangent(&self) -> bool {
+        self.terms == 1
     }
 
     fn prepare(&mut self, n: usize, wanted: usize) -> usize {

@@ -10,10 +10,13 @@ use crate::numeric::{axpy, dot};
 /// (Crisfield, 1981).
 #[derive(Clone, Debug)]
 pub struct ArcLength {
+    constraint: Constraint,
     /// Square of the length.
     square: f64,
     /// Square of the weight of the load factor.
     weight: f64,
+    /// Square of the weight of the displacements.
+    scale: f64,
     reference: ReferenceLoad,
     /// Displacement of the equations since the begin of the step.
     step: Vec<f64>,
@@ -21,38 +24,58 @@ pub struct ArcLength {
     step_factor: f64,
     /// Growth of the load factor in the last committed step: the next begins in the same sense.
     last_factor: f64,
-    /// Corrections keep to the plane through the first point (Riks, 1979) instead of to the sphere.
-    plane: bool,
+}
+
+/// Constraint that corrections keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Constraint {
+    /// Sphere.
+    Sphere,
+    /// Plane through the first point (Riks, 1979).
+    Plane,
+    /// Sphere with the reference load in the weight of the load factor, which is this times its square.
+    HyperSphere(f64),
 }
 
 impl ArcLength {
     /// From the length s and the weight α of the load factor.
     pub fn new(length: f64, alpha: f64) -> Self {
         Self {
+            constraint: Constraint::Sphere,
             square: length * length,
             weight: alpha * alpha,
+            scale: 1.0,
             reference: ReferenceLoad::default(),
             step: vec![],
             step_factor: 0.0,
             last_factor: 0.0,
-            plane: false,
         }
     }
 
     /// `ArcLength1`: corrections keep the constraint to first order.
     pub fn linearised(length: f64, alpha: f64) -> Self {
-        Self { plane: true, ..Self::new(length, alpha) }
+        Self { constraint: Constraint::Plane, ..Self::new(length, alpha) }
+    }
+
+    /// `integrator HSConstraint`: (ψᵤ/u)² Δu·Δu + ψ² Δλ² f·f = s² with the reference load f, from the length s, the weights
+    /// ψᵤ and ψ, and the reference displacement u.
+    pub fn hyper_spherical(length: f64, [displacement, load, reference]: [f64; 3]) -> Self {
+        let scale = (displacement / reference).powi(2);
+        Self { constraint: Constraint::HyperSphere(load * load), scale, ..Self::new(length, 0.0) }
     }
 
     /// Growth of the load factor that brings the step back to its length for a correction at constant load.
     fn correction(&self, s: &System<'_>, bar: &[f64]) -> Result<f64, Failure> {
         let unit = &self.reference.unit;
-        if self.plane {
+        if self.constraint == Constraint::Plane {
             let along = dot(&self.step, unit) + self.weight * self.step_factor;
             if along == 0.0 {
                 return Err(self.lost(s));
             }
             return Ok(-dot(&self.step, bar) / along);
+        }
+        if let Constraint::HyperSphere(_) = self.constraint {
+            return self.hyper_spherical_correction(s, bar);
         }
         let a = self.weight + dot(unit, unit);
         let b = self.weight * self.step_factor + dot(unit, bar) + dot(&self.step, unit);
@@ -67,6 +90,28 @@ impl ArcLength {
         Ok(if forward > 0.0 { first } else { (-b - d.sqrt()) / a })
     }
 
+    /// OpenSees' corrections meet another constraint, and go half of the way to it.
+    fn hyper_spherical_correction(&self, s: &System<'_>, bar: &[f64]) -> Result<f64, Failure> {
+        let unit = &self.reference.unit;
+        let along = dot(unit, &self.step);
+        let moved = self.step.iter().zip(bar).map(|(u, v)| u + v);
+        let squared: f64 = moved.clone().map(|x| x * x).sum();
+        let excess = self.weight * self.step_factor * self.step_factor - self.square;
+        let a = self.scale * dot(unit, unit) + self.weight;
+        let half = self.scale * (dot(unit, bar) + along) + self.weight * self.step_factor;
+        let (b, c) = if s.work.opensees.is_some() {
+            (2.0 * half, self.scale * (squared + excess * moved.sum::<f64>()))
+        } else {
+            (half, self.scale * squared + excess)
+        };
+        let d = b * b - a * c;
+        if d < 0.0 {
+            return Err(self.lost(s));
+        }
+        let roots = [(-b + d.sqrt()) / a, (-b - d.sqrt()) / a];
+        Ok(if roots[0] * along > roots[1] * along { roots[0] } else { roots[1] })
+    }
+
     fn lost(&self, s: &System<'_>) -> Failure {
         s.failure(Cause::Model(format!("{}: no point of the path at this distance: try a shorter step", self.name())))
     }
@@ -74,7 +119,11 @@ impl ArcLength {
 
 impl Integrator for ArcLength {
     fn name(&self) -> &'static str {
-        if self.plane { "ArcLength1" } else { "ArcLength" }
+        match self.constraint {
+            Constraint::Sphere => "ArcLength",
+            Constraint::Plane => "ArcLength1",
+            Constraint::HyperSphere(_) => "HSConstraint",
+        }
     }
     fn is_static(&self) -> bool {
         true
@@ -91,7 +140,10 @@ impl Integrator for ArcLength {
     fn begin(&mut self, s: &mut System<'_>, _: f64) -> Result<(), Failure> {
         self.reference.begin(s)?;
         let unit = &self.reference.unit;
-        let size = (self.square / (dot(unit, unit) + self.weight)).sqrt();
+        if let Constraint::HyperSphere(load) = self.constraint {
+            self.weight = load * dot(&self.reference.load, &self.reference.load);
+        }
+        let size = (self.square / (self.scale * dot(unit, unit) + self.weight)).sqrt();
         self.step_factor = if self.last_factor < 0.0 { -size } else { size };
         self.step.iter_mut().zip(unit).for_each(|(x, u)| *x = self.step_factor * u);
         self.reference.advance(s, self.step_factor, &self.step)

@@ -192,7 +192,7 @@ impl System<'_> {
             let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
             OpenSeesCall { repeated, last_of_class, shared }
         });
-        let motion = ElementInput { disp, vel, load, still: self.still, opensees, dt, time };
+        let motion = ElementInput { disp, vel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
         let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];

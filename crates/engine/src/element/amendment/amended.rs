@@ -5,6 +5,7 @@ mod responses;
 
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
+use crate::element::damping::BasicForces;
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
     Mass, MatrixMask, OpenSeesTraits, Overload, Snapshot, Softening, dot,
@@ -438,6 +439,16 @@ impl Element for Amended {
             new.law = law;
         }
         Some((Arc::new(new), old))
+    }
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        None
+    }
+    fn undamped(&self) -> Option<Arc<dyn Element>> {
+        None
+    }
+    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
+        let state = &s.state[..self.inner_len];
+        self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

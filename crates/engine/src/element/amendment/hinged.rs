@@ -1,5 +1,6 @@
 //! A beam with plastic hinges at its ends.
 
+use crate::element::damping::BasicForces;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
     OpenSeesTraits, Overload, Snapshot, Softening, dot,
@@ -380,6 +381,16 @@ impl Element for Hinged {
     }
     fn basic_rows(&self) -> Vec<BasicRow> {
         self.inner.basic_rows()
+    }
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        None
+    }
+    fn undamped(&self) -> Option<Arc<dyn Element>> {
+        None
+    }
+    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
+        let state = &s.state[..self.inner_len];
+        self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

@@ -81,6 +81,7 @@ impl DisplacementBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
     const CLASS: [&'static str; 2] = ["DispBeamColumn2d", "DispBeamColumn3d"];
+    const DAMPABLE: bool = true;
 
     fn load_len(_: usize) -> usize {
         B + 5

@@ -1,5 +1,6 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
+use crate::element::damping::BasicForces;
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
@@ -8,7 +9,7 @@ use crate::element::{
 };
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::ElasticSection;
+use crate::section::{ElasticSection, Resultant, SharedSection};
 use std::sync::Arc;
 
 /// Moment releases at the ends of a beam.
@@ -111,6 +112,17 @@ pub(super) fn euler_load(rigidities: &[f64], length: f64) -> f64 {
     std::f64::consts::PI.powi(2) * least / (length * length)
 }
 
+/// The flexural rigidities of a virgin section, force x length².
+pub(super) fn rigidities(section: &SharedSection) -> Vec<f64> {
+    let resultants = section.resultants();
+    let n = resultants.len();
+    let mut k = vec![0.0; n * n];
+    section.initial_stiffness(&mut k);
+    let bends = |r: &Resultant| matches!(r, Resultant::Mz | Resultant::My);
+    let rigidity = |(i, r): (usize, &Resultant)| bends(r).then(|| k[i * n + i]);
+    resultants.iter().enumerate().filter_map(rigidity).collect()
+}
+
 /// Properties of an elastic beam besides section and geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticOptions {
@@ -125,13 +137,13 @@ pub struct ElasticOptions {
 /// An elastic beam-column with `N` degrees of freedom and `B` basic deformations.
 #[derive(Clone, Debug)]
 pub struct ElasticBeam<const N: usize, const B: usize> {
-    transform: Arc<dyn Transform<N, B>>,
+    pub(super) transform: Arc<dyn Transform<N, B>>,
     section: ElasticSection,
     options: ElasticOptions,
     /// Factors K11, K33, K44 of E I/L of a modified beam in the plane.
     modified: Option<[f64; 3]>,
     /// Basic stiffness.
-    kb: [[f64; B]; B],
+    pub(super) kb: [[f64; B]; B],
     /// Bending about z and, in space, about y.
     bending: [Bending; 2],
     /// Global matrices of the tangent, if they are independent of the displacements.
@@ -213,7 +225,7 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
 
     /// Basic forces: stiffness times deformations plus fixed-end forces of member loads.
     #[inline]
-    fn basic_force(&self, disp: &[f64], state: &[f64], load: &[f64]) -> [f64; B] {
+    pub(super) fn basic_force(&self, disp: &[f64], state: &[f64], load: &[f64]) -> [f64; B] {
         let v = self.transform.deformation(disp, state);
         let mut q = self.kb.each_ref().map(|row| row.iter().zip(&v).map(|(k, v)| k * v).sum());
         q.iter_mut().zip(load).for_each(|(q, l)| *q += l);
@@ -381,6 +393,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         };
         let old = std::mem::replace(place, value);
         Some((Arc::new(new.rebuilt()), old))
+    }
+
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(self)
     }
 
     fn load_len(&self) -> usize {

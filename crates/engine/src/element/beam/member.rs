@@ -1,5 +1,6 @@
 //! Beams with sections along their length: common part of the formulations.
 
+use crate::element::damping::BasicForces;
 use crate::element::load::ElementLoad;
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
@@ -12,7 +13,7 @@ use crate::section::{Resultant, SectionSlot, SharedSection};
 use std::fmt;
 use std::sync::Arc;
 
-use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass};
+use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass, rigidities};
 
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
@@ -24,6 +25,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const DEFLECTS: bool = false;
     /// In space the sections need a torque.
     const NEEDS_TORSION: bool = false;
+    /// OpenSees' element takes a damping of its own.
+    const DAMPABLE: bool = false;
     /// Number of state variables of the formulation, after those of the sections.
     const STATE_LEN: usize = 0;
 
@@ -62,17 +65,6 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
     /// Basic deformations of the virgin beam for basic forces and loads.
     fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B];
-}
-
-/// The flexural rigidities of a virgin section, force x length².
-fn rigidities(section: &SharedSection) -> Vec<f64> {
-    let resultants = section.resultants();
-    let n = resultants.len();
-    let mut k = vec![0.0; n * n];
-    section.initial_stiffness(&mut k);
-    let bends = |r: &Resultant| matches!(r, Resultant::Mz | Resultant::My);
-    let rigidity = |(i, r): (usize, &Resultant)| bends(r).then(|| k[i * n + i]);
-    resultants.iter().enumerate().filter_map(rigidity).collect()
 }
 
 /// Forces and stiffness of the basic system.
@@ -150,7 +142,7 @@ impl<const N: usize, const B: usize> Trace<N, B> {
 /// those of the sections, and those of the formulation.
 #[derive(Clone, Debug)]
 pub struct Member<const N: usize, const B: usize> {
-    transform: Arc<dyn Transform<N, B>>,
+    pub(super) transform: Arc<dyn Transform<N, B>>,
     /// Sections along the beam.
     pub(super) sections: Vec<SectionSlot>,
     /// Positions and weights of the sections, as fractions of the length.
@@ -212,7 +204,7 @@ impl<const N: usize, const B: usize> Member<N, B> {
 /// A beam with `N` degrees of freedom and `B` basic deformations that integrates its sections.
 #[derive(Clone, Debug)]
 pub struct FiberBeam<F, const N: usize, const B: usize> {
-    member: Member<N, B>,
+    pub(super) member: Member<N, B>,
     formulation: F,
 }
 
@@ -359,6 +351,10 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             _ => new.member.sections.iter_mut().filter_map(|s| s.set_parameter(words, value)).last()?,
         };
         Some((Arc::new(new), old))
+    }
+
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        F::DAMPABLE.then_some(self as &dyn BasicForces)
     }
 
     fn load_len(&self) -> usize {

@@ -1,5 +1,6 @@
 //! Beam-columns.
 
+mod basic_forces;
 mod component;
 mod curvature_based;
 mod displacement_based;

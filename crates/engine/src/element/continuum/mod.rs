@@ -7,6 +7,7 @@ mod quadratic;
 mod stabilised_brick;
 mod tetrahedron;
 
+use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::material::{SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
@@ -258,6 +259,10 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
         OpenSeesTraits { ground_inertia: (self.body.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
     }
 
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(self)
+    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let count = self.body.points.len();
         let all = |count: usize, names: [&'static str; S]| (0..count).flat_map(move |_| names);
@@ -309,6 +314,28 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
             }
             _ => self.read_point(path[1] as usize, &path[2..], s, out),
         }
+    }
+}
+
+impl<const S: usize, const D: usize> BasicForces for Continuum<S, D> {
+    fn len(&self) -> usize {
+        self.body.points.len() * S
+    }
+    fn in_resisting_force(&self) -> bool {
+        true
+    }
+    fn basic_forces(&self, disp: &[f64], state: &[f64], _: &[f64], out: &mut [f64]) {
+        let snapshot = Snapshot { disp, state, force: &[], load: &[] };
+        let points = out.chunks_exact_mut(S).enumerate();
+        points.for_each(|(point, q)| q.copy_from_slice(&self.stress(point, &snapshot)));
+    }
+    fn add_global(&self, _: &[f64], _: &[f64], q: &[f64], force: &mut [f64]) {
+        for ((rows, volume), q) in self.body.points.iter().zip(q.chunks_exact(S)) {
+            rows.iter().zip(q).for_each(|(row, q)| axpy(volume * q, row, force));
+        }
+    }
+    fn scale_stiffness(&self, _: &[f64], _: &[f64], factor: f64, tangent: &mut [f64]) {
+        tangent.iter_mut().for_each(|k| *k *= 1.0 + factor);
     }
 }
 

@@ -4,11 +4,13 @@
 //! the element around them. Displacements are small, and the plate stays where its nodes were. [`UpdatedShell`] follows its
 //! nodes, and [`EnhancedShell`] can.
 
+mod basic_forces;
 mod discrete_kirchhoff;
 mod enhanced;
 mod mitc4;
 mod updated;
 
+use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -172,10 +174,15 @@ impl Shell {
             }
         }
         if self.drilling != 0.0 {
-            let factor = self.drilling * point.area;
-            for (i, x) in point.drilling[..n].iter().enumerate().filter(|(_, x)| **x != 0.0) {
-                axpy(factor * x, &point.drilling[..n], &mut k[i * n..(i + 1) * n]);
-            }
+            self.add_drilling(point, 1.0, k);
+        }
+    }
+
+    /// Adds a point's stiffness against drilling, times a factor, to a matrix.
+    fn add_drilling(&self, point: &Point, factor: f64, k: &mut [f64]) {
+        let (n, factor) = (self.dofs, factor * self.drilling * point.area);
+        for (i, x) in point.drilling[..n].iter().enumerate().filter(|(_, x)| **x != 0.0) {
+            axpy(factor * x, &point.drilling[..n], &mut k[i * n..(i + 1) * n]);
         }
     }
 }
@@ -253,6 +260,10 @@ impl Element for Shell {
 
     fn opensees(&self) -> OpenSeesTraits<'_> {
         OpenSeesTraits { ground_inertia: (!self.mass.is_empty()).then_some(1.0), ..OpenSeesTraits::default() }
+    }
+
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        Some(self)
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

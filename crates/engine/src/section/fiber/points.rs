@@ -73,6 +73,11 @@ impl Points {
         }
     }
 
+    /// Strain of a point for deformations.
+    pub(super) fn strain(&self, i: usize, e: &[f64]) -> f64 {
+        e[0] + self.gradients.iter().zip(&e[1..]).map(|(g, e)| g[i] * e).sum::<f64>()
+    }
+
     /// Sums for stresses and tangents; writes the energies of the points.
     pub(super) fn integrate<const M: usize>(&self, tangent: &[f64], work: Work<'_>) -> Sums<M> {
         let mut summation = Summation::<M> { points: self, tangent, work, sums: [[0.0; BLOCK]; QUANTITIES] };

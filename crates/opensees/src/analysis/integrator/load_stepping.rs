@@ -23,6 +23,11 @@ pub(super) const KINDS: &[Kind] = &[
     },
     Kind { names: &["ArcLength"], usage: "integrator ArcLength $length <$alpha>", make: arc_length },
     Kind { names: &["ArcLength1"], usage: "integrator ArcLength1 $length <$alpha>", make: linearised_arc_length },
+    Kind {
+        names: &["HSConstraint"],
+        usage: "integrator HSConstraint $length <$psiU> <$psiF> <$uRef>",
+        make: hyper_spherical,
+    },
     Kind { names: &["EQPath"], usage: "integrator EQPath $length $constraint (1 to 8)", make: equilibrium_path },
     Kind {
         names: &["MinUnbalDispNorm"],
@@ -74,6 +79,14 @@ fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
 fn linearised_arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
     let (length, alpha) = arc(a)?;
     Ok(Box::new(ArcLength::linearised(length, alpha)))
+}
+
+fn hyper_spherical(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let length = a.positive("arc length")?;
+    let displacement = if a.at_number() { a.positive("weight psiU of the displacements")? } else { 1.0 };
+    let load = if a.at_number() { a.not_negative("weight psiF of the load")? } else { 1.0 };
+    let reference = if a.at_number() { a.positive("reference displacement uRef")? } else { 1.0 };
+    Ok(Box::new(ArcLength::hyper_spherical(length, [displacement, load, reference])))
 }
 
 /// Constraints of `EQPath` by their number, from 1.

@@ -1,0 +1,238 @@
+//! Damping of single elements (`damping`): a force besides that of the element, from the history of its basic forces.
+
+mod fit;
+mod law;
+
+use super::{
+    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
+    OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening,
+};
+use crate::probe::Probe;
+use std::fmt;
+use std::sync::Arc;
+
+pub use fit::{Filters, user_defined};
+pub use law::{DampingLaw, DampingTime, ElementDamping};
+
+/// Largest number of basic forces of an element that can be damped.
+pub const MAX_BASIC_FORCES: usize = 72;
+
+/// Basic forces of an element, in which a damping is worked out.
+pub trait BasicForces: fmt::Debug {
+    /// Number of basic forces, at most [`MAX_BASIC_FORCES`].
+    fn len(&self) -> usize;
+
+    /// Returns true if there are none.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Returns true if OpenSees counts the damping in the resisting force that recorders and static reactions show.
+    fn in_resisting_force(&self) -> bool {
+        false
+    }
+
+    /// Writes the basic forces of a trial state.
+    fn basic_forces(&self, disp: &[f64], state: &[f64], load: &[f64], out: &mut [f64]);
+
+    /// Adds the global forces of some basic forces.
+    fn add_global(&self, disp: &[f64], state: &[f64], q: &[f64], force: &mut [f64]);
+
+    /// Adds the tangent of the basic forces, times a factor, to the tangent of the element, n x n by rows.
+    fn scale_stiffness(&self, disp: &[f64], state: &[f64], factor: f64, tangent: &mut [f64]);
+}
+
+/// An element with a damping of its own.
+#[derive(Clone, Debug)]
+pub struct Damped {
+    inner: Arc<dyn Element>,
+    damping: Arc<ElementDamping>,
+    inner_len: usize,
+    /// Number of basic forces.
+    len: usize,
+}
+
+impl Damped {
+    /// Makes the element from the one without damping, or with another one.
+    ///
+    /// # Errors
+    /// The element has no basic forces that could be damped.
+    pub fn new(inner: Arc<dyn Element>, damping: Arc<ElementDamping>) -> Result<Self, ElementError> {
+        let inner = inner.undamped().unwrap_or(inner);
+        let Some(basic) = inner.basic_forces() else {
+            return Err(ElementError(format!("{} takes no damping of its own", inner.class()).into()));
+        };
+        let len = basic.len();
+        Ok(Self { inner_len: inner.state_len(), damping, len, inner })
+    }
+
+    fn basic(&self) -> &dyn BasicForces {
+        self.inner.basic_forces().unwrap_or(&NoForces)
+    }
+}
+
+/// Basic forces of an element without any.
+#[derive(Debug)]
+struct NoForces;
+
+impl BasicForces for NoForces {
+    fn len(&self) -> usize {
+        0
+    }
+    fn basic_forces(&self, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
+    fn add_global(&self, _: &[f64], _: &[f64], _: &[f64], _: &mut [f64]) {}
+    fn scale_stiffness(&self, _: &[f64], _: &[f64], _: f64, _: &mut [f64]) {}
+}
+
+const GLOBAL: u32 = 900;
+const BASIC: u32 = 901;
+
+#[deny(clippy::missing_trait_methods)]
+impl Element for Damped {
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
+    }
+    fn state_len(&self) -> usize {
+        self.inner_len + self.damping.state_len(self.len)
+    }
+    fn init(&self, state: &mut [f64]) {
+        let (own, filters) = state.split_at_mut(self.inner_len);
+        self.inner.init(own);
+        filters.fill(0.0);
+    }
+    fn traits(&self) -> ElementTraits {
+        ElementTraits { linear: false, elapses: true, ..self.inner.traits() }
+    }
+
+    fn respond(
+        &self,
+        motion: &ElementInput<'_>,
+        committed: &[f64],
+        trial: &mut [f64],
+        mut output: ElementOutput<'_>,
+    ) -> Result<(), ElementError> {
+        let (old, old_filters) = committed.split_at(self.inner_len);
+        let (new, new_filters) = trial.split_at_mut(self.inner_len);
+        let inner = ElementOutput {
+            force: &mut *output.force,
+            tangent: output.tangent.as_deref_mut(),
+            damping: output.damping,
+            part: MatrixMask::ALL,
+        };
+        self.inner.respond(motion, old, new, inner)?;
+        let (basic, mut q) = (self.basic(), [0.0; MAX_BASIC_FORCES]);
+        let q = &mut q[..self.len];
+        basic.basic_forces(motion.disp, new, motion.load, q);
+        let at = DampingTime { time: motion.time, dt: motion.dt, dynamic: motion.dynamic };
+        let factor = self.damping.update(q, at, old_filters, new_filters);
+        basic.add_global(motion.disp, new, self.damping.forces(self.len, new_filters), output.force);
+        if let Some(tangent) = output.tangent.filter(|_| factor != 0.0) {
+            basic.scale_stiffness(motion.disp, new, factor, tangent);
+        }
+        Ok(())
+    }
+
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        let (own, filters) = committed.split_at_mut(self.inner_len);
+        self.inner.commit(&trial[..self.inner_len], own);
+        filters.copy_from_slice(&trial[self.inner_len..]);
+    }
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.inner.initial_tangent(tangent);
+    }
+    fn mass(&self) -> Mass {
+        self.inner.mass()
+    }
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        self.inner.overload(&history[..self.inner_len])
+    }
+    fn softening(&self, history: &[f64]) -> Option<Softening> {
+        self.inner.softening(&history[..self.inner_len])
+    }
+    fn euler_load(&self) -> Option<f64> {
+        self.inner.euler_load()
+    }
+    fn opensees(&self) -> OpenSeesTraits<'_> {
+        // The element is evaluated like any other, whatever the number of calls.
+        OpenSeesTraits { calls: None, ..self.inner.opensees() }
+    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+        let mut new = self.clone();
+        let old = match words {
+            ["damping", name] => {
+                let damping = Arc::make_mut(&mut new.damping);
+                match (&mut damping.law, *name) {
+                    (DampingLaw::Filters { loss: Some(loss), .. }, "dampingRatio") => {
+                        0.5 * std::mem::replace(loss, 2.0 * value)
+                    }
+                    (DampingLaw::SecantStiffness { beta }, "dampingFactor") => std::mem::replace(beta, value),
+                    _ => return None,
+                }
+            }
+            _ => {
+                let (inner, old) = self.inner.with_parameter(words, value)?;
+                new.inner = inner;
+                old
+            }
+        };
+        Some((Arc::new(new), old))
+    }
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.inner.basic_rows()
+    }
+    fn basic_forces(&self) -> Option<&dyn BasicForces> {
+        None
+    }
+    fn undamped(&self) -> Option<Arc<dyn Element>> {
+        Some(self.inner.clone())
+    }
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        None
+    }
+    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
+        let basic = self.basic();
+        if basic.in_resisting_force() {
+            return;
+        }
+        let (own, filters) = s.state.split_at(self.inner_len);
+        let mut q = [0.0; MAX_BASIC_FORCES];
+        q.iter_mut().zip(self.damping.forces(self.len, filters)).for_each(|(q, f)| *q = factor * f);
+        basic.add_global(s.disp, own, &q[..self.len], force);
+    }
+    fn load_len(&self) -> usize {
+        self.inner.load_len()
+    }
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        self.inner.add_load(load, factor, sums)
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        match words {
+            ["globalDampingForce" | "globalDampingForces"] => Some(Probe::new(GLOBAL, self.inner.force_labels())),
+            ["basicDampingForce" | "basicDampingForces"] => {
+                Some(Probe::new(BASIC, (1..=self.len).map(|i| format!("qd{i}"))))
+            }
+            words => self.inner.probe(words),
+        }
+    }
+    fn probe_names(&self) -> &'static [&'static str] {
+        self.inner.probe_names()
+    }
+    fn force_labels(&self) -> Vec<String> {
+        self.inner.force_labels()
+    }
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let (state, filters) = s.state.split_at(self.inner_len);
+        let forces = self.damping.forces(self.len, filters);
+        match path {
+            [GLOBAL] => {
+                out.fill(0.0);
+                self.basic().add_global(s.disp, state, forces, out);
+            }
+            [BASIC] => out.copy_from_slice(forces),
+            _ => self.inner.read(path, &Snapshot { state, ..*s }, out),
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! `damping`, and the elements that take one.
+
+use crate::args::Args;
+use crate::load::series::series_of;
+use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
+use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
+use hysteron_engine::element::{Element, ElementError};
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("damping", "damping $kind $tag ...", damping).with_kinds(|| kind::usages(KINDS))];
+
+/// A kind of damping, made from the words after its tag.
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<ElementDamping, Exception>>;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Uniform"],
+        usage: "damping Uniform $tag $zeta $freq1 $freq2 <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
+        make: uniform,
+    },
+    Kind {
+        names: &["SecStif", "SecStiff"],
+        usage: "damping SecStif $tag $beta <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
+        make: secant_stiffness,
+    },
+    Kind {
+        names: &["URD"],
+        usage: "damping URD $tag $n $freq1 $zeta1 $freq2 $zeta2 ... <-tol $tol> <-maxiter $rounds> \
+                <-activateTime $ta> <-deactivateTime $td> <-factor $series> <-prttag>",
+        make: user_defined_ratios,
+    },
+    Kind {
+        names: &["URDbeta"],
+        usage: "damping URDbeta $tag $n $freq1 $beta1 $freq2 $beta2 ... <-activateTime $ta> <-deactivateTime $td> \
+                <-factor $series>",
+        make: filters,
+    },
+];
+
+/// Time at which a damping without `-deactivateTime` ends.
+const NEVER: f64 = 1e20;
+
+fn damping(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, "damping $kind $tag ...");
+    let kind = kind::take(&mut a, "kind of damping", "damping", KINDS.iter())?;
+    interp.host.note_kind("damping", kind.names[0]);
+    let tag = a.int("tag of the damping")?;
+    let span = a.last_span();
+    let made = (kind.make)(interp, &mut a)?;
+    finish(interp, &a)?;
+    if !interp.host.builder.definitions.dampings.add(tag, Arc::new(made)) {
+        return Err(a.refuse_at(span, format!("there is a damping {tag} already"), "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+/// A damping of these words after the numbers of its law.
+fn with_options(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    law: DampingLaw,
+    own: &mut Options<'_>,
+) -> Result<ElementDamping, Exception> {
+    let mut made = ElementDamping { law, window: [0.0, NEVER], factor: None };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-activateTime" | "-ActivateTime" => made.window[0] = a.float("time of activation")?,
+            "-deactivateTime" | "-DeactivateTime" => made.window[1] = a.float("time of deactivation")?,
+            "-factor" | "-fact" => made.factor = Some(series_of(interp, a)?),
+            "-tol" | "-tolerence" if own.fits() => own.tolerance = a.positive("tolerance of the damping ratios")?,
+            "-maxiter" | "-iter" if own.fits() => own.rounds = a.count("largest number of rounds")?.max(1),
+            // The filters are not printed.
+            "-prttag" | "-print" if own.fits() => {}
+            _ => ignore_option(interp, a, own.known)?,
+        }
+    }
+    Ok(made)
+}
+
+/// Options of one kind.
+struct Options<'a> {
+    known: &'a [&'a str],
+    tolerance: f64,
+    rounds: usize,
+}
+
+impl Options<'_> {
+    fn common() -> Self {
+        Options { known: &["-activateTime", "-deactivateTime", "-factor"], tolerance: 0.05, rounds: 100 }
+    }
+    fn fits(&self) -> bool {
+        self.known.len() > 3
+    }
+}
+
+fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
+    let zeta = a.positive("damping ratio zeta")?;
+    let (first, last) = (a.positive("lower frequency freq1")?, a.positive("upper frequency freq2")?);
+    if first >= last {
+        return Err(a.refuse(format!("the frequencies are {first} and {last}"), "expected freq1 < freq2"));
+    }
+    let Some(filters) = Filters::uniform(first, last) else {
+        return Err(a.refuse("no number of filters damps this range uniformly", "expected a narrower range"));
+    };
+    with_options(interp, a, DampingLaw::Filters { filters, loss: Some(2.0 * zeta) }, &mut Options::common())
+}
+
+fn secant_stiffness(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
+    let beta = a.positive("coefficient beta")?;
+    with_options(interp, a, DampingLaw::SecantStiffness { beta }, &mut Options::common())
+}
+
+/// The number of pairs, and frequencies with a second number each.
+fn pairs(a: &mut Args<'_>, what: &str) -> Result<(Vec<f64>, Vec<f64>), Exception> {
+    let n = a.count("number of frequencies n")?;
+    if n < 2 {
+        return Err(a.refuse(format!("the number of frequencies n is {n}"), "expected 2 at least"));
+    }
+    let (mut frequencies, mut values) = (vec![], vec![]);
+    for i in 1..=n {
+        frequencies.push(a.positive(&format!("frequency freq{i}"))?);
+        values.push(a.float(&format!("{what}{i}"))?);
+    }
+    Ok((frequencies, values))
+}
+
+fn user_defined_ratios(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
+    let (frequencies, ratios) = pairs(a, "damping ratio zeta")?;
+    let last = a.last_span();
+    let mut points: Vec<(f64, f64)> = frequencies.into_iter().zip(ratios).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if points.iter().any(|p| p.1 <= 0.0) {
+        return Err(a.refuse("a damping ratio is not positive", "expected numbers greater than 0"));
+    }
+    if points.windows(2).any(|p| p[0].0 == p[1].0) {
+        return Err(a.refuse("a frequency is given twice", "expected different frequencies"));
+    }
+    let mut own =
+        Options { known: &["-tol", "-maxiter", "-activateTime", "-deactivateTime", "-factor"], ..Options::common() };
+    let law = DampingLaw::Filters { filters: Filters::default(), loss: None };
+    let mut made = with_options(interp, a, law, &mut own)?;
+    let (frequencies, ratios): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
+    let Some(filters) = user_defined(&frequencies, &ratios, own.tolerance, own.rounds) else {
+        let label = "expected a larger tolerance (-tol), or ratios that change less";
+        return Err(a.refuse_at(last, "no number of filters has these damping ratios", label));
+    };
+    made.law = DampingLaw::Filters { filters, loss: None };
+    Ok(made)
+}
+
+fn filters(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
+    let (frequencies, betas) = pairs(a, "coefficient beta")?;
+    let law = DampingLaw::Filters { filters: Filters::new(&frequencies, betas), loss: None };
+    with_options(interp, a, law, &mut Options::common())
+}
+
+/// A damping by its tag, after `-damp`.
+pub(crate) fn of_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Arc<ElementDamping>, Exception> {
+    a.of(&interp.host.builder.definitions.dampings).map(|(damping, _)| damping)
+}
+
+/// A damping by `-damp`, if that is the next word.
+pub(crate) fn optional(interp: &Tcl, a: &mut Args<'_>) -> Result<Option<Arc<ElementDamping>>, Exception> {
+    if a.flag("-damp") { of_tag(interp, a).map(Some) } else { Ok(None) }
+}
+
+/// The element with a damping, where it has one.
+pub(crate) fn damped(
+    element: Arc<dyn Element>,
+    damping: Option<Arc<ElementDamping>>,
+) -> Result<Arc<dyn Element>, ElementError> {
+    Ok(match damping {
+        Some(damping) => Arc::new(Damped::new(element, damping)?),
+        None => element,
+    })
+}

@@ -1,0 +1,234 @@
+//! `hystereticBackbone`, and the material along one.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish, kind};
+use hysteron_engine::material::{Backbone, BackboneElastic, Material, SoilCurve};
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[Kind {
+    names: &["Backbone"],
+    usage: "uniaxialMaterial Backbone $tag $backbone <$factor>",
+    make: backbone_material,
+}];
+
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone).with_kinds(|| kind::usages(BACKBONES))];
+
+const USAGE: &str = "hystereticBackbone $kind $tag ...";
+
+/// A kind of backbone, made from the words after its tag.
+type BackboneKind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Backbone, Exception>>;
+
+const BACKBONES: &[BackboneKind] = &[
+    BackboneKind {
+        names: &["Bilinear"],
+        usage: "hystereticBackbone Bilinear $tag $e1 $s1 $e2 $s2",
+        make: |_, a| points(a, 2),
+    },
+    BackboneKind {
+        names: &["Trilinear"],
+        usage: "hystereticBackbone Trilinear $tag $e1 $s1 $e2 $s2 $e3 $s3",
+        make: |_, a| points(a, 3),
+    },
+    BackboneKind {
+        names: &["Multilinear"],
+        usage: "hystereticBackbone Multilinear $tag $e1 $s1 $e2 $s2 ...",
+        make: |_, a| points(a, a.left() / 2),
+    },
+    BackboneKind {
+        names: &["Arctangent"],
+        usage: "hystereticBackbone Arctangent $tag $K1 $gammaY $alpha or $E $Fy",
+        make: arctangent,
+    },
+    BackboneKind { names: &["Mander"], usage: "hystereticBackbone Mander $tag $fc $epsc $E", make: mander },
+    BackboneKind {
+        names: &["Raynor"],
+        usage: "hystereticBackbone Raynor $tag $Es $fy $fsu $epssh $epssm $C1 $Ey",
+        make: raynor,
+    },
+    BackboneKind {
+        names: &["ReeseSand"],
+        usage: "hystereticBackbone ReeseSand $tag $kx $ym $pm $yu $pu",
+        make: reese_sand,
+    },
+    BackboneKind {
+        names: &["ReeseSoftClay"],
+        usage: "hystereticBackbone ReeseSoftClay $tag $pu $y50 $n",
+        make: reese_soft_clay,
+    },
+    BackboneKind {
+        names: &["ReeseStiffClayBelowWS"],
+        usage: "hystereticBackbone ReeseStiffClayBelowWS $tag $Esi $y50 $As $Pc",
+        make: reese_stiff_clay_below,
+    },
+    BackboneKind {
+        names: &["ReeseStiffClayAboveWS"],
+        usage: "hystereticBackbone ReeseStiffClayAboveWS $tag $pu $y50 <$hl>",
+        make: reese_stiff_clay_above,
+    },
+    BackboneKind {
+        names: &["VuggyLimestone"],
+        usage: "hystereticBackbone VuggyLimestone $tag $b $su",
+        make: vuggy_limestone,
+    },
+    BackboneKind {
+        names: &["CementedSoil"],
+        usage: "hystereticBackbone CementedSoil $tag $pM $pU $Kpy $z $b",
+        make: cemented_soil,
+    },
+    BackboneKind { names: &["WeakRock"], usage: "hystereticBackbone WeakRock $tag $Kir $pur $yrm", make: weak_rock },
+    BackboneKind {
+        names: &["Material"],
+        usage: "hystereticBackbone Material $tag $material <-compression>",
+        make: of_material,
+    },
+    BackboneKind {
+        names: &["LinearCapped"],
+        usage: "hystereticBackbone LinearCapped $tag $backbone $eCap $E $sRes",
+        make: linear_capped,
+    },
+];
+
+fn hysteretic_backbone(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    let kind = kind::take(&mut a, "kind of backbone", "backbone", BACKBONES.iter())?;
+    interp.host.note_kind("hystereticBackbone", kind.names[0]);
+    let tag = a.int("tag of the backbone")?;
+    let span = a.last_span();
+    let made = (kind.make)(interp, &mut a)?;
+    finish(interp, &a)?;
+    if !interp.host.builder.definitions.backbones.add(tag, Arc::new(made)) {
+        return Err(a.refuse_at(span, format!("there is a backbone {tag} already"), "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+fn backbone_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (backbone, _) = a.of(&interp.host.builder.definitions.backbones)?;
+    let factor = a.optional_float("factor of the stress")?.unwrap_or(1.0);
+    Ok(Arc::new(BackboneElastic { backbone, factor }))
+}
+
+fn points(a: &mut Args<'_>, n: usize) -> Result<Backbone, Exception> {
+    let (mut all, mut before) = (vec![], 0.0);
+    for i in 1..=n.max(2) {
+        let strain = a.float(&format!("strain e{i}"))?;
+        if strain <= before {
+            return Err(a.refuse(format!("the strain e{i} is {strain}"), format!("expected more than {before}")));
+        }
+        all.push((strain, a.float(&format!("stress s{i}"))?));
+        before = strain;
+    }
+    Ok(Backbone::Multilinear(all))
+}
+
+/// Strain at yielding where only modulus and strength are given: the angle whose tangent the strain is multiplied by.
+const DEFAULT_ANGLE: f64 = 0.8;
+
+fn arctangent(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    if a.ahead().take_while(|v| v.as_f64().is_some()).count() == 2 {
+        let (e, fy) = (a.positive("modulus E")?, a.positive("strength Fy")?);
+        let k2 = DEFAULT_ANGLE.tan() / (fy / e);
+        return Ok(Backbone::Arctangent { k1: e / k2, k2 });
+    }
+    let (k1, gamma) = (a.float("coefficient K1")?, a.positive("strain at yielding gammaY")?);
+    Ok(Backbone::Arctangent { k1, k2: a.float("angle alpha")?.abs().tan() / gamma })
+}
+
+/// A number of any sign, taken as positive.
+fn size(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    match a.float(what)?.abs() {
+        0.0 => Err(a.refuse(format!("the {what} is 0"), "expected another number")),
+        value => Ok(value),
+    }
+}
+
+fn mander(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (fc, epsc) = (size(a, "strength fc")?, size(a, "strain at the strength epsc")?);
+    let e = size(a, "initial modulus E")?;
+    if e <= fc / epsc {
+        let label = format!("expected more than fc / epsc, {}", fc / epsc);
+        return Err(a.refuse(format!("the initial modulus E is {e}"), label));
+    }
+    Ok(Backbone::Mander { fc, epsc, e })
+}
+
+fn raynor(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (es, fy) = (a.positive("elastic modulus Es")?, a.positive("yield stress fy")?);
+    let fsu = a.positive("ultimate stress fsu")?;
+    let hard = a.positive("strain at hardening epssh")?;
+    if hard < fy / es {
+        return Err(a.refuse(format!("the strain at hardening epssh is {hard}"), "expected fy / Es at least"));
+    }
+    let ultimate = a.positive("strain at the ultimate stress epssm")?;
+    if ultimate <= hard {
+        let message = format!("the strain at the ultimate stress epssm is {ultimate}");
+        return Err(a.refuse(message, format!("expected more than epssh, {hard}")));
+    }
+    let c1 = a.not_negative("exponent of hardening C1")?;
+    Ok(Backbone::Raynor { es, fy, fsu, strain: [hard, ultimate], c1, ey: a.float("modulus of the plateau Ey")? })
+}
+
+fn reese_sand(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let kx = a.positive("initial stiffness kx")?;
+    let (ym, pm) = (a.positive("displacement ym")?, a.positive("resistance pm")?);
+    let (yu, pu) = (a.positive("displacement yu")?, a.positive("resistance pu")?);
+    if yu <= ym || pu <= pm {
+        return Err(
+            a.refuse(format!("the end of the curve is {pu} at {yu}"), format!("expected more than {pm} at {ym}"))
+        );
+    }
+    Ok(Backbone::Soil(SoilCurve::Sand { kx, points: [(ym, pm), (yu, pu)] }))
+}
+
+fn reese_soft_clay(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (pu, y50) = (a.positive("ultimate resistance pu")?, a.positive("displacement y50")?);
+    Ok(Backbone::Soil(SoilCurve::SoftClay { pu, y50, n: a.positive("exponent n")? }))
+}
+
+fn reese_stiff_clay_below(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (esi, y50) = (a.positive("initial stiffness Esi")?, a.positive("displacement y50")?);
+    let (coefficient, pc) = (a.positive("coefficient As")?, a.positive("ultimate resistance Pc")?);
+    Ok(Backbone::Soil(SoilCurve::StiffClayBelowWater { esi, y50, a: coefficient, pc }))
+}
+
+fn reese_stiff_clay_above(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (pu, y50) = (a.positive("ultimate resistance pu")?, a.positive("displacement y50")?);
+    let linear = a.optional_float("length of the linear part hl")?.unwrap_or(0.1);
+    if !(linear > 0.0 && linear <= 1.0) {
+        return Err(a.refuse(format!("the length of the linear part hl is {linear}"), "expected more than 0, up to 1"));
+    }
+    Ok(Backbone::Soil(SoilCurve::StiffClayAboveWater { pu, y50, linear }))
+}
+
+fn vuggy_limestone(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (diameter, strength) = (a.positive("diameter b")?, a.positive("shear strength su")?);
+    Ok(Backbone::Soil(SoilCurve::VuggyLimestone { diameter, strength }))
+}
+
+fn cemented_soil(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let resistance = [a.positive("resistance pM at b/60")?, a.positive("resistance pU at 3b/80")?];
+    let stiffness = a.positive("stiffness per depth Kpy")? * a.positive("depth z")?;
+    Ok(Backbone::Soil(SoilCurve::CementedSoil { resistance, stiffness, diameter: a.positive("diameter b")? }))
+}
+
+fn weak_rock(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (kir, pur) = (a.positive("initial stiffness Kir")?, a.positive("ultimate resistance pur")?);
+    Ok(Backbone::Soil(SoilCurve::WeakRock { kir, pur, yrm: a.positive("displacement yrm")? }))
+}
+
+fn of_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (material, _) = a.of(&interp.host.builder.definitions.materials)?;
+    let compression = a.flag("-compression") || a.flag("compression");
+    Ok(Backbone::Material(material, if compression { -1.0 } else { 1.0 }))
+}
+
+fn linear_capped(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
+    let (inner, _) = a.of(&interp.host.builder.definitions.backbones)?;
+    let (cap, slope) = (a.float("strain of the cap eCap")?, a.float("slope behind the cap E")?);
+    let residual = a.float("residual stress sRes")?;
+    inner.at(cap).map_err(|e| a.refuse(e.to_string(), "expected a backbone with a stress at the cap"))?;
+    Ok(Backbone::LinearCapped { inner, cap, slope, residual })
+}

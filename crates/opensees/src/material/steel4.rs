@@ -1,0 +1,93 @@
+//! `uniaxialMaterial Steel4`.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::material::{Material, Steel4, Steel4Side};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[Kind {
+    names: &["Steel4"],
+    usage: "uniaxialMaterial Steel4 $tag $fy $E0 <-asym> <-kin $bk $R0 $r1 $r2 <$bkc $R0c $r1c $r2c>> \
+            <-iso $bi $rhoi $bl $Ri $lyp <$bic $rhoic $blc $Ric>> <-ult $fu $Ru <$fuc $Ruc>> <-init $sig0> <-mem $cycles>",
+    make: steel4,
+}];
+
+/// Ultimate strength over the yield stress, where none is given.
+const NO_LIMIT: f64 = 1e8;
+
+/// Kinematic hardening of a side.
+fn kinematic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
+    side.b = a.float("hardening ratio bk")?;
+    if side.b >= 1.0 {
+        return Err(a.refuse(format!("the hardening ratio bk is {}", side.b), "expected less than 1"));
+    }
+    side.r = [a.positive("radius R0")?, a.not_negative("coefficient r1")?, a.positive("coefficient r2")?];
+    Ok(())
+}
+
+/// Isotropic hardening of a side; in tension the length of the yield plateau follows.
+fn isotropic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
+    let (first, rho) = (a.not_negative("isotropic hardening ratio bi")?, a.positive("position of the turn rhoi")?);
+    let last = a.not_negative("ratio of the bound bl")?;
+    side.isotropic = [first, last, rho, a.positive("radius Ri")?];
+    Ok(())
+}
+
+fn ultimate(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
+    side.ultimate = a.positive("ultimate strength fu")?;
+    side.ultimate_radius = a.positive("radius Ru")?;
+    Ok(())
+}
+
+/// One number of words for both sides, or one after the other.
+fn both(
+    a: &mut Args<'_>,
+    sides: &mut [Steel4Side; 2],
+    asymmetric: bool,
+    take: impl Fn(&mut Args<'_>, &mut Steel4Side) -> Result<(), Exception>,
+    same: impl Fn(&Steel4Side, &mut Steel4Side),
+) -> Result<(), Exception> {
+    let [tension, compression] = sides;
+    take(a, tension)?;
+    if asymmetric {
+        return take(a, compression);
+    }
+    same(tension, compression);
+    Ok(())
+}
+
+fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (fy, e0) = (a.positive("yield stress fy")?, a.positive("elastic modulus E0")?);
+    let virgin = Steel4Side {
+        b: 0.0,
+        r: [50.0, 0.1, 0.15],
+        isotropic: [0.0, 0.0, 1.0, 50.0],
+        ultimate: NO_LIMIT * fy,
+        ultimate_radius: 50.0,
+    };
+    let (mut sides, mut plateau, mut remembers, mut initial) = ([virgin; 2], 0.0, true, 0.0);
+    let mut asymmetric = false;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-asym" => asymmetric = true,
+            "-kin" => both(a, &mut sides, asymmetric, kinematic, |t, c| (c.b, c.r) = (t.b, t.r))?,
+            "-iso" => {
+                isotropic(a, &mut sides[0])?;
+                plateau = a.not_negative("length of the yield plateau lyp")?;
+                sides[1].isotropic = sides[0].isotropic;
+                if asymmetric {
+                    isotropic(a, &mut sides[1])?;
+                }
+            }
+            "-ult" => both(a, &mut sides, asymmetric, ultimate, |t, c| {
+                (c.ultimate, c.ultimate_radius) = (t.ultimate, t.ultimate_radius);
+            })?,
+            "-mem" => remembers = a.int("cycles of the memory")? != 0,
+            "-init" => initial = a.float("initial stress sig0")?,
+            _ => ignore_option(interp, a, &["-asym", "-kin", "-iso", "-ult", "-mem", "-init"])?,
+        }
+    }
+    Ok(Arc::new(Steel4 { fy, e0, sides, plateau, remembers, initial }))
+}

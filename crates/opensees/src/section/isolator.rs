@@ -1,0 +1,57 @@
+//! Sections of isolators: `section Bidirectional` and `Isolator2spring`.
+
+use super::{Kind, Make};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::section::{Bidirectional, Resultant, SharedSection, TwoSpringIsolator};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const BIDIRECTIONAL: Kind = Kind {
+    names: &["Bidirectional"],
+    usage: "section Bidirectional $tag $E $Fy $Hiso $Hkin <$code1 $code2>",
+    make: Make::Beam(bidirectional),
+};
+
+pub(super) const TWO_SPRINGS: Kind = Kind {
+    names: &["Isolator2spring", "Iso2spring"],
+    usage: "section Isolator2spring $tag $tol $k1 $Fyo $k2o $kvo $hb $PE <$Po>",
+    make: Make::Beam(two_springs),
+};
+
+fn resultant(a: &mut Args<'_>, what: &str) -> Result<Resultant, Exception> {
+    let word = a.word(what)?;
+    let found = Resultant::ALL.into_iter().find(|r| r.name() == word);
+    found.ok_or_else(|| a.unknown_name("resultant", Resultant::ALL.map(Resultant::name)))
+}
+
+fn bidirectional(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let (e, yield_force) = (a.positive("elastic stiffness E")?, a.positive("yield force Fy")?);
+    let (isotropic, kinematic) = (a.float("isotropic hardening Hiso")?, a.float("kinematic hardening Hkin")?);
+    if e + isotropic + kinematic <= 0.0 {
+        return Err(a.refuse("the hardening is not greater than -E", "expected more"));
+    }
+    let mut resultants = [Resultant::Vy, Resultant::P];
+    if a.left() > 1 {
+        resultants = [resultant(a, "first resultant code1")?, resultant(a, "second resultant code2")?];
+    }
+    if resultants[0] == resultants[1] {
+        return Err(a.refuse("both resultants are the same", "expected another one"));
+    }
+    Ok(Arc::new(Bidirectional { e, yield_force, isotropic, kinematic, resultants }))
+}
+
+fn two_springs(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let tolerance = a.positive("tolerance tol")?;
+    let (k1, strength) = (a.positive("initial stiffness k1")?, a.positive("strength Fyo")?);
+    let k2 = a.positive("stiffness after yielding k2o")?;
+    if k2 >= k1 {
+        return Err(
+            a.refuse(format!("the stiffness after yielding k2o is {k2}"), format!("expected less than k1, {k1}"))
+        );
+    }
+    let (kv, height) = (a.positive("vertical stiffness kvo")?, a.positive("height hb")?);
+    let euler = a.positive("Euler load PE")?;
+    let reference = a.optional_float("reference axial load Po")?.unwrap_or(0.0);
+    Ok(Arc::new(TwoSpringIsolator { tolerance, k1, strength, k2, kv, height, euler, reference }))
+}
