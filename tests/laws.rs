@@ -53,6 +53,8 @@ mod rubber_plane;
 mod script;
 #[path = "laws/sections.rs"]
 mod sections;
+#[path = "laws/shapes.rs"]
+mod shapes;
 #[path = "laws/sliders.rs"]
 mod sliders;
 #[path = "laws/smooth_hysteresis.rs"]

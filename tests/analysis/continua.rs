@@ -1,6 +1,6 @@
 //! Elements of elastic continua beside openseespy 3.7.1.
 
-use crate::script::run;
+use crate::script::{Script, run};
 
 #[test]
 fn plane_elements_with_nodes_on_their_sides() {
@@ -64,5 +64,52 @@ fn stabilised_bricks_of_any_shape() {
     assert_eq!(numbers.len(), expected.len());
     for (got, e) in numbers.iter().zip(expected) {
         assert!((got - e).abs() < 1e-11, "{numbers:?}");
+    }
+}
+
+/// A panel of concrete is pulled until it cracks: the stress falls from the strength of the concrete to that of the bars.
+#[test]
+fn a_panel_that_cracks_leaves_the_stress_to_the_bars() {
+    let numbers = run("model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 1000; fix 1 1 1 1; fix 2 1 0 1
+        uniaxialMaterial Elastic 1 200000.; uniaxialMaterial ConcreteCM 2 -40 -0.0024 30000 7 1.035 2. 0.00008 1.2 10000
+        nDMaterial FSAM 1 0. 1 1 2 0.01 0.02 1.0 0.01; element SFI_MVLEM 1 1 2 1 0.4 -thick 100 -width 1000 -mat 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 2 0 1 0 }
+        constraints Plain; system FullGeneral; test NormUnbalance 1e-6 50; integrator DisplacementControl 2 2 0.02
+        analysis Static; analyze 3; puts [getTime]; analyze 40; puts [getTime]
+        puts [eleResponse 1 RCPanel 1 panel_stress_steel]; puts [eleResponse 1 RCPanel 1 cracking_angles]")
+    .numbers();
+    let bars = |v: f64| 200_000.0 * 0.02 * v / 1000.0;
+    // Below the strain at the strength the concrete carries more than half.
+    assert!(numbers[0] > 1e5 * bars(0.06) * 2.0, "{numbers:?}");
+    assert!((numbers[1] - 1e5 * bars(0.86)).abs() < 0.4 * numbers[1], "{numbers:?}");
+    assert!((numbers[3] - bars(0.86)).abs() < 1e-9, "{numbers:?}");
+    assert!((numbers[5].abs() - std::f64::consts::FRAC_PI_2).abs() < 1e-6, "{numbers:?}");
+}
+
+/// Forms that a material does not have are refused at the word of the material.
+#[test]
+fn a_material_without_the_form_is_refused() {
+    for (script, message) in [
+        (
+            "model basic -ndm 2 -ndf 2; node 1 0 0; node 2 1 0; node 3 1 1; node 4 0 1
+nDMaterial PlaneStressSimplifiedJ2 1 80. 160. 2. 1. 1.\nelement quad 1 1 2 3 4 1. PlaneStrain 1",
+            "no law in plane strain",
+        ),
+        (
+            "model basic -ndm 2 -ndf 3; uniaxialMaterial Elastic 1 1.\nnDMaterial FSAM 1 0. 1 1 1 0.01 0.01 1. 0.01",
+            "is Elastic",
+        ),
+        (
+            "model basic -ndm 3 -ndf 3\nnDMaterial ElasticOrthotropic 1 1. 1. 1. 0.9 0.9 0.9 1. 1. 1.",
+            "positive definite",
+        ),
+        (
+            "model basic -ndm 3 -ndf 3\nnDMaterial ASDConcrete3D 1 30000. 0.2 -Te 0 1e-4 -Ts 0 3. 2. -Ce 0 1e-3 -Cs 0 30.",
+            "stresses",
+        ),
+    ] {
+        let ran = Script::default().run(script);
+        let error = ran.error();
+        assert!(error.message.contains(message) && error.span.is_some(), "{}", error.message);
     }
 }

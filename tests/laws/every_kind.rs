@@ -4,6 +4,7 @@
 use super::driver::{SingleElement, difference, path};
 use super::every_bearing;
 use super::script::run;
+use super::shapes::{Shape, nodes};
 use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
@@ -229,27 +230,6 @@ fn every_material_has_a_consistent_tangent() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Nodes of an element: in a line, at one place, or at the corners of a quadrilateral, a triangle or a brick.
-#[derive(Clone, Copy, PartialEq)]
-enum Shape {
-    /// Uniform along its length: two elements in series equal one in extension and bending.
-    Line,
-    /// Its springs do not scale with its length.
-    Link,
-    MaterialPoint,
-    Corners,
-    Triangle,
-    Brick,
-    /// Corners, middles of the sides, and the centre, as many as there are nodes.
-    Quadratic(usize),
-    /// One above the other.
-    Wall,
-    /// At the middles of the edges of a rectangle.
-    Joint,
-    /// In a line, and loaded by its own weight.
-    Cable,
-}
-
 /// Dimensions, degrees of freedom per node, shape, and words of an element, with @ for tag and nodes.
 const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 1"),
@@ -314,6 +294,36 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
         "MVLEM 1 2. 1 2 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -rho 0.02 0.1 0.03 -matConcrete 11 13 11 -matSteel 13 11 13 \
          -matShear 11",
     ),
+    (2, 3, Shape::Wall, "SFI_MVLEM @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (2, 3, Shape::Wall, "E_SFI @ 3 0.4 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (3, 6, Shape::SpaceWall, "SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35"),
+    (
+        3,
+        6,
+        Shape::SpaceWall,
+        "E_SFI_MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -mat 35 35 35 -Eave 150. -CoR 0.5",
+    ),
+    (
+        3,
+        6,
+        Shape::SpaceWall,
+        "MVLEM_3D @ 3 -thick 0.2 0.1 0.3 -width 0.3 0.4 0.2 -rho 0.02 0.1 0.03 -matConcrete 11 13 11 -matSteel 13 11 13 \
+         -matShear 11 -ThickMod 0.8 -Poisson 0.1",
+    ),
+    (3, 3, Shape::Tetrahedron(4), "FourNodeTetrahedron @ 36"),
+    (3, 3, Shape::Tetrahedron(10), "TenNodeTetrahedron @ 36"),
+    // Plastic continua.
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 36"),
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStrain 37"),
+    (2, 2, Shape::Corners, "SSPquad @ 36 PlaneStrain 0.5"),
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 35"),
+    (2, 2, Shape::Triangle, "tri31 @ 0.5 PlaneStress 37"),
+    (2, 2, Shape::Quadratic(9), "quad9n @ 0.5 PlaneStrain 36"),
+    (2, 2, Shape::Quadratic(6), "tri6n @ 0.5 PlaneStress 38"),
+    (3, 3, Shape::Brick, "bbarBrick @ 36"),
+    (3, 3, Shape::Brick, "SSPbrick @ 37"),
+    (3, 3, Shape::Brick, "stdBrick @ 39"),
+    (3, 6, Shape::Corners, "ShellMITC4 @ 45"),
     (2, 3, Shape::Joint, "Joint2D @ 9 11 13 11 13 11 0"),
     (3, 3, Shape::Cable, "CatenaryCable @ -0.1 200. 1. 2. 0.001 10. 0.1 1e-10 1 0"),
     (3, 3, Shape::Cable, "CatenaryCable @ -0.5 200. 1. 1.45 0. 0. 0. 1e-10 3 3"),
@@ -331,44 +341,15 @@ fn parts(ndm: usize) -> String {
         section PlateFiber 42 32 0.2\nsection LayeredShell 43 4 32 0.1 33 0.01 34 0.1 33 0.02
         section Fiber 24 -GJ 50. { patch rect 11 6 4 -0.15 -0.1 0.15 0.1 }"
     };
-    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n")
-}
-
-/// Coordinates of the nodes.
-fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
-    let start = Vector3::new(0.4, -0.3, if ndm == 3 { 0.7 } else { 0.0 });
-    let along = if ndm == 3 { Vector3::new(1.0, 0.5, 1.0) } else { Vector3::new(0.9, 1.2, 0.0) };
-    match shape {
-        Shape::Line | Shape::Link | Shape::Cable => vec![start, start + along],
-        Shape::MaterialPoint => vec![start, start],
-        Shape::Joint => {
-            [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
-        }
-        Shape::Wall => vec![start, start + 1.2 * Vector3::y()],
-        Shape::Corners | Shape::Triangle => {
-            let count = if shape == Shape::Triangle { 3 } else { 4 };
-            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];
-            // In space the plane of the corners is oblique.
-            let height = |x: f64, y: f64| if ndm == 3 { 0.3 * x - 0.4 * y + 0.2 } else { 0.0 };
-            corners[..count].iter().map(|&[x, y]| Vector3::new(x, y, height(x, y))).collect()
-        }
-        Shape::Quadratic(count) => {
-            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]].map(|[x, y]| Vector3::new(x, y, 0.0));
-            let corners = if count == 6 { &corners[..3] } else { &corners[..] };
-            let middle = |i: usize| {
-                let bend = 0.03 * Vector3::new(1.0, i as f64 - 1.0, 0.0);
-                0.5 * (corners[i] + corners[(i + 1) % corners.len()]) + bend
-            };
-            let centre = corners.iter().sum::<Vector3<f64>>() / corners.len() as f64;
-            let all = corners.iter().copied().chain((0..corners.len()).map(middle)).chain([centre]);
-            all.take(count).collect()
-        }
-        Shape::Brick => {
-            let corners = [[0.0, 0.0], [1.1, 0.1], [1.3, 0.9], [-0.1, 0.8]];
-            let layer = |z: f64| corners.map(|[x, y]| Vector3::new(x + 0.1 * z, y - 0.2 * z, z + 0.1 * x)).to_vec();
-            [layer(0.0), layer(0.9)].concat()
-        }
-    }
+    let continua = "uniaxialMaterial ConcreteCM 14 -6. -0.06 200. 7. 1.035 0.8 0.008 1.2 1e4
+        nDMaterial FSAM 35 0. 11 11 14 0.05 0.04 0.5 0.01
+        nDMaterial J2Plasticity 36 166.7 76.9 2. 3. 12. 3.
+        nDMaterial Simplified3DJ2 37 76.9 166.7 2. 4. 3.
+        nDMaterial PlaneStressSimplifiedJ2 38 76.9 166.7 2. 4. 3.
+        nDMaterial ElasticOrthotropic 40 200. 150. 120. 0.3 0.2 0.15 60. 50. 45.
+        nDMaterial Parallel3D 39 36 40 -weights 0.7 0.4";
+    let plates = if ndm == 3 { "section LayeredShell 45 3 36 0.05 37 0.1 36 0.05" } else { "" };
+    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n{continua}\n{plates}\n")
 }
 
 fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
@@ -381,10 +362,14 @@ fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
 }
 
 fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
-    let places = nodes(ndm, shape);
+    let mut places = nodes(ndm, shape);
     let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
     let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
     let ran = run(&format!("{}element {made}\n", script(ndm, ndf, &places))).done();
+    if shape == Shape::SpaceWall {
+        // The element takes its upper nodes from the left.
+        places.swap(2, 3);
+    }
     (SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
 }
 

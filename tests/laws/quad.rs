@@ -1,7 +1,7 @@
 //! The four-node quadrilateral.
 
 use super::driver::{SingleElement, difference};
-use hysteron::element::{Mass, Quad, QuadOptions};
+use hysteron::element::{Continuum, Mass, QuadOptions};
 use hysteron::material::{Isotropic, Plane};
 
 const STEEL: Isotropic = Isotropic { e: 1000.0, nu: 0.3, rho: 2.0 };
@@ -9,8 +9,8 @@ const STEEL: Isotropic = Isotropic { e: 1000.0, nu: 0.3, rho: 2.0 };
 const CORNERS: [[f64; 2]; 4] = [[0.1, 0.0], [2.0, 0.3], [1.6, 1.9], [-0.2, 1.2]];
 const OPTIONS: QuadOptions = QuadOptions { thickness: 0.5, pressure: 0.0, rho: 0.0, body: [0.0, 0.0] };
 
-fn quad(plane: Plane) -> Quad {
-    Quad::new(&CORNERS, &STEEL, plane, &OPTIONS).unwrap()
+fn quad(plane: Plane) -> Continuum<3, 8> {
+    Continuum::quad(&CORNERS, STEEL.family().plane(plane).unwrap(), &OPTIONS).unwrap()
 }
 
 /// Displacements with uniform strains exx, eyy and shear angle g, and a rigid motion.
@@ -59,7 +59,7 @@ fn patch_of_uniform_strain() {
 #[test]
 fn loads_and_mass_add_up() {
     let options = QuadOptions { pressure: 3.0, body: [1.0, -2.0], ..OPTIONS };
-    let loaded = Quad::new(&CORNERS, &STEEL, Plane::Stress, &options).unwrap();
+    let loaded = Continuum::quad(&CORNERS, STEEL.family().plane(Plane::Stress).unwrap(), &options).unwrap();
     let mut a = SingleElement::new(loaded);
     let f = a.force(&[0.0; 8]);
     let Mass::Lumped(mass) = a.element.mass() else { panic!("lumped") };
@@ -75,5 +75,5 @@ fn loads_and_mass_add_up() {
 fn clockwise_corners_are_an_error() {
     let mut corners = CORNERS;
     corners.reverse();
-    assert!(Quad::new(&corners, &STEEL, Plane::Stress, &OPTIONS).is_err());
+    assert!(Continuum::quad(&corners, STEEL.family().plane(Plane::Stress).unwrap(), &OPTIONS).is_err());
 }

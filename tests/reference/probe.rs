@@ -42,6 +42,7 @@ section Elastic 1 1. 1. 1.; uniaxialMaterial Elastic 9 1.; element zeroLength 1 
 
 const SOLID: &str = "model basic -ndm 3 -ndf 3
 node 1 0 0 0; node 2 1 0 0; node 3 1 1 0; node 4 0 1 0; node 5 0 0 1; node 6 1 0 1; node 7 1 1 1; node 8 0 1 1; fix 1 1 1 1
+node 11 0.5 0 0; node 12 0.5 0.5 0; node 13 0 0.5 0; node 14 0 0 0.5; node 15 0 0.5 0.5; node 16 0.5 0 0.5
 section Elastic 1 1. 1. 1. 1. 1. 1.; uniaxialMaterial Elastic 9 1.; element zeroLength 1 1 2 -mat 9 9 -dir 1 2; mass 2 1 1 1";
 
 /// The models in which a command is tried.

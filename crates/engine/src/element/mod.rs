@@ -12,9 +12,7 @@ mod bar;
 mod basic_row;
 pub mod beam;
 pub mod bearing;
-mod brick;
 mod catenary_cable;
-mod constant_strain;
 mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
@@ -23,17 +21,15 @@ pub mod friction;
 mod impact;
 mod joint;
 pub mod load;
-mod mvlem;
 mod opensees;
-mod quad;
-mod quadratic;
+mod shared;
 pub mod shell;
 mod small_beam;
 mod springs;
-mod stabilised_brick;
 pub mod transform;
 mod truss;
 mod two_node_link;
+mod wall;
 mod zero_length;
 mod zero_length_section;
 
@@ -45,28 +41,25 @@ use std::sync::Arc;
 
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
-pub use brick::{Brick, BrickOptions};
 pub use catenary_cable::CatenaryCable;
-pub use constant_strain::ConstantStrain;
+pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use impact::{ContactDirection, Impact, ImpactOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
-pub use mvlem::{WallFibre, WallLines};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
-pub use quad::{Quad, QuadOptions};
-pub use quadratic::{PlaneElastic, QuadraticShape};
+pub use shared::Shared;
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
-pub use stabilised_brick::StabilisedBrick;
 pub use truss::Truss;
 pub use two_node_link::{LinkOptions, TwoNodeLink};
+pub use wall::{PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape};
 pub use zero_length::{RayleighDamping, ZeroLength};
 pub use zero_length_section::ZeroLengthSection;
 
 /// Largest number of degrees of freedom of an element that the buffers of the analysis are made for.
-pub const MAX_DOFS: usize = 24;
+pub const MAX_DOFS: usize = 30;
 
 /// Input of an element at a trial state.
 #[derive(Clone, Copy, Debug)]

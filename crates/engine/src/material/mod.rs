@@ -43,7 +43,6 @@ mod hysteretic_sm;
 mod hysteretic_smooth;
 mod imk;
 mod impact;
-mod isotropic;
 mod jankowski_impact;
 mod kikuchi_aiken;
 mod kikuchi_aiken_hdr;
@@ -52,6 +51,7 @@ mod lanes;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
+pub mod multiaxial;
 mod no_tension;
 mod parallel;
 mod pinching4;
@@ -79,6 +79,7 @@ mod wrapped;
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
+use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
@@ -91,7 +92,7 @@ pub use bond_sp01::BondSp01;
 pub use bouc_wen::BoucWen;
 pub use bwbn::Bwbn;
 pub use cast::Cast;
-pub use concrete_cm::{ConcreteCm, TsaiEnvelope};
+pub use concrete_cm::{ConcreteCm, History as ConcreteHistory, TsaiEnvelope};
 pub use concrete_d::ConcreteD;
 pub use concrete_w_beta::ConcreteWBeta;
 pub use concrete01::Concrete01;
@@ -121,7 +122,6 @@ pub use hysteretic_sm::{HystereticSm, SmEnvelope};
 pub use hysteretic_smooth::HystereticSmooth;
 pub use imk::{ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Pinching};
 pub use impact::Impact;
-pub use isotropic::{Isotropic, Plane};
 pub use jankowski_impact::JankowskiImpact;
 pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
@@ -129,6 +129,11 @@ pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
+pub use multiaxial::{
+    AsdConcrete, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters, HardeningCurve,
+    InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE, ParallelSolids, Plane,
+    SOLID, SharedMultiaxial, SimplifiedJ2, Tangent,
+};
 pub use no_tension::NoTension;
 pub use parallel::Parallel;
 pub use pinching4::{Damage, LinearDamage, Pinching4, Pinching4Parameters, Pinching4Side};
@@ -421,6 +426,10 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
         None
     }
+    /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
+    }
     /// Response specific to this material, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
@@ -492,6 +501,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let mut new = self.clone();
         let old = new.set_parameter(words.first()?, value)?;
         Some((Arc::new(new), old))
+    }
+    fn as_any(&self) -> Option<&dyn Any> {
+        Some(self)
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)

@@ -5,9 +5,9 @@ use crate::element::beam::Rule;
 use crate::element::damping::ElementDamping;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
-use crate::material::{Backbone, Isotropic, Material};
+use crate::material::{Backbone, Material, NdMaterial};
 use crate::section::SharedSection;
-use crate::section::plate::{SharedPlateMaterial, SharedPlateSection};
+use crate::section::plate::SharedPlateSection;
 use crate::series::Series;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -56,15 +56,6 @@ pub struct Integration {
     pub rule: Rule,
     /// Sections along the beam.
     pub sections: Vec<(SharedSection, Tag)>,
-}
-
-/// A material of continua.
-#[derive(Clone, Debug)]
-pub enum NdMaterial {
-    /// Isotropic elasticity.
-    Isotropic(Isotropic),
-    /// A material of the layers of a plate.
-    Plate(SharedPlateMaterial),
 }
 
 /// Everything that has been defined by tag.

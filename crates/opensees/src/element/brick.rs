@@ -1,13 +1,13 @@
-//! `element stdBrick`, `bbarBrick` and `SSPbrick`.
+//! `element stdBrick`, `bbarBrick`, `SSPbrick` and the tetrahedra.
 
 use super::damping::{damped, optional};
-use super::quad::isotropic;
 use super::{Kind, Make, refused};
 use crate::args::Args;
+use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
-use crate::{Tcl, warn};
-use hysteron_engine::element::{Brick, BrickOptions, Element, StabilisedBrick};
-use hysteron_engine::material::Isotropic;
+use crate::{Tcl, slips, warn};
+use hysteron_engine::element::{BrickOptions, Continuum, Element, Shared};
+use hysteron_engine::material::{SOLID, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -32,24 +32,36 @@ pub(super) const STABILISED: Kind = Kind {
     make: Make::AnyNodes(stabilised),
 };
 
-/// Words that all bricks have: nodes, places of the corners, material, and body forces. The places are those of the
+pub(super) const FOUR_NODES: Kind = Kind {
+    names: &["FourNodeTetrahedron"],
+    usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(tetrahedron::<4, 12>),
+};
+
+pub(super) const TEN_NODES: Kind = Kind {
+    names: &["TenNodeTetrahedron"],
+    usage: "element TenNodeTetrahedron $tag $n1 ... $n10 $material <$b1 $b2 $b3>",
+    make: Make::AnyNodes(tetrahedron::<10, 30>),
+};
+
+/// Words that all have: nodes, places of the corners, material, and body forces. The places are those of the
 /// last node, for errors.
-struct Read {
+struct Read<const N: usize> {
     nodes: Vec<NodeId>,
-    corners: [Vector3<f64>; 8],
-    material: Isotropic,
+    corners: [Vector3<f64>; N],
+    law: SharedMultiaxial<SOLID>,
     body: [f64; 3],
     place: Option<Span>,
 }
 
 fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let r = read(interp, a)?;
-    let made = StabilisedBrick::new(&r.corners, &r.material, r.body).map_err(|e| refused(a, r.place, e))?;
-    Ok((r.nodes, Arc::new(made)))
+    let made = Continuum::stabilised_brick(&r.corners, &r.law, r.body).map_err(|e| refused(a, r.place, e))?;
+    Ok((r.nodes, made.shared()))
 }
 
-fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read, Exception> {
-    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 8]);
+fn read<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read<N>, Exception> {
+    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); N]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;
         let node = &interp.host.engine.model().nodes[id.0];
@@ -61,27 +73,44 @@ fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read, Exception> {
         nodes.push(id);
     }
     let place = a.last_span();
-    let material = isotropic(interp, a)?;
-    if material.nu == 0.5 {
-        return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in a brick"));
-    }
+    let family = family(interp, a)?;
+    let law = form(a, &family, (family.0.solid.as_ref(), "in space"))?;
     let mut body = [0.0; 3];
     for (b, name) in body.iter_mut().zip(["body force b1", "body force b2", "body force b3"]) {
         *b = a.optional_float(name)?.unwrap_or(0.0);
     }
-    Ok(Read { nodes, corners, material, body, place })
+    Ok(Read { nodes, corners, law, body, place })
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, bbar: bool) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
-    let Read { nodes, corners, material, body, place } = read(interp, a)?;
+    let Read { nodes, corners, law, body, place } = read(interp, a)?;
     let mut options = BrickOptions { body, mean_dilatation: bbar, lumped: false };
     options.lumped = !bbar && a.flag("-lumped");
     let damping = if bbar { None } else { optional(interp, a)? };
-    let made = Brick::new(&corners, &material, &options).map_err(|e| refused(a, place, e))?;
-    if made.is_inverted() {
-        let warning =
-            Diagnostic::warning("the corners go round the other way: stiffness and mass of the brick are negative");
-        warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other"))?;
+    let made = Continuum::brick(&corners, &law, &options).map_err(|e| refused(a, place, e))?;
+    warn_of_inversion(interp, made.is_inverted(), place)?;
+    Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
+}
+
+fn tetrahedron<const N: usize, const D: usize>(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
+where
+    Continuum<SOLID, D>: Shared,
+{
+    let Read::<N> { nodes, corners, law, body, place } = read(interp, a)?;
+    let weight = if N == 10 && interp.host.follows(&[slips::TETRAHEDRON_VOLUME]) { 1.0 / 6.0 } else { 1.0 };
+    let made = Continuum::<SOLID, D>::tetrahedron(&corners, &law, (body, weight)).map_err(|e| refused(a, place, e))?;
+    warn_of_inversion(interp, made.is_inverted(), place)?;
+    Ok((nodes, made.shared()))
+}
+
+fn warn_of_inversion(interp: &mut Tcl, inverted: bool, place: Option<Span>) -> Result<(), Exception> {
+    if !inverted {
+        return Ok(());
     }
-    Ok((nodes, damped(Arc::new(made), damping).map_err(|e| refused(a, place, e))?))
+    let warning =
+        Diagnostic::warning("the corners go round the other way: stiffness and mass of the element are negative");
+    warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other ones"))
 }

@@ -108,6 +108,8 @@ const KINDS: &[Kind] = &[
     brick::BRICK,
     brick::MEAN_DILATATION,
     brick::STABILISED,
+    brick::FOUR_NODES,
+    brick::TEN_NODES,
     shell::MITC4,
     shell::DKGQ,
     shell::DKGT,
@@ -115,6 +117,11 @@ const KINDS: &[Kind] = &[
     shell::ENHANCED,
     shell::ENHANCED_TRIANGLE,
     wall::MVLEM,
+    wall::MVLEM_3D,
+    wall::SFI_MVLEM,
+    wall::E_SFI,
+    wall::SFI_MVLEM_3D,
+    wall::E_SFI_MVLEM_3D,
     joint_2d::JOINT_2D,
 ];
 

@@ -4,10 +4,11 @@ use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
+use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
-use hysteron_engine::element::{ConstantStrain, Element, PlaneElastic, Quad, QuadOptions, QuadraticShape};
-use hysteron_engine::material::{Isotropic, Plane};
-use hysteron_engine::model::{NdMaterial, NodeId};
+use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape, Shared};
+use hysteron_engine::material::{PLANE, Plane, SharedMultiaxial};
+use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -33,19 +34,19 @@ pub(super) const TRIANGLE: Kind = Kind {
 pub(super) const NINE_NODES: Kind = Kind {
     names: &["quad9n", "nineNodeQuad", "NineNodeQuad"],
     usage: "element quad9n $tag $n1 ... $n9 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
-    make: Make::AnyNodes(|interp, a| make_quadratic::<9>(interp, a, QuadraticShape::Lagrange)),
+    make: Make::AnyNodes(|interp, a| make_quadratic::<9, 18>(interp, a, QuadraticShape::Lagrange)),
 };
 
 pub(super) const EIGHT_NODES: Kind = Kind {
     names: &["quad8n", "eightNodeQuad", "EightNodeQuad"],
     usage: "element quad8n $tag $n1 ... $n8 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
-    make: Make::AnyNodes(|interp, a| make_quadratic::<8>(interp, a, QuadraticShape::Serendipity)),
+    make: Make::AnyNodes(|interp, a| make_quadratic::<8, 16>(interp, a, QuadraticShape::Serendipity)),
 };
 
 pub(super) const SIX_NODES: Kind = Kind {
     names: &["tri6n", "sixNodeTri", "SixNodeTri"],
     usage: "element tri6n $tag $n1 ... $n6 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
-    make: Make::AnyNodes(|interp, a| make_quadratic::<6>(interp, a, QuadraticShape::Triangle)),
+    make: Make::AnyNodes(|interp, a| make_quadratic::<6, 12>(interp, a, QuadraticShape::Triangle)),
 };
 
 pub(super) const ENHANCED: Kind = Kind {
@@ -54,14 +55,14 @@ pub(super) const ENHANCED: Kind = Kind {
     make: Make::AnyNodes(make_enhanced),
 };
 
-/// An elastic material of continua.
-pub(super) fn isotropic(interp: &Tcl, a: &mut Args<'_>) -> Result<Isotropic, Exception> {
-    match a.of(&interp.host.builder.definitions.nd_materials)? {
-        (NdMaterial::Isotropic(material), _) => Ok(material),
-        (NdMaterial::Plate(_), tag) => {
-            Err(a.refuse(format!("material {tag} is one of plates"), "expected an ElasticIsotropic material"))
-        }
-    }
+fn plane_form(a: &Args<'_>, family: &Family, plane: Plane) -> Result<SharedMultiaxial<PLANE>, Exception> {
+    form(a, family, (family.0.plane(plane), if plane == Plane::Strain { "in plane strain" } else { "in plane stress" }))
+}
+
+/// A material in a plane.
+fn plane_law(interp: &Tcl, a: &mut Args<'_>, plane: Plane) -> Result<SharedMultiaxial<PLANE>, Exception> {
+    let family = family(interp, a)?;
+    plane_form(a, &family, plane)
 }
 
 /// Nodes and places of the corners.
@@ -88,13 +89,6 @@ fn plane(a: &mut Args<'_>) -> Result<Plane, Exception> {
     })
 }
 
-fn possible(a: &Args<'_>, material: &Isotropic, plane: Plane) -> Result<(), Exception> {
-    if plane == Plane::Strain && material.nu == 0.5 {
-        return Err(a.refuse("Poisson's ratio of the material is 0.5", "expected less than 0.5 in plane strain"));
-    }
-    Ok(())
-}
-
 fn body_forces(a: &mut Args<'_>, body: &mut [f64; 2]) -> Result<(), Exception> {
     for (b, name) in body.iter_mut().zip(["body force bx", "body force by"]) {
         *b = a.optional_float(name)?.unwrap_or(0.0);
@@ -103,58 +97,60 @@ fn body_forces(a: &mut Args<'_>, body: &mut [f64; 2]) -> Result<(), Exception> {
 }
 
 /// Thickness, plane, material, pressure, density and body forces.
-fn properties(interp: &Tcl, a: &mut Args<'_>) -> Result<(Isotropic, Plane, QuadOptions), Exception> {
+fn properties(interp: &Tcl, a: &mut Args<'_>) -> Result<(SharedMultiaxial<PLANE>, QuadOptions), Exception> {
     let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
     let plane = plane(a)?;
-    let material = isotropic(interp, a)?;
-    possible(a, &material, plane)?;
+    let law = plane_law(interp, a, plane)?;
     o.pressure = a.optional_float("pressure")?.unwrap_or(0.0);
     if a.at_number() {
         o.rho = a.not_negative("mass per volume rho")?;
     }
     body_forces(a, &mut o.body)?;
-    Ok((material, plane, o))
+    Ok((law, o))
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (nodes, corners) = corners::<4>(interp, a)?;
     let place = a.last_span();
-    let (material, plane, o) = properties(interp, a)?;
-    let made = Quad::new(&corners, &material, plane, &o).map_err(|e| refused(a, place, e))?;
+    let (law, o) = properties(interp, a)?;
+    let made = Continuum::quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
     let damping = optional(interp, a)?;
-    Ok((nodes, damped(Arc::new(made), damping).map_err(|e| refused(a, place, e))?))
+    Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
 }
 
 fn make_triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (nodes, corners) = corners::<3>(interp, a)?;
     let place = a.last_span();
-    let (material, plane, o) = properties(interp, a)?;
-    let made = ConstantStrain::triangle(&corners, (&material, plane), &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    let (law, o) = properties(interp, a)?;
+    let made = Continuum::triangle(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, made.shared()))
 }
 
 fn make_stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (nodes, corners) = corners::<4>(interp, a)?;
     let place = a.last_span();
-    let material = isotropic(interp, a)?;
+    let family = family(interp, a)?;
     let plane = plane(a)?;
-    possible(a, &material, plane)?;
+    let law = plane_form(a, &family, plane)?;
     let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
     body_forces(a, &mut o.body)?;
-    let made = ConstantStrain::stabilised_quad(&corners, (&material, plane), &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    let made = Continuum::stabilised_quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, made.shared()))
 }
 
-fn make_quadratic<const N: usize>(
+fn make_quadratic<const N: usize, const D: usize>(
     interp: &mut Tcl,
     a: &mut Args<'_>,
     shape: QuadraticShape,
-) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
+where
+    Continuum<PLANE, D>: Shared,
+{
     let (nodes, places) = corners::<N>(interp, a)?;
     let place = a.last_span();
-    let (material, plane, o) = properties(interp, a)?;
-    let made = PlaneElastic::quadratic(shape, &places, (&material, plane), &o).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    let (law, o) = properties(interp, a)?;
+    let made = Continuum::<PLANE, D>::quadratic(shape, &places, &law, &o).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, made.shared()))
 }
 
 fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
@@ -162,8 +158,7 @@ fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc
     let place = a.last_span();
     let thickness = a.positive("thickness")?;
     let plane = plane(a)?;
-    let material = isotropic(interp, a)?;
-    possible(a, &material, plane)?;
-    let made = PlaneElastic::enhanced(&corners, (&material, plane), thickness).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    let law = plane_law(interp, a, plane)?;
+    let made = Continuum::enhanced(&corners, &law, thickness).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, made.shared()))
 }

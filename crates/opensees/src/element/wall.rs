@@ -1,31 +1,226 @@
-//! `element MVLEM`.
+//! Walls of strips: `element MVLEM`, `SFI_MVLEM`, `E_SFI`, and their forms in space.
 
-use super::{Ends, Kind, Make};
+use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::material::nd_material::{family, form};
+use crate::model::nodes::node_of;
 use crate::slips;
 use crate::{Tcl, ignore_option};
-use hysteron_engine::element::{Element, WallFibre, WallLines};
-use hysteron_engine::material::Material;
+use hysteron_engine::element::{
+    Element, PLANE_WALL, PanelLaw, SPACE_WALL, Shared, WallFibre, WallLines, WallPanel, WallPanels, WallPlate,
+    WallShape,
+};
+use hysteron_engine::material::{Material, PLANE, SharedMultiaxial};
+use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Span;
+use nalgebra::Vector3;
 use std::sync::Arc;
 
 pub(super) const MVLEM: Kind = Kind {
     names: &["MVLEM"],
     usage: "element MVLEM $tag $density $i $j $m $c -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat",
-    make: Make::AnyNodes(make),
+    make: Make::AnyNodes(lines),
 };
 
-/// Laws of the fibres, with their tags.
-type Laws = Vec<(Material, i32)>;
+pub(super) const MVLEM_3D: Kind = Kind {
+    names: &["MVLEM_3D"],
+    usage: "element MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
+            -matSteel $mat1 ... -matShear $mat <-CoR $c> <-ThickMod $factor> <-Poisson $nu> <-Density $density>",
+    make: Make::AnyNodes(lines_in_space),
+};
 
-const OPTIONS: &[&str] = &["-thick", "-width", "-rho", "-matConcrete", "-matSteel", "-matShear"];
+pub(super) const SFI_MVLEM: Kind = Kind {
+    names: &["SFI_MVLEM"],
+    usage: "element SFI_MVLEM $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    make: Make::AnyNodes(|interp, a| panels(interp, a, ("SFI_MVLEM", PanelLaw::NoStress))),
+};
 
-fn make(
-    interp: &mut Tcl,
-    a: &mut Args<'_>,
-) -> Result<(Vec<hysteron_engine::model::NodeId>, Arc<dyn Element>), Exception> {
-    let density = a.not_negative("density")?;
+pub(super) const E_SFI: Kind = Kind {
+    names: &["E_SFI", "E_SFI_MVLEM"],
+    usage: "element E_SFI $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    make: Make::AnyNodes(|interp, a| panels(interp, a, ("E_SFI", PanelLaw::FromShear))),
+};
+
+pub(super) const SFI_MVLEM_3D: Kind = Kind {
+    names: &["SFI_MVLEM_3D"],
+    usage: "element SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> <-ThickMod $factor> \
+            <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("SFI_MVLEM_3D", PanelLaw::NoStress))),
+};
+
+pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
+    names: &["E_SFI_MVLEM_3D"],
+    usage: "element E_SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> \
+            <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
+};
+
+type Made = Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
+
+/// Options of walls, with those that a kind does not have left empty.
+struct Strips {
+    thickness: Vec<f64>,
+    width: Vec<f64>,
+    ratio: Vec<f64>,
+    concrete: Vec<(Material, i32)>,
+    steel: Vec<(Material, i32)>,
+    shear: Option<(Material, i32)>,
+    panels: Vec<SharedMultiaxial<PLANE>>,
+    centre: f64,
+    bending: f64,
+    nu: f64,
+    density: f64,
+    modulus: Option<f64>,
+}
+
+const LINES: &[&str] = &["-thick", "-width", "-rho", "-matConcrete", "-matSteel", "-matShear"];
+const PANELS: &[&str] = &["-thick", "-width", "-mat"];
+const IN_SPACE: &[&str] = &["-CoR", "-ThickMod", "-Poisson", "-Density", "-Eave"];
+
+impl Strips {
+    /// Takes the options `needed`, and in space those that may be left out. Defaults are those of OpenSees.
+    fn take(
+        interp: &mut Tcl,
+        a: &mut Args<'_>,
+        count: usize,
+        needed: &[&str],
+        in_space: bool,
+    ) -> Result<Self, Exception> {
+        let mut s = Self {
+            thickness: vec![],
+            width: vec![],
+            ratio: vec![],
+            concrete: vec![],
+            steel: vec![],
+            shear: None,
+            panels: vec![],
+            centre: 0.4,
+            bending: 0.63,
+            nu: 0.25,
+            density: 0.0,
+            modulus: None,
+        };
+        let last = a.last_span();
+        while let Some(option) = a.option() {
+            match option.as_ref() {
+                "-thick" => s.thickness = numbers(count, || a.positive("thickness of a strip"))?,
+                "-width" => s.width = numbers(count, || a.positive("width of a strip"))?,
+                "-rho" if needed.contains(&"-rho") => {
+                    s.ratio = numbers(count, || a.not_negative("ratio of reinforcement of a fibre"))?;
+                }
+                "-matConcrete" => s.concrete = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
+                "-matSteel" => s.steel = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
+                "-matShear" => s.shear = Some(a.of(&interp.host.builder.definitions.materials)?),
+                "-mat" => {
+                    s.panels = numbers(count, || {
+                        let family = family(interp, a)?;
+                        form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))
+                    })?;
+                }
+                "-CoR" if in_space => {
+                    s.centre = a.float("height of the centre of rotation as a share of the height")?
+                }
+                "-ThickMod" if in_space => s.bending = a.positive("factor of the thickness in bending")?,
+                "-Poisson" if in_space => s.nu = poisson(a)?,
+                "-Density" if in_space => s.density = a.not_negative("mass per volume")?,
+                "-Eave" if in_space => s.modulus = Some(a.positive("modulus of elasticity of the plate")?),
+                "-Coupling" => {
+                    // The tangent here always has the terms that this option adds.
+                    a.int("coupling")?;
+                }
+                _ if in_space => ignore_option(interp, a, &[needed, IN_SPACE].concat())?,
+                _ => ignore_option(interp, a, needed)?,
+            }
+        }
+        let missing = needed.iter().find(|option| match **option {
+            "-thick" => s.thickness.is_empty(),
+            "-width" => s.width.is_empty(),
+            "-rho" => s.ratio.is_empty(),
+            "-matConcrete" => s.concrete.is_empty(),
+            "-matSteel" => s.steel.is_empty(),
+            "-mat" => s.panels.is_empty(),
+            _ => s.shear.is_none(),
+        });
+        match missing {
+            None => Ok(s),
+            Some(option) => {
+                let message = format!("{option} is missing");
+                Err(a.refuse_at(last, message, &format!("expected all of {}", needed.join(", "))))
+            }
+        }
+    }
+
+    fn area(&self) -> f64 {
+        self.thickness.iter().zip(&self.width).map(|(t, w)| t * w).sum()
+    }
+
+    fn fibres(&mut self) -> Vec<WallFibre> {
+        let (concrete, steel) = (std::mem::take(&mut self.concrete), std::mem::take(&mut self.steel));
+        let sizes = self.thickness.iter().zip(&self.width).zip(&self.ratio);
+        let fibre = |((concrete, steel), ((thickness, width), ratio)): ((_, _), ((&f64, &f64), &f64))| WallFibre {
+            thickness: *thickness,
+            width: *width,
+            ratio: *ratio,
+            concrete,
+            steel,
+        };
+        concrete.into_iter().zip(steel).zip(sizes).map(fibre).collect()
+    }
+
+    fn panels(&self) -> Vec<WallPanel> {
+        let sizes = self.thickness.iter().zip(&self.width);
+        let panel = |((thickness, width), law): ((&f64, &f64), &SharedMultiaxial<PLANE>)| WallPanel {
+            thickness: *thickness,
+            width: *width,
+            law: Arc::clone(law),
+        };
+        sizes.zip(&self.panels).map(panel).collect()
+    }
+
+    /// The wall in space of corners in OpenSees' order, with the mean of the moduli of the strips.
+    fn in_space(
+        &self,
+        corners: &[Vector3<f64>; 4],
+        modulus: impl Fn(usize) -> f64,
+    ) -> Result<WallShape<SPACE_WALL>, hysteron_engine::element::ElementError> {
+        let (area, width) = (self.area(), self.width.iter().sum::<f64>());
+        let mean =
+            self.thickness.iter().zip(&self.width).enumerate().map(|(i, (t, w))| modulus(i) * t * w / area).sum();
+        let plate = WallPlate {
+            modulus: self.modulus.unwrap_or(mean),
+            nu: self.nu,
+            thickness: area / width,
+            bending: self.bending,
+        };
+        let height = (corners[2] - corners[0]).norm();
+        WallShape::space(corners, width, self.centre, self.density * area * height, &plate)
+    }
+}
+
+fn poisson(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let nu = a.float("Poisson's ratio of the plate")?;
+    if nu.abs() >= 1.0 {
+        return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected between -1 and 1"));
+    }
+    Ok(nu)
+}
+
+/// As many values as there are strips.
+fn numbers<T>(count: usize, mut take: impl FnMut() -> Result<T, Exception>) -> Result<Vec<T>, Exception> {
+    (0..count).map(|_| take()).collect()
+}
+
+fn count(a: &mut Args<'_>) -> Result<usize, Exception> {
+    match a.count("number m of strips")? {
+        0 => Err(a.refuse("the wall has no strips", "expected 1 or more")),
+        count => Ok(count),
+    }
+}
+
+/// Two nodes above each other, with the height between them.
+fn ends(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, f64), Exception> {
     let ends = Ends::take(interp, a)?;
     let nodes = a.last_span();
     if (ends.ndm, ends.ndf) != (2, 3) {
@@ -34,58 +229,76 @@ fn make(
     let (below, above) = ends.place;
     let height = above.y - below.y;
     if above.x != below.x || height <= 0.0 {
-        return Err(a.refuse_at(
-            nodes,
-            "MVLEM: node j is not above node i",
-            "expected a node with the same x above node i",
-        ));
+        return Err(a.refuse_at(nodes, "node j is not above node i", "expected a node with the same x above node i"));
     }
-    let count = a.count("number m of fibres")?;
-    if count == 0 {
-        return Err(a.refuse("MVLEM has no fibres", "expected 1 or more"));
-    }
-    let centre = a.float("height c of the shear spring as a share of the height")?;
-    let last = a.last_span();
-    let (mut thickness, mut width, mut ratio): (Vec<f64>, Vec<f64>, Vec<f64>) = (vec![], vec![], vec![]);
-    let (mut concrete, mut steel, mut shear): (Laws, Laws, _) = (vec![], vec![], None);
-    while let Some(option) = a.option() {
-        match option.as_ref() {
-            "-thick" => thickness = numbers(count, || a.positive("thickness of a fibre"))?,
-            "-width" => width = numbers(count, || a.positive("width of a fibre"))?,
-            "-rho" => ratio = numbers(count, || a.not_negative("ratio of reinforcement of a fibre"))?,
-            "-matConcrete" => concrete = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
-            "-matSteel" => steel = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
-            "-matShear" => shear = Some(a.of(&interp.host.builder.definitions.materials)?),
-            _ => ignore_option(interp, a, OPTIONS)?,
-        }
-    }
-    let given =
-        [thickness.len(), width.len(), ratio.len(), concrete.len(), steel.len(), count * usize::from(shear.is_some())];
-    if let Some(option) = given.iter().position(|n| *n != count).map(|i| OPTIONS[i]) {
-        let message = format!("MVLEM: {option} is missing");
-        return Err(a.refuse_at(
-            last,
-            message,
-            "expected all of -thick, -width, -rho, -matConcrete, -matSteel, -matShear",
-        ));
-    }
-    let Some(shear) = shear else {
-        return Err(a.refuse_at(last, "MVLEM: -matShear is missing", "expected a material"));
-    };
-    let fibres = concrete.into_iter().zip(steel).zip(thickness.into_iter().zip(width).zip(ratio));
-    let fibres = fibres.map(|((concrete, steel), ((thickness, width), ratio))| WallFibre {
-        thickness,
-        width,
-        ratio,
-        concrete,
-        steel,
-    });
-    let density = if interp.host.follows(&[slips::WALL_MASS]) { 0.0 } else { density };
-    let made = WallLines::new(fibres.collect(), shear, height, centre, density);
-    Ok((ends.nodes.to_vec(), Arc::new(made)))
+    Ok((ends.nodes.to_vec(), height))
 }
 
-/// As many values as there are fibres.
-fn numbers<T>(count: usize, mut take: impl FnMut() -> Result<T, Exception>) -> Result<Vec<T>, Exception> {
-    (0..count).map(|_| take()).collect()
+/// Height of the shear spring over that of the wall.
+fn centre(a: &mut Args<'_>) -> Result<f64, Exception> {
+    a.float("height c of the shear spring as a share of the height")
+}
+
+/// Four nodes against the clock: the lower ones, then the upper ones from the right to the left. They are returned in
+/// OpenSees' order, the upper ones from the left.
+fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, [Vector3<f64>; 4], Option<Span>), Exception> {
+    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 4]);
+    for corner in &mut corners {
+        let id = node_of(interp, a, "tag of a corner's node")?;
+        let node = &interp.host.engine.model().nodes[id.0];
+        if (node.ndm(), node.ndf) != (3, 6) {
+            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
+            return Err(a.refuse(message, "expected 6 degrees of freedom in 3 dimensions"));
+        }
+        *corner = node.place();
+        nodes.push(id);
+    }
+    nodes.swap(2, 3);
+    corners.swap(2, 3);
+    Ok((nodes, corners, a.last_span()))
+}
+
+fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let density = a.not_negative("density")?;
+    let (nodes, height) = ends(interp, a)?;
+    let count = count(a)?;
+    let centre = centre(a)?;
+    let mut s = Strips::take(interp, a, count, LINES, false)?;
+    let density = if interp.host.follows(&[slips::WALL_MASS]) { 0.0 } else { density };
+    let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, density * s.area() * height);
+    let fibres = s.fibres();
+    let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
+    Ok((nodes, WallLines::new("MVLEM", fibres, shear, shape).shared()))
+}
+
+fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+    let (nodes, corners, place) = corners(interp, a)?;
+    let count = count(a)?;
+    let mut s = Strips::take(interp, a, count, LINES, true)?;
+    let moduli: Vec<f64> = s.concrete.iter().map(|(m, _)| m.initial_tangent()).collect();
+    let shape = s.in_space(&corners, |i| moduli[i]).map_err(|e| refused(a, place, e))?;
+    let fibres = s.fibres();
+    let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
+    Ok((nodes, WallLines::new("MVLEM_3D", fibres, shear, shape).shared()))
+}
+
+fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
+    let (nodes, height) = ends(interp, a)?;
+    let count = count(a)?;
+    let centre = centre(a)?;
+    let s = Strips::take(interp, a, count, PANELS, false)?;
+    let strips = s.panels();
+    let mass = strips.iter().map(|p| p.law.density() * p.thickness * p.width * height).sum();
+    let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, mass);
+    Ok((nodes, WallPanels::new(class, strips, kind, shape).shared()))
+}
+
+fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
+    let (nodes, corners, place) = corners(interp, a)?;
+    let count = count(a)?;
+    let s = Strips::take(interp, a, count, PANELS, true)?;
+    // The modulus of the concrete: twice the shear modulus of the virgin panel.
+    let shape =
+        s.in_space(&corners, |i| 2.0 * s.panels[i].initial_tangent()[2][2]).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, WallPanels::new(class, s.panels(), kind, shape).shared()))
 }

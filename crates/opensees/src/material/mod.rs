@@ -13,6 +13,7 @@ mod hysteretic;
 mod hysteretic_sm;
 mod impact;
 mod material_test;
+mod nd_concrete;
 pub(crate) mod nd_material;
 mod plastic;
 mod rubber;

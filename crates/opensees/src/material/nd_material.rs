@@ -1,10 +1,14 @@
 //! `nDMaterial`.
 
+use super::nd_concrete;
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, finish, kind};
-use hysteron_engine::material::Isotropic;
-use hysteron_engine::model::NdMaterial;
-use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar, SharedPlateMaterial};
+use hysteron_engine::material::{
+    ConcreteCm, Condensed, Fsam, FsamParameters, InitialStrain, Isotropic, J2Plasticity, LAYER, NdMaterial,
+    Orthotropic, ParallelSolids, SOLID, SharedMultiaxial, SimplifiedJ2,
+};
+use hysteron_engine::model::Tag;
+use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -14,13 +18,63 @@ pub(crate) const COMMANDS: &[Command] =
 const USAGE: &str = "nDMaterial $kind $tag ...";
 
 /// A kind of material of continua, made from the words after its tag.
-type Kind = kind::Kind<fn(&Tcl, &mut Args<'_>) -> Result<NdMaterial, Exception>>;
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<NdMaterial, Exception>>;
 
 const KINDS: &[Kind] = &[
     Kind {
         names: &["ElasticIsotropic", "ElasticIsotropic3D"],
         usage: "nDMaterial ElasticIsotropic $tag $E $nu <$rho>",
         make: elastic_isotropic,
+    },
+    Kind {
+        names: &["J2Plasticity", "J2"],
+        usage: "nDMaterial J2Plasticity $tag $K $G $sig0 $sigInf $delta $H <$eta> <$rho>",
+        make: j2_plasticity,
+    },
+    Kind {
+        names: &["ElasticOrthotropic", "ElasticOrthotropic3D"],
+        usage: "nDMaterial ElasticOrthotropic $tag $Ex $Ey $Ez $nu_xy $nu_yz $nu_zx $Gxy $Gyz $Gzx <$rho>",
+        make: elastic_orthotropic,
+    },
+    Kind {
+        names: &["Simplified3DJ2", "3DJ2", "SimplifiedJ2"],
+        usage: "nDMaterial Simplified3DJ2 $tag $G $K $sig0 $H_kin $H_iso",
+        make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", Arc::new(simplified_j2(a)?))),
+    },
+    Kind {
+        names: &["PlaneStressSimplifiedJ2"],
+        usage: "nDMaterial PlaneStressSimplifiedJ2 $tag $G $K $sig0 $H_kin $H_iso",
+        make: plane_stress_j2,
+    },
+    Kind {
+        names: &["PlaneStress", "PlaneStressMaterial"],
+        usage: "nDMaterial PlaneStress $tag $material",
+        make: |interp, a| {
+            Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?))
+        },
+    },
+    Kind {
+        names: &["PlaneStrain", "PlaneStrainMaterial"],
+        usage: "nDMaterial PlaneStrain $tag $material",
+        make: |interp, a| {
+            Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?))
+        },
+    },
+    Kind {
+        names: &["InitStrain", "InitStrainMaterial"],
+        usage: "nDMaterial InitStrain $tag $material $eps | $eps11 $eps22 $eps33 $eps12 $eps23 $eps13",
+        make: initial_strain,
+    },
+    Kind {
+        names: &["Parallel3D"],
+        usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
+        make: parallel,
+    },
+    Kind { names: &["ASDConcrete3D"], usage: nd_concrete::USAGE, make: nd_concrete::make },
+    Kind {
+        names: &["FSAM"],
+        usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
+        make: fsam,
     },
     Kind {
         names: &["PlateFiber", "PlateFiberMaterial"],
@@ -39,7 +93,7 @@ const KINDS: &[Kind] = &[
     },
 ];
 
-fn elastic_isotropic(_: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+fn elastic_isotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let e = a.positive("modulus of elasticity E")?;
     let nu = a.float("Poisson's ratio nu")?;
     let sound = nu > -1.0 && nu <= 0.5;
@@ -47,31 +101,150 @@ fn elastic_isotropic(_: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, at most 0.5"));
     }
     let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
-    Ok(NdMaterial::Isotropic(Isotropic { e, nu, rho }))
+    Ok(Isotropic { e, nu, rho }.family())
 }
 
-/// A material of plates by its tag; an isotropic one has no stress across the plate.
-pub(crate) fn of_plates(interp: &Tcl, a: &mut Args<'_>) -> Result<SharedPlateMaterial, Exception> {
-    Ok(match a.of(&interp.host.builder.definitions.nd_materials)?.0 {
-        NdMaterial::Isotropic(material) => Arc::new(material),
-        NdMaterial::Plate(material) => material,
+fn j2_plasticity(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = J2Plasticity {
+        bulk: a.positive("bulk modulus K")?,
+        shear: a.positive("shear modulus G")?,
+        yield_stress: a.positive("yield stress sig0")?,
+        saturated: a.positive("saturated yield stress sigInf")?,
+        delta: a.not_negative("rate of saturation delta")?,
+        hardening: a.float("linear hardening modulus H")?,
+        viscosity: a.optional_float("viscosity eta")?.unwrap_or(0.0),
+        rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
+    };
+    Ok(NdMaterial::of_solid("J2Plasticity", Arc::new(law)))
+}
+
+fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let e = [a.positive("modulus Ex")?, a.positive("modulus Ey")?, a.positive("modulus Ez")?];
+    let nu = [a.float("Poisson's ratio nu_xy")?, a.float("Poisson's ratio nu_yz")?, a.float("Poisson's ratio nu_zx")?];
+    let last = a.last_span();
+    let shear = [a.positive("shear modulus Gxy")?, a.positive("shear modulus Gyz")?, a.positive("shear modulus Gzx")?];
+    let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
+    match (Orthotropic { e, nu, shear, rho }).solid() {
+        Some(law) => Ok(NdMaterial::of_solid("ElasticOrthotropicMaterial", Arc::new(law))),
+        None => Err(a.refuse_at(
+            last,
+            "the stiffness is not positive definite with these Poisson's ratios",
+            "expected smaller Poisson's ratios",
+        )),
+    }
+}
+
+fn simplified_j2(a: &mut Args<'_>) -> Result<SimplifiedJ2, Exception> {
+    Ok(SimplifiedJ2 {
+        shear: a.positive("shear modulus G")?,
+        bulk: a.positive("bulk modulus K")?,
+        yield_stress: a.positive("yield stress sig0")?,
+        kinematic: a.not_negative("modulus of kinematic hardening H_kin")?,
+        isotropic: a.not_negative("modulus of isotropic hardening H_iso")?,
     })
 }
 
-fn plate_fiber(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    of_plates(interp, a).map(NdMaterial::Plate)
+fn plane_stress_j2(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let solid: SharedMultiaxial<SOLID> = Arc::new(simplified_j2(a)?);
+    Ok(NdMaterial::of_shared_plane_stress("PlaneStressSimplifiedJ2", Condensed::plane_stress(&solid)))
 }
 
-fn plate_from_plane_stress(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let membrane = of_plates(interp, a)?;
+/// A law made of the law in space of a material.
+fn of_solid<T>(
+    interp: &Tcl,
+    a: &mut Args<'_>,
+    make: impl FnOnce(&SharedMultiaxial<SOLID>) -> T,
+) -> Result<T, Exception> {
+    let family = family(interp, a)?;
+    Ok(make(&form(a, &family, (family.0.solid.as_ref(), "in space"))?))
+}
+
+fn initial_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = of_solid(interp, a, Arc::clone)?;
+    let mut strain = [0.0; SOLID];
+    let first = a.float("initial strain")?;
+    if a.left() == 0 {
+        strain[..3].fill(first);
+    } else {
+        strain[0] = first;
+        for (i, e) in strain.iter_mut().enumerate().skip(1) {
+            *e = a.nth_float("initial strain", i)?;
+        }
+    }
+    Ok(NdMaterial::of_solid("InitStrainNDMaterial", Arc::new(InitialStrain { law, strain })))
+}
+
+fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let mut laws = vec![(of_solid(interp, a, Arc::clone)?, 1.0)];
+    while a.at_number() {
+        laws.push((of_solid(interp, a, Arc::clone)?, 1.0));
+    }
+    if a.flag("-weights") {
+        for (i, (_, weight)) in laws.iter_mut().enumerate() {
+            *weight = a.nth_float("weight", i)?;
+        }
+    }
+    Ok(NdMaterial::of_solid("Parallel3DMaterial", Arc::new(ParallelSolids { laws })))
+}
+
+fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let rho = a.not_negative("mass per volume rho")?;
+    let materials = &interp.host.builder.definitions.materials;
+    let bars = [a.of(materials)?, a.of(materials)?];
+    let (concrete, tag) = a.of(materials)?;
+    let Some(concrete) = concrete.as_any().and_then(|law| law.downcast_ref::<ConcreteCm>()).cloned() else {
+        let message = format!("uniaxial material {tag} is {}", concrete.name());
+        return Err(a.refuse(message, "expected a ConcreteCM"));
+    };
+    let ratios = [a.not_negative("ratio of bars along x")?, a.not_negative("ratio of bars along y")?];
+    let friction = a.not_negative("coefficient of friction nu")?;
+    let dowel = a.not_negative("dowel stiffness alfadow over the modulus of the bars")?;
+    let law = Fsam::new(bars, concrete, FsamParameters { rho, ratios, friction, dowel });
+    Ok(NdMaterial::of_plane_stress("FSAM", law))
+}
+
+/// A material of continua with its tag.
+pub(crate) type Family = (NdMaterial, Tag);
+
+/// A material of continua by its tag.
+pub(crate) fn family(interp: &Tcl, a: &mut Args<'_>) -> Result<Family, Exception> {
+    a.of(&interp.host.builder.definitions.nd_materials)
+}
+
+/// A law of a material that the last word names.
+pub(crate) fn form<const N: usize>(
+    a: &Args<'_>,
+    (material, tag): &Family,
+    (law, name): (Option<&SharedMultiaxial<N>>, &str),
+) -> Result<SharedMultiaxial<N>, Exception> {
+    law.cloned().ok_or_else(|| {
+        let message = format!("material {tag} ({}) has no law {name}", material.class);
+        a.refuse(message, &format!("expected a material that has one {name}"))
+    })
+}
+
+/// The law of a layer of plates; an isotropic one has no stress across the plate.
+pub(crate) fn of_plates(interp: &Tcl, a: &mut Args<'_>) -> Result<SharedMultiaxial<LAYER>, Exception> {
+    let family = family(interp, a)?;
+    form(a, &family, (family.0.layer.as_ref(), "of layers of plates"))
+}
+
+fn plate_fiber(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    Ok(NdMaterial::of_layers("PlateFiberMaterial", of_plates(interp, a)?))
+}
+
+fn plate_from_plane_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let family = family(interp, a)?;
+    let membrane = form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))?;
     let shear = a.not_negative("shear modulus G across the plate")?;
-    Ok(NdMaterial::Plate(Arc::new(PlateFromPlaneStress { membrane, shear })))
+    let law = PlateFromPlaneStress { membrane, shear };
+    Ok(NdMaterial::of_layers("PlateFromPlaneStressMaterial", Arc::new(law)))
 }
 
-fn plate_rebar(interp: &Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+fn plate_rebar(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     let degrees = a.float("angle of the bars in degrees")?;
-    Ok(NdMaterial::Plate(Arc::new(PlateRebar::new(material, tag, degrees))))
+    Ok(NdMaterial::of_layers("PlateRebarMaterial", Arc::new(PlateRebar::new(material, tag, degrees))))
 }
 
 fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -3,9 +3,7 @@
 //! As in OpenSees, nodes and elements have numbers for names, and definitions have texts. Parameters of laws are left out.
 
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
-use hysteron_engine::model::{
-    Definitions, ElementEntry, Fix, Model, MultiPoint, NdMaterial, Node, Pattern, PatternKind, Tag,
-};
+use hysteron_engine::model::{Definitions, ElementEntry, Fix, Model, MultiPoint, Node, Pattern, PatternKind, Tag};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -23,7 +21,7 @@ pub(super) fn model_file(model: &Model, definitions: &Definitions, made_of: &Mad
     let named = |tag: Tag, kind: &str| json!({ "name": tag.to_string(), "type": kind });
     let d = definitions;
     let materials = d.materials.tags().filter_map(|t| Some(named(t, uniaxial_class(d.materials.get(t)?.name()))));
-    let nd_materials = d.nd_materials.tags().filter_map(|t| Some(named(t, nd_class(d.nd_materials.get(t)?))));
+    let nd_materials = d.nd_materials.tags().filter_map(|t| Some(named(t, d.nd_materials.get(t)?.class)));
     let sections = d.sections.tags().filter_map(|t| Some(named(t, d.sections.get(t)?.class())));
     let transforms = d.transforms.tags().filter_map(|t| Some(transform(t, d.transforms.get(t)?, dimensions)));
     let units = json!({ "force": "", "length": "", "time": "", "temperature": "" });
@@ -142,13 +140,5 @@ fn uniaxial_class(name: &str) -> &str {
         "MinMax" => "MinMaxMaterial",
         "Fatigue" => "FatigueMaterial",
         other => other,
-    }
-}
-
-fn nd_class(m: &NdMaterial) -> &'static str {
-    match m {
-        NdMaterial::Isotropic(_) => "ElasticIsotropicMaterial",
-        // The base class: what the layer is made of is not kept.
-        NdMaterial::Plate(_) => "NDMaterial",
     }
 }

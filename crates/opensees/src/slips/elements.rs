@@ -64,6 +64,12 @@ slips! {
     "Half of density times volume is at each node.",
     "A mass that is given counts.";
 
+    TETRAHEDRON_VOLUME, Command, Case("plastic_continua"),
+    "`TenNodeTetrahedron`",
+    "Stiffness, mass and body forces are a sixth: the weights of the points are divided by six twice.",
+    "They are those of the volume.",
+    "Displacements would be six times too large.";
+
     GROUND_INERTIA_TWICE, Analysis, Case("timoshenko_plane"),
     "`elasticBeamColumn` with `-mass` in the plane, `ElasticTimoshenkoBeam` with `-mass`: `UniformExcitation`",
     "The inertia force of the ground motion on the mass of the element counts twice.",

@@ -21,7 +21,7 @@ pub use enhanced::{Drilling, EnhancedShell, EnhancedShellOptions};
 pub use updated::UpdatedShell;
 
 /// Degrees of freedom of the largest shell.
-const MAX: usize = super::MAX_DOFS;
+const MAX: usize = 24;
 /// Degrees of freedom of a node.
 const NODE: usize = 6;
 

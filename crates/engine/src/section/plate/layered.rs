@@ -1,86 +1,15 @@
 //! Plates of layers, and the materials of a layer.
 
 use super::{PLATE_ORDER, PlateSection, PlateTangent, SHEAR_FACTOR};
-use crate::material::{Isotropic, Material, MaterialError, Plane, Slot, Strain};
-use std::fmt;
+use crate::material::{LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent};
 use std::sync::Arc;
-
-/// Number of stresses of a layer.
-const STRESSES: usize = 5;
-
-/// Strains or stresses of a layer: 11, 22, 12, 23, 31. The stress 33 is zero.
-type Stresses = [f64; STRESSES];
-
-/// A material without stress across the plate.
-pub trait PlateMaterial: fmt::Debug + Send + Sync {
-    /// Number of state variables.
-    fn state_len(&self) -> usize;
-    /// Writes the virgin state.
-    fn init(&self, state: &mut [f64]);
-    /// Returns true if stresses are proportional to strains for every history.
-    fn is_linear(&self) -> bool;
-    /// Mass per volume.
-    fn density(&self) -> f64;
-
-    /// Stresses and their derivatives by the strains `e`; writes every variable of `next`.
-    ///
-    /// # Errors
-    /// There is no stress at these strains.
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &Stresses,
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError>;
-
-    /// Derivatives of the stresses in the virgin state.
-    fn initial_tangent(&self) -> [Stresses; STRESSES];
-}
-
-/// A material of layers as sections hold it.
-pub type SharedPlateMaterial = Arc<dyn PlateMaterial>;
-
-impl PlateMaterial for Isotropic {
-    fn state_len(&self) -> usize {
-        0
-    }
-    fn init(&self, _: &mut [f64]) {}
-    fn is_linear(&self) -> bool {
-        true
-    }
-    fn density(&self) -> f64 {
-        self.rho
-    }
-
-    fn update(
-        &self,
-        _: &[f64],
-        e: &Stresses,
-        _: f64,
-        _: &mut [f64],
-    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
-        let k = self.initial_tangent();
-        Ok((k.map(|row| row.iter().zip(e).map(|(k, e)| k * e).sum()), k))
-    }
-
-    fn initial_tangent(&self) -> [Stresses; STRESSES] {
-        let plane = self.plane(Plane::Stress);
-        let mut k = [[0.0; STRESSES]; STRESSES];
-        for (k, row) in k.iter_mut().zip(&plane) {
-            k[..3].copy_from_slice(row);
-        }
-        (k[3][3], k[4][4]) = (plane[2][2], plane[2][2]);
-        k
-    }
-}
 
 /// Bars in one direction, smeared over a layer.
 #[derive(Clone, Debug)]
 pub struct PlateRebar {
     bar: Slot,
     /// Derivatives of the strain of the bars by the strains of the layer.
-    direction: Stresses,
+    direction: [f64; LAYER],
 }
 
 impl PlateRebar {
@@ -94,12 +23,12 @@ impl PlateRebar {
         Self { bar: Slot::new(material, tag, 0), direction: [c * c, s * s, c * s, 0.0, 0.0] }
     }
 
-    fn tangent(&self, slope: f64) -> [Stresses; STRESSES] {
+    fn tangent(&self, slope: f64) -> Tangent<LAYER> {
         self.direction.map(|a| self.direction.map(|b| slope * a * b))
     }
 }
 
-impl PlateMaterial for PlateRebar {
+impl Multiaxial<LAYER> for PlateRebar {
     fn state_len(&self) -> usize {
         self.bar.len()
     }
@@ -116,16 +45,16 @@ impl PlateMaterial for PlateRebar {
     fn update(
         &self,
         committed: &[f64],
-        e: &Stresses,
+        e: &[f64; LAYER],
         dt: f64,
         next: &mut [f64],
-    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
+    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
         let value = self.direction.iter().zip(e).map(|(a, e)| a * e).sum();
         let stress = self.bar.update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok((self.direction.map(|a| a * stress.value), self.tangent(stress.tangent)))
     }
 
-    fn initial_tangent(&self) -> [Stresses; STRESSES] {
+    fn initial_tangent(&self) -> Tangent<LAYER> {
         self.tangent(self.bar.material.initial_tangent())
     }
 }
@@ -133,24 +62,22 @@ impl PlateMaterial for PlateRebar {
 /// A membrane with an elastic shear rigidity across the plate.
 #[derive(Clone, Debug)]
 pub struct PlateFromPlaneStress {
-    /// Material of the membrane; its stresses 23 and 31 do not count.
-    pub membrane: SharedPlateMaterial,
+    /// Material of the membrane.
+    pub membrane: SharedMultiaxial<PLANE>,
     /// Shear modulus across the plate.
     pub shear: f64,
 }
 
 impl PlateFromPlaneStress {
-    fn with_shear(&self, mut tangent: [Stresses; STRESSES]) -> [Stresses; STRESSES] {
-        for i in 3..STRESSES {
-            tangent[i] = [0.0; STRESSES];
-            tangent.iter_mut().for_each(|row| row[i] = 0.0);
-            tangent[i][i] = self.shear;
-        }
+    fn with_shear(&self, membrane: &Tangent<PLANE>) -> Tangent<LAYER> {
+        let mut tangent = [[0.0; LAYER]; LAYER];
+        tangent.iter_mut().zip(membrane).for_each(|(out, row)| out[..PLANE].copy_from_slice(row));
+        (tangent[3][3], tangent[4][4]) = (self.shear, self.shear);
         tangent
     }
 }
 
-impl PlateMaterial for PlateFromPlaneStress {
+impl Multiaxial<LAYER> for PlateFromPlaneStress {
     fn state_len(&self) -> usize {
         self.membrane.state_len()
     }
@@ -167,18 +94,16 @@ impl PlateMaterial for PlateFromPlaneStress {
     fn update(
         &self,
         committed: &[f64],
-        e: &Stresses,
+        e: &[f64; LAYER],
         dt: f64,
         next: &mut [f64],
-    ) -> Result<(Stresses, [Stresses; STRESSES]), MaterialError> {
-        let plane = [e[0], e[1], e[2], 0.0, 0.0];
-        let (mut stress, tangent) = self.membrane.update(committed, &plane, dt, next)?;
-        (stress[3], stress[4]) = (self.shear * e[3], self.shear * e[4]);
-        Ok((stress, self.with_shear(tangent)))
+    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
+        let ([s11, s22, s12], tangent) = self.membrane.update(committed, &[e[0], e[1], e[2]], dt, next)?;
+        Ok(([s11, s22, s12, self.shear * e[3], self.shear * e[4]], self.with_shear(&tangent)))
     }
 
-    fn initial_tangent(&self) -> [Stresses; STRESSES] {
-        self.with_shear(self.membrane.initial_tangent())
+    fn initial_tangent(&self) -> Tangent<LAYER> {
+        self.with_shear(&self.membrane.initial_tangent())
     }
 }
 
@@ -186,7 +111,7 @@ impl PlateMaterial for PlateFromPlaneStress {
 #[derive(Clone, Debug)]
 pub struct Layer {
     /// Material.
-    pub material: SharedPlateMaterial,
+    pub material: SharedMultiaxial<LAYER>,
     /// Height of its centre above the middle of the plate.
     pub z: f64,
     /// Thickness.
@@ -203,7 +128,7 @@ pub struct LayeredPlate {
 
 impl LayeredPlate {
     /// Layers from the bottom up by material and thickness. Shear stresses across the plate are uniform.
-    pub fn stacked(layers: impl IntoIterator<Item = (SharedPlateMaterial, f64)>) -> Self {
+    pub fn stacked(layers: impl IntoIterator<Item = (SharedMultiaxial<LAYER>, f64)>) -> Self {
         let mut top = 0.0;
         let mut layers: Vec<Layer> = layers
             .into_iter()
@@ -217,7 +142,7 @@ impl LayeredPlate {
     }
 
     /// One material with five points of Lobatto or of Gauss across the thickness.
-    pub fn uniform(material: &SharedPlateMaterial, thickness: f64, gauss: bool) -> Self {
+    pub fn uniform(material: &SharedMultiaxial<LAYER>, thickness: f64, gauss: bool) -> Self {
         // Abscissae and weights of rules of five points (Abramowitz and Stegun, 1964, tables 25.4 and 25.6).
         let ([x1, x2], [w0, w1, w2]) = if gauss {
             (
@@ -238,7 +163,7 @@ impl LayeredPlate {
 /// Adds a layer to resultants and tangent.
 fn add(
     (layer, root): (&Layer, f64),
-    (stress, tangent): (&Stresses, &[Stresses; STRESSES]),
+    (stress, tangent): (&[f64; LAYER], &Tangent<LAYER>),
     s: &mut [f64; PLATE_ORDER],
     k: &mut PlateTangent,
 ) {
@@ -307,7 +232,7 @@ impl PlateSection for LayeredPlate {
         for layer in &self.layers {
             add(
                 (layer, self.root),
-                (&[0.0; STRESSES], &layer.material.initial_tangent()),
+                (&[0.0; LAYER], &layer.material.initial_tangent()),
                 &mut [0.0; PLATE_ORDER],
                 &mut k,
             );

@@ -10,7 +10,7 @@ use crate::material::MaterialError;
 use std::fmt;
 use std::sync::Arc;
 
-pub use layered::{Layer, LayeredPlate, PlateFromPlaneStress, PlateMaterial, PlateRebar, SharedPlateMaterial};
+pub use layered::{Layer, LayeredPlate, PlateFromPlaneStress, PlateRebar};
 
 /// Number of resultants.
 pub const PLATE_ORDER: usize = 8;

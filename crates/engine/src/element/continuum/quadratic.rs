@@ -1,12 +1,9 @@
-//! Plane elements of linear elasticity whose displacements are quadratic, or enhanced: `quad9n`, `quad8n`, `tri6n`,
+//! Plane elements whose displacements are quadratic, or enhanced: `quad9n`, `quad8n`, `tri6n`,
 //! `enhancedQuad`.
 
-use super::continuum::{add_point_force, strain_or_stress};
 use super::quad::{QuadOptions, SIGNS};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot};
-use crate::material::{Isotropic, Plane};
-use crate::numeric::axpy;
-use crate::probe::Probe;
+use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::material::{PLANE, SharedMultiaxial};
 use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2};
 
 /// Coordinate of the outer points of Gauss' rule of three points.
@@ -118,40 +115,7 @@ fn serendipity(node: [f64; 2], s: f64, t: f64) -> Function {
     (0.25 * p * q * rest, Vector2::new(0.25 * a * q * (rest + p), 0.25 * b * p * (rest + q)))
 }
 
-/// Derivatives of the strains xx, yy and the shear angle by the displacements.
-type Rows = [Vec<f64>; 3];
-
-/// An element of plane elasticity with constant matrices. Pressure and body forces act from the start, independent of load
-/// patterns.
-#[derive(Clone, Debug)]
-pub struct PlaneElastic {
-    class: &'static str,
-    dofs: usize,
-    stiffness: Vec<f64>,
-    load_force: Vec<f64>,
-    mass: Mass,
-    elasticity: [[f64; 3]; 3],
-    points: Vec<(Rows, f64)>,
-    /// Shares of the points in the stresses at each node; empty where they are not reported.
-    extrapolation: Vec<Vec<f64>>,
-}
-
-impl PlaneElastic {
-    fn of(class: &'static str, dofs: usize, elasticity: [[f64; 3]; 3], points: Vec<(Rows, f64)>) -> Self {
-        let mut stiffness = vec![0.0; dofs * dofs];
-        for (rows, volume) in &points {
-            for (a, d) in rows.iter().zip(&elasticity) {
-                for (b, d) in rows.iter().zip(d) {
-                    for (i, a) in a.iter().enumerate() {
-                        axpy(volume * d * a, b, &mut stiffness[dofs * i..dofs * (i + 1)]);
-                    }
-                }
-            }
-        }
-        let load_force = vec![0.0; dofs];
-        Self { class, dofs, stiffness, load_force, mass: Mass::None, elasticity, points, extrapolation: vec![] }
-    }
-
+impl<const D: usize> Continuum<PLANE, D> {
     /// Makes an element with quadratic displacements of its nodes, with lumped mass.
     ///
     /// # Errors
@@ -159,12 +123,11 @@ impl PlaneElastic {
     pub fn quadratic(
         shape: QuadraticShape,
         nodes: &[[f64; 2]],
-        (material, plane): (&Isotropic, Plane),
+        law: &SharedMultiaxial<PLANE>,
         options: &QuadOptions,
     ) -> Result<Self, ElementError> {
-        let dofs = 2 * nodes.len();
-        let rho = if options.rho == 0.0 { material.rho } else { options.rho };
-        let (mut points, mut load, mut mass) = (vec![], vec![0.0; dofs], vec![0.0; dofs]);
+        let rho = options.density(law);
+        let (mut points, mut load, mut mass) = (vec![], [0.0; D], [0.0; D]);
         for ([s, t], weight) in shape.points() {
             let functions = shape.functions(s, t);
             let (det, gradients) = gradients(nodes, &functions);
@@ -178,7 +141,7 @@ impl PlaneElastic {
                     mass[2 * node + d] += volume * n * rho;
                 }
             }
-            points.push((strain_rows(&gradients), volume));
+            points.push((plane_rows(gradients.iter().map(|g| [g.x, g.y])), volume));
         }
         for i in 0..shape.corners() {
             let (j, middle) = ((i + 1) % shape.corners(), shape.corners() + i);
@@ -198,15 +161,20 @@ impl PlaneElastic {
             QuadraticShape::Serendipity => "EightNodeQuad",
             QuadraticShape::Lagrange => "NineNodeQuad",
         };
-        let mut made = Self::of(class, dofs, material.plane(plane), points);
-        made.load_force = load;
-        if rho != 0.0 {
-            made.mass = Mass::Lumped(mass);
-        }
-        made.extrapolation = (0..nodes.len()).map(|i| shape.extrapolation(i)).collect();
-        Ok(made)
+        let body = Body {
+            class,
+            points,
+            stabilisation: vec![],
+            load_force: load,
+            mass: lumped(&mass),
+            size: least_distance(nodes),
+            extrapolation: (0..nodes.len()).map(|i| shape.extrapolation(i)).collect(),
+        };
+        Ok(Self::of(body, law))
     }
+}
 
+impl Continuum<PLANE, 8> {
     /// Makes a bilinear element with four enhanced strains (Simo and Rifai, 1990, International Journal for Numerical
     /// Methods in Engineering 29, 1595-1638) and consistent mass.
     ///
@@ -214,7 +182,7 @@ impl PlaneElastic {
     /// The corners are not counterclockwise or not convex.
     pub fn enhanced(
         corners: &[[f64; 2]; 4],
-        (material, plane): (&Isotropic, Plane),
+        law: &SharedMultiaxial<PLANE>,
         thickness: f64,
     ) -> Result<Self, ElementError> {
         let bilinear = |[s, t]: [f64; 2]| -> Vec<Function> {
@@ -224,7 +192,12 @@ impl PlaneElastic {
             };
             SIGNS.into_iter().map(of).collect()
         };
-        let elasticity = material.plane(plane);
+        if !(law.is_linear() && law.state_len() == 0) {
+            return Err(ElementError(
+                "the enhanced strains follow the displacements in linear elasticity alone".into(),
+            ));
+        }
+        let (elasticity, rho) = (law.initial_tangent(), law.density());
         let d = SMatrix::<f64, 3, 3>::from_fn(|i, j| elasticity[i][j]);
         let centre = jacobian(corners, &bilinear([0.0; 2]));
         let inverse = centre.try_inverse().unwrap_or_default();
@@ -237,18 +210,18 @@ impl PlaneElastic {
                 return Err(ElementError("the corners do not make a convex quadrilateral against the clock".into()));
             }
             let volume = det * thickness;
-            let rows = strain_rows(&gradients);
+            let rows: Rows<PLANE, 8> = plane_rows(gradients.iter().map(|g| [g.x, g.y]));
             let b = SMatrix::<f64, 3, 8>::from_fn(|i, j| rows[i][j]);
             // Gradients of the modes: rows of the inverse Jacobian at the centre.
             let modes: Vec<Vector2<f64>> = (0..2).map(|m| inverse.row(m).transpose() * (at[m] / det)).collect();
-            let rows = strain_rows(&modes);
+            let rows: Rows<PLANE, 4> = plane_rows(modes.iter().map(|g| [g.x, g.y]));
             let e = SMatrix::<f64, 3, 4>::from_fn(|i, j| rows[i][j]);
             internal += e.transpose() * d * e * volume;
             by_nodes += e.transpose() * d * b * volume;
             for (i, (a, _)) in functions.iter().enumerate() {
                 for (j, (b, _)) in functions.iter().enumerate() {
                     for d in 0..2 {
-                        mass[(2 * i + d) * 8 + 2 * j + d] += volume * material.rho * a * b;
+                        mass[(2 * i + d) * 8 + 2 * j + d] += volume * rho * a * b;
                     }
                 }
             }
@@ -262,13 +235,18 @@ impl PlaneElastic {
         let follow = inverse * by_nodes;
         let points = plain.into_iter().zip(enhanced).map(|((b, volume), e)| {
             let rows = b - e * follow;
-            (std::array::from_fn(|i| rows.row(i).iter().copied().collect()), volume)
+            (std::array::from_fn(|i| std::array::from_fn(|j| rows[(i, j)])), volume)
         });
-        let mut made = Self::of("EnhancedQuad", 8, elasticity, points.collect());
-        if material.rho != 0.0 {
-            made.mass = Mass::Consistent(mass);
-        }
-        Ok(made)
+        let body = Body {
+            class: "EnhancedQuad",
+            points: points.collect(),
+            stabilisation: vec![],
+            load_force: [0.0; 8],
+            mass: if rho == 0.0 { Mass::None } else { Mass::Consistent(mass) },
+            size: least_distance(corners),
+            extrapolation: vec![],
+        };
+        Ok(Self::of(body, law))
     }
 }
 
@@ -282,107 +260,4 @@ fn gradients(nodes: &[[f64; 2]], functions: &[Function]) -> (f64, Vec<Vector2<f6
     let j = jacobian(nodes, functions);
     let to_global = j.try_inverse().unwrap_or_default().transpose();
     (j.determinant(), functions.iter().map(|(_, d)| to_global * d).collect())
-}
-
-fn strain_rows(gradients: &[Vector2<f64>]) -> Rows {
-    let row = |f: fn(&Vector2<f64>) -> [f64; 2]| gradients.iter().flat_map(f).collect();
-    [row(|g| [g.x, 0.0]), row(|g| [0.0, g.y]), row(|g| [g.y, g.x])]
-}
-
-const STRESSES: u32 = 3;
-const STRAINS: u32 = 4;
-const AT_NODES: u32 = 11;
-/// First response of a single point: stresses and then strains.
-const SINGLE_POINT: u32 = 20;
-const STRESS_NAMES: [&str; 3] = ["sigma11", "sigma22", "sigma12"];
-
-impl Element for PlaneElastic {
-    fn class(&self) -> &'static str {
-        self.class
-    }
-    fn dofs(&self) -> usize {
-        self.dofs
-    }
-    fn state_len(&self) -> usize {
-        0
-    }
-    fn init(&self, _: &mut [f64]) {}
-    fn traits(&self) -> ElementTraits {
-        ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
-    }
-
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        _: &[f64],
-        _: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        output.force.copy_from_slice(&self.load_force);
-        for (rows, volume) in &self.points {
-            add_point_force(rows, &self.elasticity, *volume, m.disp, output.force);
-        }
-        if let Some(k) = output.tangent {
-            axpy(1.0, &self.stiffness, k);
-        }
-        Ok(())
-    }
-
-    fn initial_tangent(&self, tangent: &mut [f64]) {
-        axpy(1.0, &self.stiffness, tangent);
-    }
-    fn mass(&self) -> Mass {
-        self.mass.clone()
-    }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
-    }
-
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let count = self.points.len();
-        let all = |count: usize, names: [&'static str; 3]| (0..count).flat_map(move |_| names);
-        Some(match words {
-            ["stress" | "stresses", ..] => Probe::new(STRESSES, all(count, STRESS_NAMES)),
-            ["strain" | "strains", ..] => Probe::new(STRAINS, all(count, ["eta11", "eta22", "eta12"])),
-            ["stressAtNodes" | "stressesAtNodes", ..] if !self.extrapolation.is_empty() => {
-                Probe::new(AT_NODES, all(self.extrapolation.len(), STRESS_NAMES))
-            }
-            ["material" | "integrPoint", point, what, ..] => {
-                let point = point.parse::<u32>().ok().filter(|p| (1..=count as u32).contains(p))? - 1;
-                match *what {
-                    "stress" | "stresses" => Probe::new(SINGLE_POINT + 2 * point, STRESS_NAMES),
-                    "strain" | "strains" => Probe::new(SINGLE_POINT + 2 * point + 1, ["eps11", "eps22", "eps12"]),
-                    _ => return None,
-                }
-            }
-            _ => return None,
-        })
-    }
-
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["stresses", "strains", "stressesAtNodes", "material"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs / 2).flat_map(|node| [1, 2].map(|i| format!("P{i}_{node}"))).collect()
-    }
-
-    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let at = |point: usize, stress: bool| strain_or_stress(&self.points[point].0, &self.elasticity, stress, s.disp);
-        match path[0] {
-            kind @ (STRESSES | STRAINS) => {
-                let points = out.chunks_exact_mut(3).enumerate();
-                points.for_each(|(point, out)| out.copy_from_slice(&at(point, kind == STRESSES)));
-            }
-            AT_NODES => {
-                for (shares, out) in self.extrapolation.iter().zip(out.chunks_exact_mut(3)) {
-                    out.fill(0.0);
-                    shares.iter().enumerate().for_each(|(point, share)| axpy(*share, &at(point, true), out));
-                }
-            }
-            kind => {
-                out.copy_from_slice(&at(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2)))
-            }
-        }
-    }
 }

@@ -1,11 +1,10 @@
-//! Multiple-vertical-line element of walls: `MVLEM`.
+//! Multiple-vertical-line elements of walls: `MVLEM` and `MVLEM_3D`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use super::{WallShape, add_stiffness, force_labels};
+use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-
-const DOFS: usize = 6;
 
 /// One vertical strip of a wall: two materials with one strain.
 #[derive(Clone, Debug)]
@@ -24,49 +23,48 @@ pub struct WallFibre {
 
 /// A material of a row of the element: its strain is `row` times the displacements, its force `weight` times the stress.
 #[derive(Clone, Debug)]
-struct Line {
+struct Line<const D: usize> {
     slot: Slot,
-    row: [f64; DOFS],
+    row: [f64; D],
     weight: f64,
 }
 
 /// Vertical uniaxial fibres between two rigid beams, and a spring for the shear at a height `c h` (Vulcano, Bertero and
 /// Colotti, 1988; Orakcal, Wallace and Conte, 2004). Node i is below node j.
 #[derive(Clone, Debug)]
-pub struct WallLines {
+pub struct WallLines<const D: usize> {
+    class: &'static str,
     /// Concrete of each fibre, steel of each fibre, and the shear spring.
-    lines: Vec<Line>,
+    lines: Vec<Line<D>>,
     fibres: usize,
     state_len: usize,
-    /// Mass at each node.
-    mass: f64,
+    shape: WallShape<D>,
 }
 
-impl WallLines {
-    /// Makes a wall of the height `height` with fibres from the left to the right. `shear` relates the shear force to
-    /// the shear deformation, at `centre` times the height. `density` is a mass per volume.
-    pub fn new(fibres: Vec<WallFibre>, shear: (Material, i32), height: f64, centre: f64, density: f64) -> Self {
-        let length: f64 = fibres.iter().map(|f| f.width).sum();
-        let area: f64 = fibres.iter().map(|f| f.width * f.thickness).sum();
-        let mut made = Self { lines: vec![], fibres: fibres.len(), state_len: 0, mass: 0.5 * density * area * height };
-        let mut left = -0.5 * length;
+impl<const D: usize> WallLines<D> {
+    /// Makes a wall with fibres from the left to the right. `shear` relates the shear force to the shear deformation at the
+    /// centre of rotation.
+    pub fn new(class: &'static str, fibres: Vec<WallFibre>, shear: (Material, i32), shape: WallShape<D>) -> Self {
+        let count = fibres.len();
+        let mut left = -0.5 * fibres.iter().map(|f| f.width).sum::<f64>();
         let (mut concrete, mut steel) = (vec![], vec![]);
         for f in fibres {
             let x = left + 0.5 * f.width;
             left += f.width;
-            let row = [0.0, -1.0, -x, 0.0, 1.0, x].map(|r| r / height);
+            let row = shape.vertical_strain(x);
             let gross = f.width * f.thickness;
             let bars = gross * f.ratio;
-            concrete.push((f.concrete, row, (gross - bars) * height));
-            steel.push((f.steel, row, bars * height));
+            concrete.push((f.concrete, row, (gross - bars) * shape.height));
+            steel.push((f.steel, row, bars * shape.height));
         }
-        let shear_row = [1.0, 0.0, -centre * height, -1.0, 0.0, -(1.0 - centre) * height];
-        for ((material, tag), row, weight) in concrete.into_iter().chain(steel).chain([(shear, shear_row, 1.0)]) {
-            let slot = Slot::new(material, tag, made.state_len);
-            made.state_len += slot.len();
-            made.lines.push(Line { slot, row, weight });
+        let shear = (shear, shape.shear(), 1.0);
+        let (mut lines, mut state_len) = (vec![], 0);
+        for ((material, tag), row, weight) in concrete.into_iter().chain(steel).chain([shear]) {
+            let slot = Slot::new(material, tag, state_len);
+            state_len += slot.len();
+            lines.push(Line { slot, row, weight });
         }
-        made
+        Self { class, lines, fibres: count, state_len, shape }
     }
 
     fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
@@ -74,19 +72,12 @@ impl WallLines {
     }
 }
 
-/// Adds `stiffness row^T row` to a matrix.
-fn add_stiffness(matrix: &mut [f64], row: &[f64; DOFS], stiffness: f64) {
-    for (out, r) in matrix.chunks_exact_mut(DOFS).zip(row) {
-        axpy(stiffness * r, row, out);
-    }
-}
-
-impl Element for WallLines {
+impl<const D: usize> Element for WallLines<D> {
     fn class(&self) -> &'static str {
-        "MVLEM"
+        self.class
     }
     fn dofs(&self) -> usize {
-        DOFS
+        D
     }
     fn state_len(&self) -> usize {
         self.state_len
@@ -116,6 +107,12 @@ impl Element for WallLines {
                 add_stiffness(c, &line.row, line.weight * stress.damping);
             }
         }
+        for (force, row) in output.force.iter_mut().zip(self.shape.stiffness.chunks_exact(D)) {
+            *force += dot(row, motion.disp);
+        }
+        if let Some(k) = output.tangent.filter(|_| !self.shape.stiffness.is_empty()) {
+            axpy(1.0, &self.shape.stiffness, k);
+        }
         Ok(())
     }
 
@@ -123,13 +120,13 @@ impl Element for WallLines {
         for line in &self.lines {
             add_stiffness(tangent, &line.row, line.weight * line.slot.material.initial_tangent());
         }
+        if !self.shape.stiffness.is_empty() {
+            axpy(1.0, &self.shape.stiffness, tangent);
+        }
     }
 
     fn mass(&self) -> Mass {
-        if self.mass == 0.0 {
-            return Mass::None;
-        }
-        Mass::Lumped(vec![self.mass, self.mass, 0.0, self.mass, self.mass, 0.0])
+        self.shape.mass.clone()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -148,17 +145,18 @@ impl Element for WallLines {
         &["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"]
     }
 
+    fn force_labels(&self) -> Vec<String> {
+        force_labels(D)
+    }
+
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let n = self.fibres;
-        let strain = |line: &Line| dot(&line.row, s.disp);
-        let stresses = |lines: &[Line], out: &mut [f64]| {
+        let strain = |line: &Line<D>| dot(&line.row, s.disp);
+        let stresses = |lines: &[Line<D>], out: &mut [f64]| {
             lines.iter().zip(out).for_each(|(l, out)| *out = l.slot.stress(s.state));
         };
         match path[0] {
-            CURVATURE => {
-                // The coefficient of the vertical displacement of j is the inverse height.
-                out[0] = (s.disp[5] - s.disp[2]) * self.lines[0].row[4];
-            }
+            CURVATURE => out[0] = dot(&self.shape.curvature(), s.disp),
             STRAIN => self.lines[..n].iter().zip(out).for_each(|(l, out)| *out = strain(l)),
             CONCRETE => stresses(&self.lines[..n], out),
             STEEL => stresses(&self.lines[n..2 * n], out),

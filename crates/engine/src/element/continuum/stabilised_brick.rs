@@ -1,30 +1,9 @@
 //! The eight-node brick with one point of integration and stabilised hourglass modes: `SSPbrick`.
 
-use super::brick::{
-    DOFS, NODES, Rows, SIGNS, STRAIN_NAMES, STRESS_NAMES, STRESSES, elasticity, gauss_points, mean_derivatives,
-    strain_rows,
-};
-use super::continuum::{add_point_force, strain_or_stress};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use crate::material::Isotropic;
-use crate::numeric::axpy;
-use crate::probe::Probe;
+use super::brick::{DOFS, NODES, SIGNS, gauss_points, mean_derivatives, strain_rows};
+use super::{Body, Continuum, ElementError, Mass, least_distance};
+use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, SMatrix, Vector3};
-
-/// A brick of elasticity with one point and a physical stabilisation of its twelve hourglass modes: their stiffness is
-/// integrated in closed form, and nine enhanced strains free them from locking (McGann, Arduino and
-/// Mackenzie-Helnwein, 2015; Puso, 2000). Body forces act from the start, independent of load patterns.
-#[derive(Clone, Debug)]
-pub struct StabilisedBrick {
-    stiffness: Vec<f64>,
-    /// Stiffness against hourglass modes.
-    stabilisation: Vec<f64>,
-    load_force: [f64; DOFS],
-    mass: Mass,
-    elasticity: [[f64; STRESSES]; STRESSES],
-    rows: Rows,
-    volume: f64,
-}
 
 /// Powers of the natural coordinates.
 type Powers = [usize; 3];
@@ -162,13 +141,19 @@ impl Integration {
     }
 }
 
-impl StabilisedBrick {
-    /// Makes a brick of its corners, the first four against the clock seen from the other four; `body` is the force
-    /// per volume along the axes.
+impl Continuum<SOLID, DOFS> {
+    /// Makes a brick with one point and a physical stabilisation of its twelve hourglass modes. Their stiffness is integrated
+    /// in closed form, and nine enhanced strains free them from locking (McGann, Arduino and Mackenzie-Helnwein, 2015; Puso,
+    /// 2000). The first four corners go against the clock, seen from the other four; `body` is the force per volume along
+    /// the axes.
     ///
     /// # Errors
     /// The corners do not make a brick of positive volume.
-    pub fn new(corners: &[Vector3<f64>; NODES], material: &Isotropic, body: [f64; 3]) -> Result<Self, ElementError> {
+    pub fn stabilised_brick(
+        corners: &[Vector3<f64>; NODES],
+        law: &SharedMultiaxial<SOLID>,
+        body: [f64; 3],
+    ) -> Result<Self, ElementError> {
         let wrong = || ElementError("the corners do not make a brick of positive volume".into());
         let sum = |values: [f64; NODES]| -> Vector3<f64> { corners.iter().zip(values).map(|(x, v)| v * x).sum() };
         let axis = |a: usize| sum(SIGNS.map(|s| 0.125 * s[a]));
@@ -181,7 +166,7 @@ impl StabilisedBrick {
             return Err(wrong());
         }
         let mean = mean_derivatives(&gauss);
-        let elasticity = elasticity(material);
+        let elasticity = law.initial_tangent();
         let integration = Integration {
             determinant: determinant([e1, e2, e3, modes[1], modes[2], modes[0], modes[3]]),
             inverse,
@@ -197,90 +182,15 @@ impl StabilisedBrick {
             }
         }
         let stabilisation = (projection.transpose() * hourglass * projection).as_slice().to_vec();
-        let rows = strain_rows(&mean);
-        let mut stiffness = stabilisation.clone();
-        for (a, d) in rows.iter().zip(&elasticity) {
-            for (b, d) in rows.iter().zip(d).filter(|(_, d)| **d != 0.0) {
-                for (i, a) in a.iter().enumerate() {
-                    axpy(volume * d * a, b, &mut stiffness[DOFS * i..DOFS * (i + 1)]);
-                }
-            }
-        }
         let share = |dof: usize| -> f64 { gauss.iter().map(|(n, _, v)| v * n[dof / 3]).sum() };
         let load_force = std::array::from_fn(|dof| -share(dof) * body[dof % 3]);
-        let mass = match material.rho {
+        let mass = match law.density() {
             0.0 => Mass::None,
             rho => Mass::Lumped((0..DOFS).map(|dof| rho * share(dof)).collect()),
         };
-        Ok(Self { stiffness, stabilisation, load_force, mass, elasticity, rows, volume })
-    }
-}
-
-const STRESS: u32 = 3;
-const STRAIN: u32 = 4;
-
-impl Element for StabilisedBrick {
-    fn class(&self) -> &'static str {
-        "SSPbrick"
-    }
-    fn dofs(&self) -> usize {
-        DOFS
-    }
-    fn state_len(&self) -> usize {
-        0
-    }
-    fn init(&self, _: &mut [f64]) {}
-    fn traits(&self) -> ElementTraits {
-        ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
-    }
-
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        _: &[f64],
-        _: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        output.force.copy_from_slice(&self.load_force);
-        add_point_force(&self.rows, &self.elasticity, self.volume, m.disp, output.force);
-        for (force, row) in output.force.iter_mut().zip(self.stabilisation.chunks_exact(DOFS)) {
-            *force += dot(row, m.disp);
-        }
-        if let Some(k) = output.tangent {
-            axpy(1.0, &self.stiffness, k);
-        }
-        Ok(())
-    }
-
-    fn initial_tangent(&self, tangent: &mut [f64]) {
-        axpy(1.0, &self.stiffness, tangent);
-    }
-
-    fn mass(&self) -> Mass {
-        self.mass.clone()
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
-    }
-
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match *words.first()? {
-            "stress" | "stresses" => Some(Probe::new(STRESS, STRESS_NAMES)),
-            "strain" | "strains" => Some(Probe::new(STRAIN, STRAIN_NAMES)),
-            _ => None,
-        }
-    }
-
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["stress", "strain"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=NODES).flat_map(|node| [1, 2, 3].map(|i| format!("P{i}_{node}"))).collect()
-    }
-
-    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        out.copy_from_slice(&strain_or_stress(&self.rows, &self.elasticity, path[0] == STRESS, s.disp));
+        let points = vec![(strain_rows(&mean), volume)];
+        let size = least_distance(&corners.map(|x| [x.x, x.y, x.z]));
+        let body = Body { class: "SSPbrick", points, stabilisation, load_force, mass, size, extrapolation: vec![] };
+        Ok(Self::of(body, law))
     }
 }

@@ -1,0 +1,106 @@
+//! Laws of more than one stress, as pure functions of the committed state and the trial strains.
+//!
+//! Strains of a law of N stresses stand in the order of its form: 11, 22, 33, 12, 23, 31 in space; 11, 22, 12 in a plane;
+//! 11, 22, 12, 23, 31 in a layer of a plate. Shears are angles.
+
+mod asd_concrete;
+mod condensed;
+mod family;
+mod fsam;
+mod isotropic;
+mod j2;
+mod simplified_j2;
+mod wall_strip;
+mod wrapped;
+
+use super::MaterialError;
+use crate::probe::Probe;
+use std::fmt;
+use std::sync::Arc;
+
+pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
+pub use condensed::Condensed;
+pub use family::NdMaterial;
+pub use fsam::{Fsam, FsamParameters};
+pub use isotropic::{Elastic, Isotropic, Orthotropic, Plane};
+pub use j2::J2Plasticity;
+pub use simplified_j2::SimplifiedJ2;
+pub use wall_strip::WallStrip;
+pub use wrapped::{InitialStrain, ParallelSolids};
+
+/// Number of stresses in space.
+pub const SOLID: usize = 6;
+/// Number of stresses in a plane.
+pub const PLANE: usize = 3;
+/// Number of stresses in a layer of a plate. The stress 33 is zero.
+pub const LAYER: usize = 5;
+
+/// Number of stresses in a vertical strip of a wall: 22, 12.
+pub const STRIP: usize = 2;
+
+/// Derivatives of the stresses by the strains, row by row.
+pub type Tangent<const N: usize> = [[f64; N]; N];
+
+/// A law of N stresses.
+pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
+    /// Number of state variables.
+    fn state_len(&self) -> usize;
+    /// Writes the virgin state.
+    fn init(&self, state: &mut [f64]);
+    /// Returns true if stresses are proportional to strains for every history.
+    fn is_linear(&self) -> bool;
+    /// Returns true if every tangent is symmetric.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+    /// Returns true if the stresses depend on the elapsed time.
+    fn depends_on_time(&self) -> bool {
+        false
+    }
+    /// Mass per volume.
+    fn density(&self) -> f64;
+    /// Area of the bars along axis 1 as a share of the whole.
+    fn reinforcement(&self) -> f64 {
+        0.0
+    }
+
+    /// Stresses and their derivatives by the strains `e`; writes every variable of `next`. `dt` is the domain time since
+    /// the committed state.
+    ///
+    /// # Errors
+    /// There is no stress at these strains.
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &[f64; N],
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<([f64; N], Tangent<N>), MaterialError>;
+
+    /// Derivatives of the stresses in the virgin state.
+    fn initial_tangent(&self) -> Tangent<N>;
+
+    /// Stress that records show for the state `next` after a step with the stress `stress`.
+    fn shown_stress(&self, _next: &[f64], stress: [f64; N]) -> [f64; N] {
+        stress
+    }
+    /// The law for an element of a size, if it depends on the size.
+    fn of_length(&self, _length: f64) -> Option<SharedMultiaxial<N>> {
+        None
+    }
+
+    /// Response specific to this law, by the words of a recorder command.
+    fn probe(&self, _words: &[&str]) -> Option<Probe> {
+        None
+    }
+    /// Value of a probe from the state.
+    fn read(&self, _path: &[u32], _state: &[f64], _out: &mut [f64]) {}
+}
+
+/// A law as elements and sections hold it: the parameters are shared, the state is stored by the owner.
+pub type SharedMultiaxial<const N: usize> = Arc<dyn Multiaxial<N>>;
+
+/// Stresses of a linear law.
+pub(crate) fn linear<const N: usize>(tangent: &Tangent<N>, e: &[f64; N]) -> [f64; N] {
+    tangent.each_ref().map(|row| row.iter().zip(e).map(|(k, e)| k * e).sum())
+}

@@ -1,0 +1,126 @@
+//! Laws in space around others: an initial strain, and a weighted sum.
+
+use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent};
+use crate::material::MaterialError;
+use crate::numeric::axpy;
+use crate::probe::Probe;
+use std::sync::Arc;
+
+/// A law with strains added to those of its owner.
+#[derive(Clone, Debug)]
+pub struct InitialStrain {
+    /// The law.
+    pub law: SharedMultiaxial<SOLID>,
+    /// Strains at rest.
+    pub strain: [f64; SOLID],
+}
+
+impl Multiaxial<SOLID> for InitialStrain {
+    fn state_len(&self) -> usize {
+        self.law.state_len()
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.law.init(state);
+    }
+    fn is_linear(&self) -> bool {
+        false
+    }
+    fn is_symmetric(&self) -> bool {
+        self.law.is_symmetric()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.law.depends_on_time()
+    }
+    fn density(&self) -> f64 {
+        self.law.density()
+    }
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &[f64; SOLID],
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+        self.law.update(committed, &std::array::from_fn(|i| e[i] + self.strain[i]), dt, next)
+    }
+    fn initial_tangent(&self) -> Tangent<SOLID> {
+        self.law.initial_tangent()
+    }
+    fn shown_stress(&self, next: &[f64], stress: [f64; SOLID]) -> [f64; SOLID] {
+        self.law.shown_stress(next, stress)
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
+        Some(Arc::new(Self { law: self.law.of_length(length)?, ..self.clone() }))
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.law.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.law.read(path, state, out);
+    }
+}
+
+/// Laws with one strain, whose stresses add up with weights.
+#[derive(Clone, Debug)]
+pub struct ParallelSolids {
+    /// The laws with their weights.
+    pub laws: Vec<(SharedMultiaxial<SOLID>, f64)>,
+}
+
+impl Multiaxial<SOLID> for ParallelSolids {
+    fn state_len(&self) -> usize {
+        self.laws.iter().map(|(law, _)| law.state_len()).sum()
+    }
+    fn init(&self, mut state: &mut [f64]) {
+        for (law, _) in &self.laws {
+            let (own, rest) = state.split_at_mut(law.state_len());
+            law.init(own);
+            state = rest;
+        }
+    }
+    fn is_linear(&self) -> bool {
+        self.laws.iter().all(|(law, _)| law.is_linear())
+    }
+    fn is_symmetric(&self) -> bool {
+        self.laws.iter().all(|(law, _)| law.is_symmetric())
+    }
+    fn depends_on_time(&self) -> bool {
+        self.laws.iter().any(|(law, _)| law.depends_on_time())
+    }
+    fn density(&self) -> f64 {
+        self.laws.iter().map(|(law, weight)| weight * law.density()).sum()
+    }
+    fn update(
+        &self,
+        mut committed: &[f64],
+        e: &[f64; SOLID],
+        dt: f64,
+        mut next: &mut [f64],
+    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+        let (mut stress, mut tangent) = ([0.0; SOLID], [[0.0; SOLID]; SOLID]);
+        for (law, weight) in &self.laws {
+            let (own, rest) = committed.split_at(law.state_len());
+            let (trial, after) = next.split_at_mut(law.state_len());
+            let (s, k) = law.update(own, e, dt, trial)?;
+            axpy(*weight, &s, &mut stress);
+            tangent.iter_mut().zip(&k).for_each(|(out, row)| axpy(*weight, row, out));
+            (committed, next) = (rest, after);
+        }
+        Ok((stress, tangent))
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
+        let scaled: Vec<_> = self.laws.iter().map(|(law, weight)| (law.of_length(length), law, *weight)).collect();
+        scaled.iter().any(|(scaled, ..)| scaled.is_some()).then(|| {
+            let laws =
+                scaled.into_iter().map(|(scaled, law, weight)| (scaled.unwrap_or_else(|| Arc::clone(law)), weight));
+            Arc::new(Self { laws: laws.collect() }) as _
+        })
+    }
+    fn initial_tangent(&self) -> Tangent<SOLID> {
+        let mut tangent = [[0.0; SOLID]; SOLID];
+        for (law, weight) in &self.laws {
+            tangent.iter_mut().zip(&law.initial_tangent()).for_each(|(out, row)| axpy(*weight, row, out));
+        }
+        tangent
+    }
+}

@@ -1,0 +1,111 @@
+//! `nDMaterial ASDConcrete3D`.
+
+use crate::args::Args;
+use crate::{Tcl, ignore_option};
+use hysteron_engine::material::{AsdConcrete, Extrapolation, HardeningCurve, NdMaterial};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const USAGE: &str = "nDMaterial ASDConcrete3D $tag $E $nu -Te $strains -Ts $stresses <-Td $damages> -Ce $strains \
+    -Cs $stresses <-Cd $damages> <-rho $rho> <-Kc $Kc> <-eta $eta> <-cdf $share> <-implex> <-implexControl $tolerance $limit> \
+    <-implexAlpha $alpha> <-tangent> <-autoRegularization $length>";
+
+const OPTIONS: &[&str] = &[
+    "-Te",
+    "-Ts",
+    "-Td",
+    "-Ce",
+    "-Cs",
+    "-Cd",
+    "-rho",
+    "-Kc",
+    "-eta",
+    "-cdf",
+    "-implex",
+    "-implexControl",
+    "-implexAlpha",
+    "-tangent",
+    "-autoRegularization",
+];
+/// Shape of the surface of failure that OpenSees assumes.
+const KC: f64 = 2.0 / 3.0;
+
+/// Strains, stresses and damages of a curve.
+#[derive(Default)]
+struct Lists([Vec<f64>; 3]);
+
+impl Lists {
+    fn curve(mut self, a: &Args<'_>, e: f64, sign: &str) -> Result<HardeningCurve, Exception> {
+        let [strains, stresses, damages] = &mut self.0;
+        if strains.len() < 2 || strains.len() != stresses.len() {
+            let message = format!("-{sign}e has {} strains, -{sign}s has {} stresses", strains.len(), stresses.len());
+            return Err(a.refuse(message, "expected 2 or more, as many of each"));
+        }
+        if damages.is_empty() {
+            damages.resize(strains.len(), 0.0);
+        }
+        if damages.len() != strains.len() {
+            let message = format!("-{sign}d has {} damages", damages.len());
+            return Err(a.refuse(message, format!("expected {}, as many as strains", strains.len())));
+        }
+        let made = HardeningCurve::new(e, strains, stresses, damages);
+        made.ok_or_else(|| a.refuse(format!("the curve of -{sign}e and -{sign}s is zero"), "expected stresses"))
+    }
+}
+
+pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let e = a.positive("modulus of elasticity E")?;
+    let nu = a.float("Poisson's ratio nu")?;
+    if !(nu > -1.0 && nu < 0.5) {
+        return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, less than 0.5"));
+    }
+    let (mut tension, mut compression) = (Lists::default(), Lists::default());
+    let (mut rho, mut kc, mut eta, mut cross_damage) = (0.0, KC, 0.0, 0.0);
+    let (mut implex, mut factor, mut control, mut tangent, mut reference_length) = (false, 1.0, None, false, None);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-Te" => tension.0[0] = a.floats("strain in tension")?,
+            "-Ts" => tension.0[1] = a.floats("stress in tension")?,
+            "-Td" => tension.0[2] = a.floats("damage in tension")?,
+            "-Ce" => compression.0[0] = a.floats("strain in compression")?,
+            "-Cs" => compression.0[1] = a.floats("stress in compression")?,
+            "-Cd" => compression.0[2] = a.floats("damage in compression")?,
+            "-rho" => rho = a.not_negative("mass per volume rho")?,
+            "-Kc" => kc = shape(a)?,
+            "-eta" => eta = a.not_negative("viscosity eta")?,
+            "-cdf" => cross_damage = a.not_negative("share of damage in tension that counts in compression")?,
+            "-implex" => implex = true,
+            "-implexControl" => {
+                control = Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
+            }
+            "-implexAlpha" => factor = a.not_negative("factor of the extrapolation")?,
+            "-tangent" => tangent = true,
+            "-autoRegularization" => reference_length = Some(a.positive("length for which the curves hold")?),
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    let law = AsdConcrete {
+        e,
+        nu,
+        rho,
+        eta,
+        kc,
+        cross_damage,
+        tension: tension.curve(a, e, "T")?,
+        compression: compression.curve(a, e, "C")?,
+        extrapolation: implex.then_some(Extrapolation { factor, control }),
+        tangent,
+        reference_length,
+    };
+    let made = NdMaterial::of_solid("ASDConcrete3DMaterial", Arc::new(law));
+    // Layers do not know the size of their element.
+    Ok(NdMaterial { layer: made.layer.filter(|_| reference_length.is_none()), ..made })
+}
+
+fn shape(a: &mut Args<'_>) -> Result<f64, Exception> {
+    let kc = a.float("shape Kc of the surface of failure")?;
+    if !(KC..=1.0).contains(&kc) {
+        return Err(a.refuse(format!("Kc is {kc}"), "expected from 2/3 to 1"));
+    }
+    Ok(kc)
+}

@@ -1,0 +1,199 @@
+# Plastic and cracking laws in elements of continua, tetrahedra, and walls of panels.
+# Units: kN, m in continua; N, mm in walls.
+
+# Four seconds of a path, by steps of 0.05.
+proc push {name responses {tolerance 1e-9}} {
+    constraints Penalty 1e12 1e12
+    numberer RCM
+    system UmfPack
+    test NormUnbalance $tolerance 300
+    algorithm Newton
+    integrator LoadControl 0.05
+    analysis Static
+    set out [open $name.out w]
+    for {set i 1} {$i <= 80} {incr i} {
+        if {[analyze 1] != 0} { error "$name stopped in step $i" }
+        if {$i % 4 == 0} {
+            set line {}
+            foreach r $responses { lappend line {*}[eval $r] }
+            puts $out [join $line " "]
+        }
+    }
+    close $out
+    wipe
+}
+
+proc laws {} {
+    nDMaterial J2Plasticity 1 166.7 76.9 0.25 0.35 12.0 3.0
+    nDMaterial Simplified3DJ2 2 76.9 166.7 0.25 3. 2.
+    nDMaterial PlaneStressSimplifiedJ2 3 76.9 166.7 0.25 3. 2.
+    nDMaterial ElasticOrthotropic 4 200. 150. 120. 0.3 0.2 0.15 60. 50. 45. 1.
+    nDMaterial ElasticIsotropic 5 20. 0.2
+    nDMaterial Parallel3D 6 1 5 -weights 0.8 1.5
+    nDMaterial InitStrain 7 1 0.0002 0.0001 -0.0001 0.0003 0. 0.0001
+    nDMaterial PlaneStress 8 2
+    nDMaterial J2Plasticity 9 166.7 76.9 0.25 0.35 12.0 3.0 5.0
+}
+
+# Plane elements of an irregular shape.
+foreach {name element} {
+    quad_stress {element quad 1 1 2 3 4 0.5 PlaneStress 1}
+    quad_strain {element quad 1 1 2 3 4 0.5 PlaneStrain 1}
+    quad_simplified {element quad 1 1 2 3 4 0.5 PlaneStress 3}
+    quad_wrapped {element quad 1 1 2 3 4 0.5 PlaneStress 8}
+    quad_orthotropic {element quad 1 1 2 3 4 0.5 PlaneStress 4}
+    stabilised_quad {element SSPquad 1 1 2 3 4 1 PlaneStrain 0.5}
+    triangles {element tri31 1 1 2 3 0.5 PlaneStress 1; element tri31 2 1 3 4 0.5 PlaneStress 1}
+    nine_nodes {element quad9n 1 1 2 3 4 5 6 7 8 9 0.5 PlaneStrain 1}
+    eight_nodes {element quad8n 1 1 2 3 4 5 6 7 8 0.5 PlaneStress 1}
+    six_nodes {element tri6n 1 1 2 3 5 6 9 0.5 PlaneStress 1; element tri6n 2 1 3 4 9 7 8 0.5 PlaneStress 1}
+} {
+    model basic -ndm 2 -ndf 2
+    laws
+    node 1 0 0; node 2 2 0.1; node 3 2.2 1.5; node 4 0 1.2; node 5 1 0.05; node 6 2.1 0.8; node 7 1.1 1.4; node 8 0 0.6
+    node 9 1.05 0.7
+    eval $element
+    fix 1 1 1; fix 4 1 1; fix 8 1 1
+    if {$name ni {nine_nodes eight_nodes six_nodes}} { foreach n {5 6 7} { fix $n 1 1 } }
+    if {$name ni {nine_nodes six_nodes}} { fix 9 1 1 }
+    timeSeries Path 1 -dt 1.0 -values {0 1 -1 1.3 0}
+    pattern Plain 1 1 { load 2 0.04 -0.01; load 3 0.05 0.01 }
+    push $name {{nodeDisp 2} {nodeDisp 3} {lrange [eleResponse 1 stresses] 0 2}}
+}
+
+# Two bricks, and tetrahedra.
+foreach {name element} {
+    brick {element stdBrick 1 1 2 3 4 5 6 7 8 1; element stdBrick 2 2 9 10 3 6 11 12 7 1}
+    brick_mean_dilatation {element bbarBrick 1 1 2 3 4 5 6 7 8 1; element bbarBrick 2 2 9 10 3 6 11 12 7 1}
+    brick_stabilised {element SSPbrick 1 1 2 3 4 5 6 7 8 1; element SSPbrick 2 2 9 10 3 6 11 12 7 1}
+    brick_simplified {element stdBrick 1 1 2 3 4 5 6 7 8 2; element stdBrick 2 2 9 10 3 6 11 12 7 2}
+    brick_parallel {element stdBrick 1 1 2 3 4 5 6 7 8 6; element stdBrick 2 2 9 10 3 6 11 12 7 6}
+    brick_initial_strain {element stdBrick 1 1 2 3 4 5 6 7 8 7; element stdBrick 2 2 9 10 3 6 11 12 7 7}
+    brick_viscous {element stdBrick 1 1 2 3 4 5 6 7 8 9; element stdBrick 2 2 9 10 3 6 11 12 7 9}
+} {
+    model basic -ndm 3 -ndf 3
+    laws
+    node 1 0 0 0; node 2 2 0.1 0.05; node 3 2.2 1.5 -0.1; node 4 0 1.2 0.1; node 5 0.1 0 1; node 6 2 0 1.3
+    node 7 2.1 1.4 1.2; node 8 -0.1 1.3 1.1; node 9 4 0 0.2; node 10 4.1 1.3 0; node 11 4 0.1 1.4; node 12 3.9 1.6 1.3
+    eval $element
+    foreach n {1 4 5 8} { fix $n 1 1 1 }
+    timeSeries Path 1 -dt 1.0 -values {0 1 -1 0.85 0}
+    pattern Plain 1 1 { load 9 0.075 -0.01 0.015; load 12 0.075 0.01 -0.02; load 11 0.09 0.01 0; load 10 0.09 0 0 }
+    push $name {{nodeDisp 9} {nodeDisp 12} {nodeDisp 6} {lrange [eleResponse 1 stresses] 0 2}}
+}
+foreach {name ten} {tetrahedra_linear 0 tetrahedra_quadratic 1} {
+    model basic -ndm 3 -ndf 3
+    laws
+    node 1 0 0 0; node 2 2 0.1 0.05; node 3 0.2 1.5 -0.1; node 4 0.3 0.2 1.1; node 5 1.5 1.4 1.2
+    timeSeries Path 1 -dt 1.0 -values {0 1 -1 1.3 0}
+    foreach n {1 2 3} { fix $n 1 1 1 }
+    if {$ten} {
+        fix 5 1 1 1
+        set n 10
+        foreach {a b} {1 2 2 3 1 3 1 4 3 4 2 4} {
+            incr n
+            set at {}
+            foreach d {1 2 3} { lappend at [expr {0.5*([nodeCoord $a $d] + [nodeCoord $b $d])}] }
+            node $n {*}$at
+        }
+        foreach n {11 12 13} { fix $n 1 1 1 }
+        element TenNodeTetrahedron 1 1 2 3 4 11 12 13 14 15 16 1
+        pattern Plain 1 1 { load 4 0.0006 -0.0004 0.0006; load 15 0.0004 0.0004 -0.0006 }
+        push $name {{nodeDisp 4} {nodeDisp 15}}
+    } else {
+        element FourNodeTetrahedron 1 1 2 3 4 1 0.01 0 -0.02
+        element FourNodeTetrahedron 2 2 5 3 4 1
+        pattern Plain 1 1 { load 4 0.03 -0.02 0.03; load 5 0.02 0.02 -0.03 }
+        push $name {{nodeDisp 4} {nodeDisp 5} {eleResponse 1 stresses}}
+    }
+}
+
+# Concrete: a brick in imposed deformations.
+foreach {name options} {
+    concrete_implicit {-cdf 0.5 -eta 0.01 -Kc 0.7}
+    concrete_tangent {-tangent}
+    concrete_extrapolated {-implex -implexAlpha 0.5 -cdf 0.3}
+    concrete_scaled {-autoRegularization 1.5 -rho 1.}
+} {
+    model basic -ndm 3 -ndf 3
+    nDMaterial ASDConcrete3D 1 30000. 0.2 -Te 0 0.0001 0.00015 0.0005 0.002 -Ts 0 3. 3.2 0.6 0.01 -Td 0 0 0.1 0.7 0.99 \
+        -Ce 0 0.0005 0.001 0.0015 0.002 0.004 0.01 -Cs 0 15. 25. 29. 30. 15. 3. -Cd 0 0 0.05 0.12 0.2 0.6 0.9 {*}$options
+    node 1 0 0 0; node 2 1 0 0; node 3 1 1 0; node 4 0 1 0; node 5 0 0 1; node 6 1 0 1; node 7 1 1 1; node 8 0 1 1
+    element stdBrick 1 1 2 3 4 5 6 7 8 1
+    fix 1 1 1 1; fix 4 1 0 1; fix 5 1 1 0; fix 8 1 0 0; fix 2 0 1 1; fix 3 0 0 1; fix 6 0 1 0
+    timeSeries Path 1 -dt 1.0 -values {0 0.0003 -0.0012 0.0006 -0.002}
+    pattern Plain 1 1 { foreach n {2 3 6 7} { sp $n 1 1.0 }; sp 8 2 0.2; sp 7 3 0.1 }
+    push $name {{nodeDisp 7} {lrange [eleResponse 1 stresses] 0 0} {eleResponse 1 material 1 damage}} 1e-6
+}
+
+# Walls of panels, pushed to and fro.
+foreach {name space element} {
+    wall_panels 0 {SFI_MVLEM %t 5 0.4}
+    wall_shear_strain 0 {E_SFI %t 5 0.4}
+    wall_panels_space 1 {SFI_MVLEM_3D %t 5}
+    wall_shear_strain_space 1 {E_SFI_MVLEM_3D %t 5}
+    wall_lines_space 1 {MVLEM_3D %t 5}
+} {
+    if {$space} {
+        model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 1200 0 0; node 3 1200 0 600; node 4 0 0 600; node 5 1200 0 1200; node 6 0 0 1200
+        fix 1 1 1 1 1 1 1; fix 2 1 1 1 1 1 1
+        set nodes {{1 2 3 4} {4 3 5 6}}
+    } else {
+        model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 0 600; node 5 0 1200
+        fix 1 1 1 1
+        set nodes {{1 2} {2 5}}
+    }
+    uniaxialMaterial SteelMPF 1 450 430 200000 0.012 0.011 20 0.925 0.15
+    uniaxialMaterial SteelMPF 2 440 420 200000 0.012 0.011 20 0.925 0.15
+    uniaxialMaterial ConcreteCM 3 -42 -0.0024 35000 7 1.035 2.1 0.00008 1.2 10000
+    uniaxialMaterial Elastic 4 900000.
+    nDMaterial FSAM 6 0.0 1 2 3 0.0027 0.0082 1.0 0.005
+    nDMaterial FSAM 7 0.0 1 2 3 0.005 0.03 0.3 0.01
+    set tag 0
+    foreach n $nodes {
+        incr tag
+        set words [string map [list %t "$tag $n"] $element]
+        lappend words -thick 150 150 150 150 150 -width 150 250 400 250 150
+        if {$name eq "wall_lines_space"} {
+            lappend words -rho 0.03 0.008 0.008 0.008 0.03 -matConcrete 3 3 3 3 3 -matSteel 2 2 2 2 2 -matShear 4 -CoR 0.45
+        } else {
+            lappend words -mat 7 6 6 6 7
+        }
+        element {*}$words
+    }
+    timeSeries Linear 1
+    if {$space} {
+        pattern Plain 1 1 { load 5 0 0 -200000 0 0 0; load 6 0 0 -200000 0 0 0 }
+    } else {
+        pattern Plain 1 1 { load 5 0 -400000 0 }
+    }
+    constraints Plain
+    numberer RCM
+    system UmfPack
+    test NormDispIncr 1e-9 300
+    algorithm Newton
+    integrator LoadControl 0.1
+    analysis Static
+    if {[analyze 10] != 0} { error "$name does not carry its weight" }
+    loadConst -time 0
+    if {$space} {
+        pattern Plain 2 1 { load 5 1.0 0.02 0 5. 3. 2.; load 6 1.0 0.01 0 0 0 0; load 3 0 -0.01 0 1 2 3 }
+    } else {
+        pattern Plain 2 1 { load 5 1.0 0 0 }
+    }
+    set out [open $name.out w]
+    set at 0.0
+    foreach peak {0.25 -0.2} {
+        set step [expr {($peak - $at)/60}]
+        set at $peak
+        integrator DisplacementControl 5 1 $step
+        for {set i 1} {$i <= 60} {incr i} {
+            if {[analyze 1] != 0} { error "$name stopped at $peak in step $i" }
+            if {$i % 5 == 0} { puts $out "[getTime] [nodeDisp 5] [eleResponse 1 Curvature]" }
+        }
+    }
+    close $out
+    wipe
+}
