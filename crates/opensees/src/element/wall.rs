@@ -147,7 +147,7 @@ impl Strips {
             None => Ok(s),
             Some(option) => {
                 let message = format!("{option} is missing");
-                Err(a.refuse_at(last, message, &format!("expected all of {}", needed.join(", "))))
+                Err(a.refuse_at(last, message, format!("expected all of {}", needed.join(", "))))
             }
         }
     }
@@ -239,9 +239,12 @@ fn centre(a: &mut Args<'_>) -> Result<f64, Exception> {
     a.float("height c of the shear spring as a share of the height")
 }
 
+/// Nodes at the corners of a wall, their places, and the last word of them.
+type Corners = (Vec<NodeId>, [Vector3<f64>; 4], Option<Span>);
+
 /// Four nodes against the clock: the lower ones, then the upper ones from the right to the left. They are returned in
 /// OpenSees' order, the upper ones from the left.
-fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, [Vector3<f64>; 4], Option<Span>), Exception> {
+fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<Corners, Exception> {
     let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 4]);
     for corner in &mut corners {
         let id = node_of(interp, a, "tag of a corner's node")?;

@@ -219,7 +219,7 @@ pub(crate) fn form<const N: usize>(
 ) -> Result<SharedMultiaxial<N>, Exception> {
     law.cloned().ok_or_else(|| {
         let message = format!("material {tag} ({}) has no law {name}", material.class);
-        a.refuse(message, &format!("expected a material that has one {name}"))
+        a.refuse(message, format!("expected a material that has one {name}"))
     })
 }
 
