@@ -9,7 +9,8 @@ use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
 use hysteron::section::{
-    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
+    Aggregator, Elastic, ElasticSection, Elliptical, Fiber, FiberBending, FiberSection, Resultant, Section as _,
+    SharedSection,
 };
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
@@ -254,4 +255,44 @@ fn internal_forces_of_the_force_based_beam_are_in_equilibrium() {
     assert_eq!(read(&["section", "force"]).len(), 20);
     let (v, vp) = (read(&["basicDeformation"]), read(&["plasticDeformation"]));
     assert!(vp[1].abs() > 0.1 * v[1].abs() && vp[1].abs() < v[1].abs());
+}
+
+/// The tangent of two resultants that yield on an ellipse is the derivative of their forces, and the forces stay on the surface.
+#[test]
+fn tangent_of_an_elliptical_yield_surface() {
+    let law = Elliptical {
+        e: [143.0, 90.0],
+        yield_force: [3.2, 2.5],
+        isotropic: 0.3,
+        kinematic: [16.0, 9.0],
+        resultants: [Resultant::Vy, Resultant::Vz],
+    };
+    let respond = |committed: &[f64], e: [f64; 2]| {
+        let (mut next, mut s, mut k) = (vec![0.0; law.state_len()], [0.0; 2], [0.0; 4]);
+        law.update(committed, &e, 0.0, &mut next, &mut s, &mut k).unwrap();
+        (next, s, k)
+    };
+    let mut committed = vec![0.0; law.state_len()];
+    let mut yielded = 0;
+    for step in 0..60 {
+        let t = 0.2 * f64::from(step);
+        let e = [0.08 * t.sin(), 0.09 * (1.3 * t).cos() - 0.09];
+        let (next, s, k) = respond(&committed, e);
+        yielded += usize::from(next != committed);
+        for j in 0..2 {
+            let h = 1e-7;
+            let moved =
+                |sign: f64| respond(&committed, std::array::from_fn(|i| e[i] + if i == j { sign * h } else { 0.0 })).1;
+            let (more, less) = (moved(1.0), moved(-1.0));
+            for i in 0..2 {
+                let slope = (more[i] - less[i]) / (2.0 * h);
+                assert!((k[2 * i + j] - slope).abs() < 1e-4, "step {step}: {} for {slope}", k[2 * i + j]);
+            }
+        }
+        let back = |i: usize| s[i] - law.kinematic[i] * next[i];
+        let size = (0..2).map(|i| (back(i) / law.yield_force[i]).powi(2)).sum::<f64>().sqrt();
+        assert!(size <= (1.0 + law.isotropic * next[2]) * (1.0 + 1e-12), "step {step}: {size}");
+        committed = next;
+    }
+    assert!(yielded > 30, "{yielded} steps yield");
 }

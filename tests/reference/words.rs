@@ -82,7 +82,7 @@ pub const PAGES: &[Page] = &[
         title: "Analysis",
         intro: "The parts of an analysis, its steps, and modes.",
         commands: "constraints numberer system test algorithm integrator analysis analyze eigen modalProperties \
-                   responseSpectrumAnalysis reset revertToStart wipeAnalysis initialize numFact numIter testIter testNorm testNorms \
+                   responseSpectrumAnalysis sdfResponse reset revertToStart wipeAnalysis initialize numFact numIter testIter testNorm testNorms \
                    systemSize printA printB",
     },
     Page {
@@ -91,7 +91,7 @@ pub const PAGES: &[Page] = &[
         intro: "Recorders, and commands that return a result to the script.",
         commands: "recorder record setPrecision print printModel verify nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance \
                    nodeMass nodeCoord nodeEigenvector nodeDOFs nodeBounds reactions setNodeDisp setNodeVel \
-                   setNodeAccel setNodeMass eleResponse eleForce localForce basicForce basicDeformation \
+                   setNodeAccel setNodeMass eleResponse eleForce eleDynamicalForce localForce basicForce basicDeformation \
                    basicStiffness nodeResponse classType getEleClassTags getCrdTransfTags \
                    getEleLoadTags getEleLoadClassTags getEleLoadData getNodeLoadTags getNodeLoadData \
                    getNumElements getPatterns getFixedNodes getFixedDOFs \

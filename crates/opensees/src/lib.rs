@@ -110,6 +110,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::modal_damping::COMMANDS,
         analysis::modal_properties::COMMANDS,
         analysis::response_spectrum::COMMANDS,
+        analysis::single_degree::COMMANDS,
         analysis::solution::COMMANDS,
         analysis::algorithm::COMMANDS,
         analysis::integrator::COMMANDS,

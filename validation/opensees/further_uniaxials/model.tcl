@@ -57,6 +57,7 @@ uniaxialMaterial Concrete01WithSITC 1 -30. -0.02 -6. -0.06 0.02
 section Bidirectional 1 143. 3.2 2. 16. Vy P
 section Isolator2spring 2 1e-10 16. 3.5 2. 930. 11. 1200. 10.
 section Fiber 3 { fiber 0. 0. 1. 1 }
+section Elliptical 4 143. 90. 3.2 2.5 0.3 16. 9. Vy P
 set across {0}
 foreach x $path { lappend across [expr {20. * $x}] }
 set along {0}
@@ -66,14 +67,14 @@ timeSeries Path 2 -dt 1 -values $along
 timeSeries Path 3 -dt 1 -values $path
 node 1 0. 0.; fix 1 1 1 1
 node 9 0. 0.; fix 9 0 1 1; uniaxialMaterial Elastic 9 1.; element zeroLength 9 1 9 -mat 9 -dir 1
-foreach i {1 2 3} {
+foreach i {1 2 3 4} {
     node 1$i 0. 0.; fix 1$i 0 [expr {$i == 3}] 1
     element zeroLengthSection $i 1 1$i $i
     recorder Element -file section$i.out -time -ele $i section force
 }
-pattern Plain 1 3 { sp 11 1 1.0; sp 13 1 1.0 }
+pattern Plain 1 3 { sp 11 1 1.0; sp 13 1 1.0; sp 14 1 1.0 }
 pattern Plain 2 1 { sp 12 1 1.0 }
-pattern Plain 3 2 { sp 11 2 1.0; sp 12 2 1.0 }
+pattern Plain 3 2 { sp 11 2 1.0; sp 12 2 1.0; sp 14 2 1.0 }
 constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-12 50; algorithm Newton
 integrator LoadControl 1; analysis Static
 analyze 140

@@ -4,6 +4,7 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::state::State;
 use crate::element::Snapshot;
+use crate::model::ElementId;
 
 /// Forces that count in a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +61,26 @@ impl Engine {
             work.subtract_nodal_inertia(state, 1.0);
         }
         out.clone_from(&work.full);
+        Ok(())
+    }
+
+    /// Force of an element in the committed state with its damping and inertia, added to `out`.
+    ///
+    /// # Errors
+    /// Constraints that make no sense.
+    pub fn dynamic_element_force(&mut self, id: ElementId, out: &mut Vec<f64>) -> Result<(), Failure> {
+        let handler = self.handler();
+        self.prepare(handler)?;
+        let start = out.len();
+        self.element_force(id, out);
+        let (model, state, work) = self.parts();
+        if let Some(work) = work {
+            let more = work.dynamic_force(model, id, state);
+            // Where OpenSees counts the inertia of the ground twice, it reports it once beside the resisting force.
+            let times = model.elements[id.0].element.opensees().ground_inertia.unwrap_or(1.0) as usize;
+            (1..times).for_each(|_| work.loads.report(id, &mut out[start..]));
+            out[start..].iter_mut().zip(more).for_each(|(f, d)| *f += d);
+        }
         Ok(())
     }
 

@@ -11,5 +11,6 @@ pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
 pub(crate) mod plausibility;
 pub(crate) mod response_spectrum;
+pub(crate) mod single_degree;
 pub(crate) mod softening;
 pub(crate) mod solution;

@@ -62,6 +62,11 @@ pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Ex
     }
     let value = a.value("time series")?;
     let list = value.to_list().map_err(|_| a.refuse("not a time series", "expected a tag, a name or a list"))?;
+    series_of_words(interp, &list)
+}
+
+/// A series by the words behind its tag.
+pub(crate) fn series_of_words(interp: &mut Tcl, list: &[Value]) -> Result<Series, Exception> {
     let mut words = vec![Value::from("timeSeries")];
     words.extend(list.iter().cloned());
     let inner = Call::of(&words);

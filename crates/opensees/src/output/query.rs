@@ -32,6 +32,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass),
     Command::new("eleResponse", RESPONSE, ele_response),
     Command::new("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force")),
+    Command::new("eleDynamicalForce", DYNAMIC, dynamic_force),
     Command::new("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce")),
     Command::new("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force")),
     Command::new("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation")),
@@ -273,6 +274,18 @@ fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
         Some(values) => pick(interp, &mut a, &values, "number of the column"),
         None => Err(no_response(interp, &a, id, &[response], call.span(0))),
     }
+}
+
+const DYNAMIC: &str = "eleDynamicalForce $element <$dof>";
+
+/// The force of an element with its damping and inertia.
+fn dynamic_force(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, DYNAMIC);
+    let id = element_of(interp, &mut a)?;
+    let mut values = vec![];
+    let done = interp.host.engine.dynamic_element_force(id, &mut values);
+    done.map_err(|failure| a.refuse_at(call.span(0), failure.to_string(), ""))?;
+    pick(interp, &mut a, &values, "number of the column")
 }
 
 fn ele_nodes(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -1,9 +1,9 @@
-//! Sections of isolators: `section Bidirectional` and `Isolator2spring`.
+//! Sections of isolators: `section Bidirectional`, `Elliptical` and `Isolator2spring`.
 
 use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
-use hysteron_engine::section::{Bidirectional, Resultant, SharedSection, TwoSpringIsolator};
+use hysteron_engine::section::{Bidirectional, Elliptical, Resultant, SharedSection, TwoSpringIsolator};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -11,6 +11,12 @@ pub(super) const BIDIRECTIONAL: Kind = Kind {
     names: &["Bidirectional"],
     usage: "section Bidirectional $tag $E $Fy $Hiso $Hkin <$code1 $code2>",
     make: Make::Beam(bidirectional),
+};
+
+pub(super) const ELLIPTICAL: Kind = Kind {
+    names: &["Elliptical", "Elliptical2"],
+    usage: "section Elliptical $tag $E1 $E2 $Fy1 $Fy2 $Hiso $Hkin1 $Hkin2 <$code1 $code2>",
+    make: Make::Beam(elliptical),
 };
 
 pub(super) const TWO_SPRINGS: Kind = Kind {
@@ -31,14 +37,28 @@ fn bidirectional(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Excepti
     if e + isotropic + kinematic <= 0.0 {
         return Err(a.refuse("the hardening is not greater than -E", "expected more"));
     }
-    let mut resultants = [Resultant::Vy, Resultant::P];
+    let resultants = resultants(a, [Resultant::Vy, Resultant::P])?;
+    Ok(Arc::new(Bidirectional { e, yield_force, isotropic, kinematic, resultants }))
+}
+
+/// Two resultants by their names, or those of a section without names.
+fn resultants(a: &mut Args<'_>, mut resultants: [Resultant; 2]) -> Result<[Resultant; 2], Exception> {
     if a.left() > 1 {
         resultants = [resultant(a, "first resultant code1")?, resultant(a, "second resultant code2")?];
     }
     if resultants[0] == resultants[1] {
         return Err(a.refuse("both resultants are the same", "expected another one"));
     }
-    Ok(Arc::new(Bidirectional { e, yield_force, isotropic, kinematic, resultants }))
+    Ok(resultants)
+}
+
+fn elliptical(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let e = [a.positive("elastic stiffness E1")?, a.positive("elastic stiffness E2")?];
+    let yield_force = [a.positive("yield force Fy1")?, a.positive("yield force Fy2")?];
+    let isotropic = a.not_negative("isotropic hardening Hiso")?;
+    let kinematic = [a.not_negative("kinematic hardening Hkin1")?, a.not_negative("kinematic hardening Hkin2")?];
+    let resultants = resultants(a, [Resultant::Mz, Resultant::Vy])?;
+    Ok(Arc::new(Elliptical { e, yield_force, isotropic, kinematic, resultants }))
 }
 
 fn two_springs(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {

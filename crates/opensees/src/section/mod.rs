@@ -64,6 +64,7 @@ const KINDS: &[Kind] = &[
         make: Make::Beam(uniaxial),
     },
     isolator::BIDIRECTIONAL,
+    isolator::ELLIPTICAL,
     isolator::TWO_SPRINGS,
     shapes::WIDE_FLANGE,
     shapes::RECTANGULAR_CONCRETE,

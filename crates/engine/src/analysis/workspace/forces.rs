@@ -110,9 +110,18 @@ impl Workspace {
 
     /// The Rayleigh damping force of an element.
     pub(in crate::analysis) fn rayleigh_force(&self, model: &Model, id: ElementId, state: &State) -> [f64; MAX_DOFS] {
+        self.damping_and_inertia(model, id, state, 0.0)
+    }
+
+    /// The Rayleigh damping force and the inertia of an element.
+    pub(in crate::analysis) fn dynamic_force(&self, model: &Model, id: ElementId, state: &State) -> [f64; MAX_DOFS] {
+        self.damping_and_inertia(model, id, state, 1.0)
+    }
+
+    fn damping_and_inertia(&self, model: &Model, id: ElementId, state: &State, inertia: f64) -> [f64; MAX_DOFS] {
         let mut f = [0.0; MAX_DOFS];
         let m = &self.elements.entries[id.0];
-        self.add_dynamic_force(&model.elements[id.0].dofs, m, &m.rayleigh.forces, state, 0.0, &mut f);
+        self.add_dynamic_force(&model.elements[id.0].dofs, m, &m.rayleigh.forces, state, inertia, &mut f);
         f
     }
 

@@ -1,0 +1,50 @@
+//! `sdfResponse`: an elastic-plastic system of one degree of freedom under a series of forces.
+
+use crate::args::Args;
+use crate::load::series::series_of_words;
+use crate::{Command, Outcome, Tcl, ignore_option};
+use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
+use hysteron_tcl::{Call, Value};
+
+pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond)];
+
+const USAGE: &str = "sdfResponse $m $zeta $k $Fy $alpha $dtF $file $dt or $m $zeta $k $Fy $alpha $series $dt \
+                     <-uresid $u> <-umaxprev $u> <-tend $t>";
+
+/// Steps at most: a step that is too short would never end.
+const MAX_STEPS: f64 = 1e8;
+
+fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    let (mass, damping) = (a.positive("mass m")?, a.not_negative("damping ratio zeta")?);
+    let (stiffness, yield_force) = (a.positive("stiffness k")?, a.positive("yield force Fy")?);
+    let hardening = a.not_negative("hardening ratio alpha")?;
+    if hardening >= 1.0 {
+        return Err(a.refuse(format!("a hardening ratio of {hardening}"), "expected less than 1"));
+    }
+    // A step, a file and a step, or a tag and a step.
+    let numbers = a.ahead().take_while(|v| !v.as_str().starts_with('-')).count();
+    let force = if numbers > 2 {
+        let step = a.value("step dtF of the file")?;
+        let file = a.value("file of forces")?;
+        series_of_words(interp, &[Value::from("Path"), Value::from("-dt"), step, Value::from("-filePath"), file])?
+    } else {
+        a.of(&interp.host.builder.definitions.series)?.0
+    };
+    let dt = a.positive("step dt")?;
+    let mut span = SingleDegreeSpan { dt, end: force.end().unwrap_or(0.0), residual: 0.0, largest: 0.0 };
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-uresid" | "-uresidual" => span.residual = a.float("residual displacement")?,
+            "-umaxprev" => span.largest = a.float("earlier largest displacement")?,
+            "-tend" => span.end = a.float("time of the end")?,
+            _ => ignore_option(interp, &mut a, &["-uresid", "-umaxprev", "-tend"])?,
+        }
+    }
+    if (span.end - force.start()) / dt > MAX_STEPS {
+        return Err(a.refuse(format!("more than {MAX_STEPS:.0e} steps"), "expected a longer step dt"));
+    }
+    let system = SingleDegree { mass, damping, stiffness, yield_force, hardening };
+    let SingleDegreeResponse { largest, end, plastic, acceleration, time } = system.response(&*force, &span);
+    Ok(Value::list([largest, end, plastic, acceleration, time].into_iter().map(Value::from)))
+}
