@@ -14,6 +14,8 @@ mod constraints;
 mod continua;
 #[path = "analysis/dynamics.rs"]
 mod dynamics;
+#[path = "analysis/element_dynamics.rs"]
+mod element_dynamics;
 #[path = "analysis/energy.rs"]
 mod energy;
 #[path = "analysis/materials.rs"]
