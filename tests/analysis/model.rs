@@ -175,3 +175,26 @@ fn constraints_are_listed() {
         puts [getRetainedNodes]; puts [getConstrainedDOFs 4]; puts [getRetainedDOFs 2]; puts [getNumElements]");
     assert_eq!(ran.numbers(), [1., 4., 1., 2., 3., 4., 4., 2., 3., 1., 2., 1., 2., 3., 0.]);
 }
+
+/// Loads along members go with their pattern, also with the last one that has any.
+#[test]
+fn a_load_along_a_member_goes_with_its_pattern() {
+    for element in
+        ["elasticBeamColumn 1 1 2 0.01 2e8 1e-4 1", "forceBeamColumn 1 1 2 5 1 1", "dispBeamColumn 1 1 2 3 1 1"]
+    {
+        let found = run(&format!(
+            "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 3.; fix 1 1 1 1; geomTransf PDelta 1
+            section Elastic 1 2e8 0.01 1e-4; element {element}
+            timeSeries Constant 1; pattern Plain 1 1 {{ load 2 10. -50. 0. }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormDispIncr 1e-10 20; algorithm Newton
+            integrator LoadControl 1.; analysis Static
+            analyze 1; puts [nodeDisp 2 1]
+            pattern Plain 2 1 {{ eleLoad -ele 1 -type -beamUniform 5. }}; analyze 1; puts [nodeDisp 2 1]
+            remove loadPattern 2; analyze 1; puts [nodeDisp 2 1]"
+        ))
+        .done()
+        .numbers();
+        assert!((found[1] / found[0] - 1.0).abs() > 0.1, "{element}: {found:?}");
+        assert!((found[2] / found[0] - 1.0).abs() < 1e-9, "{element}: {found:?}");
+    }
+}

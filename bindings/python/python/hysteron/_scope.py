@@ -21,12 +21,12 @@ OUT_OF_SCOPE = {
     ),
     "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter",
     "parts of laws that hysteron does not have yet": (
-        "damping hystereticBackbone limitCurve stiffnessDegradation strengthDegradation strengthControl unloadingRule "
+        "limitCurve stiffnessDegradation strengthDegradation strengthControl unloadingRule "
         "updateMaterialStage setCreep InitialStateAnalysis"
     ),
     "queries that hysteron does not have yet": (
-        "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag eleDynamicalForce printGID printX "
-        "sdfResponse setStartNodeTag updateElementDomain"
+        "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag printGID printX "
+        "setStartNodeTag updateElementDomain"
     ),
 }
 REASONS = {name: reason for reason, names in OUT_OF_SCOPE.items() for name in names.split()}

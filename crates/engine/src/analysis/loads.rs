@@ -179,7 +179,9 @@ impl Loads {
             self.nodal[e.dof] += e.value * if e.constant { 1.0 } else { self.factors[e.pattern] };
         }
         self.inertia.iter().for_each(|i| i.add(&self.factors, &mut self.nodal));
-        if !self.elements.is_empty() {
+        // Loads of a pattern that has been removed are still there.
+        let changed = !self.elements.is_empty() || words.iter().any(|w| *w != 0.0);
+        if changed {
             words.fill(0.0);
         }
         for (id, pattern, load) in &self.elements {
@@ -188,6 +190,6 @@ impl Loads {
                 .add_load(load, self.factors[*pattern], &mut words[e.load.clone()])
                 .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0.into()))?;
         }
-        Ok(!self.elements.is_empty())
+        Ok(changed)
     }
 }
