@@ -10,12 +10,12 @@ from ._scope import REASONS
 _NODE = "list[float] | float"
 _RETURNS = {
     **dict.fromkeys(
-        "nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance nodeCoord nodeMass nodeEigenvector eleForce localForce "
+        "nodeDisp nodeVel nodeAccel nodeReaction nodeUnbalance nodeCoord nodeMass nodeEigenvector eleForce eleDynamicalForce localForce "
         "basicForce basicDeformation sectionForce sectionDeformation sectionLocation sectionWeight".split(),
         _NODE,
     ),
     **dict.fromkeys(
-        "eigen eleResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
+        "eigen eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
         "getNodeLoadData".split(),
         "list[float]",
     ),
