@@ -102,3 +102,13 @@ fn a_system_of_one_degree_responds_as_in_opensees() {
     // The largest displacement of before stays, and the residual one changes the rest.
     assert!(found[5] == 2.0 && found[6] != found[1] && found.len() == 10, "{found:?}");
 }
+
+/// A series without an end and a response that overflows are errors.
+#[test]
+fn a_system_of_one_degree_wants_an_end() {
+    let endless = Script::default().run("timeSeries Linear 1; sdfResponse 1. 0.05 40. 2. 0.05 1 0.01");
+    assert!(endless.error().message.contains("has no end"), "{:?}", endless.error());
+    let overflows =
+        Script::default().run("timeSeries Constant 1 -factor 1e308; sdfResponse 1e-9 0.05 40. 2. 0.05 1 0.01 -tend 1.");
+    assert!(overflows.error().message.contains("not finite"), "{:?}", overflows.error());
+}

@@ -73,3 +73,27 @@ fn a_velocity_of_supports_damps_many_as_it_does_one() {
     assert!(one[0].abs() > 1e-3, "{one:?}");
     assert!(one.iter().zip(&many).all(|(a, b)| (a - b).abs() <= 1e-11 * one[0].abs()), "{one:?} {many:?}");
 }
+
+/// The clock goes back and the supports get a velocity: what was seen of the motion at that time before no longer holds.
+#[test]
+fn a_velocity_counts_at_a_time_that_comes_again() {
+    let tip = |columns: usize| {
+        run(&format!(
+            "model basic -ndm 2 -ndf 3; geomTransf Linear 1
+            for {{set i 1}} {{$i <= {columns}}} {{incr i}} {{
+                node $i $i 0.; node 10$i $i 3.; fix $i 1 1 1; mass 10$i 5. 5. 0.
+                element elasticBeamColumn $i $i 10$i 0.01 2.1e8 1e-4 1 }}
+            rayleigh 0. 0. 0.02 0.
+            constraints Plain; numberer Plain; system UmfPack; test NormDispIncr 1e-12 20; algorithm Newton
+            integrator Newmark 0.5 0.25; analysis Transient; analyze 1 0.01; setTime 0.
+            for {{set i 1}} {{$i <= {columns}}} {{incr i}} {{ setNodeVel $i 1 3. -commit; setNodeVel 10$i 1 -1. -commit }}
+            analyze 1 0.01
+            puts \"[nodeDisp 101] [nodeVel 101]\""
+        ))
+        .done()
+        .numbers()
+    };
+    let (one, many) = (tip(1), tip(9));
+    assert!(one[0].abs() > 1e-4, "{one:?}");
+    assert!(one.iter().zip(&many).all(|(a, b)| (a - b).abs() <= 1e-11 * one[3].abs()), "{one:?} {many:?}");
+}

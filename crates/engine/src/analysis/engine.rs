@@ -300,6 +300,7 @@ impl Engine {
             // A state from before the preparation has no multipliers.
             self.committed.multipliers.resize(p.plan.multipliers, 0.0);
             p.loads.invalidate();
+            p.motion_changed();
         }
         self.trial.clone_from(&self.committed);
     }

@@ -2,14 +2,14 @@
 
 use crate::series::TimeSeries;
 
-/// A mass on a damper and a bilinear spring with kinematic hardening.
+/// A mass on a damper and a bilinear spring with kinematic hardening, in one system of units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleDegree {
     /// Mass m.
     pub mass: f64,
     /// Damping ratio of the elastic system.
     pub damping: f64,
-    /// Elastic stiffness k.
+    /// Elastic stiffness k, force over length.
     pub stiffness: f64,
     /// Yield force.
     pub yield_force: f64,
@@ -17,10 +17,10 @@ pub struct SingleDegree {
     pub hardening: f64,
 }
 
-/// Where the system begins, and how long it is followed.
+/// Start of the system and the time that it is followed for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Step of time.
+    /// Step of time, the unit of the series.
     pub dt: f64,
     /// Time of the end.
     pub end: f64,

@@ -8,13 +8,13 @@ use crate::state_struct::StateStruct as _;
 /// Two resultants that yield together, each with a stiffness and a strength of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elliptical {
-    /// Elastic stiffness of each.
+    /// Elastic stiffness of each, resultant over deformation.
     pub e: [f64; 2],
-    /// Half axes of the yield surface.
+    /// Half axes of the yield surface, resultants.
     pub yield_force: [f64; 2],
     /// Isotropic hardening: growth of the surface, as a part of its size, with the plastic multiplier.
     pub isotropic: f64,
-    /// Kinematic hardening modulus of each.
+    /// Kinematic hardening modulus of each, as the stiffness.
     pub kinematic: [f64; 2],
     /// The resultants.
     pub resultants: [Resultant; 2],

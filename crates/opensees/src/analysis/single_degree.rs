@@ -32,19 +32,26 @@ fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         a.of(&interp.host.builder.definitions.series)?.0
     };
     let dt = a.positive("step dt")?;
-    let mut span = SingleDegreeSpan { dt, end: force.end().unwrap_or(0.0), residual: 0.0, largest: 0.0 };
+    let (series, mut end) = (a.last_span(), force.end());
+    let mut span = SingleDegreeSpan { dt, end: 0.0, residual: 0.0, largest: 0.0 };
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-uresid" | "-uresidual" => span.residual = a.float("residual displacement")?,
             "-umaxprev" => span.largest = a.float("earlier largest displacement")?,
-            "-tend" => span.end = a.float("time of the end")?,
+            "-tend" => end = Some(a.float("time of the end")?),
             _ => ignore_option(interp, &mut a, &["-uresid", "-umaxprev", "-tend"])?,
         }
     }
+    span.end =
+        end.ok_or_else(|| a.refuse_at(series, "the series of forces has no end", "expected -tend $t behind it"))?;
     if (span.end - force.start()) / dt > MAX_STEPS {
         return Err(a.refuse(format!("more than {MAX_STEPS:.0e} steps"), "expected a longer step dt"));
     }
     let system = SingleDegree { mass, damping, stiffness, yield_force, hardening };
     let SingleDegreeResponse { largest, end, plastic, acceleration, time } = system.response(&*force, &span);
-    Ok(Value::list([largest, end, plastic, acceleration, time].into_iter().map(Value::from)))
+    let found = [largest, end, plastic, acceleration, time];
+    if found.iter().any(|x| !x.is_finite()) {
+        return Err(a.refuse("the response is not finite", "expected a shorter step dt or smaller forces"));
+    }
+    Ok(Value::list(found.into_iter().map(Value::from)))
 }

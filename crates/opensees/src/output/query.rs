@@ -284,7 +284,7 @@ fn dynamic_force(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let id = element_of(interp, &mut a)?;
     let mut values = vec![];
     let done = interp.host.engine.dynamic_element_force(id, &mut values);
-    done.map_err(|failure| a.refuse_at(call.span(0), failure.to_string(), ""))?;
+    done.map_err(|failure| failed(call, &failure))?;
     pick(interp, &mut a, &values, "number of the column")
 }
 

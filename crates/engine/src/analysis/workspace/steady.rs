@@ -34,7 +34,7 @@ struct MatrixRows {
 }
 
 impl MatrixRows {
-    /// Those of a matrix with a pattern.
+    /// Rows of a matrix with a pattern.
     fn new(pattern: &Pattern, values: &[f64]) -> Self {
         let mut rows = vec![vec![]; pattern.n];
         pattern.for_each(values, |row, column, value| {
@@ -69,7 +69,7 @@ impl MatrixRows {
 }
 
 impl SteadyMatrices {
-    /// Those of a model; `None` if few elements have them.
+    /// The matrices of a model; `None` if few elements have them.
     fn new(work: &Workspace, model: &Model) -> Option<Self> {
         let plan = &work.plan;
         let zeros = || vec![0.0; plan.pattern.len()];
@@ -143,6 +143,11 @@ impl SteadyMatrices {
 }
 
 impl Workspace {
+    /// Look at the motion again: a script has changed it.
+    pub(in crate::analysis) fn motion_changed(&mut self) {
+        self.steady.iter_mut().for_each(|s| s.follows = None);
+    }
+
     /// Subtract damping and a share of the inertia of the elements from the unbalance of the equations.
     pub(super) fn subtract_dynamic(&mut self, model: &Model, state: &State, inertia: f64) {
         if !self.looked_for_steady {

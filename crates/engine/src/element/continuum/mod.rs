@@ -20,7 +20,7 @@ pub use quadratic::QuadraticShape;
 /// Derivatives of the S strains of a point by the D displacements; shears are angles.
 pub(super) type Rows<const S: usize, const D: usize> = [[f64; D]; S];
 
-/// What the shape of an element gives: its points and its constant matrices.
+/// Points and constant matrices of the shape of an element.
 #[derive(Clone, Debug)]
 pub(super) struct Body<const S: usize, const D: usize> {
     /// Name of the class in OpenSees.

@@ -18,7 +18,7 @@ pub(super) struct Rows {
 pub(super) struct Faces(pub(super) [f64; 12]);
 
 impl Rows {
-    /// Those of a geometry.
+    /// The rows at a geometry.
     pub(super) fn of(s: &Geometry) -> Self {
         let mut rows = [[0.0; 12]; 7];
         let (e1, e2, e3) = (column(&s.e, 0), column(&s.e, 1), column(&s.e, 2));

@@ -61,7 +61,7 @@ state_struct! {
         effective: [f64; SOLID],
         /// Equivalent strains in tension and compression.
         equivalent: [f64; 2],
-        /// Those of the step before.
+        /// Equivalent strains of the step before.
         before: [f64; 2],
         /// Time of the last step, and of the first one; both 0 before it.
         steps: [f64; 2],
