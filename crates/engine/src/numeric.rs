@@ -3,6 +3,7 @@
 mod dual;
 pub(crate) mod elementary;
 pub(crate) mod lanes;
+pub mod wide;
 
 pub use dual::Dual;
 

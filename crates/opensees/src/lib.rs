@@ -19,6 +19,7 @@ mod elsewhere;
 pub mod files;
 mod kind;
 mod load;
+pub mod lockstep;
 mod material;
 mod model;
 mod output;
@@ -141,8 +142,14 @@ pub fn kinds(command: &str) -> Vec<KindUsage> {
 /// Register the commands with an interpreter.
 pub fn install(interp: &mut Tcl) {
     let checks = interp.host.mode == Mode::Check;
+    let follows = interp.host.course.is_some();
     for c in commands() {
-        interp.register(c.name, if checks { check::run_command } else { c.run });
+        let run = match (checks, follows) {
+            (true, _) => check::run_command,
+            (_, true) => lockstep::run_command,
+            _ => c.run,
+        };
+        interp.register(c.name, run);
     }
     if checks {
         interp.on_error = Some(check::handle_error);

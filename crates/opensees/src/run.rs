@@ -1,6 +1,7 @@
 //! A script from its file to its outcome.
 
 use crate::elsewhere;
+use crate::lockstep::Course;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
@@ -60,6 +61,8 @@ const CHECK_BUDGET: u64 = 20_000_000;
 thread_local! {
     /// The commands that every run begins with.
     static VOCABULARY: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
+    /// The same where the course of a run is followed.
+    static FOLLOWED: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
 }
 
 /// A script with all that it works on.
@@ -78,14 +81,27 @@ impl Run {
         files: Box<dyn Files>,
         outputs: Box<dyn Outputs>,
     ) -> Self {
+        Self::with_course(settings, None, console, files, outputs)
+    }
+
+    /// Prepare to run a script whose [`Course`] is followed.
+    pub fn with_course(
+        settings: Settings,
+        course: Option<Course>,
+        console: Box<dyn Console>,
+        files: Box<dyn Files>,
+        outputs: Box<dyn Outputs>,
+    ) -> Self {
         let Settings { mode, strict, options } = settings;
-        let session = Session::new(options, mode, strict, outputs);
+        let mut session = Session::new(options, mode, strict, outputs);
+        session.course = course;
         let fresh = |session, console, files| {
             let mut interp = Interp::new(session, console, files);
             crate::install(&mut interp);
             interp
         };
-        let mut interp = VOCABULARY.with(|known| match (mode, known.get()) {
+        let vocabulary = if course.is_some() { &FOLLOWED } else { &VOCABULARY };
+        let mut interp = vocabulary.with(|known| match (mode, known.get()) {
             (Mode::Run, Some(words)) => Interp::with_vocabulary(session, console, files, words),
             (Mode::Run, None) => {
                 let interp = fresh(session, console, files);
@@ -105,12 +121,25 @@ impl Run {
 
     /// Run a script; `args` become `$argv`. Recorders are finished in any case.
     pub fn script(&mut self, path: &str, args: &[String]) -> End {
+        let result = self.begin(path, args);
+        self.close(result)
+    }
+
+    /// Run a script up to its end, and leave its recorders open for [`Run::close`].
+    ///
+    /// # Errors
+    /// The exception that ends it.
+    pub fn begin(&mut self, path: &str, args: &[String]) -> Result<Value, Exception> {
         let set = |i: &mut Tcl, name: &str, value: Value| i.set_global(name, value);
         let list = Value::list(args.iter().map(|a| Value::from(a.as_str())));
         let known = set(&mut self.interp, "argv0", Value::from(path))
             .and_then(|_| set(&mut self.interp, "argc", Value::from(args.len() as i64)))
             .and_then(|_| set(&mut self.interp, "argv", list));
-        let result = known.and_then(|_| self.interp.eval_file(path));
+        known.and_then(|_| self.interp.eval_file(path))
+    }
+
+    /// End a run and finish its recorders.
+    pub fn close(&mut self, result: Result<Value, Exception>) -> End {
         let end = self.end_of(result);
         if matches!(end, End::Interrupted) {
             self.partial = self.interp.host.open_files();

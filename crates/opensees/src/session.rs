@@ -5,6 +5,7 @@ use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::files::number_files::NumberFiles;
 use crate::files::series::{FileSeries, NoSeries};
+use crate::lockstep::Course;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
@@ -197,6 +198,8 @@ pub struct Session {
     pub(crate) call_numbers: CallNumbers,
     /// Files of numbers that runs of the script have read.
     pub number_files: NumberFiles,
+    /// Course of the run, where it is followed.
+    pub course: Option<Course>,
 }
 
 impl Session {
@@ -234,6 +237,7 @@ impl Session {
             called_by_host: false,
             call_numbers: CallNumbers::default(),
             number_files: NumberFiles::default(),
+            course: None,
         }
     }
 

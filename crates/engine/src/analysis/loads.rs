@@ -133,6 +133,52 @@ impl Loads {
         })
     }
 
+    /// Returns true if all loads are forces on nodes and displacements without rates.
+    pub(super) fn acts_on_nodes_only(&self) -> bool {
+        self.inertia.is_empty() && self.elements.is_empty() && self.imposed.iter().all(|i| i.ground.is_none())
+    }
+
+    /// Returns true if the loads of another model are at the same places, and their patterns have the same factors at all
+    /// times.
+    pub(super) fn matches(&self, other: &Self) -> bool {
+        let drives = self.drives.len() == other.drives.len()
+            && self.drives.iter().zip(&other.drives).all(|(own, other)| own.equals(other));
+        drives
+            && self.loaded == other.loaded
+            && self.places().eq(other.places())
+            && self.imposed_places().eq(other.imposed_places())
+    }
+
+    /// Sources of the load factors, by pattern.
+    pub(super) fn drives(&self) -> &[Drive] {
+        &self.drives
+    }
+
+    /// Patterns with loads.
+    pub(super) fn loaded(&self) -> &[bool] {
+        &self.loaded
+    }
+
+    /// Degree of freedom and pattern of each nodal load; true for one that does not follow the factor.
+    pub(super) fn places(&self) -> impl Iterator<Item = (usize, usize, bool)> {
+        self.entries.iter().map(|e| (e.dof, e.pattern, e.constant))
+    }
+
+    /// Value of a nodal load.
+    pub(super) fn value(&self, i: usize) -> f64 {
+        self.entries[i].value
+    }
+
+    /// The same of each imposed displacement.
+    pub(super) fn imposed_places(&self) -> impl Iterator<Item = (usize, usize, bool)> {
+        self.imposed.iter().map(|i| (i.dof, i.pattern, i.constant))
+    }
+
+    /// Initial displacement and value of an imposed displacement.
+    pub(super) fn imposed_numbers(&self, i: usize) -> [f64; 2] {
+        [self.imposed[i].initial, self.imposed[i].value]
+    }
+
     /// Forget what has been worked out: the state it went into is gone.
     pub(super) fn invalidate(&mut self) {
         self.valid = false;

@@ -3,6 +3,7 @@
 use super::dofs::{DofError, DofMap, Handler, Link, MpScope};
 use super::pattern::{Pattern, Storage};
 use crate::model::Model;
+use crate::numeric::wide::Real;
 use std::ops::Range;
 
 /// Below this many equations a dense matrix is faster than a sparse one (see `benches/`).
@@ -139,9 +140,9 @@ impl Plan {
 
     /// Subtract the forces of all elements from the forces of the equations.
     #[inline]
-    pub fn subtract_forces(&self, all: &[f64], equations: &mut [f64]) {
+    pub fn subtract_forces<T: Real>(&self, all: &[T], equations: &mut [T]) {
         for t in &self.forces {
-            equations[t.equation as usize] -= t.coef * all[t.from as usize];
+            equations[t.equation as usize] -= all[t.from as usize] * t.coef;
         }
     }
 
@@ -163,19 +164,19 @@ impl Plan {
 
     /// Add `factor` times an element's matrix (n x n by rows) to the values of the system matrix.
     #[inline]
-    pub fn add_element(&self, element: usize, matrix: &[f64], factor: f64, values: &mut [f64]) {
+    pub fn add_element<T: Real>(&self, element: usize, matrix: &[T], factor: f64, values: &mut [T]) {
         let s = &self.scatters[element];
         let from = &self.from[s.entries.clone()];
         let to = &self.to[s.entries.clone()];
         match s.coefs {
             None => {
                 for (&f, &t) in from.iter().zip(to) {
-                    values[t as usize] += factor * matrix[f as usize];
+                    values[t as usize] += matrix[f as usize] * factor;
                 }
             }
             Some(at) => {
                 for ((&f, &t), c) in from.iter().zip(to).zip(&self.coefs[at..at + from.len()]) {
-                    values[t as usize] += factor * c * matrix[f as usize];
+                    values[t as usize] += matrix[f as usize] * (factor * c);
                 }
             }
         }

@@ -21,6 +21,7 @@ pub mod friction;
 mod impact;
 mod joint;
 pub mod load;
+mod lockstep;
 mod opensees;
 mod shared;
 pub mod shell;
@@ -35,7 +36,9 @@ mod zero_length_section;
 
 use crate::material::{MaterialError, Slot};
 pub(crate) use crate::numeric::dot;
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
+use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
@@ -48,6 +51,8 @@ pub use coupled_zero_length::CoupledZeroLength;
 pub use impact::{ContactDirection, Impact, ImpactOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
+pub(crate) use lockstep::alike;
+pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use shared::Shared;
 pub use shell::Shell;
@@ -261,7 +266,7 @@ pub struct Overload {
 }
 
 /// A finite element.
-pub trait Element: fmt::Debug + Send + Sync {
+pub trait Element: fmt::Debug + Send + Sync + Any {
     /// OpenSees' name of the class, as recorders and `print` show it.
     fn class(&self) -> &'static str;
     /// Number of degrees of freedom n, all nodes together.
@@ -285,6 +290,11 @@ pub trait Element: fmt::Debug + Send + Sync {
     /// Take over the history of a trial state. An element with many state variables may leave out unused ones.
     fn commit(&self, trial: &[f64], committed: &mut [f64]) {
         committed.copy_from_slice(trial);
+    }
+
+    /// The element together with its counterparts in other models, itself the first; `None` where it is not made for it.
+    fn lockstep(&self, _all: &[&dyn Element; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        None
     }
 
     /// Differences from its counterpart in OpenSees, for an analysis under `--compat opensees`.

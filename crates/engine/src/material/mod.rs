@@ -142,6 +142,7 @@ pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{Iteration, Series};
+pub(crate) use slot::write_linear;
 pub use slot::{Shift, Slot};
 pub use sma::Sma;
 pub use sma_3k::Sma3k;

@@ -1,6 +1,7 @@
 //! Storage of a material's state in an element, with the responses that every material has.
 
 use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
+use crate::numeric::wide::Wide;
 use crate::probe::Probe;
 
 /// A material at an offset in the state of its owner. The first five variables are strain, strain rate, stress,
@@ -36,6 +37,19 @@ const HEADER: usize = 5;
 /// First number of the path of a response specific to the law.
 const OWN: u32 = 100;
 
+/// Writes the header of linear materials of several models side by side, as [`Slot::update`] does; its length.
+#[inline(always)]
+pub(crate) fn write_linear(stiffness: Wide, strain: Wide, committed: &[Wide], trial: &mut [Wide]) -> usize {
+    let stress = stiffness * strain;
+    let work = (committed[STRESS] + stress) * 0.5 * (strain - committed[STRAIN]);
+    trial[STRAIN] = strain;
+    trial[RATE] = Wide::all(0.0);
+    trial[STRESS] = stress;
+    trial[TANGENT] = stiffness;
+    trial[ENERGY] = committed[ENERGY] + work;
+    HEADER
+}
+
 impl Slot {
     /// Places a material at offset `at` of the owner's state.
     pub fn new(material: Material, tag: i32, at: usize) -> Self {
@@ -60,6 +74,11 @@ impl Slot {
             })
             .collect();
         (slots, at)
+    }
+
+    /// Stiffness of a linear elastic law without history.
+    pub fn stiffness(&self) -> Option<f64> {
+        self.linear
     }
 
     /// Returns true for a linear elastic law without history.

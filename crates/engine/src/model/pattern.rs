@@ -85,6 +85,16 @@ pub enum Drive {
 }
 
 impl Drive {
+    /// Returns true if another one has the same factor at all times.
+    pub fn equals(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Held(own), Self::Held(other)) => own == other,
+            (Self::Series(own, factor), Self::Series(other, by)) => factor == by && own.equals(&**other),
+            (Self::Ground(own), Self::Ground(other)) => own.equals(&**other),
+            _ => false,
+        }
+    }
+
     /// The load factor at a time.
     #[inline]
     pub fn factor(&self, time: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::opensees::probe;
 use super::{Group, RecordError, Source};
-use crate::analysis::Engine;
+use crate::analysis::{Engine, Recorded};
 use crate::model::{ElementId, Tag};
 use crate::probe::Probe;
 
@@ -183,6 +183,18 @@ impl Source for ElementResponse {
             Group { name: "ElementOutput", attributes, place: None, columns }
         };
         self.found.iter().map(group).collect()
+    }
+
+    fn numbers(&self, engine: &Engine) -> Option<Vec<Recorded>> {
+        let mut numbers = vec![];
+        for (id, _, answer) in &self.found {
+            let e = &engine.model().elements[id.0];
+            if !matches!(answer, Response::Force(_)) || e.element.undamped().is_some() {
+                return None;
+            }
+            numbers.extend(self.chosen(e.force.len()).map(|i| Recorded::Force(e.force.start + i)));
+        }
+        Some(numbers)
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

@@ -15,9 +15,10 @@ mod rms;
 mod text;
 mod xml;
 
-use crate::analysis::Engine;
+use crate::analysis::{Engine, Lockstep, Recorded};
 use output::{TIME, TIME_OUTPUT};
 use std::fmt;
+use std::ops::Range;
 
 pub use drift::Drift;
 pub use element::{ElementResponse, Known};
@@ -69,6 +70,11 @@ pub trait Source: fmt::Debug + Send {
     /// Returns true if the committed state has another row, which is that of the next call of [`Source::row`].
     fn next_row(&mut self, _: &Engine) -> bool {
         false
+    }
+
+    /// Numbers of the committed state that make up the row, where it is made up of them.
+    fn numbers(&self, _: &Engine) -> Option<Vec<Recorded>> {
+        None
     }
 
     /// Returns true if the row is all that the source makes.
@@ -181,6 +187,34 @@ impl Recorder {
         self.find(engine)?;
         self.row = row;
         self.keep_row(time)
+    }
+
+    /// Numbers of the committed state that make up a row; `None` where rows are not made up of them, or not kept one by one.
+    pub fn numbers(&mut self, engine: &Engine) -> Option<Vec<Recorded>> {
+        self.find(engine).ok()?;
+        matches!(self.keep, Keep::History).then(|| self.source.numbers(engine))?
+    }
+
+    /// Record the steps of a model that has been analysed side by side with others. `columns` are those of its
+    /// [`Recorder::numbers`] among the numbers that were recorded.
+    ///
+    /// # Errors
+    /// An output that cannot be written.
+    pub fn record_lockstep(&mut self, all: &Lockstep, model: usize, columns: Range<usize>) -> Result<(), RecordError> {
+        let width = all.rows.len() / all.times.len().max(1);
+        for (step, &time) in all.times.iter().enumerate() {
+            if !self.is_due(time) {
+                continue;
+            }
+            self.row.clear();
+            if self.cadence.time {
+                self.row.push(time);
+            }
+            let numbers = &all.rows[step * width..(step + 1) * width][columns.clone()];
+            self.row.extend(numbers.iter().map(|n| n.0[model]));
+            self.keep_row(time)?;
+        }
+        Ok(())
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! Responses of nodes.
 
 use super::{Group, RecordError, Source};
-use crate::analysis::{Engine, ReactionKind};
+use crate::analysis::{Engine, ReactionKind, Recorded};
 use crate::model::Tag;
 use crate::series::Series;
 
@@ -214,6 +214,11 @@ impl Source for NodeResponse {
         let modes = engine.modes().map_or(0, |m| m.shapes.len());
         self.mode = if self.quantity == NodeQuantity::Modes && self.mode + 1 < modes { self.mode + 1 } else { 0 };
         self.mode > 0
+    }
+
+    fn numbers(&self, _: &Engine) -> Option<Vec<Recorded>> {
+        let plain = self.quantity == NodeQuantity::Disp && self.series.iter().all(Option::is_none);
+        self.found.iter().map(|dof| dof.filter(|_| plain).map(Recorded::Disp)).collect()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

@@ -6,11 +6,25 @@ mod simple;
 pub use path::{Path, PathTimes};
 pub use simple::{Constant, Linear, Pulse, Rectangular, Triangle, Trig, Wave};
 
+use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+/// Comparison of series.
+pub trait CompareSeries: Any {
+    /// Returns true if another series is the same function.
+    fn equals(&self, other: &dyn TimeSeries) -> bool;
+}
+
+impl<T: TimeSeries + PartialEq> CompareSeries for T {
+    fn equals(&self, other: &dyn TimeSeries) -> bool {
+        let other: &dyn Any = other;
+        other.downcast_ref::<T>() == Some(self)
+    }
+}
+
 /// A function of time.
-pub trait TimeSeries: fmt::Debug + Send + Sync {
+pub trait TimeSeries: CompareSeries + fmt::Debug + Send + Sync {
     /// Value at a time.
     fn factor(&self, time: f64) -> f64;
 

@@ -5,7 +5,7 @@ use super::TimeSeries;
 /// Points at equal steps of time from `start`.
 ///
 /// As in OpenSees the value is zero before the first point, and from the last point on, unless `use_last`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// Values at the points.
     pub values: Vec<f64>,
@@ -48,7 +48,7 @@ impl TimeSeries for Path {
 /// Points at given times, which do not decrease.
 ///
 /// Zero before the first and after the last, unless `use_last`; at the last point itself the last value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PathTimes {
     /// Times of the points.
     pub times: Vec<f64>,

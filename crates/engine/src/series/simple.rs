@@ -4,7 +4,7 @@ use super::TimeSeries;
 use std::f64::consts::TAU;
 
 /// A constant.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
     /// The value.
     pub factor: f64,
@@ -17,7 +17,7 @@ impl TimeSeries for Constant {
 }
 
 /// Proportional to time.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Linear {
     /// Value at time 1.
     pub factor: f64,
@@ -30,7 +30,7 @@ impl TimeSeries for Linear {
 }
 
 /// Common part of the periodic series: they are zero outside `start` to `end`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Wave {
     /// Start.
     pub start: f64,
@@ -59,7 +59,7 @@ impl Wave {
 }
 
 /// Sine: `c sin(2π (t - t₀)/T + φ) + z`, where φ is the phase shift less that which lets it start at zero for z.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Trig {
     wave: Wave,
     phi: f64,
@@ -87,7 +87,7 @@ impl TimeSeries for Trig {
 }
 
 /// Triangle wave that starts upwards.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Triangle(pub Wave);
 
 impl TimeSeries for Triangle {
@@ -114,7 +114,7 @@ impl TimeSeries for Triangle {
 }
 
 /// Constant between two times, zero outside.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rectangular {
     /// Start.
     pub start: f64,
@@ -134,7 +134,7 @@ impl TimeSeries for Rectangular {
 }
 
 /// Rectangular pulses: the amplitude for a fraction `width` of each period, and none for the rest.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pulse {
     /// Times, amplitude and shifts.
     pub wave: Wave,

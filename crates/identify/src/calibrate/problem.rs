@@ -2,8 +2,9 @@
 
 use super::method::Trial;
 use crate::study::{
-    Role, ScoredRun, ScriptSimulator, SimulationError, Simulator, Study, WorkerPool, objective, simulate_and_score,
+    Role, ScoredRun, ScriptSimulator, SimulationError, Simulator, Study, WorkerPool, objective, simulate_and_score_all,
 };
+use hysteron_engine::numeric::wide::WIDTH;
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -87,21 +88,28 @@ impl StudyProblem {
     }
 
     /// Simulate and score runs in parallel. Results are in the order of the jobs.
-    fn run(&self, jobs: impl IntoIterator<Item = Job>) -> impl Iterator<Item = Result<ScoredRun, SimulationError>> {
-        let results = self.pool.run(jobs, |job: Job| {
+    fn run(&self, jobs: impl IntoIterator<Item = Job>) -> Vec<Result<ScoredRun, SimulationError>> {
+        let mut jobs: Vec<(usize, Job)> = jobs.into_iter().enumerate().collect();
+        let mut results = vec![Err(SimulationError::Defect); jobs.len()];
+        // Candidates of one run may go side by side. The groups follow from the jobs, not from the threads.
+        jobs.sort_by_key(|(_, job)| job.run);
+        let groups = jobs.chunk_by(|a, b| a.1.run == b.1.run).flat_map(|same| same.chunks(WIDTH));
+        let done = self.pool.run(groups.collect::<Vec<_>>(), |group: &[(usize, Job)]| {
             // A simulator whose run panics is not put back, so the next job gets a new one.
             let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());
-            let result = simulate_and_score(&mut *simulator, &self.study, job.run, &job.values);
+            let values: Vec<&[f64]> = group.iter().map(|(_, job)| &*job.values).collect();
+            let scored = simulate_and_score_all(&mut *simulator, &self.study, group[0].1.run, &values);
             SIMULATOR.set(Some(simulator));
-            result
+            group.iter().map(|(i, _)| *i).zip(scored).collect::<Vec<_>>()
         });
-        results.into_iter().map(|r| r.unwrap_or(Err(SimulationError::Defect)))
+        done.into_iter().flatten().flatten().for_each(|(i, scored)| results[i] = scored);
+        results
     }
 
     /// Simulate and score runs of the study with values of all parameters.
     pub fn scored_runs(&self, runs: &[usize], values: &[f64]) -> Vec<Result<ScoredRun, SimulationError>> {
         let values: Arc<[f64]> = values.into();
-        self.run(runs.iter().map(|r| Job { run: *r, values: values.clone() })).collect()
+        self.run(runs.iter().map(|r| Job { run: *r, values: values.clone() }))
     }
 
     fn fitted_runs(&self) -> Vec<usize> {
@@ -135,7 +143,7 @@ impl Problem for StudyProblem {
         let values: Vec<_> =
             unit_points.iter().map(|p| self.study.space.values_at(p).map(Arc::<[f64]>::from)).collect();
         let jobs = values.iter().flatten().flat_map(|v| runs.iter().map(|r| Job { run: *r, values: v.clone() }));
-        let mut results = self.run(jobs);
+        let mut results = self.run(jobs).into_iter();
         let evaluations = values.iter().map(|v| {
             if let Err(e) = v {
                 return Evaluation::failed(SimulationError::OutOfRange(e.to_string()));

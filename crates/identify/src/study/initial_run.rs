@@ -5,6 +5,7 @@ use super::load::{Study, StudyError};
 use super::script_errors::{SetUses, explain, output_error, time_columns};
 use super::script_simulator::{EndedRun, RunMode, ScriptSimulator};
 use super::simulator::SimulationError;
+use hysteron_opensees::lockstep::Course;
 use hysteron_opensees::run::End;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span, nearest};
 use std::collections::BTreeMap;
@@ -19,11 +20,14 @@ pub struct RunLimits {
     pub steps: u64,
     /// Wall-clock time.
     pub time: Duration,
+    /// Number of the last analysis of the first run, where no results of it are asked for.
+    pub last_analysis: Option<u64>,
 }
 
 impl RunLimits {
     /// Limits of a script that has not run yet.
-    pub const UNKNOWN: Self = Self { commands: 2_000_000_000, steps: 200_000_000, time: Self::MIN_TIME };
+    pub const UNKNOWN: Self =
+        Self { commands: 2_000_000_000, steps: 200_000_000, time: Self::MIN_TIME, last_analysis: None };
 
     /// Least limit of time, and that of the first run.
     const MIN_TIME: Duration = Duration::from_secs(60);
@@ -36,7 +40,7 @@ impl RunLimits {
     /// Limits from the commands and steps of the first run. Values that converge badly take more of both, but not 50 times.
     pub(super) fn from_first_run(commands: u64, steps: u64, time: Duration) -> Self {
         let (commands, steps) = (Self::MARGIN * commands + 10_000, Self::MARGIN * steps + Self::MORE_STEPS);
-        Self { commands, steps, time: time.max(Self::MIN_TIME) }
+        Self { commands, steps, time: time.max(Self::MIN_TIME), last_analysis: None }
     }
 
     /// Steps of the first run.
@@ -114,6 +118,7 @@ impl ScriptSimulator {
             let commands = RunLimits::UNKNOWN.commands - interp.budget.unwrap_or(0);
             let mut limits = RunLimits::from_first_run(commands, interp.host.engine.steps, 20 * ended.time);
             limits.time = time_limit.unwrap_or(limits.time);
+            limits.last_analysis = interp.host.course.and_then(|c| c.last_analysis());
             self.limits[number] = limits;
         }
         initial.limits.clone_from(&self.limits);
@@ -126,7 +131,7 @@ impl ScriptSimulator {
 
     /// One run with the script's own values, or with those in the middle of the ranges if it fails; its error.
     fn first_run(&self, number: usize, initial: &mut InitialRun) -> (EndedRun, Option<SimulationError>) {
-        let watched = || RunMode { watched: true, ..RunMode::default() };
+        let watched = || RunMode { watched: true, course: Some(Course::default()), ..RunMode::default() };
         let ended = self.run(number, None, watched());
         take_declared_values(&self.study, &ended.script.interp.host.declared, &mut initial.values);
         let error = self.error(&ended, number);

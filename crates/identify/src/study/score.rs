@@ -1,7 +1,7 @@
 //! Comparison of a simulated run with its recording.
 
 use super::load::Study;
-use super::run::{ObservedChannel, Role};
+use super::run::{ObservedChannel, Role, Run};
 use super::simulator::{SimulationError, Simulator};
 
 /// Error of a simulated channel.
@@ -56,8 +56,23 @@ pub fn simulate_and_score(
     run: usize,
     values: &[f64],
 ) -> Result<ScoredRun, SimulationError> {
-    let channels = simulator.simulate(run, values)?;
-    let run = &study.runs[run];
+    score_channels(simulator.simulate(run, values)?, &study.runs[run])
+}
+
+/// Simulate a run for several candidates and compare each with the recording.
+/// The errors are those of [`simulate_and_score`].
+pub fn simulate_and_score_all(
+    simulator: &mut dyn Simulator,
+    study: &Study,
+    run: usize,
+    values: &[&[f64]],
+) -> Vec<Result<ScoredRun, SimulationError>> {
+    let all = simulator.simulate_all(run, values);
+    all.into_iter().map(|channels| score_channels(channels?, &study.runs[run])).collect()
+}
+
+/// Compare the simulated channels of a run with its recording.
+fn score_channels(channels: Vec<Vec<f64>>, run: &Run) -> Result<ScoredRun, SimulationError> {
     let scores: Vec<Score> = channels.iter().zip(&run.observe).map(|(c, o)| score(c, o)).collect();
     for (s, o) in scores.iter().zip(&run.observe) {
         if s.samples == 0 {

@@ -4,14 +4,15 @@ use super::cached_files::{CachedFiles, FileContents};
 use super::initial_run::RunLimits;
 use super::load::Study;
 use super::run::{ObservedChannel, Setting};
-use super::simulator::{SimulationError, Simulator};
+use super::simulator::{Channels, SimulationError, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Options};
 use hysteron_engine::record::{Output, RecordError};
+use hysteron_opensees::lockstep::Course;
 use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
 use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
 use hysteron_tcl::diagnostic::Diagnostic;
-use hysteron_tcl::{Console, OverlayFiles, Value, Watch};
+use hysteron_tcl::{Console, Exception, OverlayFiles, Value, Watch};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -25,9 +26,11 @@ pub struct ScriptSimulator {
     pub(super) limits: Vec<RunLimits>,
     contents: FileContents,
     numbers: NumberFiles,
-    stop: Arc<AtomicBool>,
+    pub(super) stop: Arc<AtomicBool>,
     /// The outputs of the observed channels, by run: path and trace.
     pub(super) outputs: Vec<Vec<(String, TraceOutput)>>,
+    /// Simulators of candidates that are analysed side by side with those of this one.
+    pub(super) beside: Vec<ScriptSimulator>,
 }
 
 /// Makes simulators of a study. It can be sent to other threads, unlike the simulators.
@@ -152,6 +155,24 @@ pub(super) struct EndedRun {
     pub(super) set_watches: Vec<Option<Watch>>,
 }
 
+/// A run of the script that has come to its end, with its recorders open.
+pub(super) struct BegunRun {
+    pub(super) script: ScriptRun,
+    result: Result<Value, Exception>,
+    begun: Instant,
+    files: RecorderFiles,
+    set_watches: Vec<Option<Watch>>,
+}
+
+impl BegunRun {
+    /// Finish its recorders.
+    pub(super) fn conclude(mut self) -> EndedRun {
+        let end = self.script.close(self.result);
+        let Self { script, begun, files, set_watches, .. } = self;
+        EndedRun { script, end, time: begun.elapsed(), files, set_watches }
+    }
+}
+
 /// Settings of a run besides the values of its parameters.
 #[derive(Default)]
 pub(super) struct RunMode {
@@ -159,6 +180,8 @@ pub(super) struct RunMode {
     pub(super) others: Option<UnobservedTraces>,
     /// Note the first use of the variables that the study sets.
     pub(super) watched: bool,
+    /// Follow the course of the run.
+    pub(super) course: Option<Course>,
 }
 
 impl ScriptSimulator {
@@ -175,7 +198,8 @@ impl ScriptSimulator {
         });
         let limits = vec![RunLimits::UNKNOWN; study.runs.len()];
         let (contents, numbers) = (FileContents::default(), NumberFiles::default());
-        Self { outputs: outputs.collect(), study, options, limits, contents, numbers, stop }
+        let outputs = outputs.collect();
+        Self { outputs, study, options, limits, contents, numbers, stop, beside: vec![] }
     }
 
     /// A factory of simulators with the same study, limits and cached files.
@@ -207,14 +231,20 @@ impl ScriptSimulator {
 
     /// Run the script with `values` of the parameters, or with its own values.
     pub(super) fn run(&self, run: usize, values: Option<&[f64]>, mode: RunMode) -> EndedRun {
-        let RunMode { others, watched } = mode;
+        self.begin(run, values, mode).conclude()
+    }
+
+    /// The same up to the end of the script; its recorders are still open.
+    pub(super) fn begin(&self, run: usize, values: Option<&[f64]>, mode: RunMode) -> BegunRun {
+        let RunMode { others, watched, course } = mode;
         let spec = &self.study.runs[run];
         let settings = Settings { mode: Mode::Run, strict: false, options: self.options.clone() };
         let files = OverlayFiles::new(Box::new(CachedFiles::new(&self.study.folder_text(), &self.contents)));
         let recorders = RecorderFiles::default();
         let outputs = RunOutputs { observed: self.outputs[run].clone(), others, files: recorders.clone() };
         self.outputs[run].iter().for_each(|(_, t)| t.clear());
-        let mut script = ScriptRun::new(settings, Box::new(Silent), Box::new(files), Box::new(outputs));
+        let mut script =
+            ScriptRun::with_course(settings, course, Box::new(Silent), Box::new(files), Box::new(outputs));
         let begun = Instant::now();
         let limits = self.limits[run];
         let interrupt = script.interp.interrupt.clone();
@@ -242,11 +272,11 @@ impl ScriptSimulator {
             set_watches.extend(spec.set.iter().map(|(name, _)| script.interp.watch_var(name)));
             script.interp.host.watches = Some(BTreeMap::new());
         }
-        let end = match set {
-            Ok(()) => script.script(&self.study.model, &[]),
-            Err(_) => End::Rejected(Box::new(Diagnostic::error("a variable of this run cannot be set"))),
+        let result = match set {
+            Ok(()) => script.begin(&self.study.model, &[]),
+            Err(_) => Err(Exception::error("a variable of this run cannot be set".to_owned())),
         };
-        EndedRun { script, end, time: begun.elapsed(), files: recorders, set_watches }
+        BegunRun { script, result, begun, files: recorders, set_watches }
     }
 
     /// The error of a run that has ended, if it failed.
@@ -336,7 +366,7 @@ impl ScriptSimulator {
             return Some((format!("{} [{unit}]", c.name), values.clone()));
         }
         let others = UnobservedTraces::default();
-        self.run(run, Some(values), RunMode { others: Some(others.clone()), watched: false });
+        self.run(run, Some(values), RunMode { others: Some(others.clone()), ..RunMode::default() });
         let others = others.lock().ok()?;
         let (name, trace) = others.iter().find(|(name, _)| name.contains("disp"))?;
         let column = |t: &Trace| (t.width > 1).then(|| t.sample(1, &recording.times));
@@ -361,7 +391,7 @@ pub(super) fn tcl_value(setting: &Setting) -> Value {
 }
 
 impl Simulator for ScriptSimulator {
-    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError> {
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Channels {
         if self.stop.load(Ordering::Relaxed) {
             return Err(SimulationError::Interrupted);
         }
@@ -370,5 +400,9 @@ impl Simulator for ScriptSimulator {
             Some(error) => Err(error),
             None => self.channels(run),
         }
+    }
+
+    fn simulate_all(&mut self, run: usize, values: &[&[f64]]) -> Vec<Channels> {
+        self.simulate_side_by_side(run, values)
     }
 }

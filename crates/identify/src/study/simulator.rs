@@ -9,8 +9,16 @@ pub trait Simulator {
     ///
     /// # Errors
     /// The model has no response for these values.
-    fn simulate(&mut self, run: usize, values: &[f64]) -> Result<Vec<Vec<f64>>, SimulationError>;
+    fn simulate(&mut self, run: usize, values: &[f64]) -> Channels;
+
+    /// The same for several candidates at once.
+    fn simulate_all(&mut self, run: usize, values: &[&[f64]]) -> Vec<Channels> {
+        values.iter().map(|v| self.simulate(run, v)).collect()
+    }
 }
+
+/// Simulated channels of a run, or why there are none.
+pub type Channels = Result<Vec<Vec<f64>>, SimulationError>;
 
 /// The cause of a failed simulation.
 #[derive(Clone, Debug, PartialEq)]

@@ -138,6 +138,12 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
+    let can_wait = kind == Kind::Static && lengths.is_none() && interp.host.mode == Mode::Run;
+    if interp.host.course.as_mut().is_some_and(|course| course.begin_analysis(steps as usize, can_wait)) {
+        let session = &mut interp.host;
+        session.output.recorders.start(&mut session.engine);
+        return Ok(Value::from(0i64));
+    }
     checkpoint::before_analysis(interp, call)?;
     warn_of_plain(interp, call.span(0))?;
     warn_of_pseudo_time(interp, call.span(0))?;

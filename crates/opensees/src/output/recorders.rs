@@ -80,6 +80,11 @@ impl Recorders {
         self.journal.as_ref().is_some_and(|j| j.repeats())
     }
 
+    /// Returns true if nobody but recorders needs the state after each step.
+    pub(crate) fn records_only(&self) -> bool {
+        self.balances.is_none() && self.motion.is_none() && self.journal.is_none() && self.print == 0
+    }
+
     /// Record the committed state.
     pub(crate) fn record(&mut self, engine: &mut Engine) -> Result<(), RecordError> {
         self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(drop))

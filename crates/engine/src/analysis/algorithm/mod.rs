@@ -97,6 +97,11 @@ pub trait Algorithm: fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
 
+    /// Returns true for Newton's method with the current tangent in each iteration.
+    fn is_newton(&self) -> bool {
+        false
+    }
+
     /// The model has changed.
     fn prepare(&mut self, _system: &System<'_>) {}
 

@@ -28,6 +28,9 @@ impl Algorithm for Newton {
     fn name(&self) -> &'static str {
         "Newton"
     }
+    fn is_newton(&self) -> bool {
+        self.choice == TangentChoice::Always(TangentMix::CURRENT)
+    }
     fn forget(&mut self) {
         *self = Self::new(self.choice);
     }

@@ -33,6 +33,10 @@ impl Integrator for LoadControl {
         true
     }
 
+    fn fixed_increment(&self) -> Option<f64> {
+        (self.adaptive.min == self.adaptive.max).then_some(self.adaptive.min)
+    }
+
     fn divides(&self) -> bool {
         true
     }

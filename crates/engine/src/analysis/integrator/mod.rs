@@ -102,6 +102,11 @@ pub trait Integrator: fmt::Debug + Send {
         false
     }
 
+    /// Increment of the load factor, where that is all of a step.
+    fn fixed_increment(&self) -> Option<f64> {
+        None
+    }
+
     /// Returns true if a step can be made in parts, by giving `begin` parts of its length.
     fn divides(&self) -> bool {
         !self.is_static()

@@ -184,7 +184,7 @@ impl Draft {
         let mut simulator = ScriptSimulator::new(Arc::new(study), Options::default(), self.stop.clone());
         simulator.limits = vec![RunLimits { time: MAX_TIME, ..RunLimits::UNKNOWN }];
         let outputs = UnobservedTraces::default();
-        let ended = simulator.run(0, None, RunMode { others: Some(outputs.clone()), watched: false });
+        let ended = simulator.run(0, None, RunMode { others: Some(outputs.clone()), ..RunMode::default() });
         run.failure = simulator.error(&ended, 0).map(|e| e.to_string());
         let interp = &ended.script.interp;
         let mut declared: Vec<(u32, String, f64)> = interp

@@ -5,5 +5,6 @@ pub(in crate::element::bearing) mod multiple_normal_spring;
 pub(in crate::element::bearing) mod multiple_shear_spring;
 pub(in crate::element::bearing) mod rubber_bearing;
 pub(in crate::element::bearing) mod shear_bearing;
+mod shear_bearings;
 pub mod sliding;
 pub mod triple;

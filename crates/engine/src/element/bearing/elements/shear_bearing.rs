@@ -1,12 +1,14 @@
 //! A bearing between two nodes: a shear law with uniaxial materials for the other directions.
 
 use crate::element::bearing::kinematics::link::Link;
+use crate::element::bearing::elements::shear_bearings::ShearBearings;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, RowMaterial,
-    Snapshot, Softening, frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
+    RowMaterial, Snapshot, Softening, alike, frame_force_labels,
 };
 use crate::material::{Material, Slot, Strain};
+use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
@@ -125,6 +127,19 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
 
     fn mass(&self) -> Mass {
         self.law.masses(self.mass)
+    }
+
+    fn lockstep(&self, all: &[&dyn Element; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        let all = alike::<Self>(all)?;
+        let same = all.iter().all(|b| b.link == self.link) && self.law.dashpot() == 0.0;
+        let law = L::lockstep(&all.map(|b| &b.law)).filter(|_| same)?;
+        let mut springs = [None; M];
+        for (i, spring) in springs.iter_mut().enumerate() {
+            let each = all.map(|b| b.materials[i].stiffness());
+            *spring = each.iter().all(Option::is_some).then(|| Wide(each.map(Option::unwrap_or_default)));
+        }
+        let springs = springs.iter().all(Option::is_some).then(|| springs.map(|s| s.unwrap_or(Wide::all(0.0))))?;
+        Some(Box::new(ShearBearings { law, link: self.link.clone(), springs }))
     }
 
     fn softening(&self, history: &[f64]) -> Option<Softening> {

@@ -2,6 +2,7 @@
 
 use crate::element::{BasicRow, MatrixMask, dot};
 use crate::numeric::SparseMatrix;
+use crate::numeric::wide::Real;
 use nalgebra::Matrix3;
 
 /// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.
@@ -10,7 +11,7 @@ use nalgebra::Matrix3;
 /// are axial, shear y, shear z, torsion, rotation y and rotation z, in local axes. The shear force acts at `shear_dist`
 /// times the length from node i. The axial force times the offset is a moment, half of which acts at each end, as in
 /// OpenSees.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Link<const N: usize, const B: usize> {
     /// Derivatives of the basic deformations by the global displacements.
     pub basic: [[f64; N]; B],
@@ -30,19 +31,19 @@ pub struct Link<const N: usize, const B: usize> {
 
 /// Displacements of a link in local axes; components out of a plane are 0.
 #[derive(Clone, Copy, Debug)]
-pub struct LocalMotion {
+pub struct LocalMotion<T> {
     /// Displacement of node j relative to node i.
-    offset: [f64; 3],
+    offset: [T; 3],
     /// Rotations of node i and of node j.
-    ends: [[f64; 3]; 2],
+    ends: [[T; 3]; 2],
 }
 
 /// End forces of a link in local axes.
-struct EndForces {
+struct EndForces<T> {
     /// Force on node j, and its opposite on node i.
-    force: [f64; 3],
+    force: [T; 3],
     /// Moments on node i and on node j.
-    moments: [[f64; 3]; 2],
+    moments: [[T; 3]; 2],
 }
 
 impl<const N: usize, const B: usize> Link<N, B> {
@@ -106,11 +107,12 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Local displacements (or velocities) from global ones.
     #[inline]
-    pub fn local_motion(&self, disp: &[f64]) -> LocalMotion {
+    pub fn local_motion<T: Real>(&self, disp: &[T]) -> LocalMotion<T> {
         let (u, a) = (&disp[..N], &self.axes);
         if Self::PLANE {
-            let offset = [u[3] - u[0], u[4] - u[1], 0.0];
-            LocalMotion { offset: to_local(a, offset), ends: [[0.0, 0.0, a[2][2] * u[2]], [0.0, 0.0, a[2][2] * u[5]]] }
+            let offset = [u[3] - u[0], u[4] - u[1], T::ZERO];
+            let rotation = |u: T| [T::ZERO, T::ZERO, u * a[2][2]];
+            LocalMotion { offset: to_local(a, offset), ends: [rotation(u[2]), rotation(u[5])] }
         } else {
             let offset = [u[6] - u[0], u[7] - u[1], u[8] - u[2]];
             LocalMotion {
@@ -122,15 +124,15 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Adds end forces to the global forces.
     #[inline]
-    fn add_end_forces(&self, local: &EndForces, force: &mut [f64]) {
+    fn add_end_forces<T: Real>(&self, local: &EndForces<T>, force: &mut [T]) {
         let (f, a) = (&mut force[..N], &self.axes);
         let global_force = to_global(a, local.force);
-        let add = |f: &mut [f64], sign: f64, v: &[f64]| f.iter_mut().zip(v).for_each(|(f, v)| *f += sign * v);
+        let add = |f: &mut [T], sign: f64, v: &[T]| f.iter_mut().zip(v).for_each(|(f, v)| *f += *v * sign);
         if Self::PLANE {
             add(&mut f[..2], -1.0, &global_force);
             add(&mut f[3..5], 1.0, &global_force);
-            f[2] += a[2][2] * local.moments[0][2];
-            f[5] += a[2][2] * local.moments[1][2];
+            f[2] += local.moments[0][2] * a[2][2];
+            f[5] += local.moments[1][2] * a[2][2];
         } else {
             add(&mut f[..3], -1.0, &global_force);
             add(&mut f[3..6], 1.0, &to_global(a, local.moments[0]));
@@ -141,41 +143,41 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// End forces of the basic forces `q`, without P-Delta moments.
     #[inline]
-    fn end_forces(&self, q: &[f64; B]) -> EndForces {
+    fn end_forces<T: Real>(&self, q: &[T; B]) -> EndForces<T> {
         let [i, j] = self.arms;
-        let mut all = [0.0; 6];
+        let mut all = [T::ZERO; 6];
         Self::DIRECTIONS.iter().zip(q).for_each(|(d, q)| all[*d] = *q);
         let [n, vy, vz, t, my, mz] = all;
-        EndForces { force: [n, vy, vz], moments: [[-t, i * vz - my, -i * vy - mz], [t, j * vz + my, mz - j * vy]] }
+        EndForces { force: [n, vy, vz], moments: [[-t, vz * i - my, -vy * i - mz], [t, vz * j + my, mz - vy * j]] }
     }
 
     /// P-Delta moments at the ends per unit of axial force.
     #[inline]
-    fn p_delta_levers(&self, u: &LocalMotion) -> [[f64; 3]; 2] {
+    fn p_delta_levers<T: Real>(&self, u: &LocalMotion<T>) -> [[T; 3]; 2] {
         let ([i, j], [start, end]) = (self.arms, &u.ends);
         // Half of the offset at each end, plus the difference from the end rotations.
-        let half = [-0.5 * u.offset[2], 0.5 * u.offset[1]];
-        let from_rotations = [0.5 * (i * start[1] - j * end[1]), 0.5 * (i * start[2] - j * end[2])];
+        let half = [u.offset[2] * -0.5, u.offset[1] * 0.5];
+        let from_rotations = [(start[1] * i - end[1] * j) * 0.5, (start[2] * i - end[2] * j) * 0.5];
         [
-            [0.0, half[0] + from_rotations[0], half[1] + from_rotations[1]],
-            [0.0, half[0] - from_rotations[0], half[1] - from_rotations[1]],
+            [T::ZERO, half[0] + from_rotations[0], half[1] + from_rotations[1]],
+            [T::ZERO, half[0] - from_rotations[0], half[1] - from_rotations[1]],
         ]
     }
 
     /// Basic deformations (or their rates) from global displacements (or velocities).
     #[inline]
-    pub fn deformation(&self, disp: &[f64]) -> [f64; B] {
+    pub fn deformation<T: Real>(&self, disp: &[T]) -> [T; B] {
         self.deformation_of(&self.local_motion(disp))
     }
 
     /// Basic deformations from local displacements.
     #[inline]
-    pub fn deformation_of(&self, motion: &LocalMotion) -> [f64; B] {
+    pub fn deformation_of<T: Real>(&self, motion: &LocalMotion<T>) -> [T; B] {
         let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, motion);
         let all = [
             offset[0],
-            offset[1] - i * start[2] - j * end[2],
-            offset[2] + i * start[1] + j * end[1],
+            offset[1] - start[2] * i - end[2] * j,
+            offset[2] + start[1] * i + end[1] * j,
             end[0] - start[0],
             end[1] - start[1],
             end[2] - start[2],
@@ -185,25 +187,32 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
     /// Adds the global forces of the basic forces `q`, without P-Delta moments.
     #[inline]
-    pub fn add_basic_force(&self, q: &[f64; B], force: &mut [f64]) {
+    pub fn add_basic_force<T: Real>(&self, q: &[T; B], force: &mut [T]) {
         self.add_end_forces(&self.end_forces(q), force);
     }
 
     /// Adds the global forces of the basic forces `q`, with P-Delta moments.
     #[inline]
-    pub fn add_force(&self, q: &[f64; B], motion: &LocalMotion, force: &mut [f64]) {
+    pub fn add_force<T: Real>(&self, q: &[T; B], motion: &LocalMotion<T>, force: &mut [T]) {
         let mut local = self.end_forces(q);
         if self.p_delta.is_some() {
             let p_delta_levers = self.p_delta_levers(motion);
             for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(p_delta_levers.as_flattened()) {
-                *moment += q[0] * lever;
+                *moment += q[0] * *lever;
             }
         }
         self.add_end_forces(&local, force);
     }
 
     /// Adds the masked part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
-    pub fn add_tangent(&self, k: &[[f64; B]; B], q: &[f64; B], disp: &[f64], tangent: &mut [f64], part: MatrixMask) {
+    pub fn add_tangent<T: Real>(
+        &self,
+        k: &[[T; B]; B],
+        q: &[T; B],
+        disp: &[T],
+        tangent: &mut [T],
+        part: MatrixMask,
+    ) {
         self.add_basic_part(k, tangent, part);
         let Some(p_delta) = &self.p_delta else { return };
         let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
@@ -211,7 +220,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
             return;
         }
         // The moments are proportional to the axial force.
-        let mut axial = [0.0; N];
+        let mut axial = [T::ZERO; N];
         self.add_basic_force(&k[0], &mut axial);
         for (i, row) in moments() {
             let to = &mut tangent[i * N..(i + 1) * N];
@@ -219,8 +228,8 @@ impl<const N: usize, const B: usize> Link<N, B> {
             if !self.axial_derivative {
                 continue;
             }
-            let lever: f64 = row.iter().map(|e| e.value * disp[e.column]).sum();
-            to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * a);
+            let lever = row.iter().fold(T::ZERO, |sum, e| sum + disp[e.column] * e.value);
+            to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * *a);
         }
     }
 
@@ -230,13 +239,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds the masked part of Aᵀ k A for a basic matrix `k`.
-    pub fn add_basic_part(&self, k: &[[f64; B]; B], tangent: &mut [f64], part: MatrixMask) {
+    pub fn add_basic_part<T: Real>(&self, k: &[[T; B]; B], tangent: &mut [T], part: MatrixMask) {
         let whole = part.columns.has_all(N);
         for i in part.rows.among(N) {
             // Derivatives of the force i by the basic deformations.
-            let mut by_basic = [0.0; B];
+            let mut by_basic = [T::ZERO; B];
             for e in self.columns.row(i) {
-                by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += e.value * k);
+                by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += *k * e.value);
             }
             let to = &mut tangent[i * N..(i + 1) * N];
             if whole {
@@ -244,7 +253,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
                 continue;
             }
             for j in part.columns.among(N) {
-                to[j] += self.columns.row(j).iter().fold(0.0, |sum, e| sum + e.value * by_basic[e.column]);
+                to[j] += self.columns.row(j).iter().fold(T::ZERO, |sum, e| sum + by_basic[e.column] * e.value);
             }
         }
     }
@@ -266,12 +275,12 @@ impl<const N: usize, const B: usize> Link<N, B> {
 
 /// Components of a global vector along local axes.
 #[inline]
-fn to_local(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
-    axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
+fn to_local<T: Real>(axes: &[[f64; 3]; 3], v: [T; 3]) -> [T; 3] {
+    axes.map(|a| v[0] * a[0] + v[1] * a[1] + v[2] * a[2])
 }
 
 /// Components of a local vector along global axes.
 #[inline]
-fn to_global(axes: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| axes[0][i] * v[0] + axes[1][i] * v[1] + axes[2][i] * v[2])
+fn to_global<T: Real>(axes: &[[f64; 3]; 3], v: [T; 3]) -> [T; 3] {
+    std::array::from_fn(|i| v[0] * axes[0][i] + v[1] * axes[1][i] + v[2] * axes[2][i])
 }

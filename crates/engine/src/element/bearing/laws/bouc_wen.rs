@@ -1,8 +1,12 @@
 //! Shear law of `elastomericBearingBoucWen`.
 
+mod lockstep;
+
 use crate::element::ElementError;
-use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
+use crate::element::bearing::laws::shear::{Shear, ShearLaw, ShearLockstep, at_rest, hardening, hardening_ends};
 use crate::numeric::sign;
+use crate::numeric::wide::WIDTH;
+use lockstep::BoucWenLockstep;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with ż = (k₀/q_d) [A u̇ - z |z|^(η-2)
 /// (z·u̇) (γ + β sign(z·u̇))], A = 1.
@@ -133,6 +137,10 @@ impl BoucWenShear {
 impl<const S: usize> ShearLaw<S> for BoucWenShear {
     const CLASS: [&'static str; 2] = ["ElastomericBearingBoucWen2d", "ElastomericBearingBoucWen3d"];
     const HYSTERETIC: bool = true;
+
+    fn lockstep(all: &[&Self; WIDTH]) -> Option<impl ShearLockstep<S> + 'static> {
+        BoucWenLockstep::new(all)
+    }
 
     fn backbone_ends(&self) -> Option<(f64, f64)> {
         hardening_ends(self.k2, self.k3, self.mu)

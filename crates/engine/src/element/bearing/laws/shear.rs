@@ -2,20 +2,21 @@
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::{ElementError, Mass};
+use crate::numeric::wide::{Real, WIDTH, Wide};
 use crate::state_struct::StateStruct;
 use std::fmt;
 
 /// State variables of a law with `S` shear directions, which recorders read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shear<const S: usize> {
+pub struct Shear<const S: usize, T = f64> {
     /// Displacement.
-    pub u: [f64; S],
+    pub u: [T; S],
     /// Internal variable of the law: hysteretic parameter, plastic displacement.
-    pub internal: [f64; S],
+    pub internal: [T; S],
     /// Force.
-    pub q: [f64; S],
+    pub q: [T; S],
     /// Consistent stiffness.
-    pub k: [[f64; S]; S],
+    pub k: [[T; S]; S],
 }
 
 impl<const S: usize> Default for Shear<S> {
@@ -24,22 +25,36 @@ impl<const S: usize> Default for Shear<S> {
     }
 }
 
+impl<const S: usize, T: Real> Shear<S, T> {
+    /// Of the state variables of one bearing, or of several side by side.
+    #[inline(always)]
+    pub fn of_words(state: &[T]) -> Self {
+        let state = &state[..Shear::<S>::LEN];
+        let vector = |at: usize| std::array::from_fn(|i| state[at + i]);
+        Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
+    }
+
+    /// Write them.
+    #[inline(always)]
+    pub fn to_words(&self, state: &mut [T]) {
+        let rows = [&self.u, &self.internal, &self.q].into_iter().chain(&self.k);
+        for (to, from) in state[..Shear::<S>::LEN].chunks_exact_mut(S).zip(rows) {
+            to.copy_from_slice(from);
+        }
+    }
+}
+
 impl<const S: usize> StateStruct for Shear<S> {
     const LEN: usize = 3 * S + S * S;
 
     #[inline]
     fn read(state: &[f64]) -> Self {
-        let state = &state[..Self::LEN];
-        let vector = |at: usize| std::array::from_fn(|i| state[at + i]);
-        Self { u: vector(0), internal: vector(S), q: vector(2 * S), k: std::array::from_fn(|i| vector((3 + i) * S)) }
+        Self::of_words(state)
     }
 
     #[inline]
     fn write(&self, state: &mut [f64]) {
-        let rows = [&self.u, &self.internal, &self.q].into_iter().chain(&self.k);
-        for (to, from) in state[..Self::LEN].chunks_exact_mut(S).zip(rows) {
-            to.copy_from_slice(from);
-        }
+        self.to_words(state);
     }
 }
 
@@ -73,6 +88,11 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// OpenSees.
     fn leave_trace(&self, _committed: &Shear<S>, _last: &Shear<S>, _next: &mut Shear<S>) {}
 
+    /// The law of each of several bearings, side by side; `None` where it is not made for it.
+    fn lockstep(_all: &[&Self; WIDTH]) -> Option<impl ShearLockstep<S> + 'static> {
+        None::<NoLockstep>
+    }
+
     /// Deformations of one direction from which the stiffness and the force of the backbone are negative; `None` where
     /// they are not.
     fn backbone_ends(&self) -> Option<(f64, f64)> {
@@ -88,12 +108,43 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
 /// Relative difference of displacements that is round-off.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
+/// A shear law of several bearings side by side.
+pub trait ShearLockstep<const S: usize>: fmt::Debug {
+    /// Trial states at displacements, as [`ShearLaw::step`] has them one by one. A force is no number where there is none.
+    /// The method must be inlined.
+    fn step(&self, committed: &Shear<S, Wide>, u: [Wide; S]) -> Shear<S, Wide>;
+}
+
+/// The lack of such a law.
+#[derive(Debug)]
+pub(super) enum NoLockstep {}
+
+impl<const S: usize> ShearLockstep<S> for NoLockstep {
+    fn step(&self, _: &Shear<S, Wide>, _: [Wide; S]) -> Shear<S, Wide> {
+        match *self {}
+    }
+}
+
 /// Returns true if the increment is round-off. The tangent is then that of continued loading, as at the end of the last
 /// step. Equilibrium corrections and rotations of axes by round-off are no unloading.
 #[inline]
 pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
     let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
+}
+
+/// The same of several bearings side by side: 1 where it is true, else 0.
+#[inline(always)]
+pub(in crate::element::bearing) fn is_at_rest<const S: usize>(u: &[Wide; S], committed: &[Wide; S]) -> Wide {
+    let (zero, one) = (Wide::all(0.0), Wide::all(1.0));
+    let (mut size, mut rests) = (zero, one);
+    for u in u {
+        size = u.abs().max(size);
+    }
+    for i in 0..S {
+        rests = (u[i] - committed[i]).abs().where_greater(size * ROUND_OFF, zero, rests);
+    }
+    rests
 }
 
 /// Deformations from which stiffness and force of the hardening springs are negative, by k₂ + k₃ μ u^(μ-1) = 0 and

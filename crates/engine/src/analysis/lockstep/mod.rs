@@ -1,0 +1,138 @@
+//! Analyses of several models that differ in numbers alone, step by step side by side in vector instructions.
+//!
+//! The models of a calibration come from one script with different parameters. Their static analyses make the same steps
+//! here: each number of the engine becomes [`WIDTH`] numbers, one a model. A model that has converged waits for the others;
+//! one that fails is left to be analysed by itself. The numbers of a model do not depend on the others.
+
+mod setup;
+mod stepping;
+
+use super::convergence::{Measure, Norm};
+use super::engine::Engine;
+use crate::assembly::Plan;
+use crate::element::{LockstepElement, MatrixMask};
+use crate::model::Drive;
+use crate::numeric::wide::{WIDTH, Wide};
+use std::ops::Range;
+
+/// A number of the committed state that is recorded after each step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recorded {
+    /// Displacement of a degree of freedom.
+    Disp(usize),
+    /// Entry of the forces of all elements, as [`State::force`](super::State) has them.
+    Force(usize),
+}
+
+/// Results of analyses side by side.
+#[derive(Debug)]
+pub struct Lockstep {
+    /// Domain time after each step.
+    pub times: Vec<f64>,
+    /// Recorded numbers of all models, step by step.
+    pub rows: Vec<Wide>,
+    /// Models that have failed; their engines are left as they were.
+    pub failed: [bool; WIDTH],
+}
+
+/// Make static steps of up to [`WIDTH`] models side by side, whose engines come to the end of them.
+///
+/// `None` where the models or their analyses are not made for it, and nothing has changed then: everything but steps of
+/// load control by Newton's method under a simple test, single-point constraints and elements that have a
+/// [`LockstepElement`].
+pub fn lockstep(engines: &mut [&mut Engine], steps: usize, recorded: &[Recorded]) -> Option<Lockstep> {
+    let mut models = Models::new(engines)?;
+    let done = models.analyze(steps, recorded);
+    let taken = engines.iter_mut().zip(&done.failed).enumerate().filter(|(_, (_, failed))| !**failed);
+    for (lane, (engine, _)) in taken {
+        models.finish(lane, engine, &done);
+    }
+    Some(done)
+}
+
+/// A force on a degree of freedom.
+#[derive(Debug)]
+struct LoadTerm {
+    dof: usize,
+    pattern: usize,
+    value: Wide,
+    constant: bool,
+}
+
+/// A displacement imposed on a degree of freedom.
+#[derive(Debug)]
+struct ImposedTerm {
+    dof: usize,
+    pattern: usize,
+    initial: Wide,
+    value: Wide,
+    constant: bool,
+}
+
+/// An element of all models.
+#[derive(Debug)]
+struct Entry {
+    element: Box<dyn LockstepElement>,
+    dofs: Vec<u32>,
+    /// Its part of the histories.
+    state: Range<usize>,
+    /// Its part of the forces.
+    force: Range<usize>,
+    part: MatrixMask,
+}
+
+/// Models side by side, with their analyses.
+#[derive(Debug)]
+struct Models {
+    plan: Plan,
+    elements: Vec<Entry>,
+    drives: Vec<Drive>,
+    factors: Vec<f64>,
+    /// Patterns with loads.
+    loaded: Vec<bool>,
+    loads: Vec<LoadTerm>,
+    imposed: Vec<ImposedTerm>,
+    measure: Measure,
+    norm: Norm,
+    tolerance: f64,
+    max_iterations: usize,
+    /// Step of the load factor.
+    increment: f64,
+    time: f64,
+    /// Committed displacements and histories.
+    committed: Motion,
+    /// Trial displacements, histories and forces.
+    trial: Motion,
+    work: Work,
+    failed: [bool; WIDTH],
+}
+
+/// Displacements, histories and forces of all models.
+#[derive(Clone, Debug, Default)]
+struct Motion {
+    disp: Vec<Wide>,
+    history: Vec<Wide>,
+    force: Vec<Wide>,
+}
+
+/// Buffers of a step.
+#[derive(Debug, Default)]
+struct Work {
+    /// Forces on all degrees of freedom.
+    nodal: Vec<Wide>,
+    /// Unbalance.
+    b: Vec<Wide>,
+    /// Correction.
+    x: Vec<Wide>,
+    matrix: Vec<Wide>,
+    /// Displacements of an element.
+    disp: Vec<Wide>,
+    /// Tangents of the elements, one after the other.
+    tangents: Vec<Wide>,
+    /// The tangents belong to the trial motion.
+    is_current: bool,
+    /// The last step was in balance as it began.
+    balanced: bool,
+    /// Iterations of the last step: the next is expected to take as many.
+    expected: usize,
+}

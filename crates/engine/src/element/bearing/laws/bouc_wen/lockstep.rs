@@ -1,0 +1,117 @@
+//! The law of several bearings side by side.
+
+use super::BoucWenShear;
+use crate::element::bearing::laws::shear::{Shear, ShearLockstep, hardening, is_at_rest};
+use crate::numeric::wide::{WIDTH, Wide};
+
+/// Laws with one yielding exponent.
+#[derive(Debug)]
+pub(super) struct BoucWenLockstep {
+    k0: Wide,
+    qd: Wide,
+    k2: Wide,
+    beta: Wide,
+    gamma: Wide,
+    eta: f64,
+    /// The laws one by one, where one hardens with a power of the displacement.
+    hardening: Option<[BoucWenShear; WIDTH]>,
+}
+
+impl BoucWenLockstep {
+    /// `None` where the yielding exponents differ, or are not the common ones, whose equation has a formula for its root.
+    pub(super) fn new(all: &[&BoucWenShear; WIDTH]) -> Option<Self> {
+        let eta = all[0].eta;
+        let usual = matches!(eta, 1.0 | 2.0) && all.iter().all(|law| law.eta == eta && !law.compat);
+        let hardens = all.iter().any(|law| law.k3 != 0.0);
+        usual.then(|| Self {
+            k0: Wide(all.map(|law| law.k0)),
+            qd: Wide(all.map(|law| law.qd)),
+            k2: Wide(all.map(|law| law.k2)),
+            beta: Wide(all.map(|law| law.beta)),
+            gamma: Wide(all.map(|law| law.gamma)),
+            eta,
+            hardening: hardens.then(|| all.map(Clone::clone)),
+        })
+    }
+
+    /// Force and stiffness of the hardening springs of a direction.
+    #[inline(always)]
+    fn hardening(&self, u: Wide) -> (Wide, Wide) {
+        let Some(laws) = &self.hardening else { return (self.k2 * u, self.k2) };
+        let (mut force, mut stiffness) = ([0.0; WIDTH], [0.0; WIDTH]);
+        for (i, law) in laws.iter().enumerate() {
+            (force[i], stiffness[i]) = hardening(law.k2, law.k3, law.mu, u.0[i]);
+        }
+        (Wide(force), Wide(stiffness))
+    }
+
+    /// As [`BoucWenShear::hysteresis`].
+    #[inline(always)]
+    fn hysteresis<const S: usize>(&self, zc: [Wide; S], d: [Wide; S]) -> ([Wide; S], [[Wide; S]; S]) {
+        let (zero, one) = (Wide::all(0.0), Wide::all(1.0));
+        let mut w = [zero; S];
+        let (mut work, mut norm2) = (zero, zero);
+        for i in 0..S {
+            w[i] = zc[i] + d[i];
+            work += w[i] * d[i];
+            norm2 += w[i] * w[i];
+        }
+        let sign = work.where_greater(zero, one, zero.where_greater(work, Wide::all(-1.0), zero));
+        let shape = self.gamma + self.beta * sign;
+        let no_number = Wide::all(f64::NAN);
+        let (power, t, slope);
+        let a;
+        if self.eta == 1.0 {
+            power = one / norm2.max(Wide::all(f64::MIN_POSITIVE)).sqrt();
+            a = power * work * shape;
+            let root = one / (one + a);
+            t = root.where_greater(zero, root, no_number);
+            slope = one;
+        } else {
+            power = one;
+            a = power * work * shape;
+            let root = one + a * 4.0;
+            t = zero.where_greater(root, no_number, Wide::all(2.0) / (one + root.sqrt()));
+            slope = t;
+        }
+        let factor = -t * slope / (one + a * self.eta * slope) * power * shape;
+        let radial = norm2.where_greater(zero, work * (self.eta - 2.0) / norm2, zero);
+        let (mut z, mut dz) = (w, [[zero; S]; S]);
+        for i in 0..S {
+            z[i] = t * w[i];
+            for j in 0..S {
+                let dt = factor * (radial * w[j] + d[j] + w[j]);
+                dz[i][j] = w[i] * dt + if i == j { t } else { zero };
+            }
+        }
+        (z, dz)
+    }
+}
+
+impl<const S: usize> ShearLockstep<S> for BoucWenLockstep {
+    #[inline(always)]
+    fn step(&self, c: &Shear<S, Wide>, u: [Wide; S]) -> Shear<S, Wide> {
+        let scale = self.k0 / self.qd;
+        let mut d = u;
+        for i in 0..S {
+            d[i] = (u[i] - c.u[i]) * scale;
+        }
+        let (z, mut k) = self.hysteresis(c.internal, d);
+        let rests = is_at_rest(&u, &c.u);
+        let one = Wide::all(1.0);
+        let mut next = Shear { u, internal: z, q: z, k };
+        for i in 0..S {
+            let (force, stiffness) = self.hardening(u[i]);
+            next.internal[i] = rests.where_equal(one, c.internal[i], z[i]);
+            next.q[i] = self.qd * next.internal[i] + force;
+            for j in 0..S {
+                k[i][j] = k[i][j] * self.k0;
+                if i == j {
+                    k[i][j] += stiffness;
+                }
+                next.k[i][j] = rests.where_equal(one, c.k[i][j], k[i][j]);
+            }
+        }
+        next
+    }
+}

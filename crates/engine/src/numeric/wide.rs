@@ -1,0 +1,154 @@
+//! Numbers of several models side by side.
+
+use super::lanes::BLOCK;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// Models side by side: as many as the widest vector instructions have numbers.
+pub const WIDTH: usize = BLOCK;
+
+/// A number of each of [`WIDTH`] models. Inside of [`super::lanes::in_lanes`] its operations are vector instructions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Wide(pub [f64; WIDTH]);
+
+/// A number of one model, or of several side by side, for formulas without branches.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Mul<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+    + Neg<Output = Self>
+{
+    /// 0
+    const ZERO: Self;
+}
+
+impl Real for f64 {
+    const ZERO: Self = 0.0;
+}
+
+impl Real for Wide {
+    const ZERO: Self = Self::all(0.0);
+}
+
+impl Wide {
+    /// The same number in all models.
+    #[inline(always)]
+    pub const fn all(x: f64) -> Self {
+        Self([x; WIDTH])
+    }
+
+    /// Square root.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let mut out = self.0;
+        for x in &mut out {
+            *x = x.sqrt();
+        }
+        Self(out)
+    }
+
+    /// Absolute value.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        let mut out = self.0;
+        for x in &mut out {
+            *x = x.abs();
+        }
+        Self(out)
+    }
+
+    /// The larger of two numbers; the other one where one is no number.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        let mut out = self.0;
+        for (x, y) in out.iter_mut().zip(other.0) {
+            *x = if *x > y { *x } else { y };
+        }
+        Self(out)
+    }
+
+    /// Number by number `then` where this one is greater than `than`, else `otherwise`.
+    #[inline(always)]
+    pub fn where_greater(self, than: Self, then: Self, otherwise: Self) -> Self {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = if self.0[i] > than.0[i] { then.0[i] } else { otherwise.0[i] };
+        }
+        Self(out)
+    }
+
+    /// Number by number `then` where this one equals `other`, else `otherwise`.
+    #[inline(always)]
+    pub fn where_equal(self, other: Self, then: Self, otherwise: Self) -> Self {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = if self.0[i] == other.0[i] { then.0[i] } else { otherwise.0[i] };
+        }
+        Self(out)
+    }
+
+    /// Returns true if all are finite.
+    #[inline(always)]
+    pub fn is_finite(self) -> bool {
+        let mut all = true;
+        for x in self.0 {
+            all &= x.is_finite();
+        }
+        all
+    }
+}
+
+macro_rules! by_number {
+    ($($name:ident $method:ident),*) => {$(
+        impl $name for Wide {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, other: Self) -> Self {
+                for i in 0..WIDTH {
+                    self.0[i] = self.0[i].$method(other.0[i]);
+                }
+                self
+            }
+        }
+        impl $name<f64> for Wide {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, other: f64) -> Self {
+                for i in 0..WIDTH {
+                    self.0[i] = self.0[i].$method(other);
+                }
+                self
+            }
+        }
+    )*};
+}
+by_number!(Add add, Sub sub, Mul mul, Div div);
+
+impl AddAssign for Wide {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Wide {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl Neg for Wide {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(mut self) -> Self {
+        for i in 0..WIDTH {
+            self.0[i] = -self.0[i];
+        }
+        self
+    }
+}

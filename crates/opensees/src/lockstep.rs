@@ -1,0 +1,120 @@
+//! Runs of one script with different parameters, whose last analyses are made side by side.
+//!
+//! A run comes to its last analysis and answers that it has been made. The script goes on to its end, which must not ask for
+//! results. When all runs of a group have come so far, their analyses are made in vector instructions.
+
+use crate::run::Run;
+use crate::{Outcome, Tcl, calls};
+use hysteron_engine::analysis::{Engine, Recorded, lockstep};
+use hysteron_tcl::{Call, Exception};
+
+/// Commands after the last analysis that need no results.
+const ENDING: &[&str] = &["wipe", "wipeAnalysis", "setPrecision", "logFile"];
+
+/// Course of a run whose last analysis waits, or is looked for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Course {
+    /// Number of the analysis that waits, from 1; 0 for none.
+    waiting: u64,
+    /// Analyses so far.
+    analyses: u64,
+    /// A command has followed the last analysis that may need its results.
+    followed: bool,
+    /// Steps of the analysis that waits.
+    steps: Option<usize>,
+}
+
+impl Course {
+    /// Of a run whose analysis of this number is to wait.
+    pub fn until(analysis: u64) -> Self {
+        Self { waiting: analysis, ..Self::default() }
+    }
+
+    /// Number of the last analysis; `None` where other commands follow it.
+    pub fn last_analysis(&self) -> Option<u64> {
+        (self.analyses > 0 && !self.followed).then_some(self.analyses)
+    }
+
+    /// An analysis begins. Returns true if it is to wait.
+    pub(crate) fn begin_analysis(&mut self, steps: usize, can_wait: bool) -> bool {
+        self.analyses += 1;
+        self.followed = !can_wait;
+        let waits = self.analyses == self.waiting && can_wait;
+        self.steps = waits.then_some(steps);
+        waits
+    }
+}
+
+/// Run a command where the course of the run is followed.
+pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let name = call.name();
+    let name = name.rsplit("::").next().unwrap_or_default();
+    let Some(command) = calls::command(name) else {
+        return Err(Exception::error(format!("the command \"{name}\" was renamed")));
+    };
+    if let Some(course) = &mut interp.host.course {
+        let ends = ENDING.contains(&name);
+        course.followed |= !ends;
+        if course.steps.is_some() {
+            // The analysis has not been made yet.
+            return if ends { Ok(hysteron_tcl::Value::EMPTY) } else { Err(Exception::Interrupted) };
+        }
+    }
+    (command.run)(interp, call)
+}
+
+impl Run {
+    /// Steps of the analysis that the run waits with, having come to its end; `None` where it does not wait.
+    pub fn waits(&self) -> Option<usize> {
+        self.interp.host.course.filter(|c| !c.followed).and_then(|c| c.steps)
+    }
+}
+
+/// Make the analyses of runs that wait. Returns true for each whose analysis has been made; the others are to be run anew.
+pub fn analyze(runs: &mut [&mut Run]) -> Vec<bool> {
+    match side_by_side(runs) {
+        Some(made) => made,
+        None => runs.iter_mut().map(|run| by_itself(run)).collect(),
+    }
+}
+
+/// Make the analysis of a run by itself.
+fn by_itself(run: &mut Run) -> bool {
+    let Some(steps) = run.waits() else { return false };
+    let session = &mut run.interp.host;
+    session.engine.analyze(steps, 0.0, &mut session.output.recorders).is_ok()
+}
+
+/// Make the analyses side by side; `None` where they are not made for it, and nothing has been done then.
+fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<bool>> {
+    let steps = runs.first()?.waits()?;
+    let mut numbers: Option<Vec<Vec<Recorded>>> = None;
+    for run in runs.iter_mut() {
+        let session = &mut run.interp.host;
+        let recorders = &mut session.output.recorders;
+        if !recorders.records_only() {
+            return None;
+        }
+        let all = recorders.by_tag.values_mut().map(|r| r.recorder.numbers(&session.engine));
+        let own: Option<Vec<Vec<Recorded>>> = all.collect();
+        let own = own?;
+        if run.waits() != Some(steps) || numbers.as_ref().is_some_and(|n| *n != own) {
+            return None;
+        }
+        numbers = Some(own);
+    }
+    let numbers = numbers?;
+    let mut engines: Vec<&mut Engine> = runs.iter_mut().map(|run| &mut run.interp.host.engine).collect();
+    let done = lockstep(&mut engines, steps, &numbers.concat())?;
+    let record = |(model, run): (usize, &mut &mut Run)| {
+        let recorders = &mut run.interp.host.output.recorders;
+        let mut at = 0;
+        let recorded = recorders.by_tag.values_mut().zip(&numbers).try_for_each(|(r, numbers)| {
+            let columns = at..at + numbers.len();
+            at = columns.end;
+            r.recorder.record_lockstep(&done, model, columns)
+        });
+        !done.failed[model] && recorded.is_ok()
+    };
+    Some(runs.iter_mut().enumerate().map(record).collect())
+}
