@@ -5,7 +5,7 @@
 
 use crate::run::Run;
 use crate::{Outcome, Tcl, calls};
-use hysteron_engine::analysis::{Engine, Recorded, lockstep};
+use hysteron_engine::analysis::{LockstepRows, Recorded, lockstep};
 use hysteron_tcl::{Call, Exception};
 
 /// Commands after the last analysis that need no results.
@@ -104,17 +104,25 @@ fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<bool>> {
         numbers = Some(own);
     }
     let numbers = numbers?;
-    let mut engines: Vec<&mut Engine> = runs.iter_mut().map(|run| &mut run.interp.host.engine).collect();
-    let done = lockstep(&mut engines, steps, &numbers.concat())?;
-    let record = |(model, run): (usize, &mut &mut Run)| {
-        let recorders = &mut run.interp.host.output.recorders;
-        let mut at = 0;
-        let recorded = recorders.by_tag.values_mut().zip(&numbers).try_for_each(|(r, numbers)| {
-            let columns = at..at + numbers.len();
-            at = columns.end;
-            r.recorder.record_lockstep(&done, model, columns)
-        });
-        !done.failed[model] && recorded.is_ok()
+    let mut engines = vec![];
+    let mut recorders = vec![];
+    for run in runs.iter_mut() {
+        let session = &mut run.interp.host;
+        engines.push(&mut session.engine);
+        recorders.push(&mut session.output.recorders);
+    }
+    let mut made = vec![true; engines.len()];
+    let mut take = |rows: &LockstepRows| {
+        for (model, (recorders, made)) in recorders.iter_mut().zip(&mut made).enumerate() {
+            let mut at = 0;
+            for (r, numbers) in recorders.by_tag.values_mut().zip(&numbers) {
+                let columns = at..at + numbers.len();
+                at = columns.end;
+                *made &= r.recorder.record_lockstep(rows, model, columns).is_ok();
+            }
+        }
     };
-    Some(runs.iter_mut().enumerate().map(record).collect())
+    let failed = lockstep(&mut engines, steps, &numbers.concat(), &mut take)?;
+    made.iter_mut().zip(failed).for_each(|(made, failed)| *made &= !failed);
+    Some(made)
 }

@@ -30,7 +30,7 @@ pub use convergence::{Measure, Norm, Test, TestOutcome};
 pub use energy::{ClassEnergy, Energies, EnergyBalance};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
 pub use failure::{Cause, Failure};
-pub use lockstep::{Lockstep, Recorded, lockstep};
+pub use lockstep::{LockstepRows, Recorded, lockstep};
 pub use matrices::Equations;
 pub use modal_properties::{ModalProperties, cumulative};
 pub use modes::{Modes, ModesError, Problem, Wanted};

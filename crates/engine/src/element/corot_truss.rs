@@ -1,8 +1,11 @@
 //! Axial bar with large displacements: `corotTruss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use super::{
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Snapshot, one_by_one,
+};
 use crate::material::{Material, Slot, Strain};
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -127,6 +130,10 @@ impl Element for CorotTruss {
             self.add_stiffness(n, area * s.damping / self.bar.length, 0.0, c);
         }
         Ok(())
+    }
+
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        one_by_one::<Self>(all)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

@@ -1,13 +1,15 @@
 //! An element of several models, evaluated side by side.
 
-use super::{Element, MatrixMask};
+use super::{Element, ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
 use crate::numeric::wide::{WIDTH, Wide};
 use std::any::Any;
 use std::fmt;
+use std::sync::Arc;
 
 /// An element together with its counterparts in other models, which differ from it in numbers alone.
 ///
-/// It is a function of the displacements: no velocities, no time, no loads of its own.
+/// Its force and its tangent follow from the committed history and the trial motion, which has no velocities, and from
+/// nothing else. It has no loads of its own.
 pub trait LockstepElement: fmt::Debug {
     /// Force and tangent for trial displacements from the committed history, as [`Element::respond`] has them model by
     /// model. Models without an answer have forces that are no numbers.
@@ -21,6 +23,10 @@ pub struct LockstepMotion<'a> {
     pub disp: &'a [Wide],
     /// Its committed history.
     pub committed: &'a [Wide],
+    /// Domain time since the committed state.
+    pub dt: f64,
+    /// Domain time.
+    pub time: f64,
 }
 
 /// Output of a [`LockstepElement`].
@@ -37,12 +43,70 @@ pub struct LockstepOutput<'a> {
 }
 
 /// The elements as those of one type; `None` where they are of several.
-pub(crate) fn alike<'a, E: Element>(all: &[&'a dyn Element; WIDTH]) -> Option<[&'a E; WIDTH]> {
+pub(crate) fn alike<'a, E: Element>(all: &[&'a Arc<dyn Element>; WIDTH]) -> Option<[&'a E; WIDTH]> {
     let mut own = [None; WIDTH];
     for (own, e) in own.iter_mut().zip(all) {
-        let any: &'a dyn Any = *e;
+        let any: &'a dyn Any = &***e;
         *own = any.downcast_ref::<E>();
     }
     let first = own[0]?;
     own.iter().all(Option::is_some).then(|| own.map(|e| e.unwrap_or(first)))
+}
+
+/// Elements that are evaluated one after the other.
+#[derive(Debug)]
+struct OneByOne([Arc<dyn Element>; WIDTH]);
+
+/// Elements of one type, to be evaluated one after the other; `None` where they are of several types or sizes.
+pub(crate) fn one_by_one<E: Element>(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+    let own = alike::<E>(all)?;
+    let sizes = |e: &E| (e.dofs(), e.state_len(), e.load_len());
+    let same = own.iter().all(|e| sizes(e) == sizes(own[0])) && own[0].load_len() == 0;
+    same.then(|| Box::new(OneByOne(all.map(Arc::clone))) as Box<dyn LockstepElement>)
+}
+
+/// Velocities where nothing moves.
+static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
+
+impl LockstepElement for OneByOne {
+    fn respond(&self, motion: LockstepMotion<'_>, output: LockstepOutput<'_>) {
+        let (n, words) = (motion.disp.len(), motion.committed.len());
+        let (mut disp, mut force) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        let mut histories = vec![0.0; 2 * words + n * n];
+        let (committed, rest) = histories.split_at_mut(words);
+        let (trial, matrix) = rest.split_at_mut(words);
+        let LockstepOutput { trial: all_trial, force: all_force, tangent: mut all_tangent, part } = output;
+        for (lane, element) in self.0.iter().enumerate() {
+            disp.iter_mut().zip(motion.disp).for_each(|(own, all)| *own = all.0[lane]);
+            committed.iter_mut().zip(motion.committed).for_each(|(own, all)| *own = all.0[lane]);
+            trial.iter_mut().zip(&*all_trial).for_each(|(own, all)| *own = all.0[lane]);
+            force[..n].fill(0.0);
+            let tangent = all_tangent.is_some().then(|| {
+                part.clear(matrix, n);
+                &mut *matrix
+            });
+            let input = ElementInput {
+                disp: &disp[..n],
+                vel: &AT_REST[..n],
+                load: &[],
+                still: true,
+                opensees: None,
+                dt: motion.dt,
+                time: motion.time,
+                dynamic: false,
+            };
+            let answer = ElementOutput { force: &mut force[..n], tangent, damping: None, part };
+            if element.respond(&input, committed, trial, answer).is_err() {
+                force[..n].fill(f64::NAN);
+            }
+            all_trial.iter_mut().zip(&*trial).for_each(|(all, own)| all.0[lane] = *own);
+            all_force.iter_mut().zip(&force).for_each(|(all, own)| all.0[lane] = *own);
+            if let Some(all) = &mut all_tangent {
+                for i in part.rows.among(n) {
+                    let row = i * n..(i + 1) * n;
+                    all[row.clone()].iter_mut().zip(&matrix[row]).for_each(|(all, own)| all.0[lane] = *own);
+                }
+            }
+        }
+    }
 }

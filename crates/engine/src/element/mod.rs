@@ -51,8 +51,8 @@ pub use coupled_zero_length::CoupledZeroLength;
 pub use impact::{ContactDirection, Impact, ImpactOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
-pub(crate) use lockstep::alike;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
+pub(crate) use lockstep::{alike, one_by_one};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
 pub use shared::Shared;
 pub use shell::Shell;
@@ -293,7 +293,7 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
     }
 
     /// The element together with its counterparts in other models, itself the first; `None` where it is not made for it.
-    fn lockstep(&self, _all: &[&dyn Element; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+    fn lockstep(&self, _all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
         None
     }
 

@@ -2,10 +2,11 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    add_outer, dot,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
+    Snapshot, add_outer, dot, one_by_one,
 };
 use crate::material::{Material, Slot, Strain};
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -95,6 +96,10 @@ impl Element for Truss {
             add_outer(c, &self.row, volume * s.damping);
         }
         Ok(())
+    }
+
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        one_by_one::<Self>(all)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

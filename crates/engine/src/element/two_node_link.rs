@@ -1,8 +1,12 @@
 //! Springs between two nodes at a distance: `twoNodeLink`.
 
 use super::springs::Springs;
-use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use super::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Snapshot, dot,
+    one_by_one,
+};
 use crate::material::{Material, Slot};
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -227,6 +231,10 @@ impl Element for TwoNodeLink {
             }
         }
         Ok(())
+    }
+
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        one_by_one::<Self>(all)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

@@ -2,8 +2,12 @@
 
 use super::damping::BasicForces;
 use super::springs::Springs;
-use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use super::{
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Snapshot, dot,
+    one_by_one,
+};
 use crate::material::{Material, Slot};
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -104,6 +108,10 @@ impl Element for ZeroLength {
         mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         self.springs.respond(motion, committed, trial, &mut output)
+    }
+
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        one_by_one::<Self>(all)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

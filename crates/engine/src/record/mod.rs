@@ -15,7 +15,7 @@ mod rms;
 mod text;
 mod xml;
 
-use crate::analysis::{Engine, Lockstep, Recorded};
+use crate::analysis::{Engine, LockstepRows, Recorded};
 use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 use std::ops::Range;
@@ -115,6 +115,8 @@ pub struct Recorder {
     next: f64,
     found: Option<u64>,
     row: Vec<f64>,
+    /// Times of several rows at once.
+    due: Vec<f64>,
     /// Responses that are not in the model.
     pub missing: Vec<String>,
 }
@@ -122,7 +124,17 @@ pub struct Recorder {
 impl Recorder {
     /// Record every row.
     pub fn history(source: Box<dyn Source>, output: Box<dyn Output>, cadence: Cadence) -> Self {
-        Self { source, output, keep: Keep::History, cadence, next: 0.0, found: None, row: vec![], missing: vec![] }
+        Self {
+            source,
+            output,
+            keep: Keep::History,
+            cadence,
+            next: 0.0,
+            found: None,
+            row: vec![],
+            due: vec![],
+            missing: vec![],
+        }
     }
 
     /// Record the envelope.
@@ -195,26 +207,32 @@ impl Recorder {
         matches!(self.keep, Keep::History).then(|| self.source.numbers(engine))?
     }
 
-    /// Record the steps of a model that has been analysed side by side with others. `columns` are those of its
+    /// Record steps of a model that is analysed side by side with others. `columns` are those of its
     /// [`Recorder::numbers`] among the numbers that were recorded.
     ///
     /// # Errors
     /// An output that cannot be written.
-    pub fn record_lockstep(&mut self, all: &Lockstep, model: usize, columns: Range<usize>) -> Result<(), RecordError> {
-        let width = all.rows.len() / all.times.len().max(1);
-        for (step, &time) in all.times.iter().enumerate() {
+    pub fn record_lockstep(
+        &mut self,
+        all: &LockstepRows,
+        model: usize,
+        columns: Range<usize>,
+    ) -> Result<(), RecordError> {
+        let width = all.numbers.len() / all.times.len().max(1);
+        self.row.clear();
+        self.due.clear();
+        for (&time, numbers) in all.times.iter().zip(all.numbers.chunks_exact(width.max(1))) {
             if !self.is_due(time) {
                 continue;
             }
-            self.row.clear();
+            self.next = time + self.cadence.dt;
+            self.due.push(time);
             if self.cadence.time {
                 self.row.push(time);
             }
-            let numbers = &all.rows[step * width..(step + 1) * width][columns.clone()];
-            self.row.extend(numbers.iter().map(|n| n.0[model]));
-            self.keep_row(time)?;
+            self.row.extend(numbers[columns.clone()].iter().map(|n| n.0[model]));
         }
-        Ok(())
+        self.output.rows(&self.due, &self.row)
     }
 
     #[inline]

@@ -25,6 +25,17 @@ pub trait Output: fmt::Debug + Send {
     /// # Errors
     /// It cannot be written.
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError>;
+    /// Rows at their times, one after the other.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    fn rows(&mut self, times: &[f64], rows: &[f64]) -> Result<(), RecordError> {
+        let width = rows.len() / times.len().max(1);
+        times.iter().enumerate().try_for_each(|(i, &time)| {
+            self.at(time);
+            self.row(&rows[i * width..(i + 1) * width])
+        })
+    }
     /// Returns true if it takes the state that an analysis starts from, at this time, which is no row.
     fn wants_start(&self, _time: f64) -> bool {
         false

@@ -45,6 +45,12 @@ thread_local! {
     static SIMULATOR: Cell<Option<Box<dyn Simulator>>> = const { Cell::new(None) };
 }
 
+/// Groups of jobs that go side by side, as equal as can be: they take the same time.
+fn groups_of<T>(jobs: &[T]) -> impl Iterator<Item = &[T]> {
+    let groups = jobs.len().div_ceil(WIDTH);
+    (0..groups).map(move |i| &jobs[i * jobs.len() / groups..(i + 1) * jobs.len() / groups])
+}
+
 /// The objective of a study: the mean NMSE of the fitted channels.
 pub struct StudyProblem {
     study: Arc<Study>,
@@ -93,7 +99,7 @@ impl StudyProblem {
         let mut results = vec![Err(SimulationError::Defect); jobs.len()];
         // Candidates of one run may go side by side. The groups follow from the jobs, not from the threads.
         jobs.sort_by_key(|(_, job)| job.run);
-        let groups = jobs.chunk_by(|a, b| a.1.run == b.1.run).flat_map(|same| same.chunks(WIDTH));
+        let groups = jobs.chunk_by(|a, b| a.1.run == b.1.run).flat_map(groups_of);
         let done = self.pool.run(groups.collect::<Vec<_>>(), |group: &[(usize, Job)]| {
             // A simulator whose run panics is not put back, so the next job gets a new one.
             let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());

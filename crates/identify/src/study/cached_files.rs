@@ -8,20 +8,36 @@ use std::time::Duration;
 
 /// Contents of files by path. Clones share them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct FileContents(Arc<Mutex<HashMap<String, Arc<[u8]>>>>);
+pub(super) struct FileContents(Arc<Mutex<HashMap<String, KnownFile>>>);
+
+/// A file that has been read.
+#[derive(Clone, Debug)]
+struct KnownFile {
+    content: Arc<[u8]>,
+    info: FileInfo,
+}
+
+impl KnownFile {
+    /// A text that takes the place of a file, which may not be on the disk.
+    fn text(text: &str) -> Self {
+        let (size, epoch) = (text.len() as u64, Duration::ZERO);
+        let info = FileInfo { kind: FileKind::File, size, modified: epoch, accessed: epoch, mode: 0o444 };
+        Self { content: text.as_bytes().into(), info }
+    }
+}
 
 impl FileContents {
     /// A copy with another text for one file.
     pub(super) fn with_text(&self, path: &str, text: &str) -> Self {
         let mut texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
-        texts.insert(path.to_owned(), text.as_bytes().into());
+        texts.insert(path.to_owned(), KnownFile::text(text));
         Self(Arc::new(Mutex::new(texts)))
     }
 
     /// Paths and texts, in the order of the paths.
     pub(super) fn texts(&self) -> Vec<(String, String)> {
         let texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
-        let texts = texts.iter().map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).into_owned()));
+        let texts = texts.iter().map(|(path, f)| (path.clone(), String::from_utf8_lossy(&f.content).into_owned()));
         let mut texts: Vec<_> = texts.collect();
         texts.sort();
         texts
@@ -42,11 +58,12 @@ impl CachedFiles {
 
     fn content(&self, path: &str) -> io::Result<Arc<[u8]>> {
         let mut texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
-        if let Some(content) = texts.get(path) {
-            return Ok(content.clone());
+        if let Some(known) = texts.get(path) {
+            return Ok(known.content.clone());
         }
         let content: Arc<[u8]> = OsFiles.read(path)?.into();
-        texts.insert(path.to_owned(), content.clone());
+        let info = OsFiles.info(path, true)?;
+        texts.insert(path.to_owned(), KnownFile { content: content.clone(), info });
         Ok(content)
     }
 }
@@ -68,13 +85,12 @@ impl Files for CachedFiles {
     }
 
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
-        OsFiles.info(path, follow).or_else(|e| {
+        let texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        match (texts.get(path), follow) {
+            (Some(known), true) => Ok(known.info.clone()),
             // A replaced text may have no file on the disk.
-            let texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
-            let size = texts.get(path).ok_or(e)?.len() as u64;
-            let epoch = Duration::ZERO;
-            Ok(FileInfo { kind: FileKind::File, size, modified: epoch, accessed: epoch, mode: 0o444 })
-        })
+            (known, _) => OsFiles.info(path, follow).or_else(|e| known.map(|k| k.info.clone()).ok_or(e)),
+        }
     }
 
     fn list(&self, path: &str) -> io::Result<Vec<String>> {

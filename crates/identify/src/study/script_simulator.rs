@@ -243,8 +243,7 @@ impl ScriptSimulator {
         let recorders = RecorderFiles::default();
         let outputs = RunOutputs { observed: self.outputs[run].clone(), others, files: recorders.clone() };
         self.outputs[run].iter().for_each(|(_, t)| t.clear());
-        let mut script =
-            ScriptRun::with_course(settings, course, Box::new(Silent), Box::new(files), Box::new(outputs));
+        let mut script = ScriptRun::with_course(settings, course, Box::new(Silent), Box::new(files), Box::new(outputs));
         let begun = Instant::now();
         let limits = self.limits[run];
         let interrupt = script.interp.interrupt.clone();

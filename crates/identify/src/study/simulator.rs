@@ -18,7 +18,7 @@ pub trait Simulator {
 }
 
 /// Simulated channels of a run, or why there are none.
-pub type Channels = Result<Vec<Vec<f64>>, SimulationError>;
+pub(super) type Channels = Result<Vec<Vec<f64>>, SimulationError>;
 
 /// The cause of a failed simulation.
 #[derive(Clone, Debug, PartialEq)]

@@ -31,6 +31,16 @@ impl Trace {
         self.values.extend_from_slice(row);
     }
 
+    /// Add rows at their times.
+    fn extend(&mut self, times: &[f64], rows: &[f64]) {
+        let Some(width) = rows.len().checked_div(times.len()) else { return };
+        let (Some(&time), Some(row)) = (times.first(), rows.get(..width)) else { return };
+        self.push(time, row);
+        self.no_clock |= times.windows(2).any(|t| t[0] >= t[1]);
+        self.times.extend_from_slice(&times[1..]);
+        self.values.extend_from_slice(&rows[width..]);
+    }
+
     /// Remove the rows, keeping their memory.
     fn clear(&mut self) {
         self.times.clear();
@@ -149,6 +159,11 @@ impl Output for TraceOutput {
         Ok(())
     }
 
+    fn rows(&mut self, times: &[f64], rows: &[f64]) -> Result<(), RecordError> {
+        self.writing().extend(times, rows);
+        Ok(())
+    }
+
     fn finish(&mut self) -> Result<(), RecordError> {
         self.share();
         Ok(())
@@ -161,6 +176,10 @@ pub(super) struct Unobserved;
 
 impl Output for Unobserved {
     fn row(&mut self, _: &[f64]) -> Result<(), RecordError> {
+        Ok(())
+    }
+
+    fn rows(&mut self, _: &[f64], _: &[f64]) -> Result<(), RecordError> {
         Ok(())
     }
 

@@ -14,6 +14,8 @@ use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
 use crate::numeric::wide::{WIDTH, Wide};
 use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// A number of the committed state that is recorded after each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,30 +26,34 @@ pub enum Recorded {
     Force(usize),
 }
 
-/// Results of analyses side by side.
-#[derive(Debug)]
-pub struct Lockstep {
+/// Recorded numbers of some steps.
+#[derive(Debug, Default)]
+pub struct LockstepRows {
     /// Domain time after each step.
     pub times: Vec<f64>,
     /// Recorded numbers of all models, step by step.
-    pub rows: Vec<Wide>,
-    /// Models that have failed; their engines are left as they were.
-    pub failed: [bool; WIDTH],
+    pub numbers: Vec<Wide>,
 }
 
-/// Make static steps of up to [`WIDTH`] models side by side, whose engines come to the end of them.
+/// Make static steps of up to [`WIDTH`] models side by side, whose engines come to the end of them. `take` receives the
+/// recorded numbers of the steps, some steps at a time; what it receives of a model that fails is worth nothing.
 ///
+/// Returns true for each model that has failed: its engine is left as it was, and its analysis is to be made by itself.
 /// `None` where the models or their analyses are not made for it, and nothing has changed then: everything but steps of
-/// load control by Newton's method under a simple test, single-point constraints and elements that have a
+/// load control by Newton's method under a simple test, single-point constraints, few equations, and elements that have a
 /// [`LockstepElement`].
-pub fn lockstep(engines: &mut [&mut Engine], steps: usize, recorded: &[Recorded]) -> Option<Lockstep> {
+pub fn lockstep(
+    engines: &mut [&mut Engine],
+    steps: usize,
+    recorded: &[Recorded],
+    take: &mut dyn FnMut(&LockstepRows),
+) -> Option<[bool; WIDTH]> {
     let mut models = Models::new(engines)?;
-    let done = models.analyze(steps, recorded);
-    let taken = engines.iter_mut().zip(&done.failed).enumerate().filter(|(_, (_, failed))| !**failed);
-    for (lane, (engine, _)) in taken {
-        models.finish(lane, engine, &done);
+    models.analyze(steps, recorded, take);
+    for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| !models.failed[*lane]) {
+        models.finish(lane, engine, steps);
     }
-    Some(done)
+    Some(models.failed)
 }
 
 /// A force on a degree of freedom.
@@ -98,12 +104,16 @@ struct Models {
     max_iterations: usize,
     /// Step of the load factor.
     increment: f64,
+    /// Time of the trial state, and of the committed one.
     time: f64,
+    start: f64,
     /// Committed displacements and histories.
     committed: Motion,
     /// Trial displacements, histories and forces.
     trial: Motion,
     work: Work,
+    /// Stops all of them.
+    interrupt: Option<Arc<AtomicBool>>,
     failed: [bool; WIDTH],
 }
 

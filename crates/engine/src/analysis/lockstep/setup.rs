@@ -1,6 +1,6 @@
 //! Models and analyses that can go side by side, and what becomes of their engines.
 
-use super::{Entry, ImposedTerm, LoadTerm, Lockstep, Models, Motion, Work};
+use super::{Entry, ImposedTerm, LoadTerm, Models, Motion, Work};
 use crate::analysis::convergence::{Measure, Norm, Test};
 use crate::analysis::engine::{Engine, Kind};
 use crate::analysis::loads::Loads;
@@ -10,6 +10,8 @@ use crate::element::Element;
 use crate::model::{Drive, Model};
 use crate::numeric::all_zero;
 use crate::numeric::wide::{WIDTH, Wide};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Most equations of a model. The engine factors so many in the order of [`super::stepping`].
 const MOST_EQUATIONS: usize = 6;
@@ -24,6 +26,7 @@ struct Parts<'a> {
     test: &'a Test,
     handler: Handler,
     increment: f64,
+    interrupt: Option<&'a Arc<AtomicBool>>,
 }
 
 impl<'a> Parts<'a> {
@@ -47,6 +50,7 @@ impl<'a> Parts<'a> {
             test: &setup.test,
             handler: setup.handler,
             increment,
+            interrupt: engine.interrupt.as_ref(),
         };
         let few = plan.multipliers == 0 && plan.equations() <= MOST_EQUATIONS;
         (one_to_one && still && few).then_some(parts)
@@ -141,6 +145,7 @@ impl Models {
             max_iterations: first.test.max_iterations,
             increment: first.increment,
             time: first.state.time,
+            start: first.state.time,
             trial: committed.clone(),
             work: Work {
                 nodal: zeros(committed.disp.len()),
@@ -154,12 +159,13 @@ impl Models {
                 expected: usize::MAX,
             },
             committed,
+            interrupt: first.interrupt.cloned(),
             failed: [false; WIDTH],
         })
     }
 
     /// Give an engine the state of its model at the end.
-    pub(super) fn finish(&self, lane: usize, engine: &mut Engine, done: &Lockstep) {
+    pub(super) fn finish(&self, lane: usize, engine: &mut Engine, steps: usize) {
         engine.change_state(|state, _| {
             state.time = self.time;
             for (own, all) in [
@@ -171,13 +177,13 @@ impl Models {
             }
         });
         engine.forget_work();
-        engine.steps += done.times.len() as u64;
+        engine.steps += steps as u64;
     }
 }
 
 /// An element of all models.
 fn entry(all: &[Parts<'_>; WIDTH], i: usize) -> Option<Entry> {
-    let elements: [&dyn Element; WIDTH] = all.map(|p| &*p.model.elements[i].element);
+    let elements: [&Arc<dyn Element>; WIDTH] = all.map(|p| &p.model.elements[i].element);
     let e = &all[0].model.elements[i];
     let free = |d: &u32| !all[0].plan.map.terms(*d as usize).is_empty();
     let rows = crate::element::Rows::of(e.dofs.iter().map(free));

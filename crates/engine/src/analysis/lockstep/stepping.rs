@@ -1,33 +1,34 @@
 //! Steps of models side by side.
 
-use super::{Lockstep, Measure, Models, Norm, Recorded};
+use super::{LockstepRows, Measure, Models, Norm, Recorded};
 use crate::element::{LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};
 use crate::numeric::wide::{WIDTH, Wide};
+use std::sync::atomic::Ordering;
 
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
 const ROUND_OFF: Wide = Wide::all(2.0 * f64::EPSILON);
 
-/// An analysis as a loop.
-struct Analysis<'a> {
+/// Steps between two looks at the interrupt, whose recorded numbers are taken together.
+const STEPS_AT_ONCE: usize = 64;
+
+/// Steps as a loop.
+struct Steps<'a> {
     models: &'a mut Models,
-    steps: usize,
+    count: usize,
     recorded: &'a [Recorded],
-    done: &'a mut Lockstep,
+    rows: &'a mut LockstepRows,
 }
 
-impl Lanes for Analysis<'_> {
+impl Lanes for Steps<'_> {
     #[inline(always)]
     fn evaluate(&mut self) {
-        for _ in 0..self.steps {
+        for _ in 0..self.count {
             self.models.step();
-            if self.models.failed.iter().all(|f| *f) {
-                return;
-            }
             self.models.commit();
-            self.done.times.push(self.models.time);
+            self.rows.times.push(self.models.time);
             for number in self.recorded {
-                self.done.rows.push(match *number {
+                self.rows.numbers.push(match *number {
                     Recorded::Disp(i) => self.models.committed.disp[i],
                     Recorded::Force(i) => self.models.committed.force[i],
                 });
@@ -81,19 +82,29 @@ fn substitute(n: usize, a: &[Wide], x: &mut [Wide]) {
 }
 
 impl Models {
-    /// Make the steps of all models that do not fail.
-    pub(super) fn analyze(&mut self, steps: usize, recorded: &[Recorded]) -> Lockstep {
-        let rows = Vec::with_capacity(steps * recorded.len());
-        let mut done = Lockstep { times: Vec::with_capacity(steps), rows, failed: [false; WIDTH] };
-        in_lanes(&mut Analysis { models: self, steps, recorded, done: &mut done });
-        done.failed = self.failed;
-        done
+    /// Make the steps of all models that do not fail. All fail where they are interrupted.
+    pub(super) fn analyze(&mut self, steps: usize, recorded: &[Recorded], take: &mut dyn FnMut(&LockstepRows)) {
+        let mut rows = LockstepRows::default();
+        let mut made = 0;
+        while made < steps && !self.failed.iter().all(|f| *f) {
+            if self.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed)) {
+                self.failed = [true; WIDTH];
+                return;
+            }
+            rows.times.clear();
+            rows.numbers.clear();
+            let count = STEPS_AT_ONCE.min(steps - made);
+            in_lanes(&mut Steps { models: self, count, recorded, rows: &mut rows });
+            take(&rows);
+            made += count;
+        }
     }
 
     /// Bring all models to balance at the end of the next step, as [`Newton`](crate::analysis::algorithm::Newton) does.
     #[inline(always)]
     fn step(&mut self) {
-        self.apply_loads(self.time + self.increment);
+        self.start = self.time;
+        self.apply_loads(self.start + self.increment);
         self.respond(!self.work.balanced);
         self.sum_forces();
         self.work.balanced = self.is_balanced();
@@ -158,7 +169,8 @@ impl Models {
                 }
             }
             let committed = &self.committed.history[e.state.clone()];
-            let motion = LockstepMotion { disp: &work.disp[..n], committed };
+            let (time, dt) = (self.time, self.time - self.start);
+            let motion = LockstepMotion { disp: &work.disp[..n], committed, dt, time };
             let trial = &mut self.trial.history[e.state.clone()];
             let tangent = want_tangent.then_some(tangent);
             e.element.respond(motion, LockstepOutput { trial, force, tangent, part: e.part });

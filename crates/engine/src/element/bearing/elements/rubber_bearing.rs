@@ -8,11 +8,13 @@ use crate::element::bearing::laws::axial::{Axial, AxialLaw};
 use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput};
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Overload, Snapshot,
-    frame_force_labels,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
+    Snapshot, frame_force_labels, one_by_one,
 };
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
+use std::sync::Arc;
 
 /// A layered rubber bearing in space: axial force, shear in two directions, linear torsion and rotations.
 #[derive(Clone, Debug)]
@@ -141,6 +143,10 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
 
     fn mass(&self) -> Mass {
         end_masses(self.mass, 6, 3)
+    }
+
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        one_by_one::<Self>(all)
     }
 
     fn overload(&self, history: &[f64]) -> Option<Overload> {

@@ -1,16 +1,17 @@
 //! A bearing between two nodes: a shear law with uniaxial materials for the other directions.
 
-use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::elements::shear_bearings::ShearBearings;
+use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
-    RowMaterial, Snapshot, Softening, alike, frame_force_labels,
+    RowMaterial, Snapshot, Softening, alike, frame_force_labels, one_by_one,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
+use std::sync::Arc;
 
 /// A bearing with a law for its `S` shear directions and `M` uniaxial materials for the other basic directions. In the
 /// plane (`N` = 6 degrees of freedom, `B` = 3 basic directions, `M` = 2, `S` = 1) these are axial force and moment. In
@@ -45,6 +46,17 @@ impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: us
     /// Materials with their basic directions.
     fn springs(&self) -> impl Iterator<Item = (usize, &Slot)> {
         self.materials.iter().enumerate().map(|(i, m)| (if i == 0 { 0 } else { i + S }, m))
+    }
+
+    /// Stiffnesses of the materials of several bearings, where all are linear.
+    fn lockstep_springs(&self, all: &[&Self; WIDTH]) -> Option<[Wide; M]> {
+        let mut springs = [Wide::all(0.0); M];
+        for (i, spring) in springs.iter_mut().enumerate() {
+            for (own, bearing) in spring.0.iter_mut().zip(all) {
+                *own = bearing.materials[i].stiffness()?;
+            }
+        }
+        Some(springs)
     }
 
     /// Basic stiffness from those of the materials and of the shear law.
@@ -129,17 +141,14 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.law.masses(self.mass)
     }
 
-    fn lockstep(&self, all: &[&dyn Element; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        let all = alike::<Self>(all)?;
-        let same = all.iter().all(|b| b.link == self.link) && self.law.dashpot() == 0.0;
-        let law = L::lockstep(&all.map(|b| &b.law)).filter(|_| same)?;
-        let mut springs = [None; M];
-        for (i, spring) in springs.iter_mut().enumerate() {
-            let each = all.map(|b| b.materials[i].stiffness());
-            *spring = each.iter().all(Option::is_some).then(|| Wide(each.map(Option::unwrap_or_default)));
+    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+        let own = alike::<Self>(all)?;
+        let same = own.iter().all(|b| b.link == self.link) && self.law.dashpot() == 0.0;
+        let springs = self.lockstep_springs(&own).filter(|_| same);
+        match (springs, L::lockstep(&own.map(|b| &b.law))) {
+            (Some(springs), Some(law)) => Some(Box::new(ShearBearings { law, link: self.link.clone(), springs })),
+            _ => one_by_one::<Self>(all),
         }
-        let springs = springs.iter().all(Option::is_some).then(|| springs.map(|s| s.unwrap_or(Wide::all(0.0))))?;
-        Some(Box::new(ShearBearings { law, link: self.link.clone(), springs }))
     }
 
     fn softening(&self, history: &[f64]) -> Option<Softening> {

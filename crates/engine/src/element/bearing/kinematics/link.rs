@@ -106,13 +106,14 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Local displacements (or velocities) from global ones.
-    #[inline]
+    #[inline(always)]
     pub fn local_motion<T: Real>(&self, disp: &[T]) -> LocalMotion<T> {
         let (u, a) = (&disp[..N], &self.axes);
         if Self::PLANE {
             let offset = [u[3] - u[0], u[4] - u[1], T::ZERO];
-            let rotation = |u: T| [T::ZERO, T::ZERO, u * a[2][2]];
-            LocalMotion { offset: to_local(a, offset), ends: [rotation(u[2]), rotation(u[5])] }
+            let [start, end] = [u[2] * a[2][2], u[5] * a[2][2]];
+            let zero = T::ZERO;
+            LocalMotion { offset: to_local(a, offset), ends: [[zero, zero, start], [zero, zero, end]] }
         } else {
             let offset = [u[6] - u[0], u[7] - u[1], u[8] - u[2]];
             LocalMotion {
@@ -123,36 +124,42 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds end forces to the global forces.
-    #[inline]
+    #[inline(always)]
     fn add_end_forces<T: Real>(&self, local: &EndForces<T>, force: &mut [T]) {
         let (f, a) = (&mut force[..N], &self.axes);
         let global_force = to_global(a, local.force);
-        let add = |f: &mut [T], sign: f64, v: &[T]| f.iter_mut().zip(v).for_each(|(f, v)| *f += *v * sign);
         if Self::PLANE {
-            add(&mut f[..2], -1.0, &global_force);
-            add(&mut f[3..5], 1.0, &global_force);
+            for k in 0..2 {
+                f[k] += -global_force[k];
+                f[3 + k] += global_force[k];
+            }
             f[2] += local.moments[0][2] * a[2][2];
             f[5] += local.moments[1][2] * a[2][2];
         } else {
-            add(&mut f[..3], -1.0, &global_force);
-            add(&mut f[3..6], 1.0, &to_global(a, local.moments[0]));
-            add(&mut f[6..9], 1.0, &global_force);
-            add(&mut f[9..12], 1.0, &to_global(a, local.moments[1]));
+            let [start, end] = [to_global(a, local.moments[0]), to_global(a, local.moments[1])];
+            for k in 0..3 {
+                f[k] += -global_force[k];
+                f[3 + k] += start[k];
+                f[6 + k] += global_force[k];
+                f[9 + k] += end[k];
+            }
         }
     }
 
     /// End forces of the basic forces `q`, without P-Delta moments.
-    #[inline]
+    #[inline(always)]
     fn end_forces<T: Real>(&self, q: &[T; B]) -> EndForces<T> {
         let [i, j] = self.arms;
         let mut all = [T::ZERO; 6];
-        Self::DIRECTIONS.iter().zip(q).for_each(|(d, q)| all[*d] = *q);
+        for k in 0..B {
+            all[Self::DIRECTIONS[k]] = q[k];
+        }
         let [n, vy, vz, t, my, mz] = all;
         EndForces { force: [n, vy, vz], moments: [[-t, vz * i - my, -vy * i - mz], [t, vz * j + my, mz - vy * j]] }
     }
 
     /// P-Delta moments at the ends per unit of axial force.
-    #[inline]
+    #[inline(always)]
     fn p_delta_levers<T: Real>(&self, u: &LocalMotion<T>) -> [[T; 3]; 2] {
         let ([i, j], [start, end]) = (self.arms, &u.ends);
         // Half of the offset at each end, plus the difference from the end rotations.
@@ -165,13 +172,13 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Basic deformations (or their rates) from global displacements (or velocities).
-    #[inline]
+    #[inline(always)]
     pub fn deformation<T: Real>(&self, disp: &[T]) -> [T; B] {
         self.deformation_of(&self.local_motion(disp))
     }
 
     /// Basic deformations from local displacements.
-    #[inline]
+    #[inline(always)]
     pub fn deformation_of<T: Real>(&self, motion: &LocalMotion<T>) -> [T; B] {
         let ([i, j], LocalMotion { offset, ends: [start, end] }) = (self.arms, motion);
         let all = [
@@ -182,7 +189,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
             end[1] - start[1],
             end[2] - start[2],
         ];
-        Self::DIRECTIONS.map(|d| all[d])
+        let mut own = [T::ZERO; B];
+        for k in 0..B {
+            own[k] = all[Self::DIRECTIONS[k]];
+        }
+        own
     }
 
     /// Adds the global forces of the basic forces `q`, without P-Delta moments.
@@ -192,27 +203,22 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds the global forces of the basic forces `q`, with P-Delta moments.
-    #[inline]
+    #[inline(always)]
     pub fn add_force<T: Real>(&self, q: &[T; B], motion: &LocalMotion<T>, force: &mut [T]) {
         let mut local = self.end_forces(q);
         if self.p_delta.is_some() {
             let p_delta_levers = self.p_delta_levers(motion);
-            for (moment, lever) in local.moments.as_flattened_mut().iter_mut().zip(p_delta_levers.as_flattened()) {
-                *moment += q[0] * *lever;
+            for end in 0..2 {
+                for k in 0..3 {
+                    local.moments[end][k] += q[0] * p_delta_levers[end][k];
+                }
             }
         }
         self.add_end_forces(&local, force);
     }
 
     /// Adds the masked part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
-    pub fn add_tangent<T: Real>(
-        &self,
-        k: &[[T; B]; B],
-        q: &[T; B],
-        disp: &[T],
-        tangent: &mut [T],
-        part: MatrixMask,
-    ) {
+    pub fn add_tangent<T: Real>(&self, k: &[[T; B]; B], q: &[T; B], disp: &[T], tangent: &mut [T], part: MatrixMask) {
         self.add_basic_part(k, tangent, part);
         let Some(p_delta) = &self.p_delta else { return };
         let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
@@ -274,13 +280,15 @@ impl<const N: usize, const B: usize> Link<N, B> {
 }
 
 /// Components of a global vector along local axes.
-#[inline]
+#[inline(always)]
 fn to_local<T: Real>(axes: &[[f64; 3]; 3], v: [T; 3]) -> [T; 3] {
-    axes.map(|a| v[0] * a[0] + v[1] * a[1] + v[2] * a[2])
+    let component = |a: &[f64; 3]| v[0] * a[0] + v[1] * a[1] + v[2] * a[2];
+    [component(&axes[0]), component(&axes[1]), component(&axes[2])]
 }
 
 /// Components of a local vector along global axes.
-#[inline]
+#[inline(always)]
 fn to_global<T: Real>(axes: &[[f64; 3]; 3], v: [T; 3]) -> [T; 3] {
-    std::array::from_fn(|i| v[0] * axes[0][i] + v[1] * axes[1][i] + v[2] * axes[2][i])
+    let component = |i: usize| v[0] * axes[0][i] + v[1] * axes[1][i] + v[2] * axes[2][i];
+    [component(0), component(1), component(2)]
 }
