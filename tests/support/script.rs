@@ -3,6 +3,7 @@
 
 use hysteron::analysis::{Options, WorkCounts};
 use hysteron::diagnostic::Diagnostic;
+use hysteron::opensees::lockstep::Course;
 use hysteron::opensees::{FileFormat, Mode, Outputs, Tcl};
 use hysteron::record::{Memory, Output, RecordError};
 use hysteron::run::{End, Run, Settings};
@@ -15,6 +16,13 @@ use std::rc::Rc;
 /// Recorders' tables by file name.
 #[derive(Clone, Default)]
 pub struct Tables(Rc<RefCell<BTreeMap<String, Memory>>>);
+
+impl Tables {
+    /// The rows of all recorders so far, taken out.
+    pub fn take(&self) -> BTreeMap<String, Vec<Vec<f64>>> {
+        self.0.borrow().iter().map(|(name, m)| (name.clone(), m.take())).collect()
+    }
+}
 
 impl Outputs for Tables {
     fn create(&mut self, name: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
@@ -87,16 +95,22 @@ impl Script {
         self.run_with(text, |_| ())
     }
 
-    /// The same after something has been done to the interpreter.
-    pub fn run_with(self, text: &str, prepare: impl FnOnce(&mut Run)) -> Ran {
+    /// The run of a script whose course is followed, before it begins, with its console and its tables.
+    pub fn ready(self, text: &str, course: Option<Course>) -> (Run, Recorded, Tables) {
         let Self { options, mode, strict, files } = self.with_file("model.tcl", text);
         let (console, tables) = (Recorded::default(), Tables::default());
         let settings = Settings { mode, strict, options };
-        let mut run = Run::new(settings, Box::new(console.clone()), Box::new(files), Box::new(tables.clone()));
+        let (to, made) = (Box::new(console.clone()), Box::new(tables.clone()));
+        (Run::with_course(settings, course, to, Box::new(files), made), console, tables)
+    }
+
+    /// The same after something has been done to the interpreter.
+    pub fn run_with(self, text: &str, prepare: impl FnOnce(&mut Run)) -> Ran {
+        let (mut run, console, tables) = self.ready(text, None);
         prepare(&mut run);
         let end = run.script("model.tcl", &[]);
         let work = run.work_counts();
-        let tables = tables.0.borrow().iter().map(|(name, m)| (name.clone(), m.take())).collect();
+        let tables = tables.take();
         Ran { end, out: console.out(), err: console.err(), interp: run.interp, tables, work }
     }
 }

@@ -70,8 +70,19 @@ impl Run {
     }
 }
 
-/// Make the analyses of runs that wait. Returns true for each whose analysis has been made; the others are to be run anew.
-pub fn analyze(runs: &mut [&mut Run]) -> Vec<bool> {
+/// Outcome of an analysis that waited.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Made {
+    /// It has been made side by side with others.
+    SideBySide,
+    /// It has been made by itself.
+    ByItself,
+    /// It has not been made: the script is to be run anew, without waiting.
+    No,
+}
+
+/// Make the analyses of runs that wait: of all side by side, or else of each by itself. The results are the same.
+pub fn analyze(runs: &mut [&mut Run]) -> Vec<Made> {
     match side_by_side(runs) {
         Some(made) => made,
         None => runs.iter_mut().map(|run| by_itself(run)).collect(),
@@ -79,14 +90,15 @@ pub fn analyze(runs: &mut [&mut Run]) -> Vec<bool> {
 }
 
 /// Make the analysis of a run by itself.
-fn by_itself(run: &mut Run) -> bool {
-    let Some(steps) = run.waits() else { return false };
+fn by_itself(run: &mut Run) -> Made {
+    let Some(steps) = run.waits() else { return Made::No };
     let session = &mut run.interp.host;
-    session.engine.analyze(steps, 0.0, &mut session.output.recorders).is_ok()
+    let done = session.engine.analyze(steps, 0.0, &mut session.output.recorders);
+    if done.is_ok() { Made::ByItself } else { Made::No }
 }
 
 /// Make the analyses side by side; `None` where they are not made for it, and nothing has been done then.
-fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<bool>> {
+fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
     let steps = runs.first()?.waits()?;
     let mut numbers: Option<Vec<Vec<Recorded>>> = None;
     for run in runs.iter_mut() {
@@ -123,6 +135,6 @@ fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<bool>> {
         }
     };
     let failed = lockstep(&mut engines, steps, &numbers.concat(), &mut take)?;
-    made.iter_mut().zip(failed).for_each(|(made, failed)| *made &= !failed);
-    Some(made)
+    let of = |(made, failed): (bool, bool)| if made && !failed { Made::SideBySide } else { Made::No };
+    Some(made.into_iter().zip(failed).map(of).collect())
 }

@@ -210,6 +210,11 @@ impl Engine {
         self.setup.as_ref().map_or(self.default_handler, |s| s.handler)
     }
 
+    /// Returns true if no step has been made since the analysis or the model was changed.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.fresh
+    }
+
     /// Set up an analysis.
     pub fn set_up(&mut self, setup: Setup) {
         self.setup = Some(setup);

@@ -6,6 +6,9 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// Models side by side: as many as the widest vector instructions have numbers.
 pub const WIDTH: usize = BLOCK;
 
+/// A flag of each of [`WIDTH`] models: a bit, the first one the lowest.
+pub type Flags = u8;
+
 /// A number of each of [`WIDTH`] models. Inside of [`super::lanes::in_lanes`] its operations are vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
@@ -91,14 +94,30 @@ impl Wide {
         Self(out)
     }
 
-    /// Returns true if all are finite.
+    /// Number by number this one where its flag is set, else `otherwise`.
     #[inline(always)]
-    pub fn is_finite(self) -> bool {
-        let mut all = true;
-        for x in self.0 {
-            all &= x.is_finite();
+    pub fn where_flag(self, flags: Flags, otherwise: Self) -> Self {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = if flags >> i & 1 == 1 { self.0[i] } else { otherwise.0[i] };
         }
-        all
+        Self(out)
+    }
+
+    /// Flags of the models in which this one is not greater than `other`, and both are numbers.
+    #[inline(always)]
+    pub fn at_most(self, other: Self) -> Flags {
+        let mut flags = 0;
+        for i in 0..WIDTH {
+            flags |= Flags::from(self.0[i] <= other.0[i]) << i;
+        }
+        flags
+    }
+
+    /// Flags of the models in which it is no number.
+    #[inline(always)]
+    pub fn is_no_number(self) -> Flags {
+        !self.at_most(self)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::numeric::lanes::{Lanes, in_lanes};
 
 /// Dense LU factors.
 #[derive(Debug)]
-pub(super) struct DenseLu {
+pub(crate) struct DenseLu {
     n: usize,
     lu: Vec<f64>,
     /// Row that was exchanged with each row.
@@ -29,11 +29,11 @@ impl Lanes for Elimination<'_> {
 }
 
 impl DenseLu {
-    pub(super) fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         Self { n, lu: vec![0.0; n * n], exchange: vec![0; n], scale: vec![0.0; n] }
     }
 
-    pub(super) fn factor(&mut self, values: &[f64]) -> Result<Pivots, SolveError> {
+    pub(crate) fn factor(&mut self, values: &[f64]) -> Result<Pivots, SolveError> {
         let n = self.n;
         self.lu.copy_from_slice(values);
         let mut pivots = Pivots::GOOD;
@@ -139,7 +139,7 @@ impl DenseLu {
         Ok(pivots)
     }
 
-    pub(super) fn solve(&self, x: &mut [f64]) {
+    pub(crate) fn solve(&self, x: &mut [f64]) {
         let n = self.n;
         if let [x] = x {
             *x /= self.lu[0];

@@ -10,7 +10,7 @@ mod pivoted;
 mod refine;
 
 use crate::assembly::{Pattern, Storage};
-use dense::DenseLu;
+pub(crate) use dense::DenseLu;
 use ldlt::Ldlt;
 use lu::Lu;
 use pivoted::PivotedLu;

@@ -97,9 +97,9 @@ pub trait Algorithm: fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
 
-    /// Returns true for Newton's method with the current tangent in each iteration.
-    fn is_newton(&self) -> bool {
-        false
+    /// Itself, where it is Newton's method with the current tangent in each iteration.
+    fn newton(&self) -> Option<&Newton> {
+        None
     }
 
     /// The model has changed.

@@ -11,7 +11,7 @@ pub struct Newton {
     choice: TangentChoice,
     /// Iterations of the last step. The next one is expected to take as many, and no tangents are made at its end; they
     /// are made up for where it takes more.
-    expected: usize,
+    pub(in crate::analysis) expected: usize,
     /// The last step was in balance as it began: of the next one the same is expected, and no tangents are made at its
     /// beginning either.
     balanced: bool,
@@ -28,8 +28,8 @@ impl Algorithm for Newton {
     fn name(&self) -> &'static str {
         "Newton"
     }
-    fn is_newton(&self) -> bool {
-        self.choice == TangentChoice::Always(TangentMix::CURRENT)
+    fn newton(&self) -> Option<&Newton> {
+        (self.choice == TangentChoice::Always(TangentMix::CURRENT)).then_some(self)
     }
     fn forget(&mut self) {
         *self = Self::new(self.choice);

@@ -12,7 +12,8 @@ use super::engine::Engine;
 use crate::assembly::Plan;
 use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
-use crate::numeric::wide::{WIDTH, Wide};
+use crate::numeric::wide::{Flags, WIDTH, Wide};
+use crate::solve::DenseLu;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -40,7 +41,7 @@ pub struct LockstepRows {
 ///
 /// Returns true for each model that has failed: its engine is left as it was, and its analysis is to be made by itself.
 /// `None` where the models or their analyses are not made for it, and nothing has changed then: everything but steps of
-/// load control by Newton's method under a simple test, single-point constraints, few equations, and elements that have a
+/// load control by Newton's method under a simple test, single-point constraints, equations few enough for a dense matrix, and elements that have a
 /// [`LockstepElement`].
 pub fn lockstep(
     engines: &mut [&mut Engine],
@@ -50,10 +51,10 @@ pub fn lockstep(
 ) -> Option<[bool; WIDTH]> {
     let mut models = Models::new(engines)?;
     models.analyze(steps, recorded, take);
-    for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| !models.failed[*lane]) {
+    for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| models.failed >> lane & 1 == 0) {
         models.finish(lane, engine, steps);
     }
-    Some(models.failed)
+    Some(std::array::from_fn(|lane| models.failed >> lane & 1 == 1))
 }
 
 /// A force on a degree of freedom.
@@ -85,6 +86,8 @@ struct Entry {
     /// Its part of the forces.
     force: Range<usize>,
     part: MatrixMask,
+    /// The force depends on the time that passes.
+    rates: bool,
 }
 
 /// Models side by side, with their analyses.
@@ -112,9 +115,10 @@ struct Models {
     /// Trial displacements, histories and forces.
     trial: Motion,
     work: Work,
+    flags: Course,
     /// Stops all of them.
     interrupt: Option<Arc<AtomicBool>>,
-    failed: [bool; WIDTH],
+    failed: Flags,
 }
 
 /// Displacements, histories and forces of all models.
@@ -126,7 +130,7 @@ struct Motion {
 }
 
 /// Buffers of a step.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Work {
     /// Forces on all degrees of freedom.
     nodal: Vec<Wide>,
@@ -135,14 +139,36 @@ struct Work {
     /// Correction.
     x: Vec<Wide>,
     matrix: Vec<Wide>,
+    /// Factors, matrix and correction of one model.
+    factors: DenseLu,
+    values: Vec<f64>,
+    solution: Vec<f64>,
     /// Displacements of an element.
     disp: Vec<Wide>,
     /// Tangents of the elements, one after the other.
     tangents: Vec<Wide>,
+    /// Displacements at the last evaluation of each element, laid out as the forces.
+    evaluated: Vec<Wide>,
+    /// Part of a displacement by which it has not moved.
+    slack: Wide,
+    /// Numbers of models that are not evaluated with others.
+    saved: Vec<Wide>,
+}
+
+/// The flag that is set in all models.
+const ALL: Flags = Flags::MAX;
+
+/// Course of the analysis in each model.
+#[derive(Debug)]
+struct Course {
     /// The tangents belong to the trial motion.
-    is_current: bool,
+    is_current: Flags,
+    /// The elements have been evaluated in this step.
+    evaluated: Flags,
+    /// There has been a tangent.
+    is_factored: Flags,
     /// The last step was in balance as it began.
-    balanced: bool,
+    balanced: Flags,
     /// Iterations of the last step: the next is expected to take as many.
-    expected: usize,
+    expected: [usize; WIDTH],
 }

@@ -1,20 +1,19 @@
 //! Models and analyses that can go side by side, and what becomes of their engines.
 
-use super::{Entry, ImposedTerm, LoadTerm, Models, Motion, Work};
+use super::{Course, Entry, ImposedTerm, LoadTerm, Models, Motion, Work};
+use crate::analysis::algorithm::Newton;
 use crate::analysis::convergence::{Measure, Norm, Test};
 use crate::analysis::engine::{Engine, Kind};
 use crate::analysis::loads::Loads;
 use crate::analysis::state::State;
 use crate::assembly::{Handler, Plan, Storage};
-use crate::element::Element;
+use crate::element::{Element, MatrixMask, Rows};
 use crate::model::{Drive, Model};
 use crate::numeric::all_zero;
 use crate::numeric::wide::{WIDTH, Wide};
+use crate::solve::DenseLu;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-
-/// Most equations of a model. The engine factors so many in the order of [`super::stepping`].
-const MOST_EQUATIONS: usize = 6;
 
 /// What of an engine goes side by side with that of others.
 #[derive(Clone, Copy)]
@@ -24,6 +23,7 @@ struct Parts<'a> {
     plan: &'a Plan,
     loads: &'a Loads,
     test: &'a Test,
+    newton: &'a Newton,
     handler: Handler,
     increment: f64,
     interrupt: Option<&'a Arc<AtomicBool>>,
@@ -35,9 +35,11 @@ impl<'a> Parts<'a> {
         let options = &engine.options;
         let setup = engine.setup()?;
         let plain = !options.compat && options.ladder.is_none() && options.refine < 2;
-        let made_for = setup.kind == Kind::Static && setup.algorithm.is_newton() && is_simple(&setup.test);
+        let newton = setup.algorithm.newton()?;
+        let made_for = setup.kind == Kind::Static && is_simple(&setup.test);
         let increment = setup.integrator.fixed_increment().filter(|_| plain && made_for)?;
-        let work = engine.prepared()?;
+        // Tangents and factors of earlier steps are not known here.
+        let work = engine.prepared().filter(|work| engine.is_fresh() && !work.solver.is_factored())?;
         let (plan, loads, state) = (&work.plan, &work.loads, engine.state());
         let map = &plan.map;
         let one_to_one = map.dependents.is_empty() && map.links.is_empty() && plan.pattern.storage == Storage::Dense;
@@ -48,12 +50,12 @@ impl<'a> Parts<'a> {
             plan,
             loads,
             test: &setup.test,
+            newton,
             handler: setup.handler,
             increment,
             interrupt: engine.interrupt.as_ref(),
         };
-        let few = plan.multipliers == 0 && plan.equations() <= MOST_EQUATIONS;
-        (one_to_one && still && few).then_some(parts)
+        (one_to_one && still && plan.multipliers == 0).then_some(parts)
     }
 
     /// Returns true if another model has the same nodes, elements, constraints and loads, but for their numbers, and the same
@@ -152,15 +154,26 @@ impl Models {
                 b: zeros(n),
                 x: zeros(n),
                 matrix: zeros(n * n),
+                factors: DenseLu::new(n),
+                values: vec![0.0; n * n],
+                solution: vec![0.0; n],
                 disp: zeros(most),
                 tangents: zeros(tangents),
-                is_current: false,
-                balanced: false,
-                expected: usize::MAX,
+                evaluated: committed.force.clone(),
+                slack: Wide::all(0.0),
+                saved: vec![],
             },
             committed,
+            flags: Course {
+                is_current: 0,
+                evaluated: 0,
+                is_factored: 0,
+                // So far no step of the plan has been in balance.
+                balanced: 0,
+                expected: all.map(|p| p.newton.expected),
+            },
             interrupt: first.interrupt.cloned(),
-            failed: [false; WIDTH],
+            failed: 0,
         })
     }
 
@@ -185,13 +198,15 @@ impl Models {
 fn entry(all: &[Parts<'_>; WIDTH], i: usize) -> Option<Entry> {
     let elements: [&Arc<dyn Element>; WIDTH] = all.map(|p| &p.model.elements[i].element);
     let e = &all[0].model.elements[i];
+    let traits = e.element.traits();
     let free = |d: &u32| !all[0].plan.map.terms(*d as usize).is_empty();
-    let rows = crate::element::Rows::of(e.dofs.iter().map(free));
+    let rows = Rows::of(e.dofs.iter().map(free));
     Some(Entry {
         element: elements[0].lockstep(&elements)?,
         dofs: e.dofs.to_vec(),
         state: e.state.clone(),
         force: e.force.clone(),
-        part: crate::element::MatrixMask { rows, columns: rows },
+        part: MatrixMask { rows, columns: rows },
+        rates: traits.viscous || traits.elapses,
     })
 }

@@ -1,13 +1,16 @@
 //! Steps of models side by side.
+//!
+//! Each model takes the way that it takes by itself: the same evaluations with and without tangents, to the same bits. The
+//! flags of a model say what [`System`](crate::analysis::System) and [`Newton`](crate::analysis::algorithm::Newton) would.
 
-use super::{LockstepRows, Measure, Models, Norm, Recorded};
+use super::{ALL, Flags, LockstepRows, Measure, Models, Norm, Recorded, Work};
 use crate::element::{LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};
 use crate::numeric::wide::{WIDTH, Wide};
 use std::sync::atomic::Ordering;
 
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
-const ROUND_OFF: Wide = Wide::all(2.0 * f64::EPSILON);
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 /// Steps between two looks at the interrupt, whose recorded numbers are taken together.
 const STEPS_AT_ONCE: usize = 64;
@@ -37,47 +40,11 @@ impl Lanes for Steps<'_> {
     }
 }
 
-/// Factor matrices of `n` equations in place, in the order of the dense LU of the engine. A model whose rows are to be
-/// exchanged fails: the others need not.
+/// Keep numbers of models without a flag as they were.
 #[inline(always)]
-fn eliminate(n: usize, a: &mut [Wide], failed: &mut [bool; WIDTH]) {
-    for k in 0..n {
-        let pivot = a[k * n + k];
-        let inverse = Wide::all(1.0) / pivot;
-        for i in k + 1..n {
-            let first = a[i * n + k];
-            for lane in 0..WIDTH {
-                failed[lane] |= first.0[lane].abs() > pivot.0[lane].abs();
-            }
-            let f = first * inverse;
-            a[i * n + k] = f;
-            for j in k + 1..n {
-                let p = a[k * n + j];
-                a[i * n + j] -= f * p;
-            }
-        }
-    }
-}
-
-/// Solve with the factors.
-#[inline(always)]
-fn substitute(n: usize, a: &[Wide], x: &mut [Wide]) {
-    for i in 1..n {
-        let mut sum = a[i * n] * x[0];
-        for j in 1..i {
-            sum += a[i * n + j] * x[j];
-        }
-        x[i] -= sum;
-    }
-    for i in (0..n).rev() {
-        if i + 1 < n {
-            let mut sum = a[i * n + i + 1] * x[i + 1];
-            for j in i + 2..n {
-                sum += a[i * n + j] * x[j];
-            }
-            x[i] -= sum;
-        }
-        x[i] = x[i] / a[i * n + i];
+fn restore(flags: Flags, saved: &[Wide], numbers: &mut [Wide]) {
+    for (new, old) in numbers.iter_mut().zip(saved) {
+        *new = new.where_flag(flags, *old);
     }
 }
 
@@ -86,9 +53,9 @@ impl Models {
     pub(super) fn analyze(&mut self, steps: usize, recorded: &[Recorded], take: &mut dyn FnMut(&LockstepRows)) {
         let mut rows = LockstepRows::default();
         let mut made = 0;
-        while made < steps && !self.failed.iter().all(|f| *f) {
+        while made < steps && self.failed != ALL {
             if self.interrupt.as_ref().is_some_and(|i| i.load(Ordering::Relaxed)) {
-                self.failed = [true; WIDTH];
+                self.failed = ALL;
                 return;
             }
             rows.times.clear();
@@ -100,28 +67,24 @@ impl Models {
         }
     }
 
-    /// Bring all models to balance at the end of the next step, as [`Newton`](crate::analysis::algorithm::Newton) does.
+    /// Bring all models to balance at the end of the next step by Newton's method.
     #[inline(always)]
     fn step(&mut self) {
+        let mut waits = self.failed;
+        let wants = !self.flags.balanced;
         self.start = self.time;
         self.apply_loads(self.start + self.increment);
-        self.respond(!self.work.balanced);
+        self.flags.evaluated = 0;
+        self.work.slack = Wide::all(0.0);
+        self.respond(waits, wants, !self.imposed.is_empty());
         self.sum_forces();
-        self.work.balanced = self.is_balanced();
-        let mut waits = self.failed;
+        self.note_balance();
         for iteration in 1.. {
-            if self.work.balanced && iteration == 1 {
-                self.work.x.fill(Wide::all(0.0));
-            } else {
-                if !self.work.is_current {
-                    self.respond(true);
-                }
-                self.solve(&waits);
-                self.correct(iteration != self.work.expected);
-            }
+            let none = if iteration == 1 { self.flags.balanced } else { 0 };
+            self.solve(waits | none);
+            self.correct(iteration, waits | none);
             self.judge(iteration, &mut waits);
-            if waits.iter().all(|w| *w) {
-                self.work.expected = iteration;
+            if waits == ALL {
                 return;
             }
         }
@@ -149,33 +112,89 @@ impl Models {
         self.time = time;
     }
 
-    /// Evaluate the elements at the trial displacements.
+    /// Evaluate the elements at the trial displacements, where they may have `moved`, in all models that do not wait; with
+    /// tangents in those that want them.
     #[inline(always)]
-    fn respond(&mut self, want_tangent: bool) {
-        let work = &mut self.work;
+    fn respond(&mut self, waits: Flags, wants: Flags, moved: bool) {
+        let tangents = wants & !self.flags.is_current;
+        let considered = !waits & if moved { ALL } else { tangents };
+        let mut evaluated = 0;
         let mut at = 0;
-        for e in &self.elements {
+        for i in 0..self.elements.len() {
+            let e = &self.elements[i];
             let n = e.dofs.len();
-            for (own, &dof) in work.disp.iter_mut().zip(&e.dofs) {
-                *own = self.trial.disp[dof as usize];
-            }
-            let force = &mut self.trial.force[e.force.clone()];
-            force.fill(Wide::all(0.0));
-            let tangent = &mut work.tangents[at..at + n * n];
+            let tangent_at = at;
             at += n * n;
-            if want_tangent {
-                for i in e.part.rows.among(n) {
-                    tangent[i * n..(i + 1) * n].fill(Wide::all(0.0));
-                }
+            for (k, &dof) in e.dofs.iter().enumerate() {
+                self.work.disp[k] = self.trial.disp[dof as usize];
             }
-            let committed = &self.committed.history[e.state.clone()];
-            let (time, dt) = (self.time, self.time - self.start);
-            let motion = LockstepMotion { disp: &work.disp[..n], committed, dt, time };
-            let trial = &mut self.trial.history[e.state.clone()];
-            let tangent = want_tangent.then_some(tangent);
-            e.element.respond(motion, LockstepOutput { trial, force, tangent, part: e.part });
+            let mut lanes = if e.rates { !waits } else { considered };
+            if self.flags.evaluated != 0 {
+                lanes &= !(self.flags.evaluated & !tangents & self.has_not_moved(i));
+            }
+            if lanes != 0 {
+                self.respond_one(i, tangent_at, lanes, wants != 0);
+                evaluated |= lanes;
+            }
         }
-        work.is_current = want_tangent;
+        let flags = &mut self.flags;
+        let is_current = wants | (flags.is_current & !(considered & evaluated));
+        flags.is_current = flags.is_current & waits | is_current & !waits;
+        flags.evaluated = flags.evaluated & waits | considered & !waits;
+    }
+
+    /// Models in which an element has not moved since its last evaluation, or by round-off that the test accepts.
+    #[inline(always)]
+    fn has_not_moved(&self, i: usize) -> Flags {
+        let mut near = ALL;
+        let e = &self.elements[i];
+        for (new, old) in self.work.disp.iter().zip(&self.work.evaluated[e.force.clone()]) {
+            let limit = self.work.slack * old.abs();
+            let by = (*new - *old).abs();
+            near &= by.at_most(limit);
+        }
+        near
+    }
+
+    /// Evaluate an element in some models.
+    #[inline(always)]
+    fn respond_one(&mut self, i: usize, tangent_at: usize, lanes: Flags, want_tangent: bool) {
+        let (e, work) = (&self.elements[i], &mut self.work);
+        let n = e.dofs.len();
+        let force = &mut self.trial.force[e.force.clone()];
+        let trial = &mut self.trial.history[e.state.clone()];
+        let tangent = &mut work.tangents[tangent_at..tangent_at + n * n];
+        let partly = lanes != ALL;
+        if partly {
+            work.saved.clear();
+            work.saved.extend_from_slice(force);
+            work.saved.extend_from_slice(trial);
+            work.saved.extend_from_slice(tangent);
+        }
+        if want_tangent {
+            for row in e.part.rows.among(n) {
+                tangent[row * n..(row + 1) * n].fill(Wide::all(0.0));
+            }
+        }
+        force.fill(Wide::all(0.0));
+        let committed = &self.committed.history[e.state.clone()];
+        let (time, dt) = (self.time, self.time - self.start);
+        let motion = LockstepMotion { disp: &work.disp[..n], committed, dt, time, lanes };
+        let output = LockstepOutput { trial, force, tangent: want_tangent.then_some(&mut *tangent), part: e.part };
+        e.element.respond(motion, output);
+        let evaluated = &mut work.evaluated[e.force.clone()];
+        if partly {
+            let (saved_force, saved) = work.saved.split_at(e.force.len());
+            let (saved_trial, saved_tangent) = saved.split_at(e.state.len());
+            restore(lanes, saved_force, &mut self.trial.force[e.force.clone()]);
+            restore(lanes, saved_trial, &mut self.trial.history[e.state.clone()]);
+            restore(lanes, saved_tangent, &mut work.tangents[tangent_at..tangent_at + n * n]);
+            for (old, new) in evaluated.iter_mut().zip(&work.disp) {
+                *old = new.where_flag(lanes, *old);
+            }
+        } else {
+            evaluated.copy_from_slice(&work.disp[..n]);
+        }
     }
 
     /// Sum loads and resisting forces to the unbalance.
@@ -188,22 +207,27 @@ impl Models {
         self.plan.subtract_forces(&self.trial.force, &mut self.work.b);
     }
 
-    /// Returns true if no force is left over in any model.
+    /// Note the models in which no force is left over.
     #[inline(always)]
-    fn is_balanced(&self) -> bool {
-        let mut all = true;
+    fn note_balance(&mut self) {
+        let flags = &mut self.flags;
+        flags.balanced = flags.is_factored;
         for b in &self.work.b {
-            for x in b.0 {
-                all &= x == 0.0;
-            }
+            flags.balanced &= b.abs().at_most(Wide::all(0.0));
         }
-        all
     }
 
-    /// Find the corrections, which are zero for models that wait.
+    /// Find the corrections, which are zero in `idle` models.
     #[inline(always)]
-    fn solve(&mut self, waits: &[bool; WIDTH]) {
-        let n = self.work.b.len();
+    fn solve(&mut self, idle: Flags) {
+        self.work.x.fill(Wide::all(0.0));
+        if idle == ALL {
+            return;
+        }
+        let lack = !idle & !self.flags.is_current;
+        if lack != 0 {
+            self.respond(!lack, lack, true);
+        }
         self.work.matrix.fill(Wide::all(0.0));
         let mut at = 0;
         for (i, e) in self.elements.iter().enumerate() {
@@ -211,40 +235,48 @@ impl Models {
             self.plan.add_element(i, &self.work.tangents[at..at + len], 1.0, &mut self.work.matrix);
             at += len;
         }
-        let mut active = Wide::all(1.0);
-        for (active, waits) in active.0.iter_mut().zip(waits) {
-            *active = if *waits { 0.0 } else { 1.0 };
+        if self.work.b.len() == 1 {
+            let correction = self.work.b[0] / self.work.matrix[0];
+            self.work.x[0] = correction.where_flag(!idle, Wide::all(0.0));
+        } else {
+            self.solve_one_by_one(idle);
         }
-        self.work.x.copy_from_slice(&self.work.b);
-        let (a, x) = (&mut self.work.matrix[..n * n], &mut self.work.x[..n]);
-        eliminate(n, a, &mut self.failed);
-        substitute(n, a, x);
-        // A model that waits may have no finite correction any more.
-        for x in x {
-            *x = active.where_equal(Wide::all(0.0), Wide::all(0.0), *x);
+        self.flags.is_factored |= !idle;
+    }
+
+    /// Find the corrections model by model: rows are exchanged in some and not in others.
+    fn solve_one_by_one(&mut self, idle: Flags) {
+        let Work { matrix, b, x, factors, values, solution, .. } = &mut self.work;
+        for lane in (0..WIDTH).filter(|lane| idle >> lane & 1 == 0) {
+            values.iter_mut().zip(&*matrix).for_each(|(own, all)| *own = all.0[lane]);
+            solution.iter_mut().zip(&*b).for_each(|(own, all)| *own = all.0[lane]);
+            match factors.factor(values) {
+                Ok(_) => factors.solve(solution),
+                Err(_) => solution.fill(f64::NAN),
+            }
+            x.iter_mut().zip(&*solution).for_each(|(all, own)| all.0[lane] = *own);
         }
     }
 
-    /// Add the corrections, and evaluate the elements where they are more than round-off that the test accepts.
+    /// Add the corrections and evaluate the elements after them, in models that are not `idle`.
     #[inline(always)]
-    fn correct(&mut self, want_tangent: bool) {
-        let settled = self.measure == Measure::DispIncr && self.all_within(self.norm_of(&self.work.x));
-        let slack = if settled { ROUND_OFF } else { Wide::all(0.0) };
-        let mut moved = false;
+    fn correct(&mut self, iteration: usize, idle: Flags) {
+        if idle == ALL {
+            return;
+        }
+        let mut expected = 0;
+        for (lane, n) in self.flags.expected.iter().enumerate() {
+            expected |= u8::from(*n == iteration) << lane;
+        }
+        if self.measure == Measure::DispIncr {
+            let accepted = self.norm_of(&self.work.x).at_most(Wide::all(self.tolerance));
+            self.work.slack = Wide::all(ROUND_OFF).where_flag(accepted, Wide::all(0.0));
+        }
         for (x, &dof) in self.work.x.iter().zip(&self.plan.map.dof_of) {
-            let old = self.trial.disp[dof];
-            let new = old + *x;
-            let limit = slack * old.abs();
-            let by = (new - old).abs();
-            for (by, limit) in by.0.iter().zip(limit.0) {
-                moved |= *by > limit;
-            }
-            self.trial.disp[dof] = new;
+            self.trial.disp[dof] += *x;
         }
-        if moved {
-            self.respond(want_tangent);
-            self.sum_forces();
-        }
+        self.respond(idle, !idle & !expected, true);
+        self.sum_forces();
     }
 
     /// Norm of a vector of each model.
@@ -252,45 +284,45 @@ impl Models {
     fn norm_of(&self, vector: &[Wide]) -> Wide {
         let mut sum = Wide::all(0.0);
         match (self.norm, vector) {
-            (_, [x]) => return x.abs(),
-            (Norm::Max, _) => vector.iter().for_each(|x| sum = x.abs().max(sum)),
+            (_, [x]) => sum = x.abs(),
+            (Norm::Max, _) => {
+                for x in vector {
+                    sum = x.abs().max(sum);
+                }
+            }
             _ => {
-                vector.iter().for_each(|x| sum += *x * *x);
-                return sum.sqrt();
+                for x in vector {
+                    sum += *x * *x;
+                }
+                sum = sum.sqrt();
             }
         }
         sum
     }
 
-    /// Returns true if a norm is within the tolerance in all models.
-    #[inline(always)]
-    fn all_within(&self, norm: Wide) -> bool {
-        let mut all = true;
-        for x in norm.0 {
-            all &= x <= self.tolerance;
-        }
-        all
-    }
-
     /// Let the models wait that pass the test, and those that fail.
     #[inline(always)]
-    fn judge(&mut self, iteration: usize, waits: &mut [bool; WIDTH]) {
+    fn judge(&mut self, iteration: usize, waits: &mut Flags) {
         let work = &self.work;
         let norm = match self.measure {
             Measure::Unbalance => self.norm_of(&work.b),
             Measure::Energy => {
                 let mut sum = Wide::all(0.0);
-                work.x.iter().zip(&work.b).for_each(|(x, b)| sum += *x * *b);
+                for (x, b) in work.x.iter().zip(&work.b) {
+                    sum += *x * *b;
+                }
                 sum.abs() * 0.5
             }
             _ => self.norm_of(&work.x),
         };
-        for lane in 0..WIDTH {
-            let passed = norm.0[lane] <= self.tolerance;
-            let failed = !waits[lane] && !passed && (iteration >= self.max_iterations || norm.0[lane].is_nan());
-            self.failed[lane] |= failed;
-            waits[lane] |= passed | failed;
+        let passed = norm.at_most(Wide::all(self.tolerance)) & !*waits;
+        for (lane, n) in self.flags.expected.iter_mut().enumerate() {
+            *n = if passed >> lane & 1 == 1 { iteration } else { *n };
         }
+        *waits |= passed;
+        let ends = if iteration >= self.max_iterations { ALL } else { norm.is_no_number() };
+        self.failed |= ends & !*waits;
+        *waits |= ends;
     }
 
     /// Commit the trial motion.
@@ -301,9 +333,7 @@ impl Models {
         for f in &self.trial.force {
             sum += *f * 0.0;
         }
-        for (failed, x) in self.failed.iter_mut().zip(sum.0) {
-            *failed |= x != 0.0;
-        }
+        self.failed |= sum.is_no_number();
         self.committed.disp.copy_from_slice(&self.trial.disp);
         self.committed.history.copy_from_slice(&self.trial.history);
         self.committed.force.copy_from_slice(&self.trial.force);
