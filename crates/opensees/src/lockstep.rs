@@ -100,7 +100,7 @@ fn by_itself(run: &mut Run) -> Made {
 /// Make the analyses side by side; `None` where they are not made for it, and nothing has been done then.
 fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
     let steps = runs.first()?.waits()?;
-    let mut numbers: Option<Vec<Vec<Recorded>>> = None;
+    let mut numbers: Option<Vec<(bool, Vec<Recorded>)>> = None;
     for run in runs.iter_mut() {
         let session = &mut run.interp.host;
         let recorders = &mut session.output.recorders;
@@ -108,7 +108,7 @@ fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
             return None;
         }
         let all = recorders.by_tag.values_mut().map(|r| r.recorder.numbers(&session.engine));
-        let own: Option<Vec<Vec<Recorded>>> = all.collect();
+        let own: Option<Vec<_>> = all.collect();
         let own = own?;
         if run.waits() != Some(steps) || numbers.as_ref().is_some_and(|n| *n != own) {
             return None;
@@ -123,18 +123,19 @@ fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
         engines.push(&mut session.engine);
         recorders.push(&mut session.output.recorders);
     }
+    let all: Vec<Recorded> = numbers.iter().flat_map(|(_, numbers)| numbers).copied().collect();
     let mut made = vec![true; engines.len()];
     let mut take = |rows: &LockstepRows| {
         for (model, (recorders, made)) in recorders.iter_mut().zip(&mut made).enumerate() {
             let mut at = 0;
-            for (r, numbers) in recorders.by_tag.values_mut().zip(&numbers) {
+            for (r, (time, numbers)) in recorders.by_tag.values_mut().zip(&numbers) {
                 let columns = at..at + numbers.len();
                 at = columns.end;
-                *made &= r.recorder.record_lockstep(rows, model, columns).is_ok();
+                *made &= r.recorder.record_lockstep(rows, model, (*time, columns)).is_ok();
             }
         }
     };
-    let failed = lockstep(&mut engines, steps, &numbers.concat(), &mut take)?;
+    let failed = lockstep(&mut engines, steps, &all, &mut take)?;
     let of = |(made, failed): (bool, bool)| if made && !failed { Made::SideBySide } else { Made::No };
     Some(made.into_iter().zip(failed).map(of).collect())
 }

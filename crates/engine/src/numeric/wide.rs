@@ -107,11 +107,16 @@ impl Wide {
     /// Flags of the models in which this one is not greater than `other`, and both are numbers.
     #[inline(always)]
     pub fn at_most(self, other: Self) -> Flags {
-        let mut flags = 0;
+        // Bits side by side, which vector instructions join.
+        let mut bits = [0u64; WIDTH];
         for i in 0..WIDTH {
-            flags |= Flags::from(self.0[i] <= other.0[i]) << i;
+            bits[i] = if self.0[i] <= other.0[i] { 1 << i } else { 0 };
         }
-        flags
+        let mut flags = 0;
+        for bit in bits {
+            flags |= bit;
+        }
+        flags as Flags
     }
 
     /// Flags of the models in which it is no number.

@@ -201,14 +201,23 @@ impl Recorder {
         self.keep_row(time)
     }
 
-    /// Numbers of the committed state that make up a row; `None` where rows are not made up of them, or not kept one by one.
-    pub fn numbers(&mut self, engine: &Engine) -> Option<Vec<Recorded>> {
+    /// Numbers of the committed state that make up a row, as far as the output takes them, and before them true where the time
+    /// is the first column that it takes. `None` where rows are not made up of such numbers, or not kept one by one.
+    pub fn numbers(&mut self, engine: &Engine) -> Option<(bool, Vec<Recorded>)> {
         self.find(engine).ok()?;
-        matches!(self.keep, Keep::History).then(|| self.source.numbers(engine))?
+        let all = matches!(self.keep, Keep::History).then(|| self.source.numbers(engine))??;
+        let first = usize::from(self.cadence.time);
+        Some(match self.output.columns() {
+            None => (self.cadence.time, all),
+            Some(columns) => {
+                let numbers = columns.iter().filter(|c| **c >= first).map(|c| all.get(c - first).copied());
+                (self.cadence.time && columns.first() == Some(&0), numbers.collect::<Option<_>>()?)
+            }
+        })
     }
 
-    /// Record steps of a model that is analysed side by side with others. `columns` are those of its
-    /// [`Recorder::numbers`] among the numbers that were recorded.
+    /// Record steps of a model that is analysed side by side with others: the time if it is the first column, and the columns
+    /// of its [`Recorder::numbers`] among the numbers that were recorded.
     ///
     /// # Errors
     /// An output that cannot be written.
@@ -216,7 +225,7 @@ impl Recorder {
         &mut self,
         all: &LockstepRows,
         model: usize,
-        columns: Range<usize>,
+        (time_first, columns): (bool, Range<usize>),
     ) -> Result<(), RecordError> {
         let width = all.numbers.len() / all.times.len().max(1);
         self.row.clear();
@@ -227,7 +236,7 @@ impl Recorder {
             }
             self.next = time + self.cadence.dt;
             self.due.push(time);
-            if self.cadence.time {
+            if time_first {
                 self.row.push(time);
             }
             self.row.extend(numbers[columns.clone()].iter().map(|n| n.0[model]));

@@ -25,7 +25,11 @@ pub trait Output: fmt::Debug + Send {
     /// # Errors
     /// It cannot be written.
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError>;
-    /// Rows at their times, one after the other.
+    /// Columns that [`Output::rows`] takes, in rising order; `None` for all of them.
+    fn columns(&self) -> Option<&[usize]> {
+        None
+    }
+    /// Rows at their times, one after the other, of [`Output::columns`].
     ///
     /// # Errors
     /// It cannot be written.

@@ -3,7 +3,7 @@
 use super::cached_files::{CachedFiles, FileContents};
 use super::initial_run::RunLimits;
 use super::load::Study;
-use super::run::{ObservedChannel, Setting};
+use super::run::{ObservedChannel, Run, Setting};
 use super::simulator::{Channels, SimulationError, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Options};
@@ -184,22 +184,38 @@ pub(super) struct RunMode {
     pub(super) course: Option<Course>,
 }
 
+/// The output of each observed channel of a run, with its path. Channels of one file share it: `make` makes it for the
+/// columns that they observe, in rising order.
+fn outputs(study: &Study, run: &Run, make: impl Fn(&[usize]) -> TraceOutput) -> Vec<(String, TraceOutput)> {
+    let mut columns: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for o in &run.observe {
+        columns.entry(study.absolute(&o.output)).or_default().push(o.column);
+    }
+    let made = columns.into_iter().map(|(path, mut columns)| {
+        columns.sort_unstable();
+        columns.dedup();
+        (path, make(&columns))
+    });
+    let made: BTreeMap<String, TraceOutput> = made.collect();
+    let of = |o: &ObservedChannel| made.get_key_value(&study.absolute(&o.output));
+    run.observe.iter().filter_map(of).map(|(path, output)| (path.clone(), output.clone())).collect()
+}
+
 impl ScriptSimulator {
     /// A simulator of a study. Its runs end when `stop` is set.
     pub fn new(study: Arc<Study>, options: Options, stop: Arc<AtomicBool>) -> Self {
-        let path = |output: &str| study.absolute(output);
-        let outputs = study.runs.iter().map(|r| {
-            let mut traces: BTreeMap<String, TraceOutput> = BTreeMap::new();
-            for o in &r.observe {
-                traces.entry(path(&o.output)).or_default();
-            }
-            // One for each channel: channels of one file share its trace.
-            r.observe.iter().map(|o| (path(&o.output), traces.entry(path(&o.output)).or_default().clone())).collect()
-        });
+        let outputs = study.runs.iter().map(|r| outputs(&study, r, |_| TraceOutput::default()));
         let limits = vec![RunLimits::UNKNOWN; study.runs.len()];
         let (contents, numbers) = (FileContents::default(), NumberFiles::default());
         let outputs = outputs.collect();
         Self { outputs, study, options, limits, contents, numbers, stop, beside: vec![] }
+    }
+
+    /// The same with outputs that keep nothing but the observed columns.
+    pub(super) fn keeping_observed(mut self) -> Self {
+        let of = |columns: &[usize]| TraceOutput::of_columns(columns.to_vec());
+        self.outputs = self.study.runs.iter().map(|r| outputs(&self.study, r, of)).collect();
+        self
     }
 
     /// A factory of simulators with the same study, limits and cached files.
@@ -322,8 +338,7 @@ impl ScriptSimulator {
                 if trace.no_clock {
                     return missing("has times that do not increase: the analysis has no clock".into());
                 }
-                let column = trace.values.iter().skip(o.column).step_by(trace.width);
-                if column.clone().any(|v| !v.is_finite()) {
+                if trace.column(o.column).is_none_or(|mut column| column.any(|v| !v.is_finite())) {
                     return Err(SimulationError::NotFinite(format!("{} column {}", o.output, o.column)));
                 }
                 let times = &spec.recording.times;

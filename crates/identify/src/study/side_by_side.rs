@@ -19,7 +19,7 @@ impl ScriptSimulator {
             return vec![Err(SimulationError::Interrupted); values.len()];
         }
         while self.beside.len() < values.len() {
-            let another = self.factory().simulator();
+            let another = self.factory().simulator().keeping_observed();
             self.beside.push(another);
         }
         let mode = || RunMode { course: Some(Course::until(analysis)), ..RunMode::default() };

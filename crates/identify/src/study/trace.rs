@@ -16,6 +16,8 @@ pub struct Trace {
     pub has_start: bool,
     /// Names of the columns.
     pub labels: Vec<String>,
+    /// Columns that are kept, in rising order; `None` for all of them.
+    pub kept: Option<Arc<[usize]>>,
     /// True if the time did not increase within an analysis. The pseudo-time of DisplacementControl is the load factor.
     pub no_clock: bool,
 }
@@ -24,21 +26,42 @@ impl Trace {
     #[inline]
     fn push(&mut self, time: f64, row: &[f64]) {
         if self.width != row.len() {
-            *self = Self { width: row.len(), labels: std::mem::take(&mut self.labels), ..Self::default() };
+            let (labels, kept) = (std::mem::take(&mut self.labels), self.kept.take());
+            *self = Self { width: row.len(), labels, kept, ..Self::default() };
         }
         self.no_clock |= self.times.last().is_some_and(|t| *t >= time);
         self.times.push(time);
-        self.values.extend_from_slice(row);
+        match &self.kept {
+            None => self.values.extend_from_slice(row),
+            Some(kept) => self.values.extend(kept.iter().map(|c| row.get(*c).copied().unwrap_or(f64::NAN))),
+        }
     }
 
-    /// Add rows at their times.
+    /// Number of columns that are kept.
+    fn kept_width(&self) -> usize {
+        self.kept.as_ref().map_or(self.width, |kept| kept.len())
+    }
+
+    /// Place of a column among those that are kept.
+    fn place(&self, column: usize) -> Option<usize> {
+        match &self.kept {
+            None => (column < self.width).then_some(column),
+            Some(kept) => kept.binary_search(&column).ok(),
+        }
+    }
+
+    /// Values of a column, row by row; `None` where it is not kept.
+    pub fn column(&self, column: usize) -> Option<impl Iterator<Item = f64> + Clone + '_> {
+        let place = self.place(column).filter(|_| column < self.width)?;
+        Some(self.values.iter().skip(place).step_by(self.kept_width()).copied())
+    }
+
+    /// Add rows at their times, of the columns that are kept.
     fn extend(&mut self, times: &[f64], rows: &[f64]) {
-        let Some(width) = rows.len().checked_div(times.len()) else { return };
-        let (Some(&time), Some(row)) = (times.first(), rows.get(..width)) else { return };
-        self.push(time, row);
+        self.no_clock |= self.times.last().zip(times.first()).is_some_and(|(last, first)| last >= first);
         self.no_clock |= times.windows(2).any(|t| t[0] >= t[1]);
-        self.times.extend_from_slice(&times[1..]);
-        self.values.extend_from_slice(&rows[width..]);
+        self.times.extend_from_slice(times);
+        self.values.extend_from_slice(rows);
     }
 
     /// Remove the rows, keeping their memory.
@@ -50,7 +73,11 @@ impl Trace {
 
     /// A column at increasing times: linear between rows, the first row before it, NaN after the last row.
     pub fn sample(&self, column: usize, times: &[f64]) -> Vec<f64> {
-        let value = |row: usize| self.values[row * self.width + column];
+        let (width, place) = (self.kept_width(), self.place(column));
+        let Some(place) = place.filter(|_| !self.times.is_empty() && column < self.width) else {
+            return vec![f64::NAN; times.len()];
+        };
+        let value = |row: usize| self.values[row * width + place];
         let mut row = 0;
         let at = |t: f64| {
             while row < self.times.len() && self.times[row] < t {
@@ -66,9 +93,6 @@ impl Trace {
                 }
             }
         };
-        if self.times.is_empty() || column >= self.width {
-            return vec![f64::NAN; times.len()];
-        }
         // Round-off must not put a last sample beyond the end of the analysis.
         let end = self.times[self.times.len() - 1];
         let close = 1e-9 * end.abs().max(1e-9);
@@ -83,15 +107,23 @@ pub(super) struct TraceOutput {
     shared: Arc<Mutex<Trace>>,
     writing: Option<Trace>,
     time: f64,
+    kept: Option<Arc<[usize]>>,
 }
 
 impl Clone for TraceOutput {
     fn clone(&self) -> Self {
-        Self { shared: self.shared.clone(), writing: None, time: self.time }
+        Self { shared: self.shared.clone(), writing: None, time: self.time, kept: self.kept.clone() }
     }
 }
 
 impl TraceOutput {
+    /// An output that keeps some columns, in rising order.
+    pub(super) fn of_columns(columns: Vec<usize>) -> Self {
+        let kept: Option<Arc<[usize]>> = Some(columns.into());
+        let trace = Trace { kept: kept.clone(), ..Trace::default() };
+        Self { shared: Arc::new(Mutex::new(trace)), writing: None, time: 0.0, kept }
+    }
+
     fn shared(&self) -> MutexGuard<'_, Trace> {
         self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -146,6 +178,9 @@ impl Output for TraceOutput {
         if trace.labels != labels {
             trace.labels = labels.to_vec();
         }
+        if trace.times.is_empty() {
+            trace.width = labels.len();
+        }
         Ok(())
     }
 
@@ -157,6 +192,10 @@ impl Output for TraceOutput {
         let time = self.time;
         self.writing().push(time, row);
         Ok(())
+    }
+
+    fn columns(&self) -> Option<&[usize]> {
+        self.kept.as_deref()
     }
 
     fn rows(&mut self, times: &[f64], rows: &[f64]) -> Result<(), RecordError> {

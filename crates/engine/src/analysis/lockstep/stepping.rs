@@ -148,9 +148,11 @@ impl Models {
     fn has_not_moved(&self, i: usize) -> Flags {
         let mut near = ALL;
         let e = &self.elements[i];
-        for (new, old) in self.work.disp.iter().zip(&self.work.evaluated[e.force.clone()]) {
+        // Within a step the others stay where they are.
+        for k in e.part.rows.among(e.dofs.len()) {
+            let (new, old) = (self.work.disp[k], self.work.evaluated[e.force.start + k]);
             let limit = self.work.slack * old.abs();
-            let by = (*new - *old).abs();
+            let by = (new - old).abs();
             near &= by.at_most(limit);
         }
         near
