@@ -99,17 +99,26 @@ impl StudyProblem {
         let mut results = vec![Err(SimulationError::Defect); jobs.len()];
         // Candidates of one run may go side by side. The groups follow from the jobs, not from the threads.
         jobs.sort_by_key(|(_, job)| job.run);
-        let groups = jobs.chunk_by(|a, b| a.1.run == b.1.run).flat_map(groups_of);
-        let done = self.pool.run(groups.collect::<Vec<_>>(), |group: &[(usize, Job)]| {
-            // A simulator whose run panics is not put back, so the next job gets a new one.
-            let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());
-            let values: Vec<&[f64]> = group.iter().map(|(_, job)| &*job.values).collect();
-            let scored = simulate_and_score_all(&mut *simulator, &self.study, group[0].1.run, &values);
-            SIMULATOR.set(Some(simulator));
-            group.iter().map(|(i, _)| *i).zip(scored).collect::<Vec<_>>()
-        });
-        done.into_iter().flatten().flatten().for_each(|(i, scored)| results[i] = scored);
+        let groups: Vec<&[(usize, Job)]> = jobs.chunk_by(|a, b| a.1.run == b.1.run).flat_map(groups_of).collect();
+        let done = self.pool.run(groups.iter().copied(), |group| self.scored(group));
+        let (lost, done): (Vec<_>, Vec<_>) = groups.into_iter().zip(done).partition(|(_, done)| done.is_none());
+        // A panic costs one candidate, and not those beside it.
+        let alone = lost.into_iter().flat_map(|(group, _)| group.chunks(1));
+        let alone = self.pool.run(alone, |one| self.scored(one));
+        let all = done.into_iter().map(|(_, done)| done).chain(alone);
+        all.flatten().flatten().for_each(|(i, scored)| results[i] = scored);
         results
+    }
+
+    /// Simulate and score candidates for one run, in a worker thread; with the numbers of the jobs.
+    fn scored(&self, group: &[(usize, Job)]) -> Vec<(usize, Result<ScoredRun, SimulationError>)> {
+        let Some((_, first)) = group.first() else { return vec![] };
+        // A simulator whose run panics is not put back, so the next job gets a new one.
+        let mut simulator = SIMULATOR.take().unwrap_or_else(|| (self.make_simulator)());
+        let values: Vec<&[f64]> = group.iter().map(|(_, job)| &*job.values).collect();
+        let scored = simulate_and_score_all(&mut *simulator, &self.study, first.run, &values);
+        SIMULATOR.set(Some(simulator));
+        group.iter().map(|(i, _)| *i).zip(scored).collect()
     }
 
     /// Simulate and score runs of the study with values of all parameters.
