@@ -177,6 +177,7 @@ fn step(e: &mut SingleElement, next: &mut [f64], u: f64, from: f64) -> (f64, f64
     let motion = ElementInput {
         disp: &disp,
         vel: &vel,
+        accel: &[],
         load: &[],
         still: false,
         opensees: None,

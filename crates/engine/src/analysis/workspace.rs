@@ -60,6 +60,8 @@ pub(super) struct ElementWorkspace {
     /// rows, for its forces.
     pub rows: Rows,
     mass: MassPlace,
+    /// Place of the inertance among the masses.
+    pub inertance: Option<usize>,
     /// Inertia or damping forces come with its motion.
     is_dynamic: bool,
     rayleigh: RayleighFactors,
@@ -248,9 +250,16 @@ impl ElementMatrices {
             let n = e.dofs.len();
             let traits = e.element.traits();
             let mass = matrices.add_mass(e.element.mass(), n);
+            let inertance = e.element.inertance().map(|m| {
+                matrices.mass.extend(m);
+                matrices.mass.len() - n * n
+            });
             let opensees = e.element.opensees();
             let [forces, reported] = [traits.rayleigh, traits.rayleigh || compat].map(|damped| {
                 let factors = if damped { e.rayleigh } else { Rayleigh::default() };
+                if inertance.is_some() {
+                    return Rayleigh { alpha_m: factors.alpha_m, ..Rayleigh::default() };
+                }
                 if opensees.initial_is_current { factors.with_current_for_initial() } else { factors }
             });
             let tangent = if opensees.damps_in_forces_only { Rayleigh::default() } else { forces };
@@ -268,6 +277,7 @@ impl ElementMatrices {
                 damping: traits.viscous.then_some(damping),
                 is_dynamic: !matches!(mass, MassPlace::None) || !forces.is_zero(),
                 mass,
+                inertance,
                 rayleigh: RayleighFactors { forces, tangent, reported },
             });
             at += n * n;

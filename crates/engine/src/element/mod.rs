@@ -11,14 +11,17 @@ pub mod axes;
 mod bar;
 mod basic_row;
 pub mod beam;
+mod beam_column_joint;
 pub mod bearing;
 mod catenary_cable;
 mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
 pub mod damping;
+mod forward;
 pub mod friction;
 mod impact;
+mod inerter;
 mod joint;
 pub mod load;
 mod lockstep;
@@ -44,11 +47,13 @@ use std::sync::Arc;
 
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
+pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
 pub use catenary_cable::CatenaryCable;
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
 pub use impact::{ContactDirection, Impact, ImpactOptions};
+pub use inerter::{Inerter, InerterOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
@@ -73,6 +78,8 @@ pub struct ElementInput<'a> {
     pub disp: &'a [f64],
     /// Trial velocities, likewise.
     pub vel: &'a [f64],
+    /// Trial accelerations, likewise; empty for an element without [`Element::inertance`].
+    pub accel: &'a [f64],
     /// Its load variables, as [`Element::add_load`] has summed them.
     pub load: &'a [f64],
     /// Nothing has a velocity.
@@ -310,6 +317,12 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
         Mass::None
     }
 
+    /// Forces per acceleration that [`Element::respond`] counts in the resisting force, n x n by rows; `None` where
+    /// there are none. Rayleigh damping of such an element is that of its mass alone.
+    fn inertance(&self) -> Option<Vec<f64>> {
+        None
+    }
+
     /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;
     /// `None` where it has none of that name. The state variables stay the same.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
@@ -342,6 +355,11 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
         None
     }
 
+    /// Returns true if [`Element::add_own_damping`] has something to add.
+    fn has_own_damping(&self) -> bool {
+        self.undamped().is_some()
+    }
+
     /// Adds the force of its own damping times a factor, where OpenSees does not count it in the resisting force.
     fn add_own_damping(&self, _snapshot: &Snapshot<'_>, _factor: f64, _force: &mut [f64]) {}
 
@@ -372,6 +390,11 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
 
     /// Names of the responses, to suggest the nearest to a misspelled one.
     fn probe_names(&self) -> &'static [&'static str];
+
+    /// Names of the responses with those that a wrapper adds.
+    fn all_probe_names(&self) -> Vec<&'static str> {
+        self.probe_names().to_vec()
+    }
 
     /// Names of the columns of the global force.
     fn force_labels(&self) -> Vec<String> {

@@ -2,6 +2,7 @@
 
 pub(crate) mod amend;
 mod beam;
+mod beam_column_joint;
 mod bearing;
 mod brick;
 mod cable;
@@ -11,6 +12,7 @@ pub(crate) mod damping;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
+mod inerter;
 mod joint_2d;
 mod joints;
 mod kikuchi;
@@ -87,6 +89,7 @@ const KINDS: &[Kind] = &[
     truss::TRUSS_SECTION,
     truss::COROT_TRUSS_SECTION,
     two_node_link::TWO_NODE_LINK,
+    inerter::INERTER,
     yamamoto::YAMAMOTO,
     zero_length::ZERO_LENGTH,
     zero_length::COUPLED,
@@ -123,6 +126,7 @@ const KINDS: &[Kind] = &[
     wall::SFI_MVLEM_3D,
     wall::E_SFI_MVLEM_3D,
     joint_2d::JOINT_2D,
+    beam_column_joint::BEAM_COLUMN_JOINT,
 ];
 
 /// The two nodes of an element.

@@ -56,6 +56,9 @@ impl Workspace {
                 let factor = c.k * (mix.current + mix.initial) + c.c * (r.beta_k + r.beta_k0 + r.beta_kc);
                 self.plan.add_element(i, &self.elements.tangent[m.at..m.at + n * n], factor, &mut self.matrix.base);
             }
+            if let Some(at) = m.inertance.filter(|_| c.m != 0.0) {
+                self.plan.add_element(i, &self.elements.mass[at..at + n * n], c.m, &mut self.matrix.base);
+            }
             let factor = c.m + c.c * m.rayleigh.tangent.alpha_m;
             if factor == 0.0 {
                 continue;
