@@ -253,9 +253,15 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::MaterialPoint, "zeroLength @ -mat 11 13 11 13 11 13 -dir 1 2 3 4 5 6 -orient 1. 2. 0.5 -2. 1. 0."),
     (3, 6, Shape::MaterialPoint, "CoupledZeroLength @ 1 3 11"),
     (3, 3, Shape::MaterialPoint, "zeroLengthImpact3D @ 2 0.0 0.3 80. 200. 40. 0.01 0.02"),
+    (2, 2, Shape::MaterialPoint, "zeroLengthContact2D @ 200. 80. 0.3 -normal 0.6 0.8"),
+    (2, 3, Shape::MaterialPoint, "zeroLengthContact2D @ 200. 80. 0.3 -normal 0. -1."),
+    (3, 3, Shape::MaterialPoint, "zeroLengthContact3D @ 200. 80. 0.3 0.2 1"),
     (2, 3, Shape::MaterialPoint, "zeroLengthSection @ 22"),
     (3, 6, Shape::MaterialPoint, "zeroLengthSection @ 24"),
     (2, 3, Shape::Line, "dispBeamColumn @ 4 22 1"),
+    (2, 3, Shape::Line, "AxEqDispBeamColumn2d @ 4 22 3 1e-12"),
+    (2, 3, Shape::Line, "AxEqDispBeamColumn2d @ 3 22 1 1e-12 -integration Lobatto -iter 30"),
+    (2, 3, Shape::Link, "ElasticTubularJoint @ 0.3 60. 2e8 0.6 0.02 20."),
     (3, 6, Shape::Line, "dispBeamColumn @ 4 24 2"),
     (2, 3, Shape::Line, "forceBeamColumn @ 5 22 3"),
     (3, 6, Shape::Line, "forceBeamColumn @ 5 24 4"),
@@ -269,6 +275,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 6, Shape::Line, "mixedBeamColumn @ 4 24 4"),
     (2, 3, Shape::Line, "beamWithHinges @ 22 0.1 22 0.1 200. 0.06 0.00045 1"),
     (2, 2, Shape::Corners, "quad @ 0.3 PlaneStrain 31"),
+    (2, 2, Shape::Corners, "bbarQuad @ 0.3 31"),
     (2, 2, Shape::Corners, "SSPquad @ 31 PlaneStrain 0.3"),
     (2, 2, Shape::Triangle, "tri31 @ 0.3 PlaneStress 31"),
     (3, 6, Shape::Corners, "ShellMITC4 @ 42"),
@@ -316,6 +323,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     // Plastic continua.
     (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 36"),
     (2, 2, Shape::Corners, "quad @ 0.5 PlaneStrain 37"),
+    (2, 2, Shape::Corners, "bbarQuad @ 0.5 36"),
     (2, 2, Shape::Corners, "SSPquad @ 36 PlaneStrain 0.5"),
     (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 35"),
     (2, 2, Shape::Triangle, "tri31 @ 0.5 PlaneStress 37"),
@@ -324,7 +332,17 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 3, Shape::Brick, "bbarBrick @ 36"),
     (3, 3, Shape::Brick, "SSPbrick @ 37"),
     (3, 3, Shape::Brick, "stdBrick @ 39"),
+    (3, 3, Shape::Brick, "stdBrick @ 51"),
+    (2, 2, Shape::Corners, "quad @ 0.5 PlaneStress 51"),
+    (3, 3, Shape::Brick, "stdBrick @ 52"),
+    (2, 3, Shape::Link, "dispBeamColumn @ 4 61 1"),
+    (2, 3, Shape::MaterialPoint, "zeroLengthSection @ 61"),
+    (3, 6, Shape::MaterialPoint, "zeroLengthSection @ 62"),
+    (2, 3, Shape::MaterialPoint, "zeroLengthSection @ 63"),
     (3, 6, Shape::Corners, "ShellMITC4 @ 45"),
+    (2, 3, Shape::Panel, "beamColumnJoint @ 11 13 11 13 11 13 11 13 11 13 11 13 11"),
+    (2, 3, Shape::Panel, "beamColumnJoint @ 11 11 13 11 11 13 11 11 13 11 11 13 11 0.8 0.9"),
+    (3, 6, Shape::Panel, "beamColumnJoint @ 11 13 11 13 11 13 11 13 11 13 11 13 11"),
     (2, 3, Shape::Joint, "Joint2D @ 9 11 13 11 13 11 0"),
     (3, 3, Shape::Cable, "CatenaryCable @ -0.1 200. 1. 2. 0.001 10. 0.1 1e-10 1 0"),
     (3, 3, Shape::Cable, "CatenaryCable @ -0.5 200. 1. 1.45 0. 0. 0. 1e-10 3 3"),
@@ -348,9 +366,21 @@ fn parts(ndm: usize) -> String {
         nDMaterial Simplified3DJ2 37 76.9 166.7 2. 4. 3.
         nDMaterial PlaneStressSimplifiedJ2 38 76.9 166.7 2. 4. 3.
         nDMaterial ElasticOrthotropic 40 200. 150. 120. 0.3 0.2 0.15 60. 50. 45.
-        nDMaterial Parallel3D 39 36 40 -weights 0.7 0.4";
+        nDMaterial Parallel3D 39 36 40 -weights 0.7 0.4
+        nDMaterial Series3D 51 36 40 -weights 0.7 0.4
+        nDMaterial InitStress 52 36 -0.5
+        nDMaterial BeamFiber 53 36
+        nDMaterial BeamFiber2d 54 37
+        nDMaterial BeamFiber2dPS 55 38
+        nDMaterial J2BeamFiber 56 200. 0.3 2. 3. 5.";
+    let fibres = if ndm == 2 {
+        "section NDFiber 61 { patch rect 56 6 1 -0.15 -0.1 0.15 0.1\nfiber 0.1 0. 0.01 54 }
+        section NDFiber 63 -alpha 0.8 { patch rect 54 4 1 -0.15 -0.1 0.15 0.1\nfiber 0.1 0. 0.01 55 }"
+    } else {
+        "section NDFiber 62 -alpha 0.8 { patch rect 56 4 3 -0.15 -0.1 0.15 0.1\nfiber 0.1 0.05 0.01 53 }"
+    };
     let plates = if ndm == 3 { "section LayeredShell 45 3 36 0.05 37 0.1 36 0.05" } else { "" };
-    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n{continua}\n{plates}\n")
+    format!("{PARTS}section Uniaxial 21 13 P\n{more}\n{continua}\n{fibres}\n{plates}\n")
 }
 
 fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
@@ -487,7 +517,8 @@ fn every_kind_is_in_a_table() {
         assert!(materials.contains(&kind.names[0].to_lowercase()), "no row for {}", kind.usage);
     }
     let elements = ELEMENTS.iter().map(|row| first(row.3));
-    let all: Vec<String> = elements.chain(every_bearing::commands().map(first)).collect();
+    // `links` has the tests of an inerter, which has no stiffness.
+    let all: Vec<String> = elements.chain(every_bearing::commands().map(first)).chain(["inerter".to_owned()]).collect();
     for kind in kinds("element") {
         assert!(all.contains(&kind.names[0].to_lowercase()), "no row for {}", kind.usage);
     }

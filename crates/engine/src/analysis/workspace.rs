@@ -52,6 +52,8 @@ pub(super) struct ElementWorkspace {
     pub counts_calls: bool,
     /// The current tangent replaces the initial one.
     initial_is_current: bool,
+    /// The tangent stands for mass and damping too.
+    stiffness_as_mass: bool,
     /// The committed tangent stays that of the first step.
     keeps_committed: bool,
     /// Place of the damping matrix of viscous materials.
@@ -113,6 +115,8 @@ pub(super) struct ElementMatrices {
     /// Axial forces of the beams of [`SmallBeams::p_delta`] in the tangents.
     pub axial: Vec<f64>,
     mass: Vec<f64>,
+    /// Elements whose tangents are evaluated anew at the end of a step, and room for their trial states.
+    renewed: (Vec<usize>, Vec<f64>),
     /// The tangents are those of the trial state.
     pub is_current: bool,
     /// Damping forces use the current tangents.
@@ -273,6 +277,7 @@ impl ElementMatrices {
                 rates: traits.viscous || traits.elapses,
                 counts_calls: compat && opensees.calls.is_some(),
                 initial_is_current: opensees.initial_is_current,
+                stiffness_as_mass: compat && opensees.stiffness_as_mass,
                 keeps_committed: compat && opensees.keeps_first_damping,
                 damping: traits.viscous.then_some(damping),
                 is_dynamic: !matches!(mass, MassPlace::None) || !forces.is_zero(),
@@ -280,6 +285,11 @@ impl ElementMatrices {
                 inertance,
                 rayleigh: RayleighFactors { forces, tangent, reported },
             });
+            if e.element.renews_tangent() {
+                let (elements, room) = &mut matrices.renewed;
+                elements.push(matrices.entries.len() - 1);
+                room.resize(room.len().max(e.state.len()), 0.0);
+            }
             at += n * n;
             motion += 2 * n;
             damping += if traits.viscous { n * n } else { 0 };

@@ -145,13 +145,7 @@ impl BeamColumnJoint {
     }
 
     /// The same in one part or in several, from the committed state.
-    fn condense(
-        &self,
-        outer: &Outer,
-        dt: f64,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Balance, ElementError> {
+    fn condense(&self, outer: &Outer, dt: f64, committed: &[f64], trial: &mut [f64]) -> Result<Balance, ElementError> {
         let start = Vector4::from_column_slice(&committed[..INNER]);
         let before = Outer::from_column_slice(&committed[INNER..INNER + OUTER]);
         'parts: for parts in PARTS {
@@ -199,8 +193,8 @@ impl BeamColumnJoint {
     fn shear_deformation(&self, state: &[f64]) -> [f64; 4] {
         let d: Vec<f64> = self.springs.iter().map(|s| s.strain(state)).collect();
         let [height, width] = self.arms;
-        let slip = ((d[0] - d[1]).abs() + (d[7] - d[6]).abs()) / width
-            + ((d[4] - d[3]).abs() + (d[10] - d[9]).abs()) / height;
+        let slip =
+            ((d[0] - d[1]).abs() + (d[7] - d[6]).abs()) / width + ((d[4] - d[3]).abs() + (d[10] - d[9]).abs()) / height;
         let shear = (d[2] + d[8]) / height + (d[5] + d[11]) / width;
         [slip, shear, d[12], slip + shear + d[12]]
     }
@@ -302,7 +296,7 @@ impl Element for BeamColumnJoint {
     }
 
     fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { initial_is_current: true, ..OpenSeesTraits::default() }
+        OpenSeesTraits { initial_is_current: true, stiffness_as_mass: true, ..OpenSeesTraits::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -43,6 +43,11 @@ macro_rules! forward_to_inner {
             self.inner.has_own_damping()
         }
     };
+    (@renews_tangent) => {
+        fn renews_tangent(&self) -> bool {
+            self.inner.renews_tangent()
+        }
+    };
     (@load_len) => {
         fn load_len(&self) -> usize {
             self.inner.load_len()

@@ -274,7 +274,8 @@ impl Element for Inerter {
                 *o = row.iter().zip(global).map(|(t, g)| t * g).sum();
             }
         };
-        let forces = |out: &mut [f64]| out.iter_mut().zip(Self::basic(&self.inertance, accel)).for_each(|(o, q)| *o = q);
+        let forces =
+            |out: &mut [f64]| out.iter_mut().zip(Self::basic(&self.inertance, accel)).for_each(|(o, q)| *o = q);
         match path[0] {
             LOCAL_FORCE => {
                 let mut force = vec![0.0; self.dofs()];

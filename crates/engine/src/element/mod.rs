@@ -14,6 +14,7 @@ pub mod beam;
 mod beam_column_joint;
 pub mod bearing;
 mod catenary_cable;
+mod contact;
 mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
@@ -32,6 +33,7 @@ mod small_beam;
 mod springs;
 pub mod transform;
 mod truss;
+mod tubular_joint;
 mod two_node_link;
 mod wall;
 mod zero_length;
@@ -49,10 +51,11 @@ pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
 pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
 pub use catenary_cable::CatenaryCable;
+pub use contact::{Contact, ContactDirection, ContactFriction, ContactSurface};
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
-pub use impact::{ContactDirection, Impact, ImpactOptions};
+pub use impact::{Impact, ImpactOptions};
 pub use inerter::{Inerter, InerterOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
@@ -63,6 +66,7 @@ pub use shared::Shared;
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
 pub use truss::Truss;
+pub use tubular_joint::{TubularJoint, TubularJointOptions};
 pub use two_node_link::{LinkOptions, TwoNodeLink};
 pub use wall::{PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape};
 pub use zero_length::{RayleighDamping, ZeroLength};
@@ -321,6 +325,12 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
     /// there are none. Rayleigh damping of such an element is that of its mass alone.
     fn inertance(&self) -> Option<Vec<f64>> {
         None
+    }
+
+    /// Returns true if the tangent of a committed state differs from that of the trial state before, as of a contact that
+    /// sticks again after it has slid. The tangent is then evaluated anew at the end of a step.
+    fn renews_tangent(&self) -> bool {
+        false
     }
 
     /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;

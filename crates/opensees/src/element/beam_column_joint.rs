@@ -42,22 +42,25 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
         let label = "expected the nodes below, right, above and left of the joint";
         return Err(a.refuse_at(last, "beamColumnJoint: nodes that face each other are at one place", label));
     }
-    let materials: Vec<_> = (0..JOINT_SPRINGS)
-        .map(|_| a.of(&interp.host.builder.definitions.materials))
-        .collect::<Result<_, _>>()?;
+    let materials: Vec<_> =
+        (0..JOINT_SPRINGS).map(|_| a.of(&interp.host.builder.definitions.materials)).collect::<Result<_, _>>()?;
     let Ok(materials) = materials.try_into() else { return Err(a.refuse("beamColumnJoint: materials", "")) };
     let mut factors = [1.0; 2];
     if a.left() > 0 {
         factors = [a.positive("factor of the height")?, a.positive("factor of the width")?];
         if ndm == 3 && factors != [1.0; 2] {
-            let warning = Diagnostic::warning("beamColumnJoint: the factors of a joint in space are not used, as in OpenSees");
+            let warning =
+                Diagnostic::warning("beamColumnJoint: the factors of a joint in space are not used, as in OpenSees");
             warn(interp, warning.at(a.last_span(), "expected 1"))?;
             factors = [1.0; 2];
         }
     }
     if ndm == 2 && (up.x.abs() > MAX_INCLINATION * height || right.y.abs() > MAX_INCLINATION * width) {
         let message = "beamColumnJoint: the joint is inclined, but its springs act along the global axes";
-        warn(interp, Diagnostic::warning(message).at(last, "expected nodes below, right, above and left of its centre"))?;
+        warn(
+            interp,
+            Diagnostic::warning(message).at(last, "expected nodes below, right, above and left of its centre"),
+        )?;
     }
     let unit = |v: Vector3<f64>| -> [f64; 3] { (v / v.norm()).into() };
     let geometry = JointGeometry {

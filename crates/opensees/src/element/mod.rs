@@ -27,6 +27,7 @@ mod sliding;
 mod timoshenko;
 mod triple;
 mod truss;
+mod tubular_joint;
 mod two_node_link;
 mod wall;
 mod yamamoto;
@@ -95,13 +96,17 @@ const KINDS: &[Kind] = &[
     zero_length::COUPLED,
     zero_length_section::ZERO_LENGTH_SECTION,
     contact::IMPACT,
+    contact::CONTACT_2D,
+    contact::CONTACT_3D,
     fiber_beam::DISPLACEMENT,
+    fiber_beam::AXIAL_EQUILIBRIUM,
     fiber_beam::FORCE,
     fiber_beam::CURVATURE,
     fiber_beam::CURVATURE_SHEAR,
     fiber_beam::MIXED,
     fiber_beam::WITH_HINGES,
     quad::QUAD,
+    quad::MEAN_DILATATION,
     quad::STABILISED,
     quad::TRIANGLE,
     quad::NINE_NODES,
@@ -127,6 +132,7 @@ const KINDS: &[Kind] = &[
     wall::E_SFI_MVLEM_3D,
     joint_2d::JOINT_2D,
     beam_column_joint::BEAM_COLUMN_JOINT,
+    tubular_joint::TUBULAR_JOINT,
 ];
 
 /// The two nodes of an element.

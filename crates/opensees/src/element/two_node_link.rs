@@ -120,12 +120,7 @@ fn fraction(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Excep
 }
 
 /// Ratios of the P-Delta moments: about y at i and j (only in space), about z at i and j.
-pub(super) fn moment_ratios(
-    interp: &mut Tcl,
-    a: &mut Args<'_>,
-    ndm: usize,
-    kind: &str,
-) -> Result<[f64; 4], Exception> {
+pub(super) fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize, kind: &str) -> Result<[f64; 4], Exception> {
     let mut ratios = [0.0; 4];
     // OpenSees reads four numbers in one dimension too, where there is nothing for them to do.
     let first = if ndm == 2 { 2 } else { 0 };

@@ -3,6 +3,7 @@
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
 mod isolator;
+mod nd_fiber;
 pub(crate) mod open;
 mod plate;
 mod shapes;
@@ -63,6 +64,7 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    nd_fiber::ND_FIBER,
     isolator::BIDIRECTIONAL,
     isolator::ELLIPTICAL,
     isolator::TWO_SPRINGS,

@@ -99,7 +99,10 @@ impl System<'_> {
             e.dofs.iter().zip(old).all(near)
         };
         let inertance = self.work.elements.entries[i].inertance;
-        e.load.is_empty() && inertance.is_none() && same(&self.new.disp, disp) && (self.still || same(&self.new.vel, vel))
+        e.load.is_empty()
+            && inertance.is_none()
+            && same(&self.new.disp, disp)
+            && (self.still || same(&self.new.vel, vel))
     }
 
     /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.
@@ -196,7 +199,8 @@ impl System<'_> {
             let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
             OpenSeesCall { repeated, last_of_class, shared }
         });
-        let motion = ElementInput { disp, vel, accel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
+        let motion =
+            ElementInput { disp, vel, accel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
         let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];

@@ -338,8 +338,8 @@ impl Amended {
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
     forward_to_inner! {
-        class dofs commit mass inertance has_own_damping load_len add_load basic_rows add_own_damping overload
-        softening euler_load probe probe_names all_probe_names force_labels
+        class dofs commit mass inertance renews_tangent has_own_damping load_len add_load basic_rows
+        add_own_damping overload softening euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.tangent_at() + self.tangent_len()
@@ -381,7 +381,6 @@ impl Element for Amended {
         }
         Ok(())
     }
-
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
