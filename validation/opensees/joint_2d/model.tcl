@@ -181,3 +181,43 @@ integrator LoadControl 0.5
 analysis Static
 puts "[analyze 4]"
 wipe
+
+# Modes and shaking of a joint with beamColumnJoint.
+model basic -ndm 2 -ndf 3
+node 1 0. 0.
+node 2 0. 2.7
+node 3 0.25 3.
+node 4 0. 3.3
+node 5 -0.25 3.
+node 6 4. 3.
+node 7 -4. 3.
+node 8 0. 5.
+fix 1 1 1 0
+fix 6 0 1 0
+fix 7 0 1 0
+mass 8 10. 10. 0.
+mass 4 30. 30. 0.5
+geomTransf Linear 1
+lawsOfJoint
+element elasticBeamColumn 1 1 2 0.16 2.5e7 2.1e-3 1
+element elasticBeamColumn 2 3 6 0.15 2.5e7 3.1e-3 1
+element elasticBeamColumn 3 7 5 0.15 2.5e7 3.1e-3 1
+element elasticBeamColumn 4 4 8 0.16 2.5e7 2.1e-3 1
+element beamColumnJoint 5 2 3 4 5 1 1 3 2 2 3 1 1 3 2 2 3 4
+set file [open joint_modes.out w]
+puts $file [eigen 3]
+close $file
+rayleigh 0.4 0. 0.003 0.
+recorder Node -file joint_shaken.out -precision 10 -time -node 3 4 8 -dof 1 2 3 disp
+set motion {}
+for {set i 0} {$i < 200} {incr i} { lappend motion [expr 12. * sin(0.2 * $i) * exp(-0.01 * $i)] }
+timeSeries Path 3 -dt 0.02 -values $motion
+pattern UniformExcitation 3 1 -accel 3
+constraints Plain
+numberer RCM
+system UmfPack
+algorithm Linear
+integrator Newmark 0.5 0.25
+analysis Transient
+puts "[analyze 200 0.02]"
+wipe

@@ -45,7 +45,8 @@ impl TubularJoint {
         let (gamma, beta) = (o.chord_diameter / (2.0 * o.chord_thickness), o.brace_diameter / o.chord_diameter);
         let sine = o.brace_angle.to_radians().sin();
         let across = 1.95 * gamma.powf(2.15) * (1.0 - beta).powf(1.3) * sine.powf(0.19) / (o.e * o.chord_diameter);
-        let bending = 134.0 * gamma.powf(1.73) * (-4.52 * beta).exp() * sine.powf(1.22) / (o.e * o.chord_diameter.powi(3));
+        let bending =
+            134.0 * gamma.powf(1.73) * (-4.52 * beta).exp() * sine.powf(1.22) / (o.e * o.chord_diameter.powi(3));
         let stiffness = [FRAC_PI_2.tan(), across.recip(), bending.recip()];
         if stiffness.iter().any(|k| !k.is_finite() || *k <= 0.0) {
             return Err(ElementError("ElasticTubularJoint: its dimensions give no flexibility".into()));

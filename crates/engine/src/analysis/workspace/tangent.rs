@@ -71,12 +71,8 @@ impl Workspace {
             };
             let tangent = &mut tangent[entries[i].at..entries[i].at + n * n];
             tangent.fill(0.0);
-            let output = ElementOutput {
-                force: &mut force[..n],
-                tangent: Some(tangent),
-                damping: None,
-                part: MatrixMask::ALL,
-            };
+            let output =
+                ElementOutput { force: &mut force[..n], tangent: Some(tangent), damping: None, part: MatrixMask::ALL };
             let committed = &state.history[e.state.clone()];
             // The same state was evaluated in the last iteration.
             let _ = e.element.respond(&input, committed, &mut room[..committed.len()], output);
