@@ -48,6 +48,15 @@ macro_rules! forward_to_inner {
             self.inner.renews_tangent()
         }
     };
+    // A wrapper is evaluated by itself.
+    (@lockstep) => {
+        fn lockstep(
+            &self,
+            _: &[&std::sync::Arc<dyn $crate::element::Element>; $crate::numeric::wide::WIDTH],
+        ) -> Option<Box<dyn $crate::element::LockstepElement>> {
+            None
+        }
+    };
     (@load_len) => {
         fn load_len(&self) -> usize {
             self.inner.load_len()

@@ -90,8 +90,8 @@ const BASIC: u32 = 901;
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
     forward_to_inner! {
-        class dofs commit initial_tangent mass inertance renews_tangent load_len add_load basic_rows overload
-        softening euler_load probe_names force_labels
+        class dofs commit lockstep initial_tangent mass inertance renews_tangent load_len add_load basic_rows
+        overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.damping.state_len(self.len)
