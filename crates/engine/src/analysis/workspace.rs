@@ -12,7 +12,7 @@ use super::small_beams::SmallBeams;
 use super::system::Coefficients;
 use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{Mass, MatrixMask, Rows};
+use crate::element::{Mass, MatrixMask, OpenSeesTraits, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
 use std::sync::Arc;
@@ -259,6 +259,7 @@ impl ElementMatrices {
                 matrices.mass.len() - n * n
             });
             let opensees = e.element.opensees();
+            let followed = if compat { opensees } else { OpenSeesTraits::default() };
             let [forces, reported] = [traits.rayleigh, traits.rayleigh || compat].map(|damped| {
                 let factors = if damped { e.rayleigh } else { Rayleigh::default() };
                 if inertance.is_some() {
@@ -275,10 +276,10 @@ impl ElementMatrices {
                 linear: traits.linear && !traits.viscous,
                 p_delta: tangent.beta_kc == 0.0 && e.element.small_beam().is_some_and(|b| b.p_delta.is_some()),
                 rates: traits.viscous || traits.elapses,
-                counts_calls: compat && opensees.calls.is_some(),
+                counts_calls: followed.calls.is_some(),
                 initial_is_current: opensees.initial_is_current,
-                stiffness_as_mass: compat && opensees.stiffness_as_mass,
-                keeps_committed: compat && opensees.keeps_first_damping,
+                stiffness_as_mass: followed.stiffness_as_mass,
+                keeps_committed: followed.keeps_first_damping,
                 damping: traits.viscous.then_some(damping),
                 is_dynamic: !matches!(mass, MassPlace::None) || !forces.is_zero(),
                 mass,

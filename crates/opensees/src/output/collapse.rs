@@ -7,6 +7,7 @@ use crate::session::Mode;
 use crate::{Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, NodalLoad, NodeId, Tag};
+use hysteron_engine::number_format::Style;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, OpenMode, Value};
 use std::collections::BTreeSet;
@@ -161,8 +162,13 @@ impl Collapses {
         engine.remove_element(id);
         self.removed.push(Removed::Element(id));
         self.gone.insert(tag);
-        let _ = writeln!(self.lines, "{time} Elem {tag}");
+        self.note(time, "Elem", tag);
         nodes
+    }
+
+    fn note(&mut self, time: f64, what: &str, tag: Tag) {
+        Style::default().push(time, &mut self.lines);
+        let _ = writeln!(self.lines, " {what} {tag}");
     }
 
     /// Removes a node that is there and belongs to no element.
@@ -170,7 +176,7 @@ impl Collapses {
         let Some(id) = engine.model().node(tag) else { return };
         if engine.remove_node(id).is_ok() {
             self.removed.push(Removed::Node(id));
-            let _ = writeln!(self.lines, "{time} Node {tag}");
+            self.note(time, "Node", tag);
         }
     }
 }
