@@ -174,9 +174,14 @@ impl System<'_> {
         if !self.still {
             e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
         }
-        let mut accel = [0.0; MAX_DOFS];
-        let accel = &mut accel[..if m.inertance.is_some() { n } else { 0 }];
-        e.dofs.iter().zip(&mut *accel).for_each(|(&d, a)| *a = self.new.accel[d as usize]);
+        let mut accelerations;
+        let accel: &[f64] = if m.inertance.is_some() {
+            accelerations = [0.0; MAX_DOFS];
+            e.dofs.iter().zip(&mut accelerations).for_each(|(&d, a)| *a = self.new.accel[d as usize]);
+            &accelerations[..n]
+        } else {
+            &[]
+        };
         let force = &mut self.new.force[e.force.clone()];
         force.fill(0.0);
         let tangent = if want_tangent && !m.linear {
