@@ -105,6 +105,7 @@ recorder Node -file mixed_plane.out -time -node 1 2 3 -dof 1 2 3 disp
 recorder Element -file mixed_plane_force.out -ele 1 2 force
 constraints Plain; numberer RCM; system BandGeneral; test NormUnbalance 1e-8 50 0; algorithm Newton; integrator LoadControl 0.05; analysis Static
 analyze 30
+wipe
 
 # recorder Collapse: an infill wall of two beams on a diagonal is removed when its drifts in and out of the plane reach a curve.
 model basic -ndm 3 -ndf 6

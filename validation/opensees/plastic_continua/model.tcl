@@ -297,3 +297,23 @@ recorder Element -file ndfiber_space_force.out -precision 10 -ele 1 section 1 fo
 pattern Plain 1 Linear { load 2 1. 0.4 -0.5 0. 0. 30. }
 cyclesOf 2 1 {0.25 30 -0.25 60 0.25 30}
 wipe
+
+# A fibre section of plane stress in beams with shear.
+model basic -ndm 2 -ndf 3
+node 1 0. 0.
+node 2 0. 300.
+node 3 500. 0.
+node 4 500. 300.
+fix 1 1 1 1
+fix 3 1 1 1
+nDMaterial J2Plasticity 2 1.6e5 8e4 300. 400. 20. 500.
+nDMaterial BeamFiber2dPS 3 2
+section NDFiber 1 -noCentroid { patch rect 3 6 1 -50. -30. 50. 30. }
+geomTransf PDelta 1
+element forceBeamColumn 1 1 2 3 1 1 -iter 30 1e-12
+element dispBeamColumn 2 3 4 3 1 1
+recorder Node -file ndfiber_stress_disp.out -precision 10 -time -node 2 4 -dof 1 2 3 disp
+recorder Element -file ndfiber_stress_force.out -precision 10 -ele 1 2 section 1 force
+pattern Plain 1 Linear { load 2 1. -0.5 0.; load 4 0.6 0. 0. }
+cyclesOf 2 1 {0.25 30 -0.25 60 0.25 30}
+wipe
