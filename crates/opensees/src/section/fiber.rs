@@ -1,7 +1,9 @@
 //! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
 
+use super::nd_fiber;
+use super::open::OpenSection;
 use crate::args::Args;
-use crate::material::nd_material::{Family, family};
+use crate::material::nd_material::Family;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
@@ -24,6 +26,7 @@ enum FiberMaterial {
 }
 
 /// Fiber of `section NDFiber`.
+#[derive(Clone)]
 pub(crate) struct ContinuumFiber {
     pub(super) y: f64,
     pub(super) z: f64,
@@ -33,8 +36,9 @@ pub(crate) struct ContinuumFiber {
 
 /// The material of the section whose body is being run.
 fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<FiberMaterial, Exception> {
-    if interp.host.builder.continuum_fibers.is_some() {
-        return Ok(FiberMaterial::Continuum(family(interp, a)?));
+    let builder = &interp.host.builder;
+    if builder.continuum_fibers.is_some() || builder.open_section.as_ref().is_some_and(OpenSection::takes_continua) {
+        return Ok(FiberMaterial::Continuum(nd_fiber::material(interp, a)?));
     }
     Ok(FiberMaterial::Uniaxial(a.of(&interp.host.builder.definitions.materials)?))
 }
@@ -52,6 +56,9 @@ fn add(
     let mut push: Box<dyn FnMut([f64; 2], f64)> = match (material, fibers, continuum_fibers, open_section) {
         (FiberMaterial::Continuum(material), _, Some(fibers), _) => {
             Box::new(move |[y, z], area| fibers.push(ContinuumFiber { y, z, area, material: material.clone() }))
+        }
+        (FiberMaterial::Continuum(material), _, None, Some(open)) => {
+            Box::new(move |[y, z], area| open.push_continuum(ContinuumFiber { y, z, area, material: material.clone() }))
         }
         (FiberMaterial::Uniaxial(material), Some(fibers), ..) => {
             Box::new(move |[y, z], area| fibers.push(Fiber { y, z, area, material: material.clone() }))
