@@ -11,6 +11,7 @@ use crate::model::parameter::Parameter;
 use crate::output::Balances;
 use crate::output::model_file::MadeOf;
 use crate::output::recorders::Recorders;
+use crate::section::fiber::ContinuumFiber;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -125,6 +126,8 @@ pub struct ModelBuilder {
     pub(crate) regions: BTreeMap<Tag, Region>,
     /// Fibers of the section whose body runs.
     pub(crate) fibers: Option<Vec<Fiber>>,
+    /// Fibers of the body of `section NDFiber` that is being run.
+    pub(crate) continuum_fibers: Option<Vec<ContinuumFiber>>,
     /// The section that takes fibers outside a body, in calls by a host.
     pub(crate) open_section: Option<OpenSection>,
     /// Parameters that `parameter` has named, by tag.

@@ -15,6 +15,7 @@ mod impact;
 mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
+mod nd_wrapper;
 mod plastic;
 mod rubber;
 mod smooth;

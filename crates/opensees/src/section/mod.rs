@@ -3,6 +3,7 @@
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
 mod isolator;
+mod nd_fiber;
 pub(crate) mod open;
 mod plate;
 mod shapes;
@@ -63,6 +64,7 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    nd_fiber::ND_FIBER,
     isolator::BIDIRECTIONAL,
     isolator::ELLIPTICAL,
     isolator::TWO_SPRINGS,
@@ -82,8 +84,9 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
     interp.host.builder.open_section = None;
-    if interp.host.called_by_host && kind.names.contains(&"Fiber") {
-        return open::open(interp, &mut a, tag);
+    let continua = kind.names == nd_fiber::ND_FIBER.names;
+    if interp.host.called_by_host && (continua || kind.names.contains(&"Fiber")) {
+        return open::open(interp, &mut a, tag, continua);
     }
     let added = match kind.make {
         Make::Beam(make) => {
