@@ -1,5 +1,8 @@
 //! Numbers of several models side by side.
 
+// Loops over vectors: the compiler makes vector instructions of them, which it does not of some iterators.
+#![allow(clippy::needless_range_loop)]
+
 use super::lanes::BLOCK;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 

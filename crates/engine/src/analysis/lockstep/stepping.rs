@@ -3,6 +3,9 @@
 //! Each model takes the way that it takes by itself: the same evaluations with and without tangents, to the same bits. The
 //! flags of a model say what [`System`](crate::analysis::System) and [`Newton`](crate::analysis::algorithm::Newton) would.
 
+// Loops over vectors: the compiler makes vector instructions of them, which it does not of some iterators.
+#![allow(clippy::needless_range_loop)]
+
 use super::{ALL, Flags, LockstepRows, Measure, Models, Norm, Recorded, Work};
 use crate::element::{LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};

@@ -1,5 +1,8 @@
 //! Kinematics of two-node bearings: basic deformations, and P-Delta moments of the axial force.
 
+// Loops over vectors: the compiler makes vector instructions of them, which it does not of some iterators.
+#![allow(clippy::needless_range_loop)]
+
 use crate::element::{BasicRow, MatrixMask, dot};
 use crate::numeric::SparseMatrix;
 use crate::numeric::wide::Real;

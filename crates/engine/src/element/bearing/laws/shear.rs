@@ -1,5 +1,8 @@
 //! Shear laws of bearings: the trait, and the common state variables.
 
+// Loops over vectors: the compiler makes vector instructions of them, which it does not of some iterators.
+#![allow(clippy::needless_range_loop)]
+
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::{ElementError, Mass};
 use crate::numeric::wide::{Real, WIDTH, Wide};

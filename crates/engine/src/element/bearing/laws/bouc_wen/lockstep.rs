@@ -1,5 +1,8 @@
 //! The law of several bearings side by side.
 
+// Loops over vectors: the compiler makes vector instructions of them, which it does not of some iterators.
+#![allow(clippy::needless_range_loop)]
+
 use super::BoucWenShear;
 use crate::element::bearing::laws::shear::{Shear, ShearLockstep, hardening, is_at_rest};
 use crate::numeric::wide::{WIDTH, Wide};
