@@ -9,6 +9,7 @@ use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm, product};
+use crate::section::SectionSlot;
 
 /// Choice of the section flexibility that turns unbalanced section forces into deformations.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -24,6 +25,12 @@ const SCHEMES: [(Flexibility, usize); 3] =
 
 /// Largest number of increments that a step is divided into. OpenSees has no limit.
 const MAX_INCREMENTS: usize = 1000;
+
+/// Returns true for a virgin beam whose sections have initial stresses: its first state determination finds their forces.
+fn is_prestressed<const N: usize, const B: usize>(member: &Member<N, B>, basic: &Basic<B>, trial: &[f64]) -> bool {
+    let stressed = |s: &SectionSlot| s.parts(trial).1.iter().any(|s| *s != 0.0);
+    basic.q.iter().all(|q| *q == 0.0) && member.sections.iter().any(stressed)
+}
 
 impl ForceBased {
     /// Basic forces for deformations `v`, from the last trial state. `None` without convergence.
@@ -41,7 +48,7 @@ impl ForceBased {
         let mut basic = Basic::read(&trial[member.head()..]);
         let trace = Trace::next(member, v, motion, trial);
         trace.write(&mut trial[member.own_words()..]);
-        if trace.is_at_rest(motion) {
+        if trace.is_at_rest(motion) && !is_prestressed(member, &basic, trial) {
             return Ok(Some(basic));
         }
         let mut remaining = trace.dv;
