@@ -100,3 +100,32 @@ fn too_many_deformations_and_equal_places_are_refused() {
     ));
     assert!(equal.error().message.contains("same place"), "{}", equal.error().message);
 }
+
+/// Two prestressed cables as force-based beams: initial stresses stiffen them laterally from the first iteration on. Displacements
+/// and moments of openseespy 3.7.1.
+#[test]
+fn initial_stresses_stiffen_force_based_beams() {
+    for script in [Script::default(), Script::compat()] {
+        let ran = script.run(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 100 0; node 3 200 0; node 4 100 0
+            fix 1 1 1 1; fix 3 1 1 1; equalDOF 2 4 1 2
+            uniaxialMaterial Steel02 1 100 36e6 0.1 20 .925 .15 0 1 0 1 30
+            section Fiber 1 { patch circ 1 4 2 0 0 0 1.261 0 360 }
+            geomTransf PDelta 1
+            element forceBeamColumn 1 1 2 3 1 1
+            element forceBeamColumn 2 4 3 3 -transform 1 -section 1
+            timeSeries Linear 1
+            pattern Plain 1 1 { load 2 0 0.1 0 }
+            system BandGeneral; numberer RCM; constraints Transformation
+            integrator LoadControl 1.0; test NormUnbalance 1e-9 50; algorithm Newton; analysis Static
+            analyze 1
+            puts \"[testIter] [nodeDisp 2 2] [eleForce 1 1] [eleForce 1 6]\"",
+        );
+        let n = ran.done().numbers();
+        assert!(n[0] == 1.0, "{n:?}");
+        for (got, e) in n[1..].iter().zip([0.0002960231150561328, -149.86537355730718, 0.0]) {
+            assert!((got - e).abs() < 1e-7 * e.abs().max(1e-2), "{n:?}");
+        }
+    }
+}
