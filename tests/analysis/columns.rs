@@ -129,3 +129,28 @@ fn initial_stresses_stiffen_force_based_beams() {
         }
     }
 }
+
+/// An eccentric tendon bends a cantilever without loads. Displacements of openseespy 3.7.1.
+#[test]
+fn an_eccentric_tendon_bends_beams() {
+    for element in ["dispBeamColumn", "forceBeamColumn", "mixedBeamColumn"] {
+        for script in [Script::default(), Script::compat()] {
+            let ran = script.run(&format!(
+                "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 100 0; node 3 200 0; fix 1 1 1 1
+                uniaxialMaterial Steel02 1 100 36e6 0.1 20 .925 .15 0 1 0 1 30; uniaxialMaterial Elastic 2 1e6
+                section Fiber 1 {{ fiber 1 0 0.1 1; fiber 1 0 5 2; fiber -1 0 5 2 }}
+                geomTransf PDelta 1
+                element {element} 1 1 2 3 1 1; element {element} 2 2 3 3 1 1
+                system BandGeneral; numberer RCM; constraints Transformation
+                integrator LoadControl 1.0; test EnergyIncr 1e-16 50; algorithm Newton; analysis Static
+                analyze 1
+                puts [nodeDisp 3]"
+            ));
+            let n = ran.done().numbers();
+            for (got, e) in n.iter().zip([-3.522910430577942e-5, 0.0034883720930232558, 3.4883720930232556e-5]) {
+                assert!((got - e).abs() < 1e-9 * e.abs(), "{element}: {n:?}");
+            }
+            assert_eq!(n.len(), 3, "{element}");
+        }
+    }
+}

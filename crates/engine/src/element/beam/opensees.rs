@@ -4,7 +4,7 @@
 //! with the initial flexibility of the sections, and then with smaller increments.
 
 use super::force_based::{ForceBased, add_torsion, internal_forces};
-use super::member::{Basic, Member, Trace};
+use super::member::{Basic, Formulation, Member, Trace};
 use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
@@ -25,6 +25,24 @@ const SCHEMES: [(Flexibility, usize); 3] =
 
 /// Largest number of increments that a step is divided into. OpenSees has no limit.
 const MAX_INCREMENTS: usize = 1000;
+
+/// Evaluates a virgin beam at rest: initial stresses have basic forces before the first step.
+pub(super) fn settle<F: Formulation<N, B>, const N: usize, const B: usize>(
+    formulation: &F,
+    member: &Member<N, B>,
+    state: &mut [f64],
+) {
+    if !is_prestressed(member, &Basic::read(&state[member.head()..]), state) {
+        return;
+    }
+    let (still, load, virgin) = ([0.0; N], vec![0.0; F::load_len(member.sections.len())], state.to_vec());
+    let (disp, vel, load) = (&still[..], &still[..], &load[..]);
+    let motion = ElementInput { disp, vel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
+    match formulation.respond(member, &[0.0; B], &motion, &virgin, state) {
+        Ok(basic) => basic.write(&mut state[member.head()..]),
+        Err(_) => state.copy_from_slice(&virgin),
+    }
+}
 
 /// Returns true for a virgin beam whose sections have initial stresses: its first state determination finds their forces.
 fn is_prestressed<const N: usize, const B: usize>(member: &Member<N, B>, basic: &Basic<B>, trial: &[f64]) -> bool {
