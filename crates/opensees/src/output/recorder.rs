@@ -1,6 +1,6 @@
 //! `recorder` and `record`.
 
-use super::pvd;
+use super::{display, pvd};
 use super::recorders::PlacedRecorder;
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
@@ -70,6 +70,11 @@ const KINDS: &[Kind] = &[
         make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
     },
     Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
+    Kind {
+        names: &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
+        usage: "recorder mpco ...: files for other programs, not written",
+        make: display::of_other_program,
+    },
     // Windows of OpenSees.
     Kind {
         names: &["display", "plot", "plotDifferent", "increments"],
