@@ -154,3 +154,36 @@ fn an_eccentric_tendon_bends_beams() {
         }
     }
 }
+
+/// A beam in space with end stiffnesses of its own, between offset nodes. Displacements and eigenvalues of openseespy 3.7.1.
+#[test]
+fn factors_of_a_modified_beam_in_space() {
+    let n = run("model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0.3 0.4 3; fix 1 1 1 1 1 1 1
+        geomTransf PDelta 1 1 0 0
+        element ModElasticBeam3d 1 1 2 0.02 2e5 8e4 2e-3 1e-3 3e-3 5.5 4.5 2.5 6 5 3 1 -mass 0.4 -cMass
+        timeSeries Linear 1
+        pattern Plain 1 1 {
+            load 2 1 2 -30 0.4 0.5 0.6
+            eleLoad -ele 1 -type -beamUniform 0.5 0.3 -0.2; eleLoad -ele 1 -type -beamPoint 0.5 0.3 0.6 -0.2
+        }
+        constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 9; algorithm Newton
+        integrator LoadControl 1.0; analysis Static; analyze 1
+        puts [nodeDisp 2]; puts [eigen -fullGenLapack 4]")
+    .numbers();
+    let expected = [
+        0.23014100780018537,
+        0.05604252885144312,
+        -0.05334494397204585,
+        -0.03173938248559135,
+        0.1207363990621331,
+        0.0005085189613499548,
+        68.53041597203587,
+        282.3766677039489,
+        1297.297297297297,
+        3243.2432432432433,
+    ];
+    assert_eq!(n.len(), expected.len(), "{n:?}");
+    for (got, e) in n.iter().zip(expected) {
+        assert!((got - e).abs() < 1e-9 * e.abs(), "{got} for {e}");
+    }
+}
