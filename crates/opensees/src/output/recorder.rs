@@ -1,7 +1,7 @@
 //! `recorder` and `record`.
 
-use super::{display, pvd};
 use super::recorders::PlacedRecorder;
+use super::{display, pvd};
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};

@@ -212,7 +212,9 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         self.bending = Bending::of(&self.section, self.options.release);
         self.kb = basic_stiffness(&self.section, &self.bending, length);
         if let Some(factors) = self.modified {
-            for (at, ([k11, k33, k44], bending)) in [1, 3].into_iter().zip(factors.iter().zip(&self.bending)).take(B / 3) {
+            for (at, ([k11, k33, k44], bending)) in
+                [1, 3].into_iter().zip(factors.iter().zip(&self.bending)).take(B / 3)
+            {
                 let k = bending.ei / length;
                 self.kb[at][at..at + 2].copy_from_slice(&[k11 * k, k44 * k]);
                 self.kb[at + 1][at..at + 2].copy_from_slice(&[k44 * k, k33 * k]);

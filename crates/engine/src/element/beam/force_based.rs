@@ -306,9 +306,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     }
 
     fn settle(&self, member: &Member<N, B>, state: &mut [f64]) {
-        if self.compat {
-            settle(self, member, state);
-        }
+        settle(self, member, state);
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {

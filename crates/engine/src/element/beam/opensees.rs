@@ -27,15 +27,16 @@ const SCHEMES: [(Flexibility, usize); 3] =
 const MAX_INCREMENTS: usize = 1000;
 
 /// Evaluates a virgin beam at rest: initial stresses have basic forces before the first step.
-pub(super) fn settle<F: Formulation<N, B>, const N: usize, const B: usize>(
-    formulation: &F,
+pub(super) fn settle<const N: usize, const B: usize>(
+    formulation: &ForceBased,
     member: &Member<N, B>,
     state: &mut [f64],
 ) {
-    if !is_prestressed(member, &Basic::read(&state[member.head()..]), state) {
+    if !formulation.compat || !is_prestressed(member, &Basic::read(&state[member.head()..]), state) {
         return;
     }
-    let (still, load, virgin) = ([0.0; N], vec![0.0; F::load_len(member.sections.len())], state.to_vec());
+    let (still, load, virgin) =
+        ([0.0; N], vec![0.0; <ForceBased as Formulation<N, B>>::load_len(member.sections.len())], state.to_vec());
     let (disp, vel, load) = (&still[..], &still[..], &load[..]);
     let motion = ElementInput { disp, vel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
     match formulation.respond(member, &[0.0; B], &motion, &virgin, state) {

@@ -104,7 +104,8 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
             let residual = self.free.iter().fold(0.0f64, |m, i| m.max(stress[*i].abs()));
             let stagnant = residual >= 0.5 * before;
             // Of a law without stress at a strain, the residual is round-off of the elastic stress.
-            let settled = stagnant && (residual <= ROUND_OFF * largest || residual <= TOLERANCE * self.elastic(&strain));
+            let settled =
+                stagnant && (residual <= ROUND_OFF * largest || residual <= TOLERANCE * self.elastic(&strain));
             if residual <= TOLERANCE * largest || settled || root.is_jump() {
                 found.iter_mut().zip(&self.free).for_each(|(e, i)| *e = strain[*i]);
                 return Ok((stress, tangent));
