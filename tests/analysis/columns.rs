@@ -100,3 +100,90 @@ fn too_many_deformations_and_equal_places_are_refused() {
     ));
     assert!(equal.error().message.contains("same place"), "{}", equal.error().message);
 }
+
+/// Two prestressed cables as force-based beams: initial stresses stiffen them laterally from the first iteration on. Displacements
+/// and moments of openseespy 3.7.1.
+#[test]
+fn initial_stresses_stiffen_force_based_beams() {
+    for script in [Script::default(), Script::compat()] {
+        let ran = script.run(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 100 0; node 3 200 0; node 4 100 0
+            fix 1 1 1 1; fix 3 1 1 1; equalDOF 2 4 1 2
+            uniaxialMaterial Steel02 1 100 36e6 0.1 20 .925 .15 0 1 0 1 30
+            section Fiber 1 { patch circ 1 4 2 0 0 0 1.261 0 360 }
+            geomTransf PDelta 1
+            element forceBeamColumn 1 1 2 3 1 1
+            element forceBeamColumn 2 4 3 3 -transform 1 -section 1
+            timeSeries Linear 1
+            pattern Plain 1 1 { load 2 0 0.1 0 }
+            system BandGeneral; numberer RCM; constraints Transformation
+            integrator LoadControl 1.0; test NormUnbalance 1e-9 50; algorithm Newton; analysis Static
+            analyze 1
+            puts \"[testIter] [nodeDisp 2 2] [eleForce 1 1] [eleForce 1 6]\"",
+        );
+        let n = ran.done().numbers();
+        assert!(n[0] == 1.0, "{n:?}");
+        for (got, e) in n[1..].iter().zip([0.0002960231150561328, -149.86537355730718, 0.0]) {
+            assert!((got - e).abs() < 1e-7 * e.abs().max(1e-2), "{n:?}");
+        }
+    }
+}
+
+/// An eccentric tendon bends a cantilever without loads. Displacements of openseespy 3.7.1.
+#[test]
+fn an_eccentric_tendon_bends_beams() {
+    for element in ["dispBeamColumn", "forceBeamColumn", "mixedBeamColumn"] {
+        for script in [Script::default(), Script::compat()] {
+            let ran = script.run(&format!(
+                "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 100 0; node 3 200 0; fix 1 1 1 1
+                uniaxialMaterial Steel02 1 100 36e6 0.1 20 .925 .15 0 1 0 1 30; uniaxialMaterial Elastic 2 1e6
+                section Fiber 1 {{ fiber 1 0 0.1 1; fiber 1 0 5 2; fiber -1 0 5 2 }}
+                geomTransf PDelta 1
+                element {element} 1 1 2 3 1 1; element {element} 2 2 3 3 1 1
+                system BandGeneral; numberer RCM; constraints Transformation
+                integrator LoadControl 1.0; test EnergyIncr 1e-16 50; algorithm Newton; analysis Static
+                analyze 1
+                puts [nodeDisp 3]"
+            ));
+            let n = ran.done().numbers();
+            for (got, e) in n.iter().zip([-3.522910430577942e-5, 0.0034883720930232558, 3.4883720930232556e-5]) {
+                assert!((got - e).abs() < 1e-9 * e.abs(), "{element}: {n:?}");
+            }
+            assert_eq!(n.len(), 3, "{element}");
+        }
+    }
+}
+
+/// A beam in space with end stiffnesses of its own, between offset nodes. Displacements and eigenvalues of openseespy 3.7.1.
+#[test]
+fn factors_of_a_modified_beam_in_space() {
+    let n = run("model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0.3 0.4 3; fix 1 1 1 1 1 1 1
+        geomTransf PDelta 1 1 0 0
+        element ModElasticBeam3d 1 1 2 0.02 2e5 8e4 2e-3 1e-3 3e-3 5.5 4.5 2.5 6 5 3 1 -mass 0.4 -cMass
+        timeSeries Linear 1
+        pattern Plain 1 1 {
+            load 2 1 2 -30 0.4 0.5 0.6
+            eleLoad -ele 1 -type -beamUniform 0.5 0.3 -0.2; eleLoad -ele 1 -type -beamPoint 0.5 0.3 0.6 -0.2
+        }
+        constraints Plain; numberer Plain; system FullGeneral; test NormUnbalance 1e-9 9; algorithm Newton
+        integrator LoadControl 1.0; analysis Static; analyze 1
+        puts [nodeDisp 2]; puts [eigen -fullGenLapack 4]")
+    .numbers();
+    let expected = [
+        0.23014100780018537,
+        0.05604252885144312,
+        -0.05334494397204585,
+        -0.03173938248559135,
+        0.1207363990621331,
+        0.0005085189613499548,
+        68.53041597203587,
+        282.3766677039489,
+        1297.297297297297,
+        3243.2432432432433,
+    ];
+    assert_eq!(n.len(), expected.len(), "{n:?}");
+    for (got, e) in n.iter().zip(expected) {
+        assert!((got - e).abs() < 1e-9 * e.abs(), "{got} for {e}");
+    }
+}

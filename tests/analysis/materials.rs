@@ -86,7 +86,6 @@ fn materials_around_others_show_and_change_them() {
 #[test]
 fn materials_that_make_no_sense_are_refused() {
     for (command, words) in [
-        ("Steel02 2 400. 2e5 1.0", "the hardening ratio is 1"),
         ("Steel02 2 400. 2e5 0.01 20. 0.9 0.15 0.1 0.0 0.1 1.0", "isotropic hardening starts at 0"),
         ("Hysteretic 2 1. .1 2. .05 -1. -.1 -2. -.2 1 1 0 0", "strain 2 in tension is 0.05"),
         ("Hysteretic 2 1. .1 2. .2 1. -.1 -2. -.2 1 1 0 0", "stress 1 in compression is 1"),
@@ -142,4 +141,21 @@ fn series_in_place() {
         let b = model(&format!("pattern UniformExcitation 1 1 -accel {inline}"));
         assert!(a == b && a[0] != 0.0, "{kind}, excitation: {a:?} and {b:?}");
     }
+}
+
+/// A steel that hardens as much as it is stiff never yields, with an initial stress too.
+#[test]
+fn steel_of_hardening_ratio_1_is_elastic() {
+    let ran = run("model basic -ndm 1 -ndf 1
+        node 1 0; node 2 1; fix 1 1
+        uniaxialMaterial Steel02 1 100. 2000. 1.0 20 .925 .15 0.1 1 0.1 1 30.
+        element truss 1 1 2 1. 1
+        timeSeries Path 1 -dt 1 -values {0 1 -1 0.5 0}
+        pattern Plain 1 1 { sp 2 1 0.2 }
+        constraints Transformation; numberer Plain; system BandGeneral; test NormUnbalance 1e-9 5; algorithm Newton
+        integrator LoadControl 0.25; analysis Static
+        for {set i 0} {$i < 16} {incr i} { analyze 1; puts [expr [eleResponse 1 axialForce] - 2000.*[nodeDisp 2 1]] }");
+    assert!(ran.warnings().iter().any(|w| w.message.contains("the hardening ratio is 1")), "{:?}", ran.warnings());
+    let n = ran.numbers();
+    assert!(n.len() == 16 && n.iter().all(|n| (n - 30.0).abs() < 1e-9), "{n:?}");
 }

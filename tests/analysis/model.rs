@@ -198,3 +198,21 @@ fn a_load_along_a_member_goes_with_its_pattern() {
         assert!((found[2] / found[0] - 1.0).abs() < 1e-9, "{element}: {found:?}");
     }
 }
+
+/// After a further `model`, tags of time series and transformations are free again, as in OpenSees; those of materials are not.
+#[test]
+fn a_further_model_frees_tags() {
+    let ran = run("model basic -ndm 2 -ndf 3
+        timeSeries Linear 1; timeSeries Constant 2; geomTransf Linear 1; uniaxialMaterial Elastic 1 100.
+        node 1 0 0; node 2 1 0; node 3 2 0; fix 1 1 1 1; fix 2 0 1 1
+        pattern Plain 1 1 { load 2 1. 0. 0. }
+        model basic -ndm 2 -ndf 3
+        timeSeries Linear 1 -factor 3.; geomTransf PDelta 1
+        puts [catch {timeSeries Linear 1}]; puts [catch {geomTransf Linear 1}]; puts [catch {uniaxialMaterial Elastic 1 1.}]
+        element truss 1 1 2 1. 1; element truss 2 2 3 1. 1; fix 3 0 1 1
+        pattern Plain 2 1 { load 3 1. 0. 0. }; pattern Plain 3 2 { load 3 1. 0. 0. }
+        constraints Plain; numberer Plain; system BandGeneral; algorithm Linear; integrator LoadControl 1.; analysis Static
+        analyze 1; puts \"[nodeDisp 2 1] [nodeDisp 3 1]\"");
+    let n = ran.numbers();
+    assert!(n[..3] == [1.0, 1.0, 1.0] && (n[3] - 0.05).abs() < 1e-12 && (n[4] - 0.09).abs() < 1e-12, "{n:?}");
+}

@@ -88,3 +88,14 @@ fn steps_of_a_response_spectrum() {
     let (code, _, err, _) = run("responseSpectrumAnalysis 1 -Tn 1.0 0.5 -Sa 1.0 2.0");
     assert!(code == Some(2) && err.contains("increase"), "{err}");
 }
+
+/// `print` shows the mode shapes of a node, a column a mode, and its masses as a matrix.
+#[test]
+fn printed_nodes_have_mode_shapes() {
+    let (code, _, err, text) = run("print -file report -node 2");
+    assert_eq!(code, Some(0), "{err}");
+    let (before, shapes) = text.split_once("\t Eigenvectors: \n").unwrap_or_default();
+    assert!(before.contains("\tMass : \n1 0 0 \n0 1 0 \n0 0 0.1 \n\n\t Rayleigh Factor: alphaM: 0\n"), "{text}");
+    let rows: Vec<usize> = shapes.trim().lines().map(|row| row.split_whitespace().count()).collect();
+    assert_eq!(rows, [3, 3, 3], "{text}");
+}

@@ -218,3 +218,19 @@ fn frames_of_other_builds() {
     assert_eq!(sheared, space("", shear_areas));
     assert_ne!(sheared, plain);
 }
+
+/// A recorder for the viewer of another program is no reason to stop, except under `--strict`.
+#[test]
+fn recorders_of_other_programs_are_left_out() {
+    let place = Place::new();
+    place.write(
+        "m.tcl",
+        "model basic -ndm 1 -ndf 1\nnode 1 0\nputs [recorder mpco m.mpco -N displacement -E force -T dt 0.1]\n\
+         recorder gmsh m disp\nputs went\n",
+    );
+    let (code, out, err) = place.run(&["run", "m.tcl"]);
+    assert!(code == Some(0) && out == "-1\nwent\n", "{out}{err}");
+    assert!(err.contains("recorder mpco: a file of this kind is not written") && err.contains("gmsh"), "{err}");
+    let (code, _, err) = place.run(&["run", "--strict", "m.tcl"]);
+    assert!(code == Some(2) && err.contains("recorder mpco"), "{err}");
+}

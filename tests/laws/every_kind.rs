@@ -225,6 +225,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 3"),
     (3, 6, Shape::Line, "elasticBeamColumn @ 0.02 200. 80. 0.3 0.4 0.5 4"),
     (2, 3, Shape::Line, "ModElasticBeam2d @ 0.02 200. 0.5 4. 4. 2. 1"),
+    (3, 6, Shape::Line, "ModElasticBeam3d @ 0.02 200. 80. 0.3 0.4 0.5 4. 4. 2. 4. 4. 2. 2"),
     (2, 3, Shape::Link, "componentElement2d @ 0.02 200. 0.5 1 11 11"),
     (2, 3, Shape::Line, "ElasticTimoshenkoBeam @ 200. 80. 0.02 0.5 0.015 1"),
     (3, 6, Shape::Line, "ElasticTimoshenkoBeam @ 200. 80. 0.02 0.3 0.4 0.5 0.015 0.01 2"),

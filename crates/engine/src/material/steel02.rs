@@ -15,7 +15,7 @@ pub struct Steel02 {
     pub fy: f64,
     /// Initial modulus.
     pub e0: f64,
-    /// Hardening ratio.
+    /// Hardening ratio. The steel is elastic at 1.
     pub b: f64,
     /// Sharpness of the transition R₀.
     pub r0: f64,
@@ -77,8 +77,13 @@ impl Steel02 {
             _ => 1.0 + growth * ((t.max - t.min) / (2.0 * scale * eps_y)).powf(0.8),
         };
         let intercept = s * (self.fy * shift - esh * eps_y * shift);
-        t.strain_0 = (intercept - t.stress_r + self.e0 * t.strain_r) / (self.e0 - esh);
-        t.stress_0 = s * self.fy * shift + esh * (t.strain_0 - s * eps_y * shift);
+        if self.b == 1.0 {
+            // One asymptote: any point on it will do.
+            (t.strain_0, t.stress_0) = (t.strain_r + s * eps_y, t.stress_r + s * self.fy);
+        } else {
+            t.strain_0 = (intercept - t.stress_r + self.e0 * t.strain_r) / (self.e0 - esh);
+            t.stress_0 = s * self.fy * shift + esh * (t.strain_0 - s * eps_y * shift);
+        }
         t.plastic = if s > 0.0 { t.max } else { t.min };
         t.loading = s;
     }

@@ -9,7 +9,7 @@ use crate::material::{Backbone, Material, NdMaterial};
 use crate::section::SharedSection;
 use crate::section::plate::SharedPlateSection;
 use crate::series::Series;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Things of one kind by tag.
@@ -18,12 +18,14 @@ pub struct Registry<T> {
     /// Name of the objects in messages.
     pub kind: &'static str,
     things: BTreeMap<Tag, T>,
+    /// Tags that the next thing may take over.
+    reusable: BTreeSet<Tag>,
 }
 
 impl<T> Registry<T> {
     /// An empty registry of things called `kind`.
     pub fn new(kind: &'static str) -> Self {
-        Self { kind, things: BTreeMap::new() }
+        Self { kind, things: BTreeMap::new(), reusable: BTreeSet::new() }
     }
     /// The thing with a tag.
     pub fn get(&self, tag: Tag) -> Option<&T> {
@@ -31,13 +33,15 @@ impl<T> Registry<T> {
     }
     /// Add a thing; `false` if the tag is taken (nothing changes then).
     pub fn add(&mut self, tag: Tag, thing: T) -> bool {
-        match self.things.entry(tag) {
-            std::collections::btree_map::Entry::Vacant(v) => {
-                v.insert(thing);
-                true
-            }
-            std::collections::btree_map::Entry::Occupied(_) => false,
+        let free = self.reusable.remove(&tag) || !self.things.contains_key(&tag);
+        if free {
+            self.things.insert(tag, thing);
         }
+        free
+    }
+    /// Let each tag be taken once more. Until then it names the thing of before.
+    pub fn reuse_tags(&mut self) {
+        self.reusable.extend(self.things.keys());
     }
     /// Remove the thing with a tag.
     pub fn remove(&mut self, tag: Tag) -> Option<T> {
@@ -81,6 +85,19 @@ pub struct Definitions {
     pub backbones: Registry<Arc<Backbone>>,
     /// `damping`.
     pub dampings: Registry<Arc<ElementDamping>>,
+}
+
+impl Definitions {
+    /// Let the tags be taken once more that OpenSees forgets at a further `model`: those of all but materials and sections.
+    /// What has been made of the things of before keeps them.
+    pub fn reuse_tags(&mut self) {
+        self.frictions.reuse_tags();
+        self.series.reuse_tags();
+        self.integrations.reuse_tags();
+        self.transforms.reuse_tags();
+        self.backbones.reuse_tags();
+        self.dampings.reuse_tags();
+    }
 }
 
 impl Default for Definitions {

@@ -60,6 +60,19 @@ impl SectionSlot {
         head.fill(0.0);
         self.section.initial_stiffness(&mut head[2 * self.order..]);
         self.section.init(own);
+        if !self.section.is_linear() {
+            self.add_prestress(head, own);
+        }
+    }
+
+    /// Sets the resultants to those of the virgin section without deformations, which initial stresses have.
+    fn add_prestress(&self, head: &mut [f64], own: &[f64]) {
+        let none = [0.0; MAX_ORDER];
+        let (mut s, mut k) = ([0.0; MAX_ORDER], [0.0; MAX_ORDER * MAX_ORDER]);
+        let (n, mut next) = (self.order, own.to_vec());
+        if self.section.update(own, &none[..n], 0.0, &mut next, &mut s[..n], &mut k[..n * n]).is_ok() {
+            head[n..2 * n].copy_from_slice(&s[..n]);
+        }
     }
 
     /// Deformations, resultants and tangent in a state.

@@ -1,4 +1,4 @@
-//! `element elasticBeamColumn` and `ModElasticBeam2d`.
+//! `element elasticBeamColumn`, `ModElasticBeam2d` and `ModElasticBeam3d`.
 
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
@@ -26,6 +26,13 @@ pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
     make: Make::TwoNodes(make_modified),
+};
+
+pub(super) const MODIFIED_SPACE: Kind = Kind {
+    names: &["ModElasticBeam3d", "modElasticBeam3d"],
+    usage: "element ModElasticBeam3d $tag $i $j $A $E $G $J $Iy $Iz $K11y $K33y $K44y $K11z $K33z $K44z $transf \
+            <-mass $m> <-cMass>",
+    make: Make::TwoNodes(make_modified_space),
 };
 
 /// A damping of the element's own.
@@ -208,9 +215,26 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     }
     let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
     let iz = a.positive("second moment of area Iz")?;
-    let factors = [a.positive("factor K11")?, a.positive("factor K33")?, a.float("factor K44")?];
+    let factors = [factors(a, "")?, [4.0, 4.0, 2.0]];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
+    let o = modified_options(interp, a)?;
+    let stand = transform::Ends { place: ends.place, disp: &ends.disp };
+    let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
+}
+
+/// Factors of the end rotation stiffness about an axis.
+fn factors(a: &mut Args<'_>, axis: &str) -> Result<[f64; 3], Exception> {
+    Ok([
+        a.positive(&format!("factor K11{axis}"))?,
+        a.positive(&format!("factor K33{axis}"))?,
+        a.float(&format!("factor K44{axis}"))?,
+    ])
+}
+
+fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
     let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -222,8 +246,24 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
             _ => ignore_option(interp, a, &["-rho", "-cMass", "-lMass", "-alpha", "-d"])?,
         }
     }
+    Ok(o)
+}
+
+fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (3, 6) {
+        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
+    }
+    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
+    let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
+    let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
+    let about_y = factors(a, "y")?;
+    let factors = [factors(a, "z")?, about_y];
+    let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
+    let place = a.last_span();
+    let o = modified_options(interp, a)?;
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
-    let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
-    let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
+    let transform = spec.space(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
+    let section = ElasticSection { e, area, iz, iy, g, j, shear: (None, None) };
     Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
 }

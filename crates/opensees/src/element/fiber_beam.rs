@@ -201,6 +201,24 @@ fn take(
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             (transform, a.last_span(), None, Some((default, vec![section; n])))
         }
+        // Options by name, in any order.
+        (1, _) if a.ahead().nth(1).is_some_and(|v| matches!(&*v.as_str(), "-section" | "-transform")) => {
+            let [n] = a.parts(["number of integration points"])?;
+            let (mut section, mut transform) = (None, None);
+            loop {
+                if a.flag("-section") {
+                    section = Some(a.of(&interp.host.builder.definitions.sections)?);
+                } else if a.flag("-transform") {
+                    transform = Some((a.of(&interp.host.builder.definitions.transforms)?.0, a.last_span()));
+                } else {
+                    break;
+                }
+            }
+            let missing = |what: &str| a.refuse(format!("the beam has no {what}"), "expected -section and -transform");
+            let section = section.ok_or_else(|| missing("section"))?;
+            let (transform, at) = transform.ok_or_else(|| missing("geometric transformation"))?;
+            (transform, at, None, Some((default, vec![section; n])))
+        }
         (1, _) if a.ahead().nth(1).is_some_and(|v| v.as_str() == "-sections") => {
             let [n] = a.parts(["number of integration points"])?;
             a.flag("-sections");

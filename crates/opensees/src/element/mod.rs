@@ -66,6 +66,7 @@ type Kind = kind::Kind<Make>;
 const KINDS: &[Kind] = &[
     beam::ELASTIC,
     beam::MODIFIED,
+    beam::MODIFIED_SPACE,
     component::COMPONENT,
     timoshenko::TIMOSHENKO,
     bearing::BOUC_WEN,

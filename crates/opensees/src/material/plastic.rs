@@ -127,7 +127,8 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e0 = a.positive("elastic modulus E0")?;
     let b = hardening_ratio(interp, a)?;
     if b == 1.0 {
-        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
+        let d = Diagnostic::warning("the hardening ratio is 1: the steel never yields");
+        warn(interp, d.at(a.last_span(), "expected less than 1, or the material Elastic"))?;
     }
     let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
     if a.left() > 0 {

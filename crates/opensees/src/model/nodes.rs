@@ -63,6 +63,7 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     interp.host.builder.ndm = ndm;
     interp.host.builder.ndf = ndf.unwrap_or(ndm * (ndm + 1) / 2);
+    interp.host.builder.definitions.reuse_tags();
     Ok(Value::EMPTY)
 }
 

@@ -1,6 +1,8 @@
 //! Commands that OpenSees has for its window and its log, which are accepted and do nothing.
 
-use crate::{Command, Outcome, Tcl};
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, warn};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Value};
 
 /// They change nothing of the results; a script that has them runs.
@@ -26,4 +28,13 @@ pub(crate) const COMMANDS: &[Command] = &[
 
 fn nothing(_: &mut Tcl, _: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
+}
+
+/// Files for the viewers of other programs are no results of the analysis: the script goes on without them.
+pub(super) fn of_other_program(interp: &mut Tcl, call: &Call<'_>, a: Args<'_>) -> Outcome {
+    let kind = a.last_word();
+    let d = Diagnostic::warning(format!("recorder {kind}: a file of this kind is not written"));
+    let d = d.at(call.span(1), "expected Node, Element, or PVD for ParaView");
+    warn(interp, d.help("the script goes on without it"))?;
+    Ok(Value::from(-1i64))
 }

@@ -55,6 +55,7 @@ const CLASS_TAGS: &[(&str, i64)] = &[
     ("KikuchiBearing", 160),
     ("LeadRubberX", 153),
     ("ModElasticBeam2d", 4),
+    ("ModElasticBeam3d", 41234),
     ("MultipleNormalSpring", 159),
     ("MultipleShearSpring", 158),
     ("RJWatsonEQS2d", 149),

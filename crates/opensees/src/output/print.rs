@@ -93,6 +93,16 @@ fn row(values: &[f64]) -> String {
     })
 }
 
+/// Rows of a matrix on lines of their own, with an empty line behind, as OpenSees puts out a matrix.
+fn matrix(rows: &[Vec<f64>]) -> String {
+    rows.iter().fold("\n".to_owned(), |s, r| s + &row(r) + "\n") + "\n"
+}
+
+/// A row of a diagonal matrix.
+fn on_diagonal(n: usize, i: usize, value: f64) -> Vec<f64> {
+    (0..n).map(|j| if i == j { value } else { 0.0 }).collect()
+}
+
 fn text(interp: &Tcl, w: &Wanted) -> String {
     let engine = &interp.host.engine;
     let (model, state) = (engine.model(), engine.state());
@@ -120,7 +130,12 @@ fn text(interp: &Tcl, w: &Wanted) -> String {
             let _ = writeln!(out, "\t{name}: {}", row(&field[node.dofs()]));
         }
         if node.mass.iter().any(|m| *m != 0.0) {
-            let _ = writeln!(out, "\tMass : {}\n\t Rayleigh Factor: alphaM: {}", row(&node.mass), node.alpha_m);
+            let masses: Vec<Vec<f64>> = (0..node.ndf).map(|i| on_diagonal(node.ndf, i, node.mass[i])).collect();
+            let _ = writeln!(out, "\tMass : {}\t Rayleigh Factor: alphaM: {}", matrix(&masses), node.alpha_m);
+        }
+        if let Some(modes) = engine.modes() {
+            let rows: Vec<Vec<f64>> = node.dofs().map(|d| modes.shapes.iter().map(|s| s[d]).collect()).collect();
+            let _ = writeln!(out, "\t Eigenvectors: {}", matrix(&rows));
         }
     }
     for e in model.elements_by_tag().map(|id| &model.elements[id.0]).filter(|e| chosen(&w.elements, e.tag)) {

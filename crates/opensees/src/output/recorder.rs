@@ -1,7 +1,7 @@
 //! `recorder` and `record`.
 
 use super::recorders::PlacedRecorder;
-use super::{collapse, pvd};
+use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
@@ -75,6 +75,11 @@ const KINDS: &[Kind] = &[
         make: collapse::collapse,
     },
     Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
+    Kind {
+        names: &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
+        usage: "recorder mpco ...: files for other programs, not written",
+        make: display::of_other_program,
+    },
     // Windows of OpenSees.
     Kind {
         names: &["display", "plot", "plotDifferent", "increments"],

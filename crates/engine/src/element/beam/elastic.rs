@@ -140,8 +140,8 @@ pub struct ElasticBeam<const N: usize, const B: usize> {
     pub(super) transform: Arc<dyn Transform<N, B>>,
     section: ElasticSection,
     options: ElasticOptions,
-    /// Factors K11, K33, K44 of E I/L of a modified beam in the plane.
-    modified: Option<[f64; 3]>,
+    /// Factors K11, K33, K44 of E I/L of a modified beam: about z and, in space, about y.
+    modified: Option<[[f64; 3]; 2]>,
     /// Basic stiffness.
     pub(super) kb: [[f64; B]; B],
     /// Bending about z and, in space, about y.
@@ -185,13 +185,14 @@ impl<const N: usize> Constant<N> {
     }
 }
 
-impl ElasticBeam<6, 3> {
+impl<const N: usize, const B: usize> ElasticBeam<N, B> {
     /// Replaces the factors 4, 4 and 2 of E I/L in the end rotation stiffness by K11, K33 and K44 (Zareian and Medina,
-    /// 2010). They belong to i, to j and to their coupling. Member loads act as on an unmodified beam.
+    /// 2010), about z and, in space, about y. They belong to i, to j and to their coupling. Member loads act as on an
+    /// unmodified beam.
     pub fn modified(
-        transform: Arc<dyn Transform<6, 3>>,
+        transform: Arc<dyn Transform<N, B>>,
         section: ElasticSection,
-        factors: [f64; 3],
+        factors: [[f64; 3]; 2],
         options: ElasticOptions,
     ) -> Self {
         Self { modified: Some(factors), ..Self::new(transform, section, options) }.rebuilt()
@@ -210,10 +211,14 @@ impl<const N: usize, const B: usize> ElasticBeam<N, B> {
         let length = self.transform.length();
         self.bending = Bending::of(&self.section, self.options.release);
         self.kb = basic_stiffness(&self.section, &self.bending, length);
-        if let Some([k11, k33, k44]) = self.modified {
-            let k = self.bending[0].ei / length;
-            self.kb[1][1..3].copy_from_slice(&[k11 * k, k44 * k]);
-            self.kb[2][1..3].copy_from_slice(&[k44 * k, k33 * k]);
+        if let Some(factors) = self.modified {
+            for (at, ([k11, k33, k44], bending)) in
+                [1, 3].into_iter().zip(factors.iter().zip(&self.bending)).take(B / 3)
+            {
+                let k = bending.ei / length;
+                self.kb[at][at..at + 2].copy_from_slice(&[k11 * k, k44 * k]);
+                self.kb[at + 1][at..at + 2].copy_from_slice(&[k44 * k, k33 * k]);
+            }
         }
         self.constant = Constant::of(self.transform.as_ref(), &self.kb);
         self
@@ -318,7 +323,8 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         match (N, self.modified) {
             (6, None) => "ElasticBeam2d",
             (6, _) => "ModElasticBeam2d",
-            _ => "ElasticBeam3d",
+            (_, None) => "ElasticBeam3d",
+            _ => "ModElasticBeam3d",
         }
     }
     fn dofs(&self) -> usize {
@@ -386,9 +392,12 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         let mut new = self.clone();
         let place = match (*words.first()?, &mut new.modified) {
             ("rho", _) => &mut new.options.rho,
-            ("K11", Some(k)) => &mut k[0],
-            ("K33", Some(k)) => &mut k[1],
-            ("K44", Some(k)) => &mut k[2],
+            ("K11" | "K11z", Some(k)) => &mut k[0][0],
+            ("K33" | "K33z", Some(k)) => &mut k[0][1],
+            ("K44" | "K44z", Some(k)) => &mut k[0][2],
+            ("K11y", Some(k)) => &mut k[1][0],
+            ("K33y", Some(k)) => &mut k[1][1],
+            ("K44y", Some(k)) => &mut k[1][2],
             (name, _) => new.section.parameter(name)?,
         };
         let old = std::mem::replace(place, value);

@@ -1,6 +1,7 @@
 //! The force-based beam: `forceBeamColumn`.
 
 use super::member::{Basic, Formulation, Member, Trace, bending_at, set};
+use super::opensees::settle;
 use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -302,6 +303,10 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
             4 => self.respond_of_order::<N, B, 4>(member, v, motion, (committed, trial)),
             _ => self.respond_of_order::<N, B, MAX_ORDER>(member, v, motion, (committed, trial)),
         }
+    }
+
+    fn settle(&self, member: &Member<N, B>, state: &mut [f64]) {
+        settle(self, member, state);
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {

@@ -61,6 +61,9 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError>;
 
+    /// Evaluates the virgin beam once, as OpenSees does when it is made.
+    fn settle(&self, _member: &Member<N, B>, _state: &mut [f64]) {}
+
     /// Stiffness of the basic system of the virgin beam.
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
     /// Basic deformations of the virgin beam for basic forces and loads.
@@ -86,7 +89,7 @@ impl<const B: usize> Basic<B> {
         basic
     }
 
-    fn write(&self, state: &mut [f64]) {
+    pub(super) fn write(&self, state: &mut [f64]) {
         state[..B].copy_from_slice(&self.q);
         state[B..Self::LEN].copy_from_slice(self.k.as_flattened());
     }
@@ -273,6 +276,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         m.transform.init(&mut state[..m.head()]);
         m.sections.iter().for_each(|s| s.init(state));
         Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
+        self.formulation.settle(m, state);
     }
     fn euler_load(&self) -> Option<f64> {
         let m = &self.member;

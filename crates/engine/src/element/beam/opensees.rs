@@ -4,11 +4,12 @@
 //! with the initial flexibility of the sections, and then with smaller increments.
 
 use super::force_based::{ForceBased, add_torsion, internal_forces};
-use super::member::{Basic, Member, Trace};
+use super::member::{Basic, Formulation, Member, Trace};
 use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm, product};
+use crate::section::SectionSlot;
 
 /// Choice of the section flexibility that turns unbalanced section forces into deformations.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -24,6 +25,31 @@ const SCHEMES: [(Flexibility, usize); 3] =
 
 /// Largest number of increments that a step is divided into. OpenSees has no limit.
 const MAX_INCREMENTS: usize = 1000;
+
+/// Evaluates a virgin beam at rest: initial stresses have basic forces before the first step.
+pub(super) fn settle<const N: usize, const B: usize>(
+    formulation: &ForceBased,
+    member: &Member<N, B>,
+    state: &mut [f64],
+) {
+    if !formulation.compat || !is_prestressed(member, &Basic::read(&state[member.head()..]), state) {
+        return;
+    }
+    let (still, load, virgin) =
+        ([0.0; N], vec![0.0; <ForceBased as Formulation<N, B>>::load_len(member.sections.len())], state.to_vec());
+    let (disp, vel, load) = (&still[..], &still[..], &load[..]);
+    let motion = ElementInput { disp, vel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
+    match formulation.respond(member, &[0.0; B], &motion, &virgin, state) {
+        Ok(basic) => basic.write(&mut state[member.head()..]),
+        Err(_) => state.copy_from_slice(&virgin),
+    }
+}
+
+/// Returns true for a virgin beam whose sections have initial stresses: its first state determination finds their forces.
+fn is_prestressed<const N: usize, const B: usize>(member: &Member<N, B>, basic: &Basic<B>, trial: &[f64]) -> bool {
+    let stressed = |s: &SectionSlot| s.parts(trial).1.iter().any(|s| *s != 0.0);
+    basic.q.iter().all(|q| *q == 0.0) && member.sections.iter().any(stressed)
+}
 
 impl ForceBased {
     /// Basic forces for deformations `v`, from the last trial state. `None` without convergence.
@@ -41,7 +67,7 @@ impl ForceBased {
         let mut basic = Basic::read(&trial[member.head()..]);
         let trace = Trace::next(member, v, motion, trial);
         trace.write(&mut trial[member.own_words()..]);
-        if trace.is_at_rest(motion) {
+        if trace.is_at_rest(motion) && !is_prestressed(member, &basic, trial) {
             return Ok(Some(basic));
         }
         let mut remaining = trace.dv;
