@@ -5,6 +5,7 @@
 //! [`Slot`]. A law has no units: stress and strain may be force and displacement.
 
 mod any_law;
+mod asd_concrete_1d;
 mod axial_spring;
 mod backbone;
 mod bar_slip;
@@ -20,9 +21,12 @@ mod concrete02;
 mod concrete02_is;
 mod concrete04;
 mod concrete06;
+mod concrete07;
 mod concrete_cm;
 mod concrete_d;
 mod concrete_w_beta;
+mod confined_concrete01;
+mod dodd_restrepo;
 mod ecc01;
 mod elastic;
 mod elastic_multi_linear;
@@ -83,6 +87,7 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+pub use asd_concrete_1d::AsdConcrete1d;
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use backbone::{Backbone, BackboneElastic, SoilCurve};
 pub use bar_slip::{BarPlace, BarSlip, Bond, BondDamage, StressUnit};
@@ -101,6 +106,9 @@ pub use concrete02::Concrete02;
 pub use concrete02_is::Concrete02Is;
 pub use concrete04::Concrete04;
 pub use concrete06::Concrete06;
+pub use concrete07::Concrete07;
+pub use confined_concrete01::{ConfinedConcrete01, Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
+pub use dodd_restrepo::DoddRestrepo;
 pub use ecc01::Ecc01;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
@@ -439,3 +447,11 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
 
 /// A material as elements hold it: the parameters are shared, the state is stored by the element.
 pub type Material = Arc<dyn Uniaxial>;
+
+/// Parameter of laws whose softening depends on the length in which it localises.
+pub const CHARACTERISTIC_LENGTH: &str = "characteristicLength";
+
+/// The material for a bar of a length.
+pub fn of_length(material: Material, length: f64) -> Material {
+    material.with_parameter(&[CHARACTERISTIC_LENGTH], length).map_or(material, |(made, _)| made)
+}

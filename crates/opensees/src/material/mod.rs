@@ -51,6 +51,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         plastic::KINDS,
         concrete::KINDS,
         confined_concrete::KINDS,
+        nd_concrete::KINDS,
         steel4::KINDS,
         hysteretic::KINDS,
         hysteretic_sm::KINDS,

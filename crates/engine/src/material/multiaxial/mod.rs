@@ -18,6 +18,7 @@ use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
+pub(super) use asd_concrete::CurvePoint;
 pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
 pub use condensed::Condensed;
 pub use family::NdMaterial;
