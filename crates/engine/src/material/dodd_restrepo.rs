@@ -3,7 +3,7 @@
 mod bauschinger;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
-use bauschinger::Bauschinger;
+pub(super) use bauschinger::Bauschinger;
 
 /// Steel of Dodd and Restrepo. A reversal follows a Bauschinger curve to the strength or to a former reversal.
 #[derive(Clone, Debug, PartialEq)]

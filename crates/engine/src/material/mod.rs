@@ -26,6 +26,7 @@ mod concrete_cm;
 mod concrete_d;
 mod concrete_w_beta;
 mod confined_concrete01;
+mod coulomb_damper;
 mod dodd_restrepo;
 mod ecc01;
 mod elastic;
@@ -53,6 +54,7 @@ mod kikuchi_aiken;
 mod kikuchi_aiken_hdr;
 mod kikuchi_aiken_lrb;
 mod lanes;
+mod limit_state;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
@@ -75,8 +77,10 @@ mod steel02;
 mod steel03;
 mod steel4;
 mod steel_brb;
+mod steel_drc;
 mod steel_mpf;
 mod uvc_uniaxial;
+mod viscoelastic_gap;
 mod viscous;
 mod viscous_damper;
 mod wrapped;
@@ -108,6 +112,7 @@ pub use concrete04::Concrete04;
 pub use concrete06::Concrete06;
 pub use concrete07::Concrete07;
 pub use confined_concrete01::{ConfinedConcrete01, Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
+pub use coulomb_damper::CoulombDamper;
 pub use dodd_restrepo::DoddRestrepo;
 pub use ecc01::Ecc01;
 pub use elastic::Elastic;
@@ -134,6 +139,9 @@ pub use jankowski_impact::JankowskiImpact;
 pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
 pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
+pub use limit_state::{
+    Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit, RotationShear, Seen,
+};
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
@@ -157,12 +165,14 @@ pub use sma_3k::Sma3k;
 pub use softening::{Mullins, Peak, Softening};
 pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
 pub use steel_brb::{BrbBranch, SteelBrb};
+pub use steel_drc::{BauschingerKind, ReportedStiffness, SteelDrc};
 pub use steel_mpf::SteelMpf;
 pub use steel01::Steel01;
 pub use steel02::Steel02;
 pub use steel03::Steel03;
 pub use steel4::{Steel4, Steel4Side};
 pub use uvc_uniaxial::{MAX_BACKSTRESSES, UvcUniaxial};
+pub use viscoelastic_gap::ViscoelasticGap;
 pub use viscous::Viscous;
 pub use viscous_damper::{IntegrationMethod, ViscousDamper};
 pub use wrapped::{InitialState, MinMax};
@@ -303,6 +313,14 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         None
     }
 
+    /// Limit surface of a column whose committed response the law needs.
+    fn limit_curve(&self) -> Option<&LimitCurve> {
+        None
+    }
+
+    /// Changes the committed state by the response of the column that [`UniaxialLaw::limit_curve`] names.
+    fn observe(&self, _committed: &mut Self::State, _seen: &Seen) {}
+
     /// Response specific to this law, in addition to those of every material.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -435,6 +453,12 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
         None
     }
+    /// Limit surface of a column whose committed response the law needs.
+    fn limit_curve(&self) -> Option<&LimitCurve> {
+        None
+    }
+    /// Changes the committed state by the response of the column that [`Uniaxial::limit_curve`] names.
+    fn observe(&self, _committed: &mut [f64], _seen: &Seen) {}
     /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
     fn as_any(&self) -> Option<&dyn Any> {
         None

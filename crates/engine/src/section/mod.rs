@@ -14,7 +14,7 @@ pub mod plate;
 mod slot;
 mod two_spring_isolator;
 
-use crate::material::{CHARACTERISTIC_LENGTH, MaterialError};
+use crate::material::{CHARACTERISTIC_LENGTH, Material, MaterialError};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -131,6 +131,11 @@ pub trait Section: fmt::Debug + Send + Sync {
     /// previous value. `None` if it has no such parameter. The layout of the history does not change.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(SharedSection, f64)> {
         None
+    }
+
+    /// Laws that watch a column, with the offsets of their histories in the state.
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        vec![]
     }
 
     /// Response specific to this section, by the words of a recorder command.

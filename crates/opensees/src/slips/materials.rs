@@ -96,6 +96,19 @@ slips! {
     "The area of the bar.",
     "The area has the unit of an area.";
 
+    LIMIT_STATE, Command, Case("further_uniaxials"),
+    "`LimitState`",
+    "A step that turns and ends beyond the largest strain keeps the direction of loading. In the energy that damage is divided by, two \
+     parts are multiplied.",
+    "The direction is that of the step. The energy is the area under the envelopes.",
+    "The size of the steps would change the answer. A product of energies is none.";
+
+    STEEL_DRC_STIFFNESS, Command, Case("further_uniaxials"),
+    "`SteelDRC`",
+    "The tangent is at least 0.005 Es and at most Es. It lacks the dashpot.",
+    "The tangent is consistent.",
+    "Newton's method converges.";
+
     SAWS_ENVELOPE, Command, Nowhere,
     "`SAWS`",
     "The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent on the envelope has parts of two \
@@ -195,6 +208,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "`Dodd_Restrepo` after fracture",
         "The stress of the last trial stays, and later curves have no strength.",
         "The stress is zero.",
+    ),
+    differs(
+        "`CoulombDamper` with `-numFlipped`, `-reduceFc`, `-dampOutTangent`",
+        "After more changes of sign of the rate in the iterations of one step the friction is less.",
+        "The friction depends on the rate alone. The options have no effect.",
     ),
     differs("`SMA` at a strain of exactly 0", "The stress of the last trial stays.", "The stress is 0."),
     differs("`BoucWen` at rest", "The reported tangent is that of unloading.", "The reported tangent is the last one."),

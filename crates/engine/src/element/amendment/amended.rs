@@ -10,6 +10,7 @@ use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
     Mass, MatrixMask, OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening, dot,
 };
+use crate::material::Material;
 use crate::probe::Probe;
 use crate::series::Series;
 use responses::AmendedResponse;
@@ -452,6 +453,9 @@ impl Element for Amended {
     fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
         let state = &s.state[..self.inner_len];
         self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
+    }
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.inner.watchers()
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

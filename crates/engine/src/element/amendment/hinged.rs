@@ -395,6 +395,9 @@ impl Element for Hinged {
         let state = &s.state[..self.inner_len];
         self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
     }
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.inner.watchers()
+    }
     fn load_len(&self) -> usize {
         self.inner.load_len()
     }

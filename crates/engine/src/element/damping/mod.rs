@@ -7,6 +7,7 @@ use super::{
     BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
     OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening,
 };
+use crate::material::Material;
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -201,6 +202,9 @@ impl Element for Damped {
         let mut q = [0.0; MAX_BASIC_FORCES];
         q.iter_mut().zip(self.damping.forces(self.len, filters)).for_each(|(q, f)| *q = factor * f);
         basic.add_global(s.disp, own, &q[..self.len], force);
+    }
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.inner.watchers()
     }
     fn load_len(&self) -> usize {
         self.inner.load_len()

@@ -8,13 +8,13 @@ const SMALL_STRAIN: f64 = 0.02;
 const MAX_SLOPE_RATIO: f64 = 0.8;
 
 /// A curve between two points (natural strain, true stress).
-pub(super) struct Bauschinger {
-    pub(super) from: [f64; 2],
-    pub(super) to: [f64; 2],
+pub(in crate::material) struct Bauschinger {
+    pub(in crate::material) from: [f64; 2],
+    pub(in crate::material) to: [f64; 2],
     /// Slopes at its ends.
-    pub(super) slopes: [f64; 2],
+    pub(in crate::material) slopes: [f64; 2],
     /// Exponent.
-    pub(super) power: f64,
+    pub(in crate::material) power: f64,
 }
 
 /// Coefficients of the equation of the normalised strain `x`: (1 - (1 - x)²)^P = c1 x + c2.
@@ -112,23 +112,32 @@ impl Bauschinger {
         self.slopes[1].min(MAX_SLOPE_RATIO * mean)
     }
 
-    /// Stress and slope; `moving` is the rate of the end's stress with the strain.
-    pub(super) fn at(&self, e: f64, moving: f64) -> (f64, f64) {
-        let (first, last) = (self.slopes[0], self.final_slope());
+    /// Stress and slope, with a final slope.
+    pub(in crate::material) fn between(&self, e: f64, last: f64) -> (f64, f64) {
+        let first = self.slopes[0];
         let (epu, fpu, along) = (self.to[0] - self.from[0], self.to[1] - self.from[1], e - self.from[0]);
         let (n, d) = (fpu - epu * first, fpu - epu * last);
         let equation = Equation { c1: n / d, c2: along * (first - last) / d, power: self.power };
         let x = equation.root();
-        let rate = 1.0 / equation.slope(x);
-        let mut slope = first + n * (first - last) / d * rate;
+        (x * n + along * first + self.from[1], first + n * (first - last) / d / equation.slope(x))
+    }
+
+    /// Stress and slope with the bounded final slope; `moving` is the rate of the end's stress with the strain.
+    pub(super) fn at(&self, e: f64, moving: f64) -> (f64, f64) {
+        let (first, last) = (self.slopes[0], self.final_slope());
+        let (stress, mut slope) = self.between(e, last);
         if moving != 0.0 {
+            let (epu, fpu, along) = (self.to[0] - self.from[0], self.to[1] - self.from[1], e - self.from[0]);
+            let (n, d) = (fpu - epu * first, fpu - epu * last);
+            let equation = Equation { c1: n / d, c2: along * (first - last) / d, power: self.power };
+            let x = equation.root();
             let steeper = if last < self.slopes[1] { MAX_SLOPE_RATIO / epu } else { 0.0 };
             let wider = 1.0 - epu * steeper;
             let c1 = (d - n * wider) / (d * d);
             let c2 = along * (-steeper * d - (first - last) * wider) / (d * d);
-            slope += moving * (x + n * rate * (c1 * x + c2));
+            slope += moving * (x + n / equation.slope(x) * (c1 * x + c2));
         }
-        (x * n + along * first + self.from[1], slope)
+        (stress, slope)
     }
 
     /// Stress and slope of OpenSees.
