@@ -112,8 +112,16 @@ impl DoddRestrepo {
         Self { compat, ..self }
     }
 
+    /// A constant of the source; OpenSees has it in single precision.
+    fn constant(&self, x: f64) -> f64 {
+        if self.compat { f64::from(x as f32) } else { x }
+    }
+
     fn unloading(&self, t: &History) -> f64 {
-        if t.max_shift == 0.0 { self.e0 } else { self.e0 * (0.82 + 1.0 / (5.55 + 1000.0 * t.max_shift)) }
+        if t.max_shift == 0.0 {
+            return self.e0;
+        }
+        self.e0 * (self.constant(0.82) + 1.0 / (self.constant(5.55) + 1000.0 * t.max_shift))
     }
 
     /// Exponent of a major Bauschinger curve in direction `k`.
@@ -122,10 +130,13 @@ impl DoddRestrepo {
         let end = t.last[1 - k].end;
         let whole = self.strength * (2.0 - (ultimate + t.shift[0]) + (t.shift[1] - ultimate));
         let part = self.strength * (s - (s * ultimate + t.shift[k]) + end[0]) - end[1];
-        let distance = ((REFERENCE_STRAIN * s + t.shift[k] - end[0]) / REFERENCE_STRAIN).abs();
-        let area = (0.001 + 1.08e-3 / (1.043 - distance)) / 0.18 * ((part / whole).abs() - 0.69) + 0.085;
-        let omega = area.clamp(OMEGA[0], OMEGA[1]) * self.omega;
-        56.689 * (omega - 0.077).powi(2) - 4.921 * (omega - 0.077) + 0.1
+        let c = |x| self.constant(x);
+        let reference = c(REFERENCE_STRAIN);
+        let distance = ((reference * s + t.shift[k] - end[0]) / reference).abs();
+        let slope = (c(0.001) + c(1.08e-3) / (c(1.043) - distance)) / c(0.18);
+        let area = slope * ((part / whole).abs() - c(0.69)) + c(0.085);
+        let omega = area.clamp(c(OMEGA[0]), c(OMEGA[1])) * self.omega - c(0.077);
+        c(56.689) * omega * omega - c(4.921) * omega + c(0.1)
     }
 
     /// Changes the history by a reversal to direction `s`; `k` is the index of that direction.
@@ -150,7 +161,7 @@ impl DoddRestrepo {
         let from_skeleton = (t.no_plateau[k] == 0.0 || t.no_plateau[m] == 0.0) && farther;
         let far = s * (other.at[1] - f) > 2.0 * self.fy;
         let passed = t.no_plateau[k] == 1.0 && (e - other.end[0]) / (major.at[0] - other.end[0]) > 1.0;
-        t.exponent[k] = MINOR_EXPONENT;
+        t.exponent[k] = self.constant(MINOR_EXPONENT);
         if from_skeleton || far || passed {
             t.major[m] = t.last[m];
             t.major_slope[m] = self.e0 + c.true_softening;
@@ -187,7 +198,7 @@ impl DoddRestrepo {
         let opposite = t.direction * s == -1.0;
         let curved = opposite && e * s > t.last[k].at[0] * s || t.direction * s == 1.0 && e * s > t.last[m].end[0] * s;
         let beyond = s * (e - t.major[k].at[0]) > 0.0;
-        let toward_skeleton = s * (e - t.shift[m] - s * self.fy / unloading) >= -MARGIN;
+        let toward_skeleton = s * (e - t.shift[m] - s * self.fy / unloading) >= -self.constant(MARGIN);
         if t.no_plateau[k] != 1.0 {
             if t.shift == [0.0, 0.0] && e.abs() <= yielding {
                 return (e * self.e0, self.e0);

@@ -86,7 +86,8 @@ slips! {
 
     BAUSCHINGER_ROUNDS, Command, Case("further_uniaxials"),
     "`Dodd_Restrepo`",
-    "The strain of a Bauschinger curve is found to a residual of 0.001, or by ten rounds. The tangent is not that of the curve.",
+    "The strain of a Bauschinger curve is found to a residual of 0.001, or by ten rounds. The tangent is not that of the curve. Constants \
+     have single precision.",
     "It is found to round-off. The tangent is consistent.",
     "Newton's method converges.";
 
@@ -213,6 +214,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "`CoulombDamper` with `-numFlipped`, `-reduceFc`, `-dampOutTangent`",
         "After more changes of sign of the rate in the iterations of one step the friction is less.",
         "The friction depends on the rate alone. The options have no effect.",
+    ),
+    differs(
+        "`SteelDRC`: ends of curves at the same distance in both directions",
+        "Round-off decides whether the end of a curve moves to the shifted skeleton.",
+        "It stays.",
     ),
     differs("`SMA` at a strain of exactly 0", "The stress of the last trial stays.", "The stress is 0."),
     differs("`BoucWen` at rest", "The reported tangent is that of unloading.", "The reported tangent is the last one."),

@@ -4,6 +4,8 @@ use super::{History, Point, SteelDrc};
 
 /// Relative error of the stress on a curve through a reversal, and least interval of its beginning.
 const TOLERANCE: f64 = 1e-8;
+/// Difference of natural strains of the far ends of both directions that is round-off.
+const TIE: f64 = 1e-12;
 /// Bisections for that beginning.
 const MAX_BISECTIONS: usize = 200;
 
@@ -50,7 +52,7 @@ impl SteelDrc {
             t.major[m] = here;
             t.major_line[k] = t.line[k];
             let (ahead, behind) = (self.far(t, k).e, self.far(t, m).e);
-            if -s * (behind - t.shift[m]) > s * (ahead - t.shift[k]) {
+            if -s * (behind - t.shift[m]) > s * (ahead - t.shift[k]) + TIE {
                 let e = t.shift[k] + t.shift[m] - behind;
                 self.rejoin_far(t, k, e);
             }
