@@ -107,10 +107,12 @@ uniaxialMaterial Dodd_Restrepo 47 400. 600. 0.01 0.12 2e5 0.04 520.
 uniaxialMaterial SteelDRC 48 2e5 400. 0.12 600. 0.01
 uniaxialMaterial SteelDRC 49 2e5 400. 0.12 600. 0.01 -shPoint 0.04 520. -bausch 0 -omegaFactor 0.8
 uniaxialMaterial SteelDRC 50 2e5 400. 0.12 600. 0.01 -bausch 2 -fractStrain 0.2
+uniaxialMaterial Masonry 51 -5. 0.2 -0.002 -0.01 0.001 5000. 2. 0.3 0.2 -0.003 -0.008 0.3 0.4 1.5 0.7 1.5 0.6 1.1 1.5 1. 1
+uniaxialMaterial Masonry 52 -5. 0. -0.002 -0.01 0.001 5000. 2. 0.3 0.3 0. 0. 0.3 0.4 1.5 0.7 1.5 0.6 1.1 1.5 1. 2
 timeSeries Path 1 -dt 1 -values $path
 node 1 0.; fix 1 1
 node 9 0.; uniaxialMaterial Elastic 9 1.; element zeroLength 9 1 9 -mat 9 -dir 1
-foreach {i share} {41 0.06 42 0.02 43 0.1 44 0.1 45 0.03 46 0.03 47 0.3 48 0.3 49 0.08 50 0.4} {
+foreach {i share} {41 0.06 42 0.02 43 0.1 44 0.1 45 0.03 46 0.03 47 0.3 48 0.3 49 0.08 50 0.4 51 0.08 52 0.1} {
     node 1$i 0.
     element zeroLength $i 1 1$i -mat $i -dir 1
     pattern Plain $i 1 "sp 1$i 1 $share"
@@ -174,3 +176,28 @@ integrator Newmark 0.5 0.25; analysis Transient
 recorder Node -file pounding.out -time -node 2 3 -dof 1 disp
 analyze 600 0.005
 wipe
+wipe
+# Beams of fibers of continua, in the plane and in space.
+foreach {n ndm ndf kind} {1 2 3 dispBeamColumn 2 2 3 forceBeamColumn 3 3 6 forceBeamColumn 4 3 6 dispBeamColumn} {
+    model basic -ndm $ndm -ndf $ndf
+    nDMaterial J2Plasticity 1 1.6e5 8e4 300. 380. 20. 500.
+    nDMaterial ElasticIsotropic 2 30000. 0.2
+    if {$ndm == 2} {
+        node 1 0. 0.; node 2 1500. 100.; fix 1 1 1 1
+        geomTransf Linear 1
+        section NDFiber 1 -alpha 0.8 { patch rect 1 8 1 -100. -50. 100. 50.; layer straight 2 3 200. -80. -40. -80. 40.; fiber 90. 0. 400. 2 }
+    } else {
+        node 1 0. 0. 0.; node 2 1500. 100. 50.; fix 1 1 1 1 1 1 1
+        geomTransf Linear 1 0. 0. 1.
+        section NDFiber 1 { patch rect 1 6 3 -100. -50. 100. 50.; layer straight 2 3 200. -80. -40. -80. 40.; fiber 90. 0. 400. 2 }
+    }
+    element $kind 1 1 2 4 1 1
+    timeSeries Path 1 -dt 1 -values {0 1 -1 1.5 -1.5 0.5}
+    if {$ndm == 2} { pattern Plain 1 1 { load 2 -1e5 1.1e5 1e7 } } else { pattern Plain 1 1 { load 2 -1e5 8e4 2.5e4 5e6 -1e6 2e6 } }
+    constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-9 50; algorithm Newton
+    integrator LoadControl 0.05; analysis Static
+    recorder Node -file beam$n.out -time -node 2 -dof 1 2 3 disp
+    recorder Element -file beam_section$n.out -time -ele 1 section 1 force
+    analyze 100
+    wipe
+}

@@ -55,6 +55,7 @@ mod kikuchi_aiken_hdr;
 mod kikuchi_aiken_lrb;
 mod lanes;
 mod limit_state;
+mod masonry;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
@@ -142,6 +143,7 @@ pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use limit_state::{
     Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit, RotationShear, Seen,
 };
+pub use masonry::Masonry;
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;

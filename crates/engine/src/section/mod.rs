@@ -10,6 +10,7 @@ mod bidirectional;
 mod elastic;
 mod elliptical;
 mod fiber;
+mod nd_fiber;
 pub mod plate;
 mod slot;
 mod two_spring_isolator;
@@ -25,6 +26,7 @@ pub use bidirectional::Bidirectional;
 pub use elastic::{Elastic, ElasticSection};
 pub use elliptical::Elliptical;
 pub use fiber::{Fiber, FiberBending, FiberSection};
+pub use nd_fiber::{NdFiber, NdFiberSection, nd_fiber_section};
 pub use slot::SectionSlot;
 pub use two_spring_isolator::TwoSpringIsolator;
 

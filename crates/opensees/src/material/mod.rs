@@ -13,6 +13,7 @@ mod hysteretic;
 mod hysteretic_sm;
 mod impact;
 pub(crate) mod limit_state;
+mod masonry;
 mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
@@ -54,6 +55,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         concrete::KINDS,
         confined_concrete::KINDS,
         nd_concrete::KINDS,
+        masonry::KINDS,
         steel4::KINDS,
         steel_drc::KINDS,
         hysteretic::KINDS,

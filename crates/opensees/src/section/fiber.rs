@@ -2,8 +2,8 @@
 
 use crate::args::Args;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
-use hysteron_engine::material::Material;
-use hysteron_engine::section::Fiber;
+use hysteron_engine::material::{Material, NdMaterial};
+use hysteron_engine::section::{Fiber, NdFiber};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -16,20 +16,42 @@ const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL 
 const LAYER: &str =
     "layer straight $material $n $area $y1 $z1 $y2 $z2 | circ $material $n $area $y $z $radius <$angle1 $angle2>";
 
+/// Material of fibers, with its tag.
+enum FiberMaterial {
+    Uniaxial((Material, i32)),
+    Continuum((NdMaterial, i32)),
+}
+
+/// The material of a fiber, of the family that the section takes.
+fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<FiberMaterial, Exception> {
+    let builder = &interp.host.builder;
+    if builder.nd_fibers.is_some() {
+        return Ok(FiberMaterial::Continuum(a.of(&builder.definitions.nd_materials)?));
+    }
+    Ok(FiberMaterial::Uniaxial(a.of(&builder.definitions.materials)?))
+}
+
 /// Add fibers of a material, each with its place and area, to the section whose body is being run.
 fn add(
     interp: &mut Tcl,
     a: &Args<'_>,
-    material: (Material, i32),
+    material: FiberMaterial,
     made: impl IntoIterator<Item = ([f64; 2], f64)>,
 ) -> Result<(), Exception> {
     finish(interp, a)?;
     let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
-    let ModelBuilder { fibers, open_section, .. } = &mut interp.host.builder;
-    let mut push: Box<dyn FnMut(Fiber)> = match (fibers, open_section) {
-        (Some(fibers), _) => Box::new(|f| fibers.push(f)),
-        (None, Some(open)) => Box::new(|f| open.push(f)),
-        (None, None) => {
+    let ModelBuilder { fibers, nd_fibers, open_section, .. } = &mut interp.host.builder;
+    let mut push: Box<dyn FnMut([f64; 2], f64)> = match (&material, nd_fibers, fibers, open_section) {
+        (FiberMaterial::Continuum(material), Some(fibers), ..) => {
+            Box::new(|[y, z], area| fibers.push(NdFiber { y, z, area, material: material.clone() }))
+        }
+        (FiberMaterial::Uniaxial(material), _, Some(fibers), _) => {
+            Box::new(|[y, z], area| fibers.push(Fiber { y, z, area, material: material.clone() }))
+        }
+        (FiberMaterial::Uniaxial(material), _, None, Some(open)) => {
+            Box::new(|[y, z], area| open.push(Fiber { y, z, area, material: material.clone() }))
+        }
+        _ => {
             let expected = "expected to be in the body of section Fiber";
             return Err(a.refuse("there is no fiber section to add to", expected));
         }
@@ -39,7 +61,7 @@ fn add(
             let message = format!("a fiber at y = {y:.6}, z = {z:.6} has an area of {area:.6e}");
             return Err(a.refuse(message, "expected corners in the sense that goes from y to z"));
         }
-        push(Fiber { y, z, area, material: material.clone() });
+        push([y, z], area);
     }
     Ok(())
 }
@@ -50,7 +72,7 @@ fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
     let area = if keeps_negative { a.float("area of the fiber")? } else { a.not_negative("area of the fiber")? };
     let at = a.last_span();
-    let material = a.of(&interp.host.builder.definitions.materials)?;
+    let material = material(interp, &mut a)?;
     if area == 0.0 {
         // OpenSees integrates it with no effect.
         warn(interp, Diagnostic::warning("the fiber has no area, and is left out").at(at, "expected more than 0"))?;
@@ -71,7 +93,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !known.contains(&kind.as_ref()) {
         return Err(a.unknown_name("patch", known));
     }
-    let material = a.of(&interp.host.builder.definitions.materials)?;
+    let material = material(interp, &mut a)?;
     let [n, m] = a.parts(["number of divisions", "number of divisions across"])?;
     let fibers = match kind.as_ref() {
         "rect" | "rectangular" => {
@@ -174,7 +196,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !known.contains(&kind.as_ref()) {
         return Err(a.unknown_name("layer", known));
     }
-    let material = a.of(&interp.host.builder.definitions.materials)?;
+    let material = material(interp, &mut a)?;
     let [n] = a.parts(["number of bars"])?;
     let area = a.positive("area of a bar")?;
     let places: Vec<[f64; 2]> = if kind == "straight" {

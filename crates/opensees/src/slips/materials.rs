@@ -110,6 +110,13 @@ slips! {
     "The tangent is consistent.",
     "Newton's method converges.";
 
+    MASONRY_SLOPES, Command, Case("further_uniaxials"),
+    "`Masonry`",
+    "The initial stiffness is the modulus. Where the envelope does not rise, the slope at the end of reloading is divided by a \
+     difference of slopes.",
+    "The initial stiffness is that of the strut. The slope is half of the secant.",
+    "The slopes have the units of slopes.";
+
     SAWS_ENVELOPE, Command, Nowhere,
     "`SAWS`",
     "The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent on the envelope has parts of two \

@@ -121,9 +121,9 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
     }
 
     /// Inverse of the tangent among the strains without stress.
-    fn flexibility(&self, tangent: &Tangent<M>) -> Result<[f64; 9], MaterialError> {
+    fn flexibility(&self, tangent: &Tangent<M>) -> Result<[f64; 16], MaterialError> {
         let n = self.free.len();
-        let mut k = [0.0; 9];
+        let mut k = [0.0; 16];
         for (row, i) in k.chunks_exact_mut(n.max(1)).zip(&self.free) {
             row.iter_mut().zip(&self.free).for_each(|(k, j)| *k = tangent[*i][*j]);
         }
@@ -164,6 +164,20 @@ impl Condensed<SOLID, LAYER> {
     /// The law of a layer without stress across it.
     pub fn layer(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<LAYER> {
         Self::shared(law, IN_LAYER, &[2])
+    }
+}
+
+impl Condensed<SOLID, 2> {
+    /// The law of a fiber of a beam in the plane: stresses 11 and 12 alone.
+    pub fn beam_plane(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<2> {
+        Self::shared(law, [0, 3], &[1, 2, 4, 5])
+    }
+}
+
+impl Condensed<SOLID, 3> {
+    /// The law of a fiber of a beam in space: stresses 11, 12 and 31 alone.
+    pub fn beam_space(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<3> {
+        Self::shared(law, [0, 3, 5], &[1, 2, 4])
     }
 }
 
