@@ -2,7 +2,7 @@
 
 use super::State;
 use crate::element::Snapshot;
-use crate::material::{LimitCurve, LimitDeformation, Seen};
+use crate::material::{ColumnResponse, LimitCurve, LimitDeformation};
 use crate::model::{ElementEntry, Model};
 
 impl State {
@@ -18,9 +18,9 @@ impl State {
     }
 
     /// Response of the column of a limit curve. `None` if the model lacks its element or nodes.
-    fn seen(&self, model: &Model, curve: &LimitCurve) -> Option<Seen> {
+    fn seen(&self, model: &Model, curve: &LimitCurve) -> Option<ColumnResponse> {
         let column = &model.elements[model.element(curve.element)?.0];
-        let mut seen = Seen::default();
+        let mut seen = ColumnResponse::default();
         let force = self.response(column, "localForce")?;
         seen.force.iter_mut().zip(force).for_each(|(own, f)| *own = f);
         let difference = |nodes: [i32; 2], dof: usize| {

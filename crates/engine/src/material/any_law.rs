@@ -1,6 +1,8 @@
 //! Every [`UniaxialLaw`] as a [`Uniaxial`] material: its history lies in the state of an element.
 
-use super::{LimitCurve, Material, MaterialError, Seen, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw};
+use super::{
+    ColumnResponse, LimitCurve, Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw,
+};
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -76,7 +78,7 @@ impl<L: UniaxialLaw> Uniaxial for L {
     fn limit_curve(&self) -> Option<&LimitCurve> {
         UniaxialLaw::limit_curve(self)
     }
-    fn observe(&self, committed: &mut [f64], seen: &Seen) {
+    fn observe(&self, committed: &mut [f64], seen: &ColumnResponse) {
         let mut state = L::State::read(committed);
         UniaxialLaw::observe(self, &mut state, seen);
         state.write(committed);

@@ -20,8 +20,8 @@ pub struct Concrete07 {
     pub critical_compression: f64,
     /// Shape of the envelopes.
     pub r: f64,
-    /// A crack that closes takes the strain of OpenSees, which is zero.
-    pub compat: bool,
+    /// Part of its strain that cracked concrete commits where it leaves the compressive envelope; 0 in OpenSees.
+    pub kept_strain: f64,
 }
 
 crate::state_struct! {

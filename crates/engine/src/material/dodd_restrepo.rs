@@ -1,6 +1,7 @@
 //! Reinforcing steel with a yield plateau, in true stresses and natural strains (Dodd and Restrepo, 1995).
 
 mod bauschinger;
+mod opensees;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 pub(super) use bauschinger::Bauschinger;
@@ -110,11 +111,6 @@ impl DoddRestrepo {
     /// The same with the iteration of OpenSees.
     pub fn compat(self, compat: bool) -> Self {
         Self { compat, ..self }
-    }
-
-    /// A constant of the source; OpenSees has it in single precision.
-    fn constant(&self, x: f64) -> f64 {
-        if self.compat { f64::from(x as f32) } else { x }
     }
 
     fn unloading(&self, t: &History) -> f64 {
@@ -232,7 +228,7 @@ impl DoddRestrepo {
             curve.to = [t.shift[m] + s * self.fy / unloading, moving];
             curve.slopes[1] = self.fy;
         }
-        if self.compat { curve.opensees(e) } else { curve.at(e, moving) }
+        self.on_curve(&curve, e, moving)
     }
 }
 

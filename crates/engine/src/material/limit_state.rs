@@ -6,7 +6,7 @@ mod rotation_shear;
 use super::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
 use super::{Envelope, MaterialError, Strain, Stress, UniaxialLaw, finite};
 use crate::probe::Probe;
-pub use curve::{LimitCurve, LimitDeformation, LimitForce, LimitSurface, Seen};
+pub use curve::{ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitSurface};
 pub use rotation_shear::{Column, RotationLimit, RotationShear};
 
 /// A spring of a column. After a step in which the column has reached the surface, the spring follows a new envelope.
@@ -24,8 +24,8 @@ pub struct LimitState {
     pub symmetric: bool,
     /// Surface of failure, and true for a spring that loses axial load.
     pub curve: Option<(LimitCurve, bool)>,
-    /// Steps beyond the largest strains keep the direction of loading, as in OpenSees.
-    pub compat: bool,
+    /// Steps that turn and end beyond the largest strain take their own direction of loading; in OpenSees the one before.
+    pub turns_beyond: bool,
     /// The last two parts of the energy in compression are multiplied, as in OpenSees.
     pub odd_energy: bool,
 }
@@ -145,7 +145,7 @@ impl Enveloped for LimitState {
         self.side(c, side).at(x)
     }
     fn turns_beyond(&self) -> bool {
-        !self.compat
+        self.turns_beyond
     }
 
     fn advance(&self, c: &History, d: f64, t: &mut History, s: f64) -> (f64, f64) {
@@ -217,7 +217,7 @@ impl UniaxialLaw for LimitState {
         self.curve.as_ref().map(|c| &c.0)
     }
 
-    fn observe(&self, h: &mut History, seen: &Seen) {
+    fn observe(&self, h: &mut History, seen: &ColumnResponse) {
         let Some((curve, axial)) = &self.curve else { return };
         if h.flag == 4.0 {
             return;

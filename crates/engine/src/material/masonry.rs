@@ -1,5 +1,7 @@
 //! Strut of masonry in an infilled frame (Crisafulli, 1997; Torrisi, 2012): force and shortening.
 
+mod opensees;
+
 use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 
 /// Parameters of the strut. Stresses and strains are negative in compression.
@@ -171,6 +173,9 @@ impl Trial<'_> {
     fn curve(&self) -> Curve {
         let [[u1, s1, e1], [u2, s2, e2]] = self.t.ends;
         let secant = (s2 - s1) / (u2 - u1);
+        if secant == 0.0 {
+            return (s1, 0.0);
+        }
         let b1 = e1 / secant;
         let b3 = 2.0 - e2 / secant * (1.0 + b1);
         let b2 = b1 - b3;
@@ -348,7 +353,7 @@ impl Trial<'_> {
                 }
                 let ([u1, s1, e1], [u2, s2, mut e2]) = (self.t.ends[0], self.t.reloaded);
                 if e2 <= 0.0 {
-                    e2 = 0.5 * (s2 - s1) / if law.compat { e2 - e1 } else { u2 - u1 };
+                    e2 = 0.5 * (s2 - s1) / law.end_length([u1, u2], [e1, e2]);
                 }
                 self.t.ends[1] = [u2, s2, e2];
                 self.on(APPROACHES);
@@ -408,6 +413,6 @@ impl UniaxialLaw for Masonry {
     }
 
     fn initial_tangent(&self) -> f64 {
-        if self.compat { self.modulus } else { self.stiffness() }
+        self.reported_stiffness()
     }
 }

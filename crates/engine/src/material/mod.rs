@@ -141,7 +141,8 @@ pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
 pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use limit_state::{
-    Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit, RotationShear, Seen,
+    Column, ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit,
+    RotationShear,
 };
 pub use masonry::Masonry;
 pub use maxwell::Maxwell;
@@ -321,7 +322,7 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     }
 
     /// Changes the committed state by the response of the column that [`UniaxialLaw::limit_curve`] names.
-    fn observe(&self, _committed: &mut Self::State, _seen: &Seen) {}
+    fn observe(&self, _committed: &mut Self::State, _seen: &ColumnResponse) {}
 
     /// Response specific to this law, in addition to those of every material.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
@@ -460,7 +461,7 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         None
     }
     /// Changes the committed state by the response of the column that [`Uniaxial::limit_curve`] names.
-    fn observe(&self, _committed: &mut [f64], _seen: &Seen) {}
+    fn observe(&self, _committed: &mut [f64], _seen: &ColumnResponse) {}
     /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
     fn as_any(&self) -> Option<&dyn Any> {
         None

@@ -2,6 +2,7 @@
 //! (Kim and Koutromanos, 2016; Carreño, Lotfizadeh, Conte and Restrepo, 2020).
 
 mod curves;
+mod opensees;
 mod reversal;
 
 use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
@@ -102,8 +103,6 @@ crate::state_struct! {
     }
 }
 
-/// Least and largest stiffness that OpenSees reports, divided by the elastic modulus.
-const REPORTED: [f64; 2] = [0.005, 1.0];
 /// Rate without a viscous stress.
 const MIN_RATE: f64 = 1e-10;
 /// Bounds of the area of a Bauschinger curve.
@@ -259,13 +258,12 @@ impl SteelDrc {
 
     /// Reported stiffness.
     fn reported(&self, t: &History, strain: f64, value: f64, tangent: f64) -> f64 {
-        let bounded = |k: f64| if self.compat { k.max(REPORTED[0] * self.e).min(REPORTED[1] * self.e) } else { k };
         match self.stiffness {
             ReportedStiffness::Elastic => self.e,
             ReportedStiffness::Secant if (strain - t.last.e).abs() > f64::EPSILON => {
-                bounded(tangent.max((value - t.last.f) / (strain - t.last.e)))
+                self.bounded(tangent.max((value - t.last.f) / (strain - t.last.e)))
             }
-            _ => bounded(tangent),
+            _ => self.bounded(tangent),
         }
     }
 }
@@ -294,7 +292,7 @@ impl UniaxialLaw for SteelDrc {
         if c_visc != 0.0 && rate > MIN_RATE {
             let force = c_visc * rate.powf(alpha);
             value += force.copysign(strain.rate);
-            damping = if self.compat { 0.0 } else { alpha * force / rate };
+            damping = self.damping(alpha * force / rate);
         }
         (t.stress, t.softening) = (value, tangent - self.e);
         let reported = self.reported(&t, strain.value, value, tangent);

@@ -214,5 +214,5 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     }
     let compat = interp.host.follows(&[slips::LIMIT_STATE]);
     let odd_energy = compat && points == 3;
-    Ok(Arc::new(LimitState { sides, pinch, damage, beta, symmetric, curve, compat, odd_energy }))
+    Ok(Arc::new(LimitState { sides, pinch, damage, beta, symmetric, curve, turns_beyond: !compat, odd_energy }))
 }

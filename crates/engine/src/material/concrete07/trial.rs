@@ -242,9 +242,7 @@ impl Trial<'_> {
         } else if !self.cracked() {
             self.on_tension()
         } else {
-            if self.law.compat {
-                self.next.strain = 0.0;
-            }
+            self.next.strain *= self.law.kept_strain;
             self.open()
         }
     }

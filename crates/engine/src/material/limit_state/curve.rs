@@ -93,7 +93,7 @@ pub struct LimitCurve {
 
 /// Committed response of a column.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Seen {
+pub struct ColumnResponse {
     /// Deformation, positive.
     pub deformation: f64,
     /// 1 divided by the height of the column, where the deformation is a drift.
@@ -104,7 +104,7 @@ pub struct Seen {
 
 impl LimitCurve {
     /// State of the column after a step, and the force above the surface. `failure` takes the slope and the residual force.
-    pub(super) fn check(&self, spring: f64, seen: &Seen, before: f64, failure: &mut [f64; 2]) -> (f64, f64) {
+    pub(super) fn check(&self, spring: f64, seen: &ColumnResponse, before: f64, failure: &mut [f64; 2]) -> (f64, f64) {
         if let LimitSurface::RotationShear(surface) = &self.surface {
             if before != 0.0 {
                 return (2.0, 0.0);
@@ -141,7 +141,7 @@ impl LimitCurve {
         (1.0, lost)
     }
 
-    fn limit(&self, seen: &Seen) -> f64 {
+    fn limit(&self, seen: &ColumnResponse) -> f64 {
         let x = seen.deformation;
         match &self.surface {
             LimitSurface::Shear { rho, fc, size: [b, h, d], shift, .. } => {
@@ -173,7 +173,7 @@ impl LimitCurve {
 
     /// A positive slope of a shear surface is the unloading stiffness of the column in bending. The slope of the spring makes
     /// the column lose its shear at the drift of axial failure.
-    fn failing_slope(&self, force: f64, seen: &Seen) -> f64 {
+    fn failing_slope(&self, force: f64, seen: &ColumnResponse) -> f64 {
         let LimitSurface::Shear { hoops, .. } = self.surface else { return self.slope };
         if !(self.slope > 0.0 && seen.per_height > 0.0) {
             return self.slope;

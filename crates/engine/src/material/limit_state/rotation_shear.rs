@@ -1,6 +1,6 @@
 //! Shear failure by the rotation of a plastic hinge (Leborgne, 2012; Leborgne and Ghannoum, 2014), kip, in. and ksi.
 
-use super::Seen;
+use super::ColumnResponse;
 
 /// Rotation at which a column fails in shear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ impl Column {
 }
 
 impl RotationShear {
-    pub(super) fn is_reached(&self, shear: f64, seen: &Seen) -> bool {
+    pub(super) fn is_reached(&self, shear: f64, seen: &ColumnResponse) -> bool {
         let (axial, moment) = (seen.force[0].abs(), seen.force[2].abs());
         let strong = match (&self.column, self.strength) {
             (Some(column), 0.0) => shear >= column.strength(shear, axial, moment),
