@@ -149,7 +149,7 @@ fn concrete07(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let critical_tension = a.positive("critical strain ratio xp")?;
     let critical_compression = a.positive("critical strain ratio xn")?;
     let r = a.positive("shape of the curves r")?;
-    let kept_strain = if interp.host.follows(&[slips::CONCRETE07_STRAIN]) { 0.0 } else { 1.0 };
+    let kept_strain = if interp.host.follows(&[slips::CHANG_MANDER_STRAIN]) { 0.0 } else { 1.0 };
     Ok(Arc::new(Concrete07 { compression, tension, ec, critical_tension, critical_compression, r, kept_strain }))
 }
 

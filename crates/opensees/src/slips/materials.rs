@@ -77,7 +77,7 @@ slips! {
     "The springs have one force, to round-off. The tangent is consistent.",
     "The answer would depend on the step and on the iterations.";
 
-    CONCRETE07_STRAIN, Command, Nowhere,
+    CHANG_MANDER_STRAIN, Command, Nowhere,
     "`Concrete07`",
     "Cracked concrete that leaves the compressive envelope beyond its plastic strain commits a strain of zero, and the tangent of the \
      step before.",
