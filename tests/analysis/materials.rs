@@ -150,7 +150,7 @@ fn limited(column: i32, steps: usize) -> String {
         "model basic -ndm 2 -ndf 3
         node 1 0 0; node 2 0 1; node 3 0 1; fix 1 1 1 1; fix 2 0 1 1; fix 3 0 1 1
         geomTransf Linear 1; element elasticBeamColumn 1 1 2 1 1e9 1e3 1
-        limitCurve ThreePoint 1 {column} 0. 10. 1. 10. 2. 10. -500. 4. 2 0 1 3 1 2
+        limitCurve ThreePoint 1 {column} 0. 9.5 1. 9.5 2. 9.5 -500. 4. 2 0 1 3 1 2
         uniaxialMaterial LimitState 1 5 0.005 10 0.01 20 0.02 -5 -0.005 -10 -0.01 -20 -0.02 1 1 0 0 0 1 2
         element zeroLength 2 2 3 -mat 1 -dir 1
         timeSeries Linear 1; pattern Plain 1 1 {{ sp 3 1 0.001 }}

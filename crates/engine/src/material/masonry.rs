@@ -407,6 +407,9 @@ impl UniaxialLaw for Masonry {
         (t.f, t.slope) = (f, slope - self.modulus);
         let (area, rate, stays) = self.area(c, strain.value);
         t.shrunk = f64::from(u8::from(stays));
+        // Virgin masonry that closes has its stress of zero at any strain, and the slope for what follows.
+        let closes = t.compressed != 1.0 && t.branch == RELOADS && t.ends[1][0] == e;
+        let slope = if closes { 0.0 } else { slope };
         let (force, tangent) = (f * area, slope * area / self.length + f * rate);
         (t.force, t.softening) = (force, tangent - self.stiffness());
         finite(Self::NAME, strain.value, force, tangent, t)
