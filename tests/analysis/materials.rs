@@ -167,5 +167,5 @@ fn limit_curve_ends_the_envelope() {
         let got = run(&limited(1, steps)).numbers()[0];
         assert!((got - force).abs() < 1e-4, "{steps} mm: {got}, not {force}");
     }
-    assert!(run(&limited(7, 1)).error().message.contains("cannot watch element 7"));
+    assert!(Script::default().run(&limited(7, 1)).error().message.contains("cannot watch element 7"));
 }

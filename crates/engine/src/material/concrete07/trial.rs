@@ -158,7 +158,7 @@ impl Trial<'_> {
         transition(from, [self.high[0], self.high[1], self.new_moduli()[1]], x)
     }
 
-    fn to_tension(&mut self) -> Curve {
+    fn go_to_tension(&mut self) -> Curve {
         let curve = self.to_tension_at(self.e);
         self.set(TO_TENSION, curve)
     }
@@ -168,7 +168,7 @@ impl Trial<'_> {
         transition(from, [self.low[0], self.low[1], self.new_moduli()[0]], x)
     }
 
-    fn to_compression(&mut self) -> Curve {
+    fn go_to_compression(&mut self) -> Curve {
         let curve = self.to_compression_at(self.e);
         self.set(TO_COMPRESSION, curve)
     }
@@ -238,7 +238,7 @@ impl Trial<'_> {
         if self.e <= self.plastic[0] {
             self.unloads_compression()
         } else if self.e < self.high[0] && !self.cracked() {
-            self.to_tension()
+            self.go_to_tension()
         } else if !self.cracked() {
             self.on_tension()
         } else {
@@ -252,7 +252,7 @@ impl Trial<'_> {
         if self.e >= self.plastic[1] {
             self.unloads_tension()
         } else if self.e >= self.low[0] {
-            self.to_compression()
+            self.go_to_compression()
         } else {
             self.on_compression()
         }
@@ -272,12 +272,12 @@ impl Trial<'_> {
             if was == PARTLY_TO_COMPRESSION {
                 return match self.partly_to_compression() {
                     Some(curve) => curve,
-                    None => self.to_compression(),
+                    None => self.go_to_compression(),
                 };
             }
             if e < self.plastic[1] {
                 self.compress_first(FIRST_STRAIN);
-                return self.to_compression();
+                return self.go_to_compression();
             }
             if was == LEAVES_RELOADING_TENSION && e > self.next.unload[0] {
                 let curve = line(self.next.unload, self.high, e);
@@ -331,7 +331,7 @@ impl Trial<'_> {
                 self.next.unload = here;
                 match self.partly_to_tension() {
                     Some(curve) => curve,
-                    None if e < self.high[0] => self.to_tension(),
+                    None if e < self.high[0] => self.go_to_tension(),
                     None => self.on_tension(),
                 }
             }
@@ -364,11 +364,11 @@ impl Trial<'_> {
         if was == PARTLY_TO_TENSION && (inside || e < self.plastic[0]) {
             return match self.partly_to_tension() {
                 Some(curve) => curve,
-                None => self.to_tension(),
+                None => self.go_to_tension(),
             };
         }
         if inside {
-            return self.to_tension();
+            return self.go_to_tension();
         }
         if was == OPENS {
             return self.opens();
@@ -416,7 +416,7 @@ impl Trial<'_> {
                 self.next.reload = here;
                 match self.partly_to_compression() {
                     Some(curve) => curve,
-                    None if e > self.low[0] => self.to_compression(),
+                    None if e > self.low[0] => self.go_to_compression(),
                     None => self.on_compression(),
                 }
             }
