@@ -39,6 +39,8 @@ mod materials;
 mod multiple_shear_spring;
 #[path = "laws/normal_springs.rs"]
 mod normal_springs;
+#[path = "laws/parts.rs"]
+mod parts;
 #[path = "laws/plates.rs"]
 mod plates;
 #[path = "laws/quad.rs"]

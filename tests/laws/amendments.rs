@@ -389,6 +389,7 @@ fn zero_time_causes_no_relaxation() {
     let motion = ElementInput {
         disp: &disp,
         vel: &[0.0; 6],
+        accel: &[],
         load: &[],
         still: false,
         opensees: None,

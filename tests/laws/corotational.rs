@@ -132,6 +132,7 @@ fn coincident_ends_are_an_error() {
         let motion = hysteron::element::ElementInput {
             disp: &u,
             vel: &vec![0.0; n],
+            accel: &[],
             load: &e.load,
             still: false,
             opensees: None,

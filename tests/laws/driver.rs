@@ -74,6 +74,7 @@ impl SingleElement {
         let motion = ElementInput {
             disp,
             vel,
+            accel: &[],
             load: &self.load,
             still: false,
             opensees: None,
@@ -96,6 +97,7 @@ impl SingleElement {
         let motion = ElementInput {
             disp,
             vel: &vel,
+            accel: &[],
             load: &self.load,
             still: true,
             opensees: None,

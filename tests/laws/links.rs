@@ -3,7 +3,9 @@
 use super::driver::{SingleElement, difference, path};
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, PlasticShear, SpaceBearing};
-use hysteron::element::{LinkOptions, Mass, TwoNodeLink};
+use hysteron::element::{
+    Element, ElementInput, ElementOutput, Inerter, InerterOptions, LinkOptions, Mass, MatrixMask, TwoNodeLink,
+};
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::sync::Arc;
@@ -182,5 +184,72 @@ fn plastic_bearing_stays_on_its_yield_surface() {
         let size = q.y.hypot(q.z);
         assert!(size < 40.0 * (1.0 + 1e-10), "step {k}: {size}");
         assert!(k < 100 || size > 40.0 * (1.0 - 1e-10));
+    }
+}
+
+/// Force and stiffness of an inerter in a dynamic motion.
+fn inerter_force(e: &Inerter, [disp, vel, accel]: [&[f64]; 3]) -> (Vec<f64>, Vec<f64>) {
+    let n = e.dofs();
+    let (mut force, mut tangent, mut damping) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * n]);
+    let input =
+        ElementInput { disp, vel, accel, load: &[], still: false, opensees: None, dt: 0.01, time: 1.0, dynamic: true };
+    let output = ElementOutput {
+        force: &mut force,
+        tangent: Some(&mut tangent),
+        damping: Some(&mut damping),
+        part: MatrixMask::ALL,
+    };
+    let mut state = vec![0.0; e.state_len()];
+    e.respond(&input, &state.clone(), &mut state, output).unwrap();
+    tangent.extend(damping);
+    (force, tangent)
+}
+
+/// The inertance matrix, the damping matrix and the stiffness of the P-Delta forces are the derivatives of the force.
+#[test]
+fn inerter_matrices_are_derivatives_of_its_force() {
+    for (ndm, per_node, p_delta) in
+        [(1, 1, None), (2, 3, None), (3, 6, None), (2, 2, Some([0.0; 4])), (3, 6, Some([0.1, 0.3, 0.2, 0.4]))]
+    {
+        let m = per_node.min(4);
+        let matrix = |scale: f64| (0..m * m).map(|i| scale * (1.0 + ((i * i) % 5) as f64)).collect::<Vec<_>>();
+        let options = InerterOptions {
+            directions: (1..=m).collect(),
+            inertance: matrix(2.0),
+            damping: matrix(-0.7),
+            p_delta,
+            mass: 4.0,
+            rayleigh: false,
+        };
+        let e = Inerter::new((ndm, per_node), axes(ndm), 1.4, options).unwrap();
+        let n = e.dofs();
+        let motion = |seed: u64| path(seed, n, 0.3);
+        let [disp, vel, accel] = [motion(1), motion(2), motion(3)];
+        let rest = vec![0.0; n];
+        let (_, matrices) = inerter_force(&e, [&disp, &vel, &accel]);
+        let mut differences = vec![vec![0.0; n * n]; 3];
+        for which in 0..3 {
+            for j in 0..n {
+                // Forces are linear in the rates at rest, and in the displacements at given rates.
+                let mut at = if which == 0 {
+                    [disp.clone(), vel.clone(), accel.clone()]
+                } else {
+                    [rest.clone(), rest.clone(), rest.clone()]
+                };
+                at[which][j] += 1e-3;
+                let up = inerter_force(&e, [&at[0], &at[1], &at[2]]).0;
+                at[which][j] -= 2e-3;
+                let down = inerter_force(&e, [&at[0], &at[1], &at[2]]).0;
+                (0..n).for_each(|i| differences[which][i * n + j] = (up[i] - down[i]) / 2e-3);
+            }
+        }
+        let (stiffness, damping) = matrices.split_at(n * n);
+        if p_delta.is_some() {
+            assert!(difference(stiffness, &differences[0]) < 1e-9, "{ndm} {per_node}");
+        } else {
+            assert!(stiffness.iter().chain(&differences[0]).all(|k| k.abs() < 1e-9));
+        }
+        assert!(difference(damping, &differences[1]) < 1e-9, "{ndm} {per_node}");
+        assert!(difference(&e.inertance().unwrap(), &differences[2]) < 1e-9, "{ndm} {per_node}");
     }
 }

@@ -342,6 +342,7 @@ fn viscous_part_is_in_the_damping_matrix() {
         let motion = ElementInput {
             disp: &disp,
             vel,
+            accel: &[],
             load: &[],
             still: false,
             opensees: None,

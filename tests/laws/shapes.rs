@@ -21,8 +21,10 @@ pub enum Shape {
     SpaceWall,
     /// Corners, and the middles of the edges if there are ten nodes.
     Tetrahedron(usize),
-    /// At the middles of the edges of a rectangle.
+    /// At the middles of the edges of a rectangle, with a node of the element's own in its centre.
     Joint,
+    /// The same without one; in space the rectangle is upright.
+    Panel,
     /// In a line, and loaded by its own weight.
     Cable,
 }
@@ -34,7 +36,10 @@ pub fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     match shape {
         Shape::Line | Shape::Link | Shape::Cable => vec![start, start + along],
         Shape::MaterialPoint => vec![start, start],
-        Shape::Joint => {
+        Shape::Panel if ndm == 3 => {
+            [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, z]| Vector3::new(0.6 * x, 0.8 * x, z)).to_vec()
+        }
+        Shape::Joint | Shape::Panel => {
             [[0.0, -0.4], [0.3, 0.0], [0.0, 0.4], [-0.3, 0.0]].map(|[x, y]| Vector3::new(x, y, 0.0)).to_vec()
         }
         Shape::Wall => vec![start, start + 1.2 * Vector3::y()],

@@ -154,7 +154,17 @@ fn response(e: &SingleElement, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>
     };
     e.element
         .respond(
-            &ElementInput { disp, vel, load: &[], still: false, opensees: None, dt: 0.01, time: 0.01, dynamic: true },
+            &ElementInput {
+                disp,
+                vel,
+                accel: &[],
+                load: &[],
+                still: false,
+                opensees: None,
+                dt: 0.01,
+                time: 0.01,
+                dynamic: true,
+            },
             &e.state,
             &mut next,
             response,

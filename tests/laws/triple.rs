@@ -216,6 +216,7 @@ fn rolling_bearing_has_consistent_tangents() {
             &ElementInput {
                 disp: &[0.01; 6],
                 vel: &vel,
+                accel: &[],
                 load: &[],
                 still: false,
                 opensees: None,

@@ -11,6 +11,7 @@ use crate::model::parameter::Parameter;
 use crate::output::Balances;
 use crate::output::model_file::MadeOf;
 use crate::output::recorders::Recorders;
+use crate::section::fiber::ContinuumFiber;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
@@ -20,7 +21,7 @@ use hysteron_engine::assembly::Handler;
 use hysteron_engine::model::{Definitions, ElementId, NodeId, Tag};
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{Known, Layout, Output, RecordError};
-use hysteron_engine::section::{Fiber, NdFiber};
+use hysteron_engine::section::Fiber;
 use hysteron_tcl::Watch;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
 use std::collections::BTreeMap;
@@ -125,8 +126,8 @@ pub struct ModelBuilder {
     pub(crate) regions: BTreeMap<Tag, Region>,
     /// Fibers of the section whose body runs.
     pub(crate) fibers: Option<Vec<Fiber>>,
-    /// The same of a section of fibers of continua.
-    pub(crate) nd_fibers: Option<Vec<NdFiber>>,
+    /// Fibers of the body of `section NDFiber` that is being run.
+    pub(crate) continuum_fibers: Option<Vec<ContinuumFiber>>,
     /// The section that takes fibers outside a body, in calls by a host.
     pub(crate) open_section: Option<OpenSection>,
     /// Parameters that `parameter` has named, by tag.
@@ -140,14 +141,7 @@ impl ModelBuilder {
     /// The state after `wipe`: tags of constraints go on.
     fn wiped(&mut self) -> Self {
         let former = if self.ndm > 0 { Some((self.ndm, self.ndf)) } else { self.former };
-        Self {
-            former,
-            fibers: self.fibers.take(),
-            nd_fibers: self.nd_fibers.take(),
-            next_sp: self.next_sp,
-            next_mp: self.next_mp,
-            ..Self::default()
-        }
+        Self { former, fibers: self.fibers.take(), next_sp: self.next_sp, next_mp: self.next_mp, ..Self::default() }
     }
 }
 

@@ -105,3 +105,43 @@ recorder Node -file mixed_plane.out -time -node 1 2 3 -dof 1 2 3 disp
 recorder Element -file mixed_plane_force.out -ele 1 2 force
 constraints Plain; numberer RCM; system BandGeneral; test NormUnbalance 1e-8 50 0; algorithm Newton; integrator LoadControl 0.05; analysis Static
 analyze 30
+wipe
+
+# recorder Collapse: an infill wall of two beams on a diagonal is removed when its drifts in and out of the plane reach a curve.
+model basic -ndm 3 -ndf 6
+node 1 0. 0. 0.
+node 2 2. 0. 1.5
+node 3 4. 0. 3.
+node 4 0. 0. 3.
+node 5 4. 0. 0.
+foreach n {1 5} { fix $n 1 1 1 1 1 1 }
+geomTransf Linear 1 0. 1. 0.
+geomTransf Linear 2 0. 1. 0.
+element elasticBeamColumn 1 1 4 0.09 2.5e7 1e7 1e-3 6e-4 6e-4 1
+element elasticBeamColumn 2 5 3 0.09 2.5e7 1e7 1e-3 6e-4 6e-4 1
+element elasticBeamColumn 3 4 3 0.09 2.5e7 1e7 1e-3 6e-4 6e-4 1
+uniaxialMaterial Steel01 1 2e3 5e6 0.02
+section Fiber 1 -GJ 1e4 { patch rect 1 4 4 -0.1 -0.3 0.1 0.3 }
+element forceBeamColumn 4 1 2 3 1 2
+element forceBeamColumn 5 2 3 3 1 2
+mass 4 20. 20. 20. 0.1 0.1 0.1
+mass 3 20. 20. 20. 0.1 0.1 0.1
+mass 2 4. 4. 4. 0.1 0.1 0.1
+set log [recorder Collapse -ele 4 5 -time -crit INFILLWALL -file collapse_log.out -file_infill infill_curve.txt -global_gravaxis 3 -checknodes 1 2 3]
+recorder Collapse -ele 4 5 -node 2
+recorder Node -file collapse_disp.out -precision 10 -time -node 3 4 -dof 1 2 3 disp
+set motion {}
+for {set i 0} {$i < 300} {incr i} { lappend motion [expr 4. * sin(0.25 * $i) * exp(0.004 * $i)] }
+timeSeries Path 1 -dt 0.02 -values $motion
+pattern UniformExcitation 1 1 -accel 1
+pattern UniformExcitation 2 2 -accel 1
+rayleigh 0.5 0. 0. 0.
+constraints Plain
+numberer RCM
+system FullGeneral
+test NormDispIncr 1e-10 50
+algorithm Newton
+integrator Newmark 0.5 0.25
+analysis Transient
+puts "[analyze 250 0.02]"
+wipe

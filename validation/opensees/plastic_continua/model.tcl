@@ -197,3 +197,123 @@ foreach {name space element} {
     close $out
     wipe
 }
+
+# bbarQuad with elasticity and plasticity, and laws around others: a plane strip pulled in cycles, and its modes.
+proc cyclesOf {node dof parts} {
+    constraints Plain
+    numberer RCM
+    system UmfPack
+    test NormDispIncr 1e-10 60
+    algorithm Newton
+    analysis Static
+    foreach {step count} $parts {
+        integrator DisplacementControl $node $dof $step
+        puts "[analyze $count]"
+    }
+}
+model basic -ndm 2 -ndf 2
+nDMaterial J2Plasticity 1 1.6e5 8e4 300. 330. 20. 20000.
+nDMaterial ElasticIsotropic 2 2e5 0.49 7.8e-9
+foreach {n x y} {1 0. 0. 2 10. 0. 3 22. 0. 4 0. 8. 5 9. 7. 6 20. 9. 7 0. 15. 8 11. 16. 9 20. 15.} { node $n $x $y }
+element bbarQuad 1 1 2 5 4 2. 1
+element bbarQuad 2 2 3 6 5 2. 1
+element bbarQuad 3 4 5 8 7 2. 2
+element bbarQuad 4 5 6 9 8 2. 2
+fix 1 1 1
+fix 4 1 0
+fix 7 1 0
+set file [open bbar_modes.out w]
+puts $file [eigen -fullGenLapack 3]
+close $file
+recorder Node -file bbar_disp.out -precision 10 -time -node 3 6 8 9 -dof 1 2 disp
+recorder Element -file bbar_force.out -precision 10 -ele 1 3 force
+recorder Element -file bbar_point.out -precision 10 -ele 1 material 2 stress
+recorder Element -file bbar_strain.out -precision 10 -ele 3 material 4 strain
+pattern Plain 1 Linear { load 3 1. 0.; load 6 1. 0.2; load 9 1. 0.1 }
+cyclesOf 9 1 {0.002 45}
+wipe
+# InitStress and Series3D in bricks.
+model basic -ndm 3 -ndf 3
+foreach {n x y z} {1 0 0 0 2 1 0 0 3 1 1 0 4 0 1 0 5 0 0 1 6 1.1 0 1 7 1 1 1.1 8 0 1 1} { node $n $x $y $z }
+foreach {n x y z} {11 3 0 0 12 4 0 0 13 4 1 0 14 3 1 0 15 3 0 1 16 4.1 0 1 17 4 1 1.1 18 3 1 1} { node $n $x $y $z }
+nDMaterial J2Plasticity 1 1.6e5 8e4 300. 400. 20. 500.
+nDMaterial ElasticIsotropic3D 2 9e4 0.2
+nDMaterial Series3D 3 1 2 -weights 0.6 0.5 -maxIter 50 -relTol 1e-10 -absTol 1e-10
+nDMaterial ElasticIsotropic3D 4 9e4 0.2
+nDMaterial InitStress 5 4 -120.
+element stdBrick 1 1 2 3 4 5 6 7 8 3
+element stdBrick 2 11 12 13 14 15 16 17 18 5
+foreach n {1 2 3 4 11 12 13 14} { fix $n 1 1 1 }
+recorder Node -file wrapped_disp.out -precision 10 -time -node 5 7 15 17 -dof 1 2 3 disp
+recorder Element -file wrapped_stress.out -precision 10 -ele 1 2 material 3 stress
+pattern Plain 1 Linear {
+    foreach n {5 6 7 8 15 16 17 18} { load $n 0.5 0. 1. }
+}
+constraints Plain
+numberer RCM
+system UmfPack
+test NormDispIncr 1e-11 60
+algorithm Newton
+analysis Static
+foreach {step count} {4. 20 -4. 40 4. 30} {
+    integrator LoadControl $step
+    puts "[analyze $count]"
+}
+wipe
+# NDFiber sections: cantilevers in the plane and in space, with shear.
+model basic -ndm 2 -ndf 3
+node 1 0. 0.
+node 2 0. 300.
+node 3 500. 0.
+node 4 500. 300.
+fix 1 1 1 1
+fix 3 1 1 1
+nDMaterial J2BeamFiber 1 2e5 0.3 300. 0. 4000.
+nDMaterial J2Plasticity 2 1.6e5 8e4 300. 400. 20. 500.
+nDMaterial BeamFiber2d 3 2
+section NDFiber 1 { patch rect 1 8 1 -50. -30. 50. 30.; fiber 60. 0. 200. 1 }
+section NDFiber 2 -alpha 0.8 { patch rect 3 8 1 -50. -30. 50. 30. }
+geomTransf Linear 1
+element forceBeamColumn 1 1 2 4 1 1 -iter 30 1e-12
+element forceBeamColumn 2 3 4 4 2 1 -iter 30 1e-12
+recorder Node -file ndfiber_plane_disp.out -precision 10 -time -node 2 4 -dof 1 2 3 disp
+recorder Element -file ndfiber_plane_force.out -precision 10 -ele 1 2 section 1 force
+recorder Element -file ndfiber_plane_fiber.out -precision 10 -ele 1 2 section 1 fiber 0. 0. stress
+pattern Plain 1 Linear { load 2 1. -0.5 0.; load 4 0.6 0. 0. }
+cyclesOf 2 1 {0.25 40 -0.25 80 0.25 40}
+wipe
+model basic -ndm 3 -ndf 6
+node 1 0. 0. 0.
+node 2 0. 0. 300.
+fix 1 1 1 1 1 1 1
+nDMaterial J2BeamFiber 1 2e5 0.3 300. 2000. 4000.
+nDMaterial J2Plasticity 2 1.6e5 8e4 300. 400. 20. 500.
+nDMaterial BeamFiber 3 2
+section NDFiber 1 -alpha 0.85 { patch rect 1 6 6 -50. -30. 50. 30.; fiber 55. 35. 200. 3; fiber -55. 35. 200. 3 }
+geomTransf Linear 1 1 0 0
+element forceBeamColumn 1 1 2 4 1 1 -iter 30 1e-12
+recorder Node -file ndfiber_space_disp.out -precision 10 -time -node 2 -dof 1 2 3 4 5 6 disp
+recorder Element -file ndfiber_space_force.out -precision 10 -ele 1 section 1 force
+pattern Plain 1 Linear { load 2 1. 0.4 -0.5 0. 0. 30. }
+cyclesOf 2 1 {0.25 30 -0.25 60 0.25 30}
+wipe
+
+# A fibre section of plane stress in beams with shear.
+model basic -ndm 2 -ndf 3
+node 1 0. 0.
+node 2 0. 300.
+node 3 500. 0.
+node 4 500. 300.
+fix 1 1 1 1
+fix 3 1 1 1
+nDMaterial J2Plasticity 2 1.6e5 8e4 300. 400. 20. 500.
+nDMaterial BeamFiber2dPS 3 2
+section NDFiber 1 -noCentroid { patch rect 3 6 1 -50. -30. 50. 30. }
+geomTransf PDelta 1
+element forceBeamColumn 1 1 2 3 1 1 -iter 30 1e-12
+element dispBeamColumn 2 3 4 3 1 1
+recorder Node -file ndfiber_stress_disp.out -precision 10 -time -node 2 4 -dof 1 2 3 disp
+recorder Element -file ndfiber_stress_force.out -precision 10 -ele 1 2 section 1 force
+pattern Plain 1 Linear { load 2 1. -0.5 0.; load 4 0.6 0. 0. }
+cyclesOf 2 1 {0.25 30 -0.25 60 0.25 30}
+wipe

@@ -302,6 +302,7 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
             let motion = ElementInput {
                 disp: &disp,
                 vel: &rest,
+                accel: &[],
                 load: &load,
                 still: true,
                 opensees: None,

@@ -374,7 +374,7 @@ impl Engine {
         let e = &self.model.elements[id.0];
         let start = out.len();
         out.extend_from_slice(&self.committed.force[e.force.clone()]);
-        if e.element.undamped().is_some() {
+        if e.element.has_own_damping() {
             let mut disp = vec![];
             e.element.add_own_damping(&self.snapshot(id, &mut disp), -1.0, &mut out[start..]);
         }

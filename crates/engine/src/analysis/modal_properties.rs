@@ -130,11 +130,14 @@ fn blocks(model: &Model) -> Vec<Block<'_>> {
     let mut blocks = vec![];
     for entry in &model.elements {
         let n = entry.dofs.len();
-        let matrix = match entry.element.mass() {
-            Mass::None => continue,
+        let inertance = entry.element.inertance();
+        let mut matrix = match entry.element.mass() {
+            Mass::None if inertance.is_none() => continue,
+            Mass::None => vec![0.0; n * n],
             Mass::Lumped(m) => diagonal(&m),
             Mass::Consistent(m) => m,
         };
+        matrix.iter_mut().zip(inertance.iter().flatten()).for_each(|(m, b)| *m += b);
         if matrix.len() != n * n {
             continue;
         }

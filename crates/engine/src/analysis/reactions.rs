@@ -102,7 +102,7 @@ impl Engine {
 impl super::workspace::Workspace {
     /// Take the damping of single elements off their forces again.
     fn add_own_damping(&mut self, model: &crate::model::Model, state: &State) {
-        for e in model.elements.iter().filter(|e| e.element.undamped().is_some()) {
+        for e in model.elements.iter().filter(|e| e.element.has_own_damping()) {
             let disp: Vec<f64> = e.dofs.iter().map(|&d| state.disp[d as usize]).collect();
             let snapshot = Snapshot {
                 disp: &disp,

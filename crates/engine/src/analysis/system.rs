@@ -249,8 +249,9 @@ impl System<'_> {
     pub fn apply_loads_at_end(&mut self, part: f64, dt: f64) -> Result<(), Failure> {
         let (solved_at, end) = (self.new.time, self.old.time + dt);
         let compat = self.work.opensees.is_some();
-        self.apply_loads(if compat { solved_at } else { end })?;
-        self.new.time = if compat { solved_at + (1.0 - part) * dt } else { end };
+        let (loaded_at, ended_at) = if compat { (solved_at, solved_at + (1.0 - part) * dt) } else { (end, end) };
+        self.apply_loads(loaded_at)?;
+        self.new.time = ended_at;
         Ok(())
     }
 

@@ -12,7 +12,7 @@ use super::small_beams::SmallBeams;
 use super::system::Coefficients;
 use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
-use crate::element::{Mass, MatrixMask, Rows};
+use crate::element::{Mass, MatrixMask, OpenSeesTraits, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
 use std::sync::Arc;
@@ -52,6 +52,8 @@ pub(super) struct ElementWorkspace {
     pub counts_calls: bool,
     /// The current tangent replaces the initial one.
     initial_is_current: bool,
+    /// The tangent stands for mass and damping too.
+    stiffness_as_mass: bool,
     /// The committed tangent stays that of the first step.
     keeps_committed: bool,
     /// Place of the damping matrix of viscous materials.
@@ -60,6 +62,8 @@ pub(super) struct ElementWorkspace {
     /// rows, for its forces.
     pub rows: Rows,
     mass: MassPlace,
+    /// Place of the inertance among the masses.
+    pub inertance: Option<usize>,
     /// Inertia or damping forces come with its motion.
     is_dynamic: bool,
     rayleigh: RayleighFactors,
@@ -111,6 +115,8 @@ pub(super) struct ElementMatrices {
     /// Axial forces of the beams of [`SmallBeams::p_delta`] in the tangents.
     pub axial: Vec<f64>,
     mass: Vec<f64>,
+    /// Elements whose tangents are evaluated anew at the end of a step, and room for their trial states.
+    renewed: (Vec<usize>, Vec<f64>),
     /// The tangents are those of the trial state.
     pub is_current: bool,
     /// Damping forces use the current tangents.
@@ -248,9 +254,17 @@ impl ElementMatrices {
             let n = e.dofs.len();
             let traits = e.element.traits();
             let mass = matrices.add_mass(e.element.mass(), n);
+            let inertance = e.element.inertance().map(|m| {
+                matrices.mass.extend(m);
+                matrices.mass.len() - n * n
+            });
             let opensees = e.element.opensees();
+            let followed = if compat { opensees } else { OpenSeesTraits::default() };
             let [forces, reported] = [traits.rayleigh, traits.rayleigh || compat].map(|damped| {
                 let factors = if damped { e.rayleigh } else { Rayleigh::default() };
+                if inertance.is_some() {
+                    return Rayleigh { alpha_m: factors.alpha_m, ..Rayleigh::default() };
+                }
                 if opensees.initial_is_current { factors.with_current_for_initial() } else { factors }
             });
             let tangent = if opensees.damps_in_forces_only { Rayleigh::default() } else { forces };
@@ -262,14 +276,21 @@ impl ElementMatrices {
                 linear: traits.linear && !traits.viscous,
                 p_delta: tangent.beta_kc == 0.0 && e.element.small_beam().is_some_and(|b| b.p_delta.is_some()),
                 rates: traits.viscous || traits.elapses,
-                counts_calls: compat && opensees.calls.is_some(),
+                counts_calls: followed.calls.is_some(),
                 initial_is_current: opensees.initial_is_current,
-                keeps_committed: compat && opensees.keeps_first_damping,
+                stiffness_as_mass: followed.stiffness_as_mass,
+                keeps_committed: followed.keeps_first_damping,
                 damping: traits.viscous.then_some(damping),
                 is_dynamic: !matches!(mass, MassPlace::None) || !forces.is_zero(),
                 mass,
+                inertance,
                 rayleigh: RayleighFactors { forces, tangent, reported },
             });
+            if e.element.renews_tangent() {
+                let (elements, room) = &mut matrices.renewed;
+                elements.push(matrices.entries.len() - 1);
+                room.resize(room.len().max(e.state.len()), 0.0);
+            }
             at += n * n;
             motion += 2 * n;
             damping += if traits.viscous { n * n } else { 0 };

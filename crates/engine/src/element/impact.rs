@@ -1,22 +1,11 @@
 //! Contact of two nodes with friction and a bilinear hysteretic stiffness: `zeroLengthImpact3D` (Zaghi and Cashany, 2012;
 //! the normal law is that of Muthukumar and DesRoches, 2006, Earthquake Engineering and Structural Dynamics 35, 811-828).
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
-use crate::numeric::axpy;
+use super::contact::{CONTACT_DOFS as DOFS, ContactDirection, ContactFriction, in_space};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use nalgebra::Vector3;
-
-const DOFS: usize = 6;
-
-/// Direction of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ContactDirection {
-    /// Around the axis z through the origin, the secondary node inside of the primary one.
-    Circular,
-    /// Along an axis, 0 to 2: the normal of the primary surface points along it.
-    Axis(usize),
-}
 
 /// Properties of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,35 +43,15 @@ crate::state_struct! {
     }
 }
 
-/// Penetration, and derivatives of the normal and two tangential displacements.
-struct Kinematics {
-    penetration: f64,
-    rows: [[f64; DOFS]; 3],
-}
-
 impl Impact {
     /// Makes a contact of the secondary and the primary node at their places.
     pub fn new(options: ImpactOptions, places: [Vector3<f64>; 2]) -> Self {
         Self { options, places }
     }
 
-    fn kinematics(&self, u: &[f64]) -> Kinematics {
-        let moved = [0, 1].map(|i| self.places[i] + Vector3::from_column_slice(&u[3 * i..3 * i + 3]));
-        let pair = |v: Vector3<f64>| [v.x, v.y, v.z, -v.x, -v.y, -v.z];
-        let (gap, directions) = match self.options.direction {
-            ContactDirection::Axis(axis) => {
-                let unit = |i: usize| Vector3::from_fn(|row, _| f64::from(u8::from(row == i % 3)));
-                (moved[1][axis] - moved[0][axis], [axis, axis + 1, axis + 2].map(unit))
-            }
-            ContactDirection::Circular => {
-                let radius = |v: &Vector3<f64>| v.x.hypot(v.y);
-                let r = radius(&moved[1]);
-                let radial = Vector3::new(moved[1].x / r, moved[1].y / r, 0.0);
-                let round = Vector3::new(-radial.y, radial.x, 0.0);
-                (radius(&moved[0]) - r, [-radial, Vector3::z(), round])
-            }
-        };
-        Kinematics { penetration: gap - self.options.gap, rows: directions.map(pair) }
+    fn friction(&self) -> ContactFriction {
+        let ImpactOptions { tangential, friction, cohesion, .. } = self.options;
+        ContactFriction { tangential, friction, cohesion }
     }
 
     /// Pressure and its derivative by the penetration.
@@ -102,36 +71,16 @@ impl Impact {
 
     /// Force, tangent on demand, and the next state.
     fn contact(&self, u: &[f64], old: &ContactState, force: &mut [f64], tangent: Option<&mut [f64]>) -> ContactState {
-        let Kinematics { penetration, rows: [n, t1, t2] } = self.kinematics(u);
+        let moved = [0, 1].map(|i| self.places[i] + Vector3::from_column_slice(&u[3 * i..3 * i + 3]));
+        let (gap, rows) = in_space(self.options.direction, moved);
+        let penetration = gap - self.options.gap;
         // Without contact the last one stays in memory.
         if penetration.is_nan() || penetration < 0.0 {
             return *old;
         }
         let (pressure, stiffness) = self.pressure(penetration, old);
-        let slid = [dot(&t1, u), dot(&t2, u)];
-        let trial = [0, 1].map(|i| self.options.tangential * (slid[i] - old.stick[i]));
-        let (size, limit) = (trial[0].hypot(trial[1]), self.options.friction * pressure + self.options.cohesion);
-        let slides = size > limit;
-        let share = if slides { limit / size } else { 1.0 };
-        axpy(-pressure, &n, force);
-        axpy(share * trial[0], &t1, force);
-        axpy(share * trial[1], &t2, force);
-        if let Some(k) = tangent {
-            add_outer(k, &n, stiffness);
-            let along = share * self.options.tangential;
-            add_outer(k, &t1, along);
-            add_outer(k, &t2, along);
-            if slides {
-                let mut direction = [0.0; DOFS];
-                axpy(trial[0] / size, &t1, &mut direction);
-                axpy(trial[1] / size, &t2, &mut direction);
-                add_outer(k, &direction, -along);
-                for (row, d) in k.chunks_exact_mut(DOFS).zip(&direction) {
-                    axpy(-self.options.friction * stiffness * d, &n, row);
-                }
-            }
-        }
-        ContactState { penetration, pressure, stick: if slides { slid } else { old.stick } }
+        let stick = self.friction().add(&rows, u, (pressure, stiffness), old.stick, force, tangent);
+        ContactState { penetration, pressure, stick }
     }
 }
 
@@ -162,6 +111,10 @@ impl Element for Impact {
         output.force.fill(0.0);
         self.contact(m.disp, &ContactState::read(committed), output.force, output.tangent).write(trial);
         Ok(())
+    }
+
+    fn renews_tangent(&self) -> bool {
+        true
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

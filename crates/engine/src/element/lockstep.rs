@@ -90,6 +90,7 @@ impl LockstepElement for OneByOne {
             let input = ElementInput {
                 disp: &disp[..n],
                 vel: &AT_REST[..n],
+                accel: &[],
                 load: &[],
                 still: true,
                 opensees: None,

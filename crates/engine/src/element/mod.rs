@@ -11,14 +11,18 @@ pub mod axes;
 mod bar;
 mod basic_row;
 pub mod beam;
+mod beam_column_joint;
 pub mod bearing;
 mod catenary_cable;
+mod contact;
 mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
 pub mod damping;
+mod forward;
 pub mod friction;
 mod impact;
+mod inerter;
 mod joint;
 pub mod load;
 mod lockstep;
@@ -29,6 +33,7 @@ mod small_beam;
 mod springs;
 pub mod transform;
 mod truss;
+mod tubular_joint;
 mod two_node_link;
 mod wall;
 mod zero_length;
@@ -44,11 +49,14 @@ use std::sync::Arc;
 
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
+pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
 pub use catenary_cable::CatenaryCable;
+pub use contact::{Contact, ContactDirection, ContactFriction, ContactSurface};
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
 pub use coupled_zero_length::CoupledZeroLength;
-pub use impact::{ContactDirection, Impact, ImpactOptions};
+pub use impact::{Impact, ImpactOptions};
+pub use inerter::{Inerter, InerterOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
@@ -58,6 +66,7 @@ pub use shared::Shared;
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
 pub use truss::Truss;
+pub use tubular_joint::{TubularJoint, TubularJointOptions};
 pub use two_node_link::{LinkOptions, TwoNodeLink};
 pub use wall::{PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape};
 pub use zero_length::{RayleighDamping, ZeroLength};
@@ -73,6 +82,8 @@ pub struct ElementInput<'a> {
     pub disp: &'a [f64],
     /// Trial velocities, likewise.
     pub vel: &'a [f64],
+    /// Trial accelerations, likewise; empty for an element without [`Element::inertance`].
+    pub accel: &'a [f64],
     /// Its load variables, as [`Element::add_load`] has summed them.
     pub load: &'a [f64],
     /// Nothing has a velocity.
@@ -310,6 +321,18 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
         Mass::None
     }
 
+    /// Forces per acceleration that [`Element::respond`] counts in the resisting force, n x n by rows; `None` where
+    /// there are none. Rayleigh damping of such an element is that of its mass alone.
+    fn inertance(&self) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Returns true if the tangent of a committed state differs from that of the trial state before, as of a contact that
+    /// sticks again after it has slid. The tangent is then evaluated anew at the end of a step.
+    fn renews_tangent(&self) -> bool {
+        false
+    }
+
     /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;
     /// `None` where it has none of that name. The state variables stay the same.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
@@ -347,6 +370,11 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
         None
     }
 
+    /// Returns true if [`Element::add_own_damping`] has something to add.
+    fn has_own_damping(&self) -> bool {
+        self.undamped().is_some()
+    }
+
     /// Adds the force of its own damping times a factor, where OpenSees does not count it in the resisting force.
     fn add_own_damping(&self, _snapshot: &Snapshot<'_>, _factor: f64, _force: &mut [f64]) {}
 
@@ -377,6 +405,11 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
 
     /// Names of the responses, to suggest the nearest to a misspelled one.
     fn probe_names(&self) -> &'static [&'static str];
+
+    /// Names of the responses with those that a wrapper adds.
+    fn all_probe_names(&self) -> Vec<&'static str> {
+        self.probe_names().to_vec()
+    }
 
     /// Names of the columns of the global force.
     fn force_labels(&self) -> Vec<String> {

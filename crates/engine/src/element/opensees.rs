@@ -19,6 +19,8 @@ pub struct OpenSeesTraits<'a> {
     /// Damping in proportion to the committed stiffness keeps the tangent of the first step. Without this, the tangent is
     /// taken anew at the end of every step.
     pub keeps_first_damping: bool,
+    /// Mass and damping matrix are the current tangent, in tangents and modes but not in forces.
+    pub stiffness_as_mass: bool,
     /// Number of times that the equations of motion count the inertia of the element's mass under a uniform ground motion.
     /// OpenSees takes that inertia off the reported force of the element. `None` for an element that does neither.
     pub ground_inertia: Option<f64>,

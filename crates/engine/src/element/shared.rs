@@ -25,6 +25,7 @@ shared!(
     Continuum<3, 12>,
     Continuum<3, 16>,
     Continuum<3, 18>,
+    Continuum<4, 8>,
     Continuum<6, 12>,
     Continuum<6, 24>,
     Continuum<6, 30>,

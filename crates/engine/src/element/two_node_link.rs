@@ -88,7 +88,7 @@ impl TwoNodeLink {
 }
 
 /// Transformation of both nodes' displacements from global to local axes, by rows.
-fn local_axes(axes: &Matrix3<f64>, ndm: usize, per_node: usize) -> Vec<f64> {
+pub(super) fn local_axes(axes: &Matrix3<f64>, ndm: usize, per_node: usize) -> Vec<f64> {
     let n = 2 * per_node;
     let mut local = vec![0.0; n * n];
     for node in [0, per_node] {
@@ -127,7 +127,7 @@ fn basic_row(direction: usize, per_node: usize, ndm: usize, length: f64, shear_d
 
 /// Local P-Delta forces per unit of axial force and local displacement, by rows. Only directions with a spring transfer
 /// forces.
-fn p_delta_forces(
+pub(super) fn p_delta_forces(
     directions: &[usize],
     ratios: [f64; 4],
     (ndm, per_node): (usize, usize),
@@ -150,7 +150,7 @@ fn p_delta_forces(
         let rest = 1.0 - shares[0] - shares[1];
         if rest.abs() > 1e-12 {
             if length == 0.0 {
-                let message = "twoNodeLink: P-Delta forces need a length, unless all of the moment goes to the ends";
+                let message = "P-Delta forces need a length, unless all of the moment goes to the ends";
                 return Err(ElementError(message.into()));
             }
             for (row, s) in [(i, -1.0), (j, 1.0)] {
@@ -169,7 +169,7 @@ fn p_delta_forces(
 }
 
 /// aᵀ T for a local row `a`.
-fn pull_back(a: &[f64], t: &[f64]) -> Vec<f64> {
+pub(super) fn pull_back(a: &[f64], t: &[f64]) -> Vec<f64> {
     let n = a.len();
     let mut out = vec![0.0; n];
     for (a, row) in a.iter().zip(t.chunks_exact(n)) {
@@ -179,7 +179,7 @@ fn pull_back(a: &[f64], t: &[f64]) -> Vec<f64> {
 }
 
 /// Tᵀ g T.
-fn global_matrix(g: &[f64], t: &[f64]) -> Vec<f64> {
+pub(super) fn global_matrix(g: &[f64], t: &[f64]) -> Vec<f64> {
     let n = t.len().isqrt();
     let mut out = vec![0.0; n * n];
     for (g_row, t_row) in g.chunks_exact(n).zip(t.chunks_exact(n)) {

@@ -149,9 +149,10 @@ pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
 pub use multiaxial::{
-    AsdConcrete, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters, HardeningCurve,
-    InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE, ParallelSolids, Plane,
-    SOLID, SharedMultiaxial, SimplifiedJ2, Tangent,
+    AsdConcrete, BEAM_FIBRE, BeamJ2, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters,
+    HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE,
+    PLANE_BEAM_FIBRE, ParallelSolids, Plane, SOLID, SeriesSolids, SeriesTolerance, SharedMultiaxial, SimplifiedJ2,
+    THICK_PLANE, Tangent, strain_of_stress,
 };
 pub use no_tension::NoTension;
 pub use parallel::Parallel;

@@ -110,8 +110,8 @@ impl ElementResponse {
 
     /// Names that an element knows besides those common to all, to suggest the nearest to a misspelled one.
     pub fn names(engine: &Engine, id: ElementId) -> impl Iterator<Item = &'static str> + use<> {
-        let own = engine.model().elements[id.0].element.probe_names();
-        FORCE[..4].iter().copied().chain(own.iter().copied())
+        let own = engine.model().elements[id.0].element.all_probe_names();
+        FORCE[..4].iter().copied().chain(own)
     }
 
     /// Returns true if an element has a response of that name.

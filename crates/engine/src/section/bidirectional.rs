@@ -41,15 +41,6 @@ impl Section for Bidirectional {
     fn state_len(&self) -> usize {
         <History as crate::state_struct::StateStruct>::LEN
     }
-    fn init(&self, state: &mut [f64]) {
-        state.fill(0.0);
-    }
-    fn is_linear(&self) -> bool {
-        false
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
 
     fn update(
         &self,

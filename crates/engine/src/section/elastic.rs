@@ -94,12 +94,8 @@ impl Section for Elastic {
     fn state_len(&self) -> usize {
         0
     }
-    fn init(&self, _: &mut [f64]) {}
     fn is_linear(&self) -> bool {
         true
-    }
-    fn depends_on_time(&self) -> bool {
-        false
     }
 
     fn update(

@@ -26,7 +26,7 @@ pub use bidirectional::Bidirectional;
 pub use elastic::{Elastic, ElasticSection};
 pub use elliptical::Elliptical;
 pub use fiber::{Fiber, FiberBending, FiberSection};
-pub use nd_fiber::{NdFiber, NdFiberSection, nd_fiber_section};
+pub use nd_fiber::{NdFiber, NdFiberSection};
 pub use slot::SectionSlot;
 pub use two_spring_isolator::TwoSpringIsolator;
 
@@ -99,12 +99,18 @@ pub trait Section: fmt::Debug + Send + Sync {
     fn resultants(&self) -> &[Resultant];
     /// Number of state variables.
     fn state_len(&self) -> usize;
-    /// Writes the virgin state.
-    fn init(&self, state: &mut [f64]);
+    /// Writes the virgin state: zeros unless the section says otherwise.
+    fn init(&self, state: &mut [f64]) {
+        state.fill(0.0);
+    }
     /// Returns true if the resultants are proportional to the deformations for every history.
-    fn is_linear(&self) -> bool;
+    fn is_linear(&self) -> bool {
+        false
+    }
     /// Returns true if the resultants depend on the elapsed time.
-    fn depends_on_time(&self) -> bool;
+    fn depends_on_time(&self) -> bool {
+        false
+    }
 
     /// Computes resultants `s` (length n) and tangent `k` (n x n by rows) for the deformations `e`, and writes every
     /// variable of `next`. The caller sets `s` and `k` to zero. `dt` is the domain time since the committed state.

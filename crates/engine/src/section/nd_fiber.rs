@@ -1,134 +1,122 @@
-//! Sections of fibers of continua: axial stress and shear in each fiber.
+//! Fiber sections whose fibers have shear stresses: `NDFiber`.
 
-use super::{MAX_ORDER, Resultant, Section, SharedSection};
-use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, NdMaterial, SharedMultiaxial};
+use super::{Resultant, Section};
+use crate::material::{MaterialError, SharedMultiaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
 
-/// Input of one fiber: coordinates, area, and material with its tag.
+/// A fiber with a law of N stresses: 11 and 12 in a plane, 11, 12 and 13 in space.
 #[derive(Clone, Debug)]
-pub struct NdFiber {
+pub struct NdFiber<const N: usize> {
     /// Local y.
     pub y: f64,
     /// Local z.
     pub z: f64,
     /// Area.
     pub area: f64,
-    /// Material and its tag.
-    pub material: (NdMaterial, i32),
+    /// Law and tag of its material.
+    pub law: (SharedMultiaxial<N>, i32),
 }
 
-/// A fiber in its place: a law of `N` stresses, the first along the beam.
-#[derive(Clone, Debug)]
-struct Placed<const N: usize> {
-    y: f64,
-    z: f64,
-    area: f64,
-    law: SharedMultiaxial<N>,
-    tag: i32,
-    /// Offset of its strains, stresses and history in the state.
-    at: usize,
-}
-
-/// Plane section of fibers with the stresses 11 and 12, in space 31 too. The strains are ε = ε₀ - y κ_z + z κ_y,
-/// γ₁₂ = √α γ_y - z θ and γ₃₁ = √α γ_z + y θ, with y and z from the centroid of the areas. α is a shear factor.
+/// Fibers with the strains of a plane section and constant shear strains: ε = ε₀ - y κ_z + z κ_y, γ_12 = √α γ_y - z θ,
+/// γ_13 = √α γ_z + y θ, with y and z from the centroid of the areas and a shape factor α.
+///
+/// State variables of a fiber: strains, stresses, and then those of its law.
 #[derive(Clone, Debug)]
 pub struct NdFiberSection<const N: usize> {
-    fibers: Vec<Placed<N>>,
-    /// Square root of the shear factor α.
-    root: f64,
+    fibers: Vec<PlacedFiber<N>>,
+    centroid: (f64, f64),
+    root_alpha: f64,
     state_len: usize,
 }
 
-const PLANE: [Resultant; 3] = [Resultant::P, Resultant::Mz, Resultant::Vy];
-const SPACE: [Resultant; 6] = [Resultant::P, Resultant::Mz, Resultant::My, Resultant::Vy, Resultant::Vz, Resultant::T];
+#[derive(Clone, Debug)]
+struct PlacedFiber<const N: usize> {
+    fiber: NdFiber<N>,
+    /// Strains per deformation of the section.
+    rows: [Row; N],
+    at: usize,
+}
 
+/// Largest number of resultants.
+const MAX: usize = 6;
+type Row = [f64; MAX];
+
+const PLANE: [Resultant; 3] = [Resultant::P, Resultant::Mz, Resultant::Vy];
+const SPACE: [Resultant; MAX] =
+    [Resultant::P, Resultant::Mz, Resultant::My, Resultant::Vy, Resultant::Vz, Resultant::T];
+
+const FIBER: u32 = 1;
+const FIBER_DATA: u32 = 2;
+const CENTROID: u32 = 3;
 const STRESS: u32 = 1;
 const STRAIN: u32 = 2;
 const BOTH: u32 = 3;
 const OWN: u32 = 4;
 
 impl<const N: usize> NdFiberSection<N> {
-    /// Fibers with their laws. Bending is about the centroid, or with `origin` about the origin of the coordinates.
-    fn placed(fibers: Vec<NdFiber>, laws: Vec<SharedMultiaxial<N>>, shear_factor: f64, origin: bool) -> Self {
+    /// From fibers and the shape factor α of the shear strains. Bending is about the centroid of the areas, or with `origin`
+    /// about the origin of the coordinates.
+    pub fn new(fibers: Vec<NdFiber<N>>, alpha: f64, origin: bool) -> Self {
         let area: f64 = fibers.iter().map(|f| f.area).sum();
-        let mean = |x: fn(&NdFiber) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
-        let (y0, z0) = if origin { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
+        let mean = |x: fn(&NdFiber<N>) -> f64| fibers.iter().map(|f| f.area * x(f)).sum::<f64>() / area;
+        let centroid = if origin || area == 0.0 { (0.0, 0.0) } else { (mean(|f| f.y), mean(|f| f.z)) };
+        let root_alpha = alpha.sqrt();
         let mut at = 0;
-        let place = |(f, law): (NdFiber, SharedMultiaxial<N>)| {
-            let start = at;
-            at += 2 * N + law.state_len();
-            Placed { y: f.y - y0, z: f.z - z0, area: f.area, law, tag: f.material.1, at: start }
+        let placed = |fiber: NdFiber<N>| {
+            let (y, z) = (fiber.y - centroid.0, fiber.z - centroid.1);
+            let rows = std::array::from_fn(|i| match (N, i) {
+                (2, 0) => [1.0, -y, 0.0, 0.0, 0.0, 0.0],
+                (2, _) => [0.0, 0.0, root_alpha, 0.0, 0.0, 0.0],
+                (_, 0) => [1.0, -y, z, 0.0, 0.0, 0.0],
+                (_, 1) => [0.0, 0.0, 0.0, root_alpha, 0.0, -z],
+                _ => [0.0, 0.0, 0.0, 0.0, root_alpha, y],
+            });
+            let placed = PlacedFiber { rows, at, fiber };
+            at += 2 * N + placed.fiber.law.0.state_len();
+            placed
         };
-        let fibers = fibers.into_iter().zip(laws).map(place).collect();
-        Self { fibers, root: shear_factor.sqrt(), state_len: at }
+        let fibers: Vec<_> = fibers.into_iter().map(placed).collect();
+        Self { fibers, centroid, root_alpha, state_len: at }
     }
 
     fn order() -> usize {
-        if N == 2 { PLANE.len() } else { SPACE.len() }
+        if N == 2 { PLANE.len() } else { MAX }
     }
 
-    /// Strains of a fiber by the deformations of the section.
-    fn rows(&self, f: &Placed<N>) -> [[f64; MAX_ORDER]; N] {
-        let mut rows = [[0.0; MAX_ORDER]; N];
-        if N == 2 {
-            rows[0][..2].copy_from_slice(&[1.0, -f.y]);
-            rows[1][2] = self.root;
-        } else {
-            rows[0][..3].copy_from_slice(&[1.0, -f.y, f.z]);
-            (rows[1][3], rows[1][5]) = (self.root, -f.z);
-            (rows[2][4], rows[2][5]) = (self.root, f.y);
-        }
-        rows
-    }
-
-    fn add_stiffness(rows: &[[f64; MAX_ORDER]; N], tangent: &[[f64; N]; N], area: f64, k: &mut [f64]) {
+    /// Adds the stiffness of a fiber.
+    fn add_stiffness(f: &PlacedFiber<N>, tangent: &[[f64; N]; N], k: &mut [f64]) {
         let n = Self::order();
-        for (a, d) in rows.iter().zip(tangent) {
-            for (b, d) in rows.iter().zip(d) {
-                for (row, a) in k.chunks_exact_mut(n).zip(a) {
-                    row.iter_mut().zip(b).for_each(|(k, b)| *k += area * a * d * b);
+        for (row, tangent) in f.rows.iter().zip(tangent) {
+            for (other, d) in f.rows.iter().zip(tangent).filter(|(_, d)| **d != 0.0) {
+                for (k, r) in k.chunks_exact_mut(n).zip(row).filter(|(_, r)| **r != 0.0) {
+                    k.iter_mut().zip(other).for_each(|(k, o)| *k += f.fiber.area * d * r * o);
                 }
             }
         }
     }
 
-    /// The fiber that words name by its number, or by a place and perhaps a material, with the words behind.
+    /// Fiber selected by the words of a recorder, and the words after them: an index, or coordinates with an optional tag of
+    /// a material.
     fn find<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
-        let number = |i: usize| words.get(i).and_then(|w| w.parse::<f64>().ok());
-        let Some(z) = number(1) else {
-            let i = words.first()?.parse::<usize>().ok()?;
-            return (i < self.fibers.len()).then_some((i, &words[1..]));
+        let number = |w: &str| w.parse::<f64>().ok();
+        let y = number(words.first()?)?;
+        let Some(z) = words.get(1).and_then(|w| number(w)) else {
+            return Some((y as usize, &words[1..])).filter(|f| f.0 < self.fibers.len());
         };
-        let y = number(0)?;
-        let tag = words.get(2).and_then(|w| w.parse::<i32>().ok());
-        let rest = &words[if tag.is_some() { 3 } else { 2 }..];
-        let distance = |f: &Placed<N>| (f.y - y).powi(2) + (f.z - z).powi(2);
-        let all = self.fibers.iter().enumerate().filter(|(_, f)| tag.is_none_or(|t| t == f.tag));
-        let nearest = all.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
+        let (tag, rest) = match words.get(2).and_then(|w| w.parse::<i32>().ok()) {
+            Some(tag) => (Some(tag), &words[3..]),
+            None => (None, &words[2..]),
+        };
+        let distance = |f: &NdFiber<N>| (f.y - y).powi(2) + if N == 2 { 0.0 } else { (f.z - z).powi(2) };
+        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| tag.is_none_or(|t| f.fiber.law.1 == t));
+        let nearest = candidates.min_by(|a, b| distance(&a.1.fiber).total_cmp(&distance(&b.1.fiber)))?;
         Some((nearest.0, rest))
     }
-}
 
-/// A section of fibers in the plane, or in space.
-///
-/// # Errors
-/// The tag of a material that has no law in space.
-pub fn nd_fiber_section(
-    fibers: Vec<NdFiber>,
-    space: bool,
-    shear_factor: f64,
-    origin: bool,
-) -> Result<SharedSection, i32> {
-    let solid = |f: &NdFiber| f.material.0.solid.clone().ok_or(f.material.1);
-    let solids = fibers.iter().map(solid).collect::<Result<Vec<_>, i32>>()?;
-    Ok(if space {
-        let laws = solids.iter().map(crate::material::Condensed::beam_space).collect();
-        Arc::new(NdFiberSection::<3>::placed(fibers, laws, shear_factor, origin))
-    } else {
-        let laws = solids.iter().map(crate::material::Condensed::beam_plane).collect();
-        Arc::new(NdFiberSection::<2>::placed(fibers, laws, shear_factor, origin))
-    })
+    fn names(stem: &str) -> impl Iterator<Item = String> {
+        ["11", "12", "13"].into_iter().take(N).map(move |c| format!("{stem}{c}"))
+    }
 }
 
 impl<const N: usize> Section for NdFiberSection<N> {
@@ -143,16 +131,16 @@ impl<const N: usize> Section for NdFiberSection<N> {
     }
     fn init(&self, state: &mut [f64]) {
         for f in &self.fibers {
-            let (head, own) = state[f.at..].split_at_mut(2 * N);
-            head.fill(0.0);
-            f.law.init(&mut own[..f.law.state_len()]);
+            let own = &mut state[f.at..f.at + 2 * N + f.fiber.law.0.state_len()];
+            own[..2 * N].fill(0.0);
+            f.fiber.law.0.init(&mut own[2 * N..]);
         }
     }
     fn is_linear(&self) -> bool {
-        self.fibers.iter().all(|f| f.law.is_linear())
+        self.fibers.iter().all(|f| f.fiber.law.0.is_linear())
     }
     fn depends_on_time(&self) -> bool {
-        self.fibers.iter().any(|f| f.law.depends_on_time())
+        self.fibers.iter().any(|f| f.fiber.law.0.depends_on_time())
     }
 
     fn update(
@@ -165,62 +153,86 @@ impl<const N: usize> Section for NdFiberSection<N> {
         k: &mut [f64],
     ) -> Result<(), MaterialError> {
         for f in &self.fibers {
-            let (rows, own) = (self.rows(f), f.at + 2 * N..f.at + 2 * N + f.law.state_len());
-            let strain = rows.map(|row| row.iter().zip(e).map(|(a, e)| a * e).sum());
-            let (stress, tangent) = f.law.update(&committed[own.clone()], &strain, dt, &mut next[own.clone()])?;
-            let shown = f.law.shown_stress(&next[own], stress);
-            next[f.at..f.at + N].copy_from_slice(&strain);
-            next[f.at + N..f.at + 2 * N].copy_from_slice(&shown);
-            for (row, stress) in rows.iter().zip(stress) {
-                s.iter_mut().zip(row).for_each(|(s, a)| *s += f.area * a * stress);
+            let range = f.at..f.at + 2 * N + f.fiber.law.0.state_len();
+            let (head, history) = next[range.clone()].split_at_mut(2 * N);
+            let strain: [f64; N] = f.rows.each_ref().map(|row| row.iter().zip(e).map(|(r, e)| r * e).sum());
+            let (stress, tangent) = f.fiber.law.0.update(&committed[range][2 * N..], &strain, dt, history)?;
+            head[..N].copy_from_slice(&strain);
+            head[N..].copy_from_slice(&stress);
+            for (row, stress) in f.rows.iter().zip(stress) {
+                s.iter_mut().zip(row).for_each(|(s, r)| *s += f.fiber.area * r * stress);
             }
-            Self::add_stiffness(&rows, &tangent, f.area, k);
+            Self::add_stiffness(f, &tangent, k);
         }
         Ok(())
     }
 
     fn initial_stiffness(&self, k: &mut [f64]) {
-        self.fibers.iter().for_each(|f| Self::add_stiffness(&self.rows(f), &f.law.initial_tangent(), f.area, k));
+        self.fibers.iter().for_each(|f| Self::add_stiffness(f, &f.fiber.law.0.initial_tangent(), k));
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
-        if words != [CHARACTERISTIC_LENGTH] {
+    /// The shape factor `alpha`.
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(super::SharedSection, f64)> {
+        if words != ["alpha"] || value < 0.0 {
             return None;
         }
-        let (mut new, mut changed) = (self.clone(), false);
+        let mut new = self.clone();
+        new.root_alpha = value.sqrt();
         for f in &mut new.fibers {
-            if let Some(law) = f.law.of_length(value) {
-                (f.law, changed) = (law, true);
+            for (i, row) in f.rows.iter_mut().enumerate().skip(1) {
+                row[if N == 2 { 2 } else { 2 + i }] = new.root_alpha;
             }
         }
-        changed.then(|| (Arc::new(new) as SharedSection, value))
+        Some((Arc::new(new), self.root_alpha * self.root_alpha))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let rest = words.strip_prefix(&["fiber"])?;
-        let (i, rest) = self.find(rest)?;
-        let stress = ["sigma11", "tau12", "tau31"].into_iter().take(N);
-        let strain = ["eps11", "gamma12", "gamma31"].into_iter().take(N);
-        let made = match *rest.first()? {
-            "stress" | "stresses" => Probe::new(STRESS, stress),
-            "strain" | "strains" => Probe::new(STRAIN, strain),
-            "stressStrain" | "stressAndStrain" | "stressANDstrain" => Probe::new(BOTH, stress.chain(strain)),
-            _ => self.fibers[i].law.probe(rest)?.inside(&[OWN]),
-        };
-        Some(made.inside(&[i as u32]))
+        match *words.first()? {
+            "fiber" => {
+                let (i, rest) = self.find(&words[1..])?;
+                let probe = match *rest.first()? {
+                    "stress" | "stresses" => Probe::new(STRESS, Self::names("sigma")),
+                    "strain" | "strains" => Probe::new(STRAIN, Self::names("eps")),
+                    "stressStrain" | "stressANDstrain" => {
+                        Probe::new(BOTH, Self::names("sigma").chain(Self::names("eps")))
+                    }
+                    _ => self.fibers[i].fiber.law.0.probe(rest)?.inside(&[OWN]),
+                };
+                Some(probe.inside(&[FIBER, i as u32]))
+            }
+            "fiberData" => {
+                let place = ["yCoord", "zCoord", "area"].map(str::to_owned);
+                let columns: Vec<_> = place.into_iter().chain(Self::names("sigma")).chain(Self::names("eps")).collect();
+                Some(Probe::new(FIBER_DATA, self.fibers.iter().flat_map(|_| columns.clone())))
+            }
+            "centroid" => Some(Probe::new(CENTROID, ["y", "z"])),
+            _ => None,
+        }
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let f = &self.fibers[path[0] as usize];
-        let (strain, stress) = (&state[f.at..f.at + N], &state[f.at + N..f.at + 2 * N]);
-        match path[1] {
-            STRESS => out.copy_from_slice(stress),
-            STRAIN => out.copy_from_slice(strain),
-            BOTH => {
-                out[..N].copy_from_slice(stress);
-                out[N..].copy_from_slice(strain);
+        match *path {
+            [FIBER, i, ref rest @ ..] => {
+                let f = &self.fibers[i as usize];
+                let own = &state[f.at..f.at + 2 * N + f.fiber.law.0.state_len()];
+                match rest[0] {
+                    STRESS => out.copy_from_slice(&own[N..2 * N]),
+                    STRAIN => out.copy_from_slice(&own[..N]),
+                    BOTH => {
+                        out[..N].copy_from_slice(&own[N..2 * N]);
+                        out[N..].copy_from_slice(&own[..N]);
+                    }
+                    _ => f.fiber.law.0.read(&rest[1..], &own[2 * N..], out),
+                }
             }
-            _ => f.law.read(&path[2..], &state[f.at + 2 * N..f.at + 2 * N + f.law.state_len()], out),
+            [FIBER_DATA] => {
+                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(3 + 2 * N)) {
+                    row[..3].copy_from_slice(&[f.fiber.y, f.fiber.z, f.fiber.area]);
+                    row[3..3 + N].copy_from_slice(&state[f.at + N..f.at + 2 * N]);
+                    row[3 + N..].copy_from_slice(&state[f.at..f.at + N]);
+                }
+            }
+            _ => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),
         }
     }
 }

@@ -112,15 +112,6 @@ impl Section for TwoSpringIsolator {
     fn state_len(&self) -> usize {
         History::LEN
     }
-    fn init(&self, state: &mut [f64]) {
-        state.fill(0.0);
-    }
-    fn is_linear(&self) -> bool {
-        false
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
 
     fn update(
         &self,

@@ -3,6 +3,7 @@
 use super::plausibility;
 use crate::args::Args;
 use crate::checkpoint;
+use crate::output::collapse;
 use crate::session::{Mode, Parts, Session};
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
@@ -187,6 +188,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     };
+    collapse::note_removed(interp, call)?;
     conclude(interp, call, done)
 }
 

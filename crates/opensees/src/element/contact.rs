@@ -1,9 +1,11 @@
-//! `element zeroLengthImpact3D`.
+//! `element zeroLengthImpact3D`, `zeroLengthContact2D` and `zeroLengthContact3D`.
 
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
-use hysteron_engine::element::{ContactDirection, Element, Impact, ImpactOptions};
+use hysteron_engine::element::{
+    Contact, ContactDirection, ContactFriction, ContactSurface, Element, Impact, ImpactOptions,
+};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -13,15 +15,77 @@ pub(super) const IMPACT: Kind = Kind {
     make: Make::TwoNodes(make),
 };
 
+pub(super) const CONTACT_2D: Kind = Kind {
+    names: &["zeroLengthContact2D", "ZeroLengthContact2D"],
+    usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
+    make: Make::TwoNodes(make_in_plane),
+};
+
+pub(super) const CONTACT_3D: Kind = Kind {
+    names: &["zeroLengthContact3D", "ZeroLengthContact3D"],
+    usage: "element zeroLengthContact3D $tag $secondary $primary $Kn $Kt $friction $cohesion $direction <$originX $originY>",
+    make: Make::TwoNodes(make_in_space),
+};
+
+fn direction(a: &mut Args<'_>) -> Result<ContactDirection, Exception> {
+    match a.int("direction of the contact")? {
+        0 => Ok(ContactDirection::Circular),
+        axis @ 1..=3 => Ok(ContactDirection::Axis(axis as usize - 1)),
+        other => Err(a.refuse(format!("direction of the contact is {other}"), "expected 0, 1, 2 or 3")),
+    }
+}
+
+/// Normal stiffness, then the law of the friction without cohesion.
+fn stiffnesses(a: &mut Args<'_>) -> Result<(f64, ContactFriction), Exception> {
+    let normal = a.positive("normal stiffness Kn")?;
+    let tangential = a.not_negative("tangential stiffness Kt")?;
+    Ok((normal, ContactFriction { tangential, friction: a.not_negative("coefficient of friction")?, cohesion: 0.0 }))
+}
+
+fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    if ends.ndm != 2 || !matches!(ends.ndf, 2 | 3) {
+        return Err(ends.wrong(a, "2 or 3 degrees of freedom in 2 dimensions"));
+    }
+    let (normal, friction) = stiffnesses(a)?;
+    if a.word("option -normal")? != "-normal" {
+        return Err(a.unknown_name("option in this place", ["-normal"]));
+    }
+    let (x, y) = (a.float("component Nx of the normal")?, a.float("component Ny of the normal")?);
+    let length = x.hypot(y);
+    if length == 0.0 {
+        return Err(a.refuse("the normal has no length", "expected a vector out of the primary surface"));
+    }
+    let surface = ContactSurface::Line { normal: [x / length, y / length], per_node: ends.ndf };
+    Ok(Arc::new(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1])))
+}
+
+fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    if (ends.ndm, ends.ndf) != (3, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
+    }
+    let (normal, mut friction) = stiffnesses(a)?;
+    friction.cohesion = a.not_negative("cohesion")?;
+    let direction = direction(a)?;
+    let place = a.last_span();
+    let mut origin = [0.0; 2];
+    if direction == ContactDirection::Circular {
+        if a.left() > 0 {
+            origin = [a.float("origin x")?, a.float("origin y")?];
+        }
+        if (ends.place.1.x - origin[0]).hypot(ends.place.1.y - origin[1]) == 0.0 {
+            let label = "expected a primary node apart from the axis of the cylinder";
+            return Err(a.refuse_at(place, "the primary node is on the axis of the contact", label));
+        }
+    }
+    let surface = ContactSurface::Space { direction, origin };
+    Ok(Arc::new(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1])))
+}
+
 fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     if (ends.ndm, ends.ndf) != (3, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
     }
-    let direction = match a.int("direction of the contact")? {
-        0 => ContactDirection::Circular,
-        axis @ 1..=3 => ContactDirection::Axis(axis as usize - 1),
-        other => return Err(a.refuse(format!("direction of the contact is {other}"), "expected 0, 1, 2 or 3")),
-    };
+    let direction = direction(a)?;
     let options = ImpactOptions {
         direction,
         gap: a.float("gap")?,

@@ -1,4 +1,4 @@
-//! `element dispBeamColumn`, `forceBeamColumn`, `nonlinearBeamColumn`, `mixedBeamColumn` and `beamWithHinges`.
+//! `element dispBeamColumn`, `AxEqDispBeamColumn2d`, `forceBeamColumn`, `nonlinearBeamColumn`, `mixedBeamColumn` and `beamWithHinges`.
 
 use super::beam::{Place, no_transform, numbers_ahead};
 use super::damping::{damped, of_tag};
@@ -9,7 +9,8 @@ use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
-    CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS, Mixed, Rule,
+    AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS,
+    Mixed, Rule,
 };
 use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform::{self, TransformSpec};
@@ -24,6 +25,12 @@ pub(super) const DISPLACEMENT: Kind = Kind {
     usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> <-damp $damping> or \
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
     make: Make::TwoNodes(make_displacement),
+};
+
+pub(super) const AXIAL_EQUILIBRIUM: Kind = Kind {
+    names: &["AxEqDispBeamColumn2d"],
+    usage: "element AxEqDispBeamColumn2d $tag $i $j $n $section $transf $tol <-integration Lobatto|Legendre> <-iter $maxIter>",
+    make: Make::TwoNodes(make_axial_equilibrium),
 };
 
 pub(super) const FORCE: Kind = Kind {
@@ -79,6 +86,47 @@ fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<
     let nodes = a.last_span();
     let words = take(interp, a, ends, Rule::Legendre, None)?;
     build(|_: &[f64]| Ok(DisplacementBased), a, words, ends, nodes)
+}
+
+fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let [n] = a.parts(["number of integration points"])?;
+    let section = a.of(&interp.host.builder.definitions.sections)?;
+    let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
+    let transform_at = a.last_span();
+    let tolerance = a.positive("tolerance of the axial forces tol")?;
+    let (mut rule, mut iterations) = (Rule::Legendre, 20);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-iter" => iterations = a.count("largest number of iterations maxIter")?,
+            "-integration" => {
+                rule = match a.word("rule of integration")?.as_ref() {
+                    "Lobatto" => Rule::Lobatto,
+                    "Legendre" => Rule::Legendre,
+                    _ => return Err(a.unknown_name("rule of integration", ["Lobatto", "Legendre"])),
+                };
+                if rule.points(n, 1.0).is_none() {
+                    let message = format!("the rule has no form with {n} points");
+                    return Err(a.refuse(message, "expected a rule for as many points"));
+                }
+            }
+            _ => ignore_option(interp, a, &["-integration", "-iter"])?,
+        }
+    }
+    let words = Words {
+        transform,
+        transform_at,
+        integration: Integration { rule, sections: vec![section; n] },
+        rho: 0.0,
+        consistent: false,
+        force_based: follower(interp),
+        shear: false,
+        damping: None,
+    };
+    build(|_: &[f64]| Ok(AxialEquilibrium { tolerance, iterations }), a, words, ends, nodes)
 }
 
 fn make_force(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {

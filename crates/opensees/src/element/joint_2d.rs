@@ -52,6 +52,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     if a.optional_int("flag of large displacements")?.is_some_and(|flag| flag != 0) {
         return Err(a.refuse("Joint2D: large displacements are not supported", "expected 0"));
     }
+    if matches!(a.peek().as_deref(), Some("-damage" | "-Damage")) {
+        a.option();
+        return Err(a.refuse("Joint2D: indices of damage are not supported", "expected nothing more"));
+    }
     let rigid: Vec<bool> = springs.iter().map(Option::is_none).collect();
     let vector = |from: usize, to: usize| [places[to].x - places[from].x, places[to].y - places[from].y];
     let made = Joint::new(springs, [vector(0, 2), vector(1, 3)]);
@@ -66,7 +70,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
 /// Springs of the four nodes, if there are any, and of the panel.
 fn springs(interp: &Tcl, a: &mut Args<'_>) -> Result<[Option<(Material, i32)>; 5], Exception> {
     let mut springs = [None, None, None, None, None];
-    if a.ahead().count() > 2 {
+    if a.ahead().take_while(|w| w.as_f64().is_some()).count() > 2 {
         for spring in &mut springs[..4] {
             // 0 stands for a rigid node.
             if a.peek().is_some_and(|w| w.as_ref() == "0") {

@@ -2,6 +2,7 @@
 
 pub(crate) mod amend;
 mod beam;
+mod beam_column_joint;
 mod bearing;
 mod brick;
 mod cable;
@@ -11,6 +12,7 @@ pub(crate) mod damping;
 mod fiber_beam;
 mod heated_pendulum;
 mod heated_triple;
+mod inerter;
 mod joint_2d;
 mod joints;
 mod kikuchi;
@@ -25,6 +27,7 @@ mod sliding;
 mod timoshenko;
 mod triple;
 mod truss;
+mod tubular_joint;
 mod two_node_link;
 mod wall;
 mod yamamoto;
@@ -87,18 +90,23 @@ const KINDS: &[Kind] = &[
     truss::TRUSS_SECTION,
     truss::COROT_TRUSS_SECTION,
     two_node_link::TWO_NODE_LINK,
+    inerter::INERTER,
     yamamoto::YAMAMOTO,
     zero_length::ZERO_LENGTH,
     zero_length::COUPLED,
     zero_length_section::ZERO_LENGTH_SECTION,
     contact::IMPACT,
+    contact::CONTACT_2D,
+    contact::CONTACT_3D,
     fiber_beam::DISPLACEMENT,
+    fiber_beam::AXIAL_EQUILIBRIUM,
     fiber_beam::FORCE,
     fiber_beam::CURVATURE,
     fiber_beam::CURVATURE_SHEAR,
     fiber_beam::MIXED,
     fiber_beam::WITH_HINGES,
     quad::QUAD,
+    quad::MEAN_DILATATION,
     quad::STABILISED,
     quad::TRIANGLE,
     quad::NINE_NODES,
@@ -123,6 +131,8 @@ const KINDS: &[Kind] = &[
     wall::SFI_MVLEM_3D,
     wall::E_SFI_MVLEM_3D,
     joint_2d::JOINT_2D,
+    beam_column_joint::BEAM_COLUMN_JOINT,
+    tubular_joint::TUBULAR_JOINT,
 ];
 
 /// The two nodes of an element.

@@ -1,4 +1,4 @@
-//! `element quad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
+//! `element quad`, `bbarQuad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
 
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
@@ -7,7 +7,7 @@ use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
 use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape, Shared};
-use hysteron_engine::material::{PLANE, Plane, SharedMultiaxial};
+use hysteron_engine::material::{Condensed, PLANE, Plane, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
@@ -17,6 +17,12 @@ pub(super) const QUAD: Kind = Kind {
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
             <-damp $damping>",
     make: Make::AnyNodes(make),
+};
+
+pub(super) const MEAN_DILATATION: Kind = Kind {
+    names: &["bbarQuad", "mixedQuad"],
+    usage: "element bbarQuad $tag $i $j $k $l $thickness $material",
+    make: Make::AnyNodes(make_mean_dilatation),
 };
 
 pub(super) const STABILISED: Kind = Kind {
@@ -116,6 +122,17 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     let made = Continuum::quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
     let damping = optional(interp, a)?;
     Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
+}
+
+fn make_mean_dilatation(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
+    let (nodes, corners) = corners::<4>(interp, a)?;
+    let place = a.last_span();
+    let thickness = a.positive("thickness")?;
+    let family = family(interp, a)?;
+    let solid = form(a, &family, (family.0.solid.as_ref(), "in space"))?;
+    let law = Condensed::thick_plane(&solid);
+    let made = Continuum::mean_dilatation_quad(&corners, &law, thickness).map_err(|e| refused(a, place, e))?;
+    Ok((nodes, made.shared()))
 }
 
 fn make_triangle(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {

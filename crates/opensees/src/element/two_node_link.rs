@@ -53,7 +53,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     (Some(first), None)
                 };
             }
-            "-pDelta" => options.p_delta = Some(moment_ratios(interp, a, ends.ndm)?),
+            "-pDelta" => options.p_delta = Some(moment_ratios(interp, a, ends.ndm, "twoNodeLink")?),
             "-shearDist" => {
                 let axes = if ends.ndm == 3 { 2 } else { 1 };
                 for dist in &mut options.shear_dist[..axes] {
@@ -120,7 +120,7 @@ fn fraction(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Excep
 }
 
 /// Ratios of the P-Delta moments: about y at i and j (only in space), about z at i and j.
-fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<[f64; 4], Exception> {
+pub(super) fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize, kind: &str) -> Result<[f64; 4], Exception> {
     let mut ratios = [0.0; 4];
     // OpenSees reads four numbers in one dimension too, where there is nothing for them to do.
     let first = if ndm == 2 { 2 } else { 0 };
@@ -128,14 +128,14 @@ fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<[f64;
         for ratio in &mut ratios[pair..pair + 2] {
             *ratio = a.float("ratio of a P-Delta moment")?;
             if *ratio < 0.0 {
-                let message = format!("twoNodeLink: the P-Delta moment ratio {ratio} is negative; its size is taken");
+                let message = format!("{kind}: the P-Delta moment ratio {ratio} is negative; its size is taken");
                 warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a fraction, 0 to 1"))?;
                 *ratio = ratio.abs();
             }
         }
         let sum = ratios[pair] + ratios[pair + 1];
         if sum > 1.0 {
-            let message = format!("twoNodeLink: the P-Delta moment ratios sum up to {sum}; they are scaled down to 1");
+            let message = format!("{kind}: the P-Delta moment ratios sum up to {sum}; they are scaled down to 1");
             warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a sum of at most 1"))?;
             ratios[pair..pair + 2].iter_mut().for_each(|r| *r /= sum);
         }

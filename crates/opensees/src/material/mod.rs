@@ -17,6 +17,7 @@ mod masonry;
 mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
+mod nd_wrapper;
 mod plastic;
 mod rubber;
 mod smooth;

@@ -1,6 +1,6 @@
 //! `nDMaterial`.
 
-use super::nd_concrete;
+use super::{nd_concrete, nd_wrapper};
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
@@ -69,6 +69,37 @@ const KINDS: &[Kind] = &[
         names: &["Parallel3D"],
         usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
         make: parallel,
+    },
+    Kind {
+        names: &["InitStress", "InitStressND", "InitStressNDMaterial", "InitStressMaterial"],
+        usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
+        make: nd_wrapper::initial_stress,
+    },
+    Kind {
+        names: &["Series3D"],
+        usage: "nDMaterial Series3D $tag $material1 $material2 ... <-weights $w1 $w2 ...> <-maxIter $n> <-relTol $tol> <-absTol $tol> \
+                <-verbose>",
+        make: nd_wrapper::series,
+    },
+    Kind {
+        names: &["BeamFiber", "BeamFiberMaterial"],
+        usage: "nDMaterial BeamFiber $tag $material",
+        make: nd_wrapper::beam_fiber,
+    },
+    Kind {
+        names: &["BeamFiber2d", "BeamFiberMaterial2d"],
+        usage: "nDMaterial BeamFiber2d $tag $material",
+        make: nd_wrapper::plane_beam_fiber,
+    },
+    Kind {
+        names: &["BeamFiber2dPS", "BeamFiberMaterial2dPS"],
+        usage: "nDMaterial BeamFiber2dPS $tag $material",
+        make: nd_wrapper::beam_fiber_of_plane_stress,
+    },
+    Kind {
+        names: &["J2BeamFiber"],
+        usage: "nDMaterial J2BeamFiber $tag $E $nu $sigmaY $Hiso $Hkin <$rho>",
+        make: nd_wrapper::j2_beam_fiber,
     },
     Kind { names: &["ASDConcrete3D"], usage: nd_concrete::USAGE, make: nd_concrete::make },
     Kind {
@@ -150,7 +181,7 @@ fn plane_stress_j2(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exceptio
 }
 
 /// A law made of the law in space of a material.
-fn of_solid<T>(
+pub(super) fn of_solid<T>(
     interp: &Tcl,
     a: &mut Args<'_>,
     make: impl FnOnce(&SharedMultiaxial<SOLID>) -> T,

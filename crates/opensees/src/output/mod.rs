@@ -1,6 +1,7 @@
 //! Recorders, queries and pictures.
 
 mod balance;
+pub(crate) mod collapse;
 pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;

@@ -1,7 +1,7 @@
 //! `recorder` and `record`.
 
-use super::pvd;
 use super::recorders::PlacedRecorder;
+use super::{collapse, pvd};
 use crate::args::Args;
 use crate::session::{FileFormat, Mode};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
@@ -68,6 +68,11 @@ const KINDS: &[Kind] = &[
         usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
                 -perpDirn $direction",
         make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
+    },
+    Kind {
+        names: &["Collapse", "Remove", "ElementRemoval", "NodeRemoval"],
+        usage: collapse::USAGE,
+        make: collapse::collapse,
     },
     Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
     // Windows of OpenSees.
@@ -269,7 +274,7 @@ fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Tags of a region's nodes or elements.
-fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
+pub(super) fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
     let tag = a.int("tag of a region")?;
     let Some(r) = interp.host.builder.regions.get(&tag) else {
         return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
@@ -283,7 +288,7 @@ fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Excep
 }
 
 /// Tags within a range that are there when the recorder is made, with a warning where there is none.
-fn range(interp: &mut Tcl, a: &mut Args<'_>, what: &str, there: Vec<Tag>) -> Result<Vec<Tag>, Exception> {
+pub(super) fn range(interp: &mut Tcl, a: &mut Args<'_>, what: &str, there: Vec<Tag>) -> Result<Vec<Tag>, Exception> {
     let first = a.int("first tag")?;
     let span = a.last_span();
     let last = a.int("last tag")?;

@@ -1,6 +1,7 @@
 //! The recorders of a model, and who else looks at its steps.
 
 use super::Balances;
+use super::collapse::Collapses;
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::softening::BackboneWatch;
 use crate::checkpoint::Journal;
@@ -38,6 +39,8 @@ pub(crate) struct Recorders {
     pub(crate) end: Option<f64>,
     /// Balances of energy, where they are asked for.
     pub(crate) balances: Option<Box<Balances>>,
+    /// Elements that are removed while an analysis runs.
+    pub(crate) collapses: Collapses,
     /// Work of Rayleigh damping in isolators.
     pub(crate) isolator_damping: IsolatorDamping,
     /// Bearings that soften.
@@ -57,6 +60,12 @@ impl Recorders {
         self.next += 1;
         self.by_tag.insert(tag, placed);
         tag
+    }
+
+    /// A tag for a recorder without rows.
+    pub(crate) fn next_tag(&mut self) -> Tag {
+        self.next += 1;
+        self.next - 1
     }
 
     /// The recorder of a file.
@@ -110,6 +119,7 @@ impl Recorders {
     /// Finish and forget all recorders.
     pub(crate) fn finish(&mut self) -> Result<(), RecordError> {
         let all = std::mem::take(&mut self.by_tag);
+        self.collapses = Collapses::default();
         // An error of one recorder must not keep the others from being finished.
         let mut result = Ok(());
         for mut r in all.into_values() {
@@ -156,6 +166,7 @@ impl Observer for Recorders {
         if let Some(motion) = &mut self.motion {
             motion.step(engine);
         }
+        self.collapses.step(engine);
         Ok(())
     }
 

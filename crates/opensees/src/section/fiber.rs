@@ -1,9 +1,12 @@
 //! `fiber`, `patch` and `layer`: what the body of `section Fiber` is made of.
 
+use super::nd_fiber;
+use super::open::OpenSection;
 use crate::args::Args;
+use crate::material::nd_material::Family;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
-use hysteron_engine::material::{Material, NdMaterial};
-use hysteron_engine::section::{Fiber, NdFiber};
+use hysteron_engine::material::Material;
+use hysteron_engine::section::Fiber;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -16,19 +19,28 @@ const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL 
 const LAYER: &str =
     "layer straight $material $n $area $y1 $z1 $y2 $z2 | circ $material $n $area $y $z $radius <$angle1 $angle2>";
 
-/// Material of fibers, with its tag.
+/// Material of a fiber with its tag: in the body of `section NDFiber` one of continua.
 enum FiberMaterial {
     Uniaxial((Material, i32)),
-    Continuum((NdMaterial, i32)),
+    Continuum(Family),
 }
 
-/// The material of a fiber, of the family that the section takes.
+/// Fiber of `section NDFiber`.
+#[derive(Clone)]
+pub(crate) struct ContinuumFiber {
+    pub(super) y: f64,
+    pub(super) z: f64,
+    pub(super) area: f64,
+    pub(super) material: Family,
+}
+
+/// The material of the section whose body is being run.
 fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<FiberMaterial, Exception> {
     let builder = &interp.host.builder;
-    if builder.nd_fibers.is_some() {
-        return Ok(FiberMaterial::Continuum(a.of(&builder.definitions.nd_materials)?));
+    if builder.continuum_fibers.is_some() || builder.open_section.as_ref().is_some_and(OpenSection::takes_continua) {
+        return Ok(FiberMaterial::Continuum(nd_fiber::material(interp, a)?));
     }
-    Ok(FiberMaterial::Uniaxial(a.of(&builder.definitions.materials)?))
+    Ok(FiberMaterial::Uniaxial(a.of(&interp.host.builder.definitions.materials)?))
 }
 
 /// Add fibers of a material, each with its place and area, to the section whose body is being run.
@@ -40,16 +52,19 @@ fn add(
 ) -> Result<(), Exception> {
     finish(interp, a)?;
     let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
-    let ModelBuilder { fibers, nd_fibers, open_section, .. } = &mut interp.host.builder;
-    let mut push: Box<dyn FnMut([f64; 2], f64)> = match (&material, nd_fibers, fibers, open_section) {
-        (FiberMaterial::Continuum(material), Some(fibers), ..) => {
-            Box::new(|[y, z], area| fibers.push(NdFiber { y, z, area, material: material.clone() }))
+    let ModelBuilder { fibers, continuum_fibers, open_section, .. } = &mut interp.host.builder;
+    let mut push: Box<dyn FnMut([f64; 2], f64)> = match (material, fibers, continuum_fibers, open_section) {
+        (FiberMaterial::Continuum(material), _, Some(fibers), _) => {
+            Box::new(move |[y, z], area| fibers.push(ContinuumFiber { y, z, area, material: material.clone() }))
         }
-        (FiberMaterial::Uniaxial(material), _, Some(fibers), _) => {
-            Box::new(|[y, z], area| fibers.push(Fiber { y, z, area, material: material.clone() }))
+        (FiberMaterial::Continuum(material), _, None, Some(open)) => {
+            Box::new(move |[y, z], area| open.push_continuum(ContinuumFiber { y, z, area, material: material.clone() }))
         }
-        (FiberMaterial::Uniaxial(material), _, None, Some(open)) => {
-            Box::new(|[y, z], area| open.push(Fiber { y, z, area, material: material.clone() }))
+        (FiberMaterial::Uniaxial(material), Some(fibers), ..) => {
+            Box::new(move |[y, z], area| fibers.push(Fiber { y, z, area, material: material.clone() }))
+        }
+        (FiberMaterial::Uniaxial(material), None, _, Some(open)) => {
+            Box::new(move |[y, z], area| open.push(Fiber { y, z, area, material: material.clone() }))
         }
         _ => {
             let expected = "expected to be in the body of section Fiber";

@@ -3,6 +3,7 @@
 pub(crate) mod beam_integration;
 pub(crate) mod fiber;
 mod isolator;
+mod nd_fiber;
 pub(crate) mod open;
 mod plate;
 mod shapes;
@@ -13,7 +14,7 @@ use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{
-    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection, nd_fiber_section,
+    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
 };
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -54,11 +55,6 @@ const KINDS: &[Kind] = &[
         make: Make::Beam(fibers),
     },
     Kind {
-        names: &["NDFiber"],
-        usage: "section NDFiber $tag <-noCentroid> <-alpha $alpha> {fibers}",
-        make: Make::Beam(nd_fibers),
-    },
-    Kind {
         names: &["Aggregator", "AddDeformation"],
         usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
         make: Make::Beam(aggregator),
@@ -68,6 +64,7 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         make: Make::Beam(uniaxial),
     },
+    nd_fiber::ND_FIBER,
     isolator::BIDIRECTIONAL,
     isolator::ELLIPTICAL,
     isolator::TWO_SPRINGS,
@@ -87,8 +84,9 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tag = a.int("tag of the section")?;
     let span = a.last_span();
     interp.host.builder.open_section = None;
-    if interp.host.called_by_host && kind.names.contains(&"Fiber") {
-        return open::open(interp, &mut a, tag);
+    let continua = kind.names == nd_fiber::ND_FIBER.names;
+    if interp.host.called_by_host && (continua || kind.names.contains(&"Fiber")) {
+        return open::open(interp, &mut a, tag, continua);
     }
     let added = match kind.make {
         Make::Beam(make) => {
@@ -218,32 +216,6 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
         return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
     }
     Ok(options.section(fibers))
-}
-
-fn nd_fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    let span = a.last_span();
-    let (mut factor, mut origin) = (1.0, false);
-    while a.left() > 1 {
-        match a.option().as_deref().unwrap_or_default() {
-            "-noCentroid" => origin = true,
-            "-alpha" | "-shape" => factor = a.not_negative("shear factor alpha")?,
-            _ => ignore_option(interp, a, &["-noCentroid", "-alpha", "-shape"])?,
-        }
-    }
-    let body = a.value("body with the fibers")?;
-    let (outer, outer_nd) = (interp.host.builder.fibers.take(), interp.host.builder.nd_fibers.replace(vec![]));
-    let done = interp.eval_value(&body);
-    let fibers = std::mem::replace(&mut interp.host.builder.nd_fibers, outer_nd).unwrap_or_default();
-    interp.host.builder.fibers = outer;
-    done?;
-    if fibers.iter().map(|f| f.area).sum::<f64>() <= 0.0 {
-        return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
-    }
-    let space = interp.host.builder.ndm == 3;
-    nd_fiber_section(fibers, space, factor, origin).map_err(|tag| {
-        let message = format!("the material {tag} has no form of three dimensions");
-        a.refuse_at(span, message, "expected fibers of materials such as ElasticIsotropic or J2Plasticity")
-    })
 }
 
 /// OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses one without.

@@ -1,5 +1,7 @@
 //! A fiber section without a body: its fibers follow in commands of their own, as a host calls them.
 
+use super::fiber::ContinuumFiber;
+use super::nd_fiber::NdFiberOptions;
 use super::{FiberOptions, fiber_options};
 use crate::args::Args;
 use crate::{Outcome, Tcl};
@@ -7,31 +9,55 @@ use hysteron_engine::model::Tag;
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::{Exception, Value};
 
+/// Fibers so far, with the options of their section.
+enum Fibers {
+    Uniaxial(FiberOptions, Vec<Fiber>),
+    Continuum(NdFiberOptions, Vec<ContinuumFiber>),
+}
+
 /// A fiber section that takes fibers until the next `section`.
 pub(crate) struct OpenSection {
     tag: Tag,
-    options: FiberOptions,
-    fibers: Vec<Fiber>,
+    fibers: Fibers,
     changed: bool,
 }
 
 impl OpenSection {
+    /// Returns true if its fibers are of materials of continua.
+    pub(super) fn takes_continua(&self) -> bool {
+        matches!(self.fibers, Fibers::Continuum(..))
+    }
+
     /// Add a fiber.
     pub(crate) fn push(&mut self, fiber: Fiber) {
-        self.fibers.push(fiber);
-        self.changed = true;
+        if let Fibers::Uniaxial(_, fibers) = &mut self.fibers {
+            fibers.push(fiber);
+            self.changed = true;
+        }
+    }
+
+    /// Add a fiber of a material of continua.
+    pub(super) fn push_continuum(&mut self, fiber: ContinuumFiber) {
+        if let Fibers::Continuum(_, fibers) = &mut self.fibers {
+            fibers.push(fiber);
+            self.changed = true;
+        }
     }
 }
 
-/// Take the options of `section Fiber`; fibers are to follow.
-pub(super) fn open(interp: &mut Tcl, a: &mut Args<'_>, tag: Tag) -> Outcome {
+/// Take the options of `section Fiber` or `NDFiber`; fibers are to follow.
+pub(super) fn open(interp: &mut Tcl, a: &mut Args<'_>, tag: Tag, continua: bool) -> Outcome {
     let span = a.last_span();
     let definitions = &interp.host.builder.definitions;
     if definitions.sections.get(tag).is_some() || definitions.plates.get(tag).is_some() {
         return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
     }
-    let options = fiber_options(interp, a, 0)?;
-    interp.host.builder.open_section = Some(OpenSection { tag, options, fibers: vec![], changed: false });
+    let fibers = if continua {
+        Fibers::Continuum(NdFiberOptions::take(interp, a, 0)?, vec![])
+    } else {
+        Fibers::Uniaxial(fiber_options(interp, a, 0)?, vec![])
+    };
+    interp.host.builder.open_section = Some(OpenSection { tag, fibers, changed: false });
     Ok(Value::EMPTY)
 }
 
@@ -40,7 +66,10 @@ pub(crate) fn settle(interp: &mut Tcl) -> Result<(), Exception> {
     let builder = &mut interp.host.builder;
     let Some(open) = builder.open_section.as_mut().filter(|o| o.changed) else { return Ok(()) };
     open.changed = false;
-    let made = open.options.section(open.fibers.clone());
+    let made = match &open.fibers {
+        Fibers::Uniaxial(options, fibers) => options.section(fibers.clone()),
+        Fibers::Continuum(options, fibers) => options.section(fibers),
+    };
     builder.definitions.sections.remove(open.tag);
     builder.definitions.sections.add(open.tag, made);
     Ok(())

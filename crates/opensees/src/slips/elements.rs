@@ -58,6 +58,12 @@ slips! {
     "Axis 1 runs along the first direction of the mesh, as documented, and all strains turn with it.",
     "Layers and recorders would be turned by a right angle.";
 
+    JOINT_MASS, Analysis, Case("joint_2d"),
+    "`beamColumnJoint`: modes, and tangents of transient analyses",
+    "Its mass and its damping matrix are its stiffness. Forces have neither.",
+    "It has no mass.",
+    "Periods would be wrong, and steps would need more iterations.";
+
     WALL_MASS, Command, Case("wall_lines"),
     "`MVLEM` with a density",
     "The element has no mass: it is computed before the height is known.",
@@ -97,12 +103,27 @@ pub(super) const OTHERS: &[Slip] = &[
         "They are in equilibrium to round-off.",
     ),
     differs(
+        "`zeroLengthContact3D`, `inerter` with `-pDelta`: tangent",
+        "A term of sliding friction in two directions is wrong; the stiffness of the P-Delta forces counts as mass. Forces are the same.",
+        "The tangent is the derivative of the force.",
+    ),
+    differs(
+        "`beamColumnJoint` in space: response `deformation`",
+        "Each reading adds the displacements to those of all readings before.",
+        "It is that of the state.",
+    ),
+    differs(
+        "`bbarQuad`: responses `stresses` and `strains`, and its mass under `UniformExcitation`",
+        "The fourth component of a point is the third. The inertia force of the ground is read from beyond the end of a vector.",
+        "It is the shear. The inertia force is that of the mass.",
+    ),
+    differs(
         "`SSPbrick` that is no parallelepiped: mass and body forces of the corners",
         "They come from an expansion of the volume whose terms are multiplied by the volume once more.",
         "They are the integrals of the shape functions.",
     ),
     differs(
-        "`zeroLengthImpact3D`: reported force while it slides",
+        "`zeroLengthImpact3D`, `zeroLengthContact2D` and `zeroLengthContact3D`: reported force while it slides",
         "It is computed anew from the committed state, in which the friction is zero.",
         "It is the force of the step.",
     ),

@@ -198,6 +198,11 @@ slips! {
 /// Other differences.
 pub(super) const OTHERS: &[Slip] = &[
     differs(
+        "`J2BeamFiber` in the plane with `Hiso`",
+        "In an elastic step the accumulated plastic strain is that of the last trial state that yielded.",
+        "It is that of the committed state.",
+    ),
+    differs(
         "`Fatigue`, the step of the failure",
         "The reported stress is that after the failure, although equilibrium was found before it.",
         "The reported stress is that of the equilibrium.",

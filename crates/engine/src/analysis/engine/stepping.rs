@@ -192,6 +192,7 @@ impl Engine {
                 let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
                 self.step_start.keep(&mut self.committed, duration);
                 self.committed.commit(&self.trial, &self.model, still);
+                work.renew_tangents(&self.model, &self.committed);
                 Ok(())
             }
             Err(failure) => {

@@ -98,7 +98,11 @@ impl System<'_> {
             let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
             e.dofs.iter().zip(old).all(near)
         };
-        e.load.is_empty() && same(&self.new.disp, disp) && (self.still || same(&self.new.vel, vel))
+        let inertance = self.work.elements.entries[i].inertance;
+        e.load.is_empty()
+            && inertance.is_none()
+            && same(&self.new.disp, disp)
+            && (self.still || same(&self.new.vel, vel))
     }
 
     /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.
@@ -170,6 +174,14 @@ impl System<'_> {
         if !self.still {
             e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
         }
+        let mut accelerations;
+        let accel: &[f64] = if m.inertance.is_some() {
+            accelerations = [0.0; MAX_DOFS];
+            e.dofs.iter().zip(&mut accelerations).for_each(|(&d, a)| *a = self.new.accel[d as usize]);
+            &accelerations[..n]
+        } else {
+            &[]
+        };
         let force = &mut self.new.force[e.force.clone()];
         force.fill(0.0);
         let tangent = if want_tangent && !m.linear {
@@ -192,7 +204,8 @@ impl System<'_> {
             let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
             OpenSeesCall { repeated, last_of_class, shared }
         });
-        let motion = ElementInput { disp, vel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
+        let motion =
+            ElementInput { disp, vel, accel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
         let answer = ElementOutput { force, tangent, damping, part };
         let committed = &self.old.history[e.state.clone()];
         let trial = &mut self.new.history[e.state.clone()];

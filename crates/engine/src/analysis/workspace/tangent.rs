@@ -1,8 +1,9 @@
 //! Tangent of the equations from the matrices of the elements.
 
-use super::{MassPlace, TangentMix, Workspace};
+use super::{ElementMatrices, MassPlace, TangentMix, Workspace};
+use crate::analysis::state::State;
 use crate::analysis::system::Coefficients;
-use crate::element::MAX_DOFS;
+use crate::element::{ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
 use crate::model::Model;
 use crate::numeric::dot;
 
@@ -28,7 +29,8 @@ impl Workspace {
         for (i, (e, m)) in all.filter(|(_, (_, m))| !m.linear && !m.p_delta) {
             let range = m.at..m.at + e.dofs.len().pow(2);
             let mix = m.mix(mix);
-            let current = c.k * mix.current + c.c * m.rayleigh.tangent.beta_k;
+            let of_mass = if m.stiffness_as_mass { c.c + c.m } else { 0.0 };
+            let current = c.k * mix.current + c.c * m.rayleigh.tangent.beta_k + of_mass;
             if current != 0.0 {
                 self.plan.add_element(i, &self.elements.tangent[range.clone()], current, &mut self.matrix.values);
             }
@@ -46,6 +48,37 @@ impl Workspace {
         }
     }
 
+    /// Evaluate tangents that differ between the last trial state and the committed one.
+    pub(in crate::analysis) fn renew_tangents(&mut self, model: &Model, state: &State) {
+        if !self.elements.is_current {
+            return;
+        }
+        let ElementMatrices { entries, tangent, renewed: (elements, room), .. } = &mut self.elements;
+        for &i in elements.iter() {
+            let (e, n) = (&model.elements[i], model.elements[i].dofs.len());
+            let (mut disp, mut force, rest) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+            e.dofs.iter().zip(&mut disp).for_each(|(&d, u)| *u = state.disp[d as usize]);
+            let input = ElementInput {
+                disp: &disp[..n],
+                vel: &rest[..n],
+                accel: &[],
+                load: &state.element_load[e.load.clone()],
+                still: true,
+                opensees: None,
+                dt: 0.0,
+                time: state.time,
+                dynamic: false,
+            };
+            let tangent = &mut tangent[entries[i].at..entries[i].at + n * n];
+            tangent.fill(0.0);
+            let output =
+                ElementOutput { force: &mut force[..n], tangent: Some(tangent), damping: None, part: MatrixMask::ALL };
+            let committed = &state.history[e.state.clone()];
+            // The same state was evaluated in the last iteration.
+            let _ = e.element.respond(&input, committed, &mut room[..committed.len()], output);
+        }
+    }
+
     fn assemble_base(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
         self.matrix.base.fill(0.0);
         let mut diagonal = [0.0; MAX_DOFS * MAX_DOFS];
@@ -55,6 +88,9 @@ impl Workspace {
                 let r = &m.rayleigh.tangent;
                 let factor = c.k * (mix.current + mix.initial) + c.c * (r.beta_k + r.beta_k0 + r.beta_kc);
                 self.plan.add_element(i, &self.elements.tangent[m.at..m.at + n * n], factor, &mut self.matrix.base);
+            }
+            if let Some(at) = m.inertance.filter(|_| c.m != 0.0) {
+                self.plan.add_element(i, &self.elements.mass[at..at + n * n], c.m, &mut self.matrix.base);
             }
             let factor = c.m + c.c * m.rayleigh.tangent.alpha_m;
             if factor == 0.0 {

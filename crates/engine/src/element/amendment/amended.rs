@@ -6,12 +6,11 @@ mod responses;
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::damping::BasicForces;
+use crate::element::forward::forward_to_inner;
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, MAX_DOFS,
-    Mass, MatrixMask, OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening, dot,
+    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS, MatrixMask,
+    OpenSeesTraits, SmallBeam, Snapshot, dot,
 };
-use crate::material::Material;
-use crate::probe::Probe;
 use crate::series::Series;
 use responses::AmendedResponse;
 use std::sync::Arc;
@@ -338,11 +337,9 @@ impl Amended {
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
-    fn class(&self) -> &'static str {
-        self.inner.class()
-    }
-    fn dofs(&self) -> usize {
-        self.inner.dofs()
+    forward_to_inner! {
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
+        add_own_damping overload softening euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.tangent_at() + self.tangent_len()
@@ -385,12 +382,6 @@ impl Element for Amended {
         Ok(())
     }
 
-    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
-        let (own, rest) = committed.split_at_mut(self.inner_len);
-        self.inner.commit(&trial[..self.inner_len], own);
-        rest.copy_from_slice(&trial[self.inner_len..]);
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         let mut next = vec![0.0; self.law.state_len()];
@@ -406,20 +397,8 @@ impl Element for Amended {
         }
     }
 
-    fn mass(&self) -> Mass {
-        self.inner.mass()
-    }
     fn small_beam(&self) -> Option<SmallBeam<'_>> {
         None
-    }
-    fn overload(&self, history: &[f64]) -> Option<Overload> {
-        self.inner.overload(&history[..self.inner_len])
-    }
-    fn softening(&self, history: &[f64]) -> Option<Softening> {
-        self.inner.softening(&history[..self.inner_len])
-    }
-    fn euler_load(&self) -> Option<f64> {
-        self.inner.euler_load()
     }
     fn opensees(&self) -> OpenSeesTraits<'_> {
         let inner = self.inner.opensees();
@@ -450,33 +429,8 @@ impl Element for Amended {
     fn undamped(&self) -> Option<Arc<dyn Element>> {
         None
     }
-    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
-        let state = &s.state[..self.inner_len];
-        self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
-    }
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.inner.watchers()
-    }
-    fn load_len(&self) -> usize {
-        self.inner.load_len()
-    }
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
-        self.inner.add_load(load, factor, words)
-    }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.inner.basic_rows()
-    }
 
     // Paths equal those of the element, so recorders from before the amendment stay valid.
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.inner.probe(words)
-    }
-    fn probe_names(&self) -> &'static [&'static str] {
-        self.inner.probe_names()
-    }
-    fn force_labels(&self) -> Vec<String> {
-        self.inner.force_labels()
-    }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let (state, own) = s.state.split_at(self.inner_len);
         self.inner.read(path, &Snapshot { state, ..*s }, out);

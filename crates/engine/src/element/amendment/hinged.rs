@@ -1,9 +1,10 @@
 //! A beam with plastic hinges at its ends.
 
 use crate::element::damping::BasicForces;
+use crate::element::forward::forward_to_inner;
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening, dot,
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
+    dot,
 };
 use crate::material::{Material, Strain};
 use crate::probe::Probe;
@@ -282,11 +283,9 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
-    fn class(&self) -> &'static str {
-        self.inner.class()
-    }
-    fn dofs(&self) -> usize {
-        self.inner.dofs()
+    forward_to_inner! {
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
+        add_own_damping overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.hinges.len() * self.hinge_len
@@ -348,29 +347,12 @@ impl Element for Hinged {
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }
 
-    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
-        let (own, hinges) = committed.split_at_mut(self.inner_len);
-        self.inner.commit(&trial[..self.inner_len], own);
-        hinges.copy_from_slice(&trial[self.inner_len..]);
-    }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.inner.initial_tangent(tangent);
         self.condense(tangent, &PerHinge::repeat(self.material.initial_tangent()));
     }
-    fn mass(&self) -> Mass {
-        self.inner.mass()
-    }
     fn small_beam(&self) -> Option<SmallBeam<'_>> {
         None
-    }
-    fn overload(&self, history: &[f64]) -> Option<Overload> {
-        self.inner.overload(&history[..self.inner_len])
-    }
-    fn softening(&self, history: &[f64]) -> Option<Softening> {
-        self.inner.softening(&history[..self.inner_len])
-    }
-    fn euler_load(&self) -> Option<f64> {
-        self.inner.euler_load()
     }
     // None of them depends on the number of calls: such an element is refused.
     fn opensees(&self) -> OpenSeesTraits<'_> {
@@ -382,27 +364,11 @@ impl Element for Hinged {
         let new = Self { inner, ..self.clone() }.scaled().ok()?;
         Some((Arc::new(new), old))
     }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.inner.basic_rows()
-    }
     fn basic_forces(&self) -> Option<&dyn BasicForces> {
         None
     }
     fn undamped(&self) -> Option<Arc<dyn Element>> {
         None
-    }
-    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
-        let state = &s.state[..self.inner_len];
-        self.inner.add_own_damping(&Snapshot { state, ..*s }, factor, force);
-    }
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.inner.watchers()
-    }
-    fn load_len(&self) -> usize {
-        self.inner.load_len()
-    }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        self.inner.add_load(load, factor, sums)
     }
 
     // Paths equal those of the element, so recorders from before the hinges stay valid.
@@ -412,11 +378,8 @@ impl Element for Hinged {
             words => self.inner.probe(words),
         }
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        self.inner.probe_names()
-    }
-    fn force_labels(&self) -> Vec<String> {
-        self.inner.force_labels()
+    fn all_probe_names(&self) -> Vec<&'static str> {
+        self.inner.all_probe_names().into_iter().chain(["hingeRotation"]).collect()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let (state, hinge_states) = s.state.split_at(self.inner_len);

@@ -14,7 +14,7 @@ pub struct DisplacementBased;
 
 /// Derivatives of the section deformation at `x` (fraction of the length) that is conjugate to a resultant, by the
 /// basic deformations. There is no shear deformation.
-fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
+pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
     let mut row = [0.0; B];
     match resultant {
         Resultant::P => row[0] = 1.0 / length,

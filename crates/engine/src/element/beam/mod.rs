@@ -1,5 +1,6 @@
 //! Beam-columns.
 
+mod axial_equilibrium;
 mod basic_forces;
 mod component;
 mod curvature_based;
@@ -13,6 +14,7 @@ mod opensees;
 mod point;
 mod timoshenko;
 
+pub use axial_equilibrium::AxialEquilibrium;
 pub use component::{ComponentBeam, ComponentOptions};
 pub use curvature_based::{CurvatureBased, MAX_DEFORMATIONS};
 pub use displacement_based::DisplacementBased;

@@ -9,7 +9,7 @@ mod tetrahedron;
 
 use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use crate::material::{SharedMultiaxial, Tangent};
+use crate::material::{SOLID, SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 
@@ -136,7 +136,7 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
 
     fn stress_names() -> [&'static str; S] {
         let all = ["sigma11", "sigma22", "sigma33", "sigma12", "sigma23", "sigma13"];
-        std::array::from_fn(|i| if S == 3 && i == 2 { all[3] } else { all[i] })
+        std::array::from_fn(|i| if S < SOLID && i + 1 == S { all[3] } else { all[i] })
     }
 
     /// Names of the strains of all points; those of one point in a plane have other names in OpenSees.
@@ -144,7 +144,7 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
         let space = ["eps11", "eps22", "eps33", "eps12", "eps23", "eps13"];
         std::array::from_fn(|i| match (S, one, i) {
             (3, false, _) => ["eta11", "eta22", "eta12"][i],
-            (3, true, 2) => space[3],
+            (3, true, 2) | (4, _, 3) => space[3],
             _ => space[i],
         })
     }
@@ -291,7 +291,7 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
     }
 
     fn force_labels(&self) -> Vec<String> {
-        let per_node = if S == 3 { 2 } else { 3 };
+        let per_node = if S < SOLID { 2 } else { 3 };
         (1..=D / per_node).flat_map(|node| (1..=per_node).map(move |i| format!("P{i}_{node}"))).collect()
     }
 

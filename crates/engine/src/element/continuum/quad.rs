@@ -1,7 +1,7 @@
 //! The four-node quadrilateral `quad`.
 
-use super::{Body, Continuum, ElementError, least_distance, lumped, plane_rows};
-use crate::material::{PLANE, SharedMultiaxial};
+use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::material::{PLANE, SharedMultiaxial, THICK_PLANE};
 use crate::numeric::axpy;
 
 /// Properties of a quadrilateral.
@@ -93,6 +93,53 @@ impl Continuum<PLANE, 8> {
             mass: lumped(&mass),
             size: least_distance(corners),
             extrapolation,
+        };
+        Ok(Self::of(body, law))
+    }
+}
+
+impl Continuum<THICK_PLANE, 8> {
+    /// Makes a quadrilateral in plane strain with a constant dilatation: its derivatives are those of the mean over the
+    /// volume (Hughes, 1980). The mass is consistent, with the density of the law.
+    ///
+    /// # Errors
+    /// The corners are not counterclockwise or not convex.
+    pub fn mean_dilatation_quad(
+        corners: &[[f64; 2]; 4],
+        law: &SharedMultiaxial<THICK_PLANE>,
+        thickness: f64,
+    ) -> Result<Self, ElementError> {
+        if SIGNS.iter().any(|at| shape(corners, *at).2 <= 0.0) {
+            return Err(ElementError("the corners do not make a convex quadrilateral against the clock".into()));
+        }
+        let gauss = SIGNS.map(|sign| shape(corners, sign.map(|s| s / 3.0f64.sqrt())));
+        let area: f64 = gauss.iter().map(|(.., det)| det).sum();
+        let mean = |node: usize, d: usize| gauss.iter().map(|(_, g, det)| det * g[node][d]).sum::<f64>() / area;
+        let (mut points, mut mass) = (vec![], vec![0.0; 64]);
+        for (n, d, det) in &gauss {
+            let [along, across, shear] = plane_rows::<8>(*d);
+            let mut rows: Rows<THICK_PLANE, 8> = [along, across, [0.0; 8], shear];
+            for (node, d) in d.iter().enumerate() {
+                for (axis, d) in d.iter().enumerate() {
+                    let change = (mean(node, axis) - d) / 3.0;
+                    rows[..3].iter_mut().for_each(|row| row[2 * node + axis] += change);
+                }
+            }
+            for i in 0..8 {
+                for j in (i % 2..8).step_by(2) {
+                    mass[8 * i + j] += det * thickness * law.density() * n[i / 2] * n[j / 2];
+                }
+            }
+            points.push((rows, det * thickness));
+        }
+        let body = Body {
+            class: "ConstantPressureVolumeQuad",
+            points,
+            stabilisation: vec![],
+            load_force: [0.0; 8],
+            mass: if law.density() == 0.0 { Mass::None } else { Mass::Consistent(mass) },
+            size: least_distance(corners),
+            extrapolation: vec![],
         };
         Ok(Self::of(body, law))
     }

@@ -3,11 +3,10 @@
 mod fit;
 mod law;
 
+use super::forward::forward_to_inner;
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, Overload, SmallBeam, Snapshot, Softening,
+    Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
 };
-use crate::material::Material;
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -90,11 +89,9 @@ const BASIC: u32 = 901;
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
-    fn class(&self) -> &'static str {
-        self.inner.class()
-    }
-    fn dofs(&self) -> usize {
-        self.inner.dofs()
+    forward_to_inner! {
+        class dofs commit lockstep initial_tangent mass inertance renews_tangent watchers load_len add_load basic_rows
+        overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.damping.state_len(self.len)
@@ -136,26 +133,6 @@ impl Element for Damped {
         Ok(())
     }
 
-    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
-        let (own, filters) = committed.split_at_mut(self.inner_len);
-        self.inner.commit(&trial[..self.inner_len], own);
-        filters.copy_from_slice(&trial[self.inner_len..]);
-    }
-    fn initial_tangent(&self, tangent: &mut [f64]) {
-        self.inner.initial_tangent(tangent);
-    }
-    fn mass(&self) -> Mass {
-        self.inner.mass()
-    }
-    fn overload(&self, history: &[f64]) -> Option<Overload> {
-        self.inner.overload(&history[..self.inner_len])
-    }
-    fn softening(&self, history: &[f64]) -> Option<Softening> {
-        self.inner.softening(&history[..self.inner_len])
-    }
-    fn euler_load(&self) -> Option<f64> {
-        self.inner.euler_load()
-    }
     fn opensees(&self) -> OpenSeesTraits<'_> {
         // The element is evaluated like any other, whatever the number of calls.
         OpenSeesTraits { calls: None, ..self.inner.opensees() }
@@ -181,14 +158,14 @@ impl Element for Damped {
         };
         Some((Arc::new(new), old))
     }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.inner.basic_rows()
-    }
     fn basic_forces(&self) -> Option<&dyn BasicForces> {
         None
     }
     fn undamped(&self) -> Option<Arc<dyn Element>> {
         Some(self.inner.clone())
+    }
+    fn has_own_damping(&self) -> bool {
+        true
     }
     fn small_beam(&self) -> Option<SmallBeam<'_>> {
         None
@@ -203,15 +180,6 @@ impl Element for Damped {
         q.iter_mut().zip(self.damping.forces(self.len, filters)).for_each(|(q, f)| *q = factor * f);
         basic.add_global(s.disp, own, &q[..self.len], force);
     }
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.inner.watchers()
-    }
-    fn load_len(&self) -> usize {
-        self.inner.load_len()
-    }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        self.inner.add_load(load, factor, sums)
-    }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match words {
             ["globalDampingForce" | "globalDampingForces"] => Some(Probe::new(GLOBAL, self.inner.force_labels())),
@@ -221,11 +189,8 @@ impl Element for Damped {
             words => self.inner.probe(words),
         }
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        self.inner.probe_names()
-    }
-    fn force_labels(&self) -> Vec<String> {
-        self.inner.force_labels()
+    fn all_probe_names(&self) -> Vec<&'static str> {
+        self.inner.all_probe_names().into_iter().chain(["globalDampingForce", "basicDampingForce"]).collect()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let (state, filters) = s.state.split_at(self.inner_len);

@@ -1,6 +1,9 @@
 //! Laws of which some strains are zero, and some follow from stresses that are zero.
 
-use super::{Elastic, LAYER, Multiaxial, PLANE, SOLID, STRIP, SharedMultiaxial, Tangent};
+use super::{
+    BEAM_FIBRE, Elastic, LAYER, Multiaxial, PLANE, PLANE_BEAM_FIBRE, SOLID, STRIP, SharedMultiaxial, THICK_PLANE,
+    Tangent,
+};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, invert};
 use crate::probe::Probe;
@@ -14,6 +17,9 @@ const FIRST_STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 1e-12;
 /// A residual that no longer falls is round-off below this share of the largest stress.
 const ROUND_OFF: f64 = 1e-7;
+
+/// Largest number of strains without stress.
+const MAX_FREE: usize = 4;
 
 /// A law of M stresses whose strains are of three kinds: given ones, ones at which the stress is zero, and zero.
 ///
@@ -121,9 +127,9 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
     }
 
     /// Inverse of the tangent among the strains without stress.
-    fn flexibility(&self, tangent: &Tangent<M>) -> Result<[f64; 16], MaterialError> {
+    fn flexibility(&self, tangent: &Tangent<M>) -> Result<[f64; MAX_FREE * MAX_FREE], MaterialError> {
         let n = self.free.len();
-        let mut k = [0.0; 16];
+        let mut k = [0.0; MAX_FREE * MAX_FREE];
         for (row, i) in k.chunks_exact_mut(n.max(1)).zip(&self.free) {
             row.iter_mut().zip(&self.free).for_each(|(k, j)| *k = tangent[*i][*j]);
         }
@@ -167,17 +173,31 @@ impl Condensed<SOLID, LAYER> {
     }
 }
 
-impl Condensed<SOLID, 2> {
-    /// The law of a fiber of a beam in the plane: stresses 11 and 12 alone.
-    pub fn beam_plane(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<2> {
+impl Condensed<SOLID, THICK_PLANE> {
+    /// The law in plane strain with the strain across the plane as a given one.
+    pub fn thick_plane(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<THICK_PLANE> {
+        Self::shared(law, [0, 1, 2, 3], &[])
+    }
+}
+
+impl Condensed<SOLID, BEAM_FIBRE> {
+    /// The law of a fibre of a beam in space.
+    pub fn beam(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<BEAM_FIBRE> {
+        Self::shared(law, [0, 3, 5], &[1, 2, 4])
+    }
+}
+
+impl Condensed<SOLID, PLANE_BEAM_FIBRE> {
+    /// The law of a fibre of a beam in a plane.
+    pub fn plane_beam(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<PLANE_BEAM_FIBRE> {
         Self::shared(law, [0, 3], &[1, 2, 4, 5])
     }
 }
 
-impl Condensed<SOLID, 3> {
-    /// The law of a fiber of a beam in space: stresses 11, 12 and 31 alone.
-    pub fn beam_space(law: &SharedMultiaxial<SOLID>) -> SharedMultiaxial<3> {
-        Self::shared(law, [0, 3, 5], &[1, 2, 4])
+impl Condensed<PLANE, PLANE_BEAM_FIBRE> {
+    /// The law in plane stress without stress across the beam.
+    pub fn beam_of_plane(law: &SharedMultiaxial<PLANE>) -> SharedMultiaxial<PLANE_BEAM_FIBRE> {
+        Self::shared(law, [0, 2], &[1])
     }
 }
 

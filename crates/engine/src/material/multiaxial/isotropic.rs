@@ -58,6 +58,15 @@ impl Isotropic {
         k
     }
 
+    /// Elasticity matrix of a fibre of a beam.
+    fn beam<const N: usize>(&self) -> Tangent<N> {
+        let mut k = [[0.0; N]; N];
+        for (i, row) in k.iter_mut().enumerate() {
+            row[i] = if i == 0 { self.e } else { 0.5 * self.e / (1.0 + self.nu) };
+        }
+        k
+    }
+
     /// The material in every form. There is none without volume change (`nu` = 0.5) in space and in plane strain.
     pub fn family(self) -> NdMaterial {
         let rho = self.rho;
@@ -68,6 +77,8 @@ impl Isotropic {
             plane_strain: compressible.then(|| Arc::new(Elastic { stiffness: self.plane(Plane::Strain), rho }) as _),
             plane_stress: Some(Arc::new(Elastic { stiffness: self.plane(Plane::Stress), rho })),
             layer: Some(Arc::new(Elastic { stiffness: self.layer(), rho })),
+            beam: Some(Arc::new(Elastic { stiffness: self.beam(), rho })),
+            plane_beam: Some(Arc::new(Elastic { stiffness: self.beam(), rho })),
         }
     }
 }

@@ -4,11 +4,13 @@
 //! 11, 22, 12, 23, 31 in a layer of a plate. Shears are angles.
 
 mod asd_concrete;
+mod beam_j2;
 mod condensed;
 mod family;
 mod fsam;
 mod isotropic;
 mod j2;
+mod series;
 mod simplified_j2;
 mod wall_strip;
 mod wrapped;
@@ -20,14 +22,16 @@ use std::sync::Arc;
 
 pub(super) use asd_concrete::CurvePoint;
 pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
+pub use beam_j2::BeamJ2;
 pub use condensed::Condensed;
 pub use family::NdMaterial;
 pub use fsam::{Fsam, FsamParameters};
 pub use isotropic::{Elastic, Isotropic, Orthotropic, Plane};
 pub use j2::J2Plasticity;
+pub use series::{SeriesSolids, SeriesTolerance};
 pub use simplified_j2::SimplifiedJ2;
 pub use wall_strip::WallStrip;
-pub use wrapped::{InitialStrain, ParallelSolids};
+pub use wrapped::{InitialStrain, ParallelSolids, strain_of_stress};
 
 /// Number of stresses in space.
 pub const SOLID: usize = 6;
@@ -35,6 +39,13 @@ pub const SOLID: usize = 6;
 pub const PLANE: usize = 3;
 /// Number of stresses in a layer of a plate. The stress 33 is zero.
 pub const LAYER: usize = 5;
+
+/// Number of stresses of a plane with a stress across it: 11, 22, 33, 12.
+pub const THICK_PLANE: usize = 4;
+/// Number of stresses of a fibre of a beam in space: 11, 12, 13. The other ones are zero.
+pub const BEAM_FIBRE: usize = 3;
+/// Number of stresses of a fibre of a beam in a plane: 11, 12.
+pub const PLANE_BEAM_FIBRE: usize = 2;
 
 /// Number of stresses in a vertical strip of a wall: 22, 12.
 pub const STRIP: usize = 2;

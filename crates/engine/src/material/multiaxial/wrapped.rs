@@ -4,7 +4,41 @@ use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent};
 use crate::material::MaterialError;
 use crate::numeric::axpy;
 use crate::probe::Probe;
+use nalgebra::{SMatrix, SVector};
 use std::sync::Arc;
+
+/// Largest number of Newton's iterations for the strain of a stress.
+const MAX_ITERATIONS: usize = 100;
+/// Residual stress over the stress.
+const TOLERANCE: f64 = 1e-14;
+
+/// Strain at which a virgin law has a stress, by Newton's method.
+///
+/// # Errors
+/// The law has no stress on the way, no stiffness, or does not reach the stress.
+pub fn strain_of_stress(law: &SharedMultiaxial<SOLID>, stress: &[f64; SOLID]) -> Result<[f64; SOLID], MaterialError> {
+    let mut state = vec![0.0; law.state_len()];
+    law.init(&mut state);
+    let (mut next, mut strain) = (state.clone(), [0.0; SOLID]);
+    let size = stress.iter().fold(0.0f64, |m, s| m.max(s.abs()));
+    let (mut tangent, mut now) = (law.initial_tangent(), [0.0; SOLID]);
+    for _ in 0..MAX_ITERATIONS {
+        let left = SVector::<f64, SOLID>::from_fn(|i, _| stress[i] - now[i]);
+        if left.amax() <= TOLERANCE * size {
+            return Ok(strain);
+        }
+        let stiffness = SMatrix::<f64, SOLID, SOLID>::from_fn(|i, j| tangent[i][j]);
+        let Some(step) = stiffness.lu().solve(&left) else {
+            return Err(MaterialError("the material has no stiffness on the way to the initial stress".into()));
+        };
+        if step.amax() <= f64::EPSILON * strain.iter().fold(0.0f64, |m, e| m.max(e.abs())) {
+            return Ok(strain);
+        }
+        strain.iter_mut().zip(&step).for_each(|(e, d)| *e += d);
+        (now, tangent) = law.update(&state, &strain, 0.0, &mut next)?;
+    }
+    Err(MaterialError("the material does not reach the initial stress".into()))
+}
 
 /// A law with strains added to those of its owner.
 #[derive(Clone, Debug)]

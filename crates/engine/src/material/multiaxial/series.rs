@@ -1,0 +1,196 @@
+//! Laws in space in series: one stress, and strains that add up with weights.
+
+use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent};
+use crate::material::MaterialError;
+use crate::probe::Probe;
+use nalgebra::{SMatrix, SVector};
+use std::sync::Arc;
+
+type Matrix = SMatrix<f64, SOLID, SOLID>;
+type Vector = SVector<f64, SOLID>;
+
+/// Factor on the number of iterations with the initial tangents.
+const PATIENCE: usize = 10;
+
+/// When the stresses of the laws count as one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesTolerance {
+    /// Largest number of iterations.
+    pub iterations: usize,
+    /// Difference of the stresses over their size.
+    pub relative: f64,
+    /// Difference of the stresses.
+    pub absolute: f64,
+}
+
+/// Laws in series: all have the stress σ, and Σ w ε is the strain.
+///
+/// The state begins with the strains of all laws.
+#[derive(Clone, Debug)]
+pub struct SeriesSolids {
+    /// The laws with their weights.
+    pub laws: Vec<(SharedMultiaxial<SOLID>, f64)>,
+    /// Accuracy of the equilibrium.
+    pub tolerance: SeriesTolerance,
+}
+
+fn matrix(t: &Tangent<SOLID>) -> Matrix {
+    Matrix::from_fn(|i, j| t[i][j])
+}
+
+impl SeriesSolids {
+    /// Stiffness of stiffnesses in series; `None` if one is singular.
+    fn combined(&self, inverses: &[Matrix]) -> Option<Matrix> {
+        let flexibility: Matrix = inverses.iter().zip(&self.laws).map(|(f, (_, w))| f * *w).sum();
+        flexibility.try_inverse()
+    }
+
+    fn initial_inverses(&self) -> Option<Vec<Matrix>> {
+        self.laws.iter().map(|(law, _)| matrix(&law.initial_tangent()).try_inverse()).collect()
+    }
+
+    /// Stresses and tangents at strains of the laws.
+    fn evaluate(
+        &self,
+        mut committed: &[f64],
+        strains: &[Vector],
+        dt: f64,
+        mut next: &mut [f64],
+    ) -> Result<Vec<(Vector, Matrix)>, MaterialError> {
+        let mut out = vec![];
+        for ((law, _), strain) in self.laws.iter().zip(strains) {
+            let (own, rest) = committed.split_at(law.state_len());
+            let (trial, after) = next.split_at_mut(law.state_len());
+            let (stress, tangent) = law.update(own, &(*strain).into(), dt, trial)?;
+            out.push((Vector::from(stress), matrix(&tangent)));
+            (committed, next) = (rest, after);
+        }
+        Ok(out)
+    }
+
+    /// Iterates on the strains; false if the stresses do not become one.
+    fn iterate(
+        &self,
+        (committed, e, dt): (&[f64], &Vector, f64),
+        strains: &mut [Vector],
+        next: &mut [f64],
+        initial: Option<&[Matrix]>,
+    ) -> Result<Option<(Vector, Matrix)>, MaterialError> {
+        let SeriesTolerance { iterations, relative, absolute } = self.tolerance;
+        let iterations = if initial.is_some() { PATIENCE * iterations } else { iterations };
+        let mut best = f64::INFINITY;
+        for round in 0..=iterations {
+            let now = self.evaluate(committed, strains, dt, next)?;
+            let inverses: Option<Vec<Matrix>> = match initial {
+                Some(initial) => Some(initial.to_vec()),
+                None => now.iter().map(|(_, k)| k.try_inverse()).collect(),
+            };
+            let Some(inverses) = inverses else { return Ok(None) };
+            let Some(stiffness) = self.combined(&inverses) else { return Ok(None) };
+            // Strain that is left, and what the stresses take to become one.
+            let total: Vector = strains.iter().zip(&self.laws).map(|(s, (_, w))| s * *w).sum();
+            let by_stress: Vector =
+                now.iter().zip(&inverses).zip(&self.laws).map(|(((s, _), f), (_, w))| f * s * *w).sum();
+            let stress = stiffness * (e - total + by_stress);
+            let error = now.iter().map(|(s, _)| (s - stress).norm()).fold(0.0, f64::max);
+            let size = now.iter().map(|(s, _)| s.norm()).fold(0.0, f64::max);
+            let small = error <= absolute.min(relative * size.max(f64::MIN_POSITIVE)) && round > 0;
+            // Beyond the tolerance the iteration goes on while it still helps.
+            if error <= f64::EPSILON * size || small && error >= 0.1 * best {
+                let tangents: Option<Vec<Matrix>> = now.iter().map(|(_, k)| k.try_inverse()).collect();
+                let tangent = tangents.and_then(|t| self.combined(&t)).unwrap_or(stiffness);
+                return Ok(Some((stress, tangent)));
+            }
+            best = best.min(error);
+            if !error.is_finite() {
+                return Ok(None);
+            }
+            for ((strain, (s, _)), f) in strains.iter_mut().zip(&now).zip(&inverses) {
+                *strain += f * (stress - s);
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Multiaxial<SOLID> for SeriesSolids {
+    fn state_len(&self) -> usize {
+        self.laws.iter().map(|(law, _)| SOLID + law.state_len()).sum()
+    }
+    fn init(&self, state: &mut [f64]) {
+        let (strains, mut rest) = state.split_at_mut(SOLID * self.laws.len());
+        strains.fill(0.0);
+        for (law, _) in &self.laws {
+            let (own, after) = rest.split_at_mut(law.state_len());
+            law.init(own);
+            rest = after;
+        }
+    }
+    fn is_linear(&self) -> bool {
+        self.laws.iter().all(|(law, _)| law.is_linear())
+    }
+    fn is_symmetric(&self) -> bool {
+        self.laws.iter().all(|(law, _)| law.is_symmetric())
+    }
+    fn depends_on_time(&self) -> bool {
+        self.laws.iter().any(|(law, _)| law.depends_on_time())
+    }
+    fn density(&self) -> f64 {
+        self.laws.iter().map(|(law, weight)| weight * law.density()).sum()
+    }
+
+    fn update(
+        &self,
+        committed: &[f64],
+        e: &[f64; SOLID],
+        dt: f64,
+        next: &mut [f64],
+    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+        let (old, histories) = committed.split_at(SOLID * self.laws.len());
+        let (found, trial) = next.split_at_mut(SOLID * self.laws.len());
+        let e = Vector::from(*e);
+        let start = || -> Vec<Vector> { old.chunks_exact(SOLID).map(Vector::from_column_slice).collect() };
+        let mut strains = start();
+        let mut result = self.iterate((histories, &e, dt), &mut strains, trial, None)?;
+        if result.is_none() {
+            strains = start();
+            let initial = self.initial_inverses();
+            result = match &initial {
+                Some(initial) => self.iterate((histories, &e, dt), &mut strains, trial, Some(initial))?,
+                None => None,
+            };
+        }
+        let Some((stress, tangent)) = result else {
+            return Err(MaterialError("the laws in series find no common stress".into()));
+        };
+        found.chunks_exact_mut(SOLID).zip(&strains).for_each(|(out, s)| out.copy_from_slice(s.as_slice()));
+        Ok((stress.into(), std::array::from_fn(|i| std::array::from_fn(|j| tangent[(i, j)]))))
+    }
+
+    fn initial_tangent(&self) -> Tangent<SOLID> {
+        let tangent = self.initial_inverses().and_then(|inverses| self.combined(&inverses)).unwrap_or_default();
+        std::array::from_fn(|i| std::array::from_fn(|j| tangent[(i, j)]))
+    }
+
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
+        let scaled: Vec<_> = self.laws.iter().map(|(law, w)| (law.of_length(length), law, *w)).collect();
+        scaled.iter().any(|(scaled, ..)| scaled.is_some()).then(|| {
+            let laws = scaled.into_iter().map(|(scaled, law, w)| (scaled.unwrap_or_else(|| Arc::clone(law)), w));
+            Arc::new(Self { laws: laws.collect(), ..self.clone() }) as _
+        })
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let ["material", number, rest @ ..] = words else { return None };
+        let i = number.parse::<usize>().ok()?.checked_sub(1)?;
+        Some(self.laws.get(i)?.0.probe(rest)?.inside(&[i as u32]))
+    }
+
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        let i = path[0] as usize;
+        let before: usize = self.laws[..i].iter().map(|(law, _)| law.state_len()).sum();
+        let at = SOLID * self.laws.len() + before;
+        let law = &self.laws[i].0;
+        law.read(&path[1..], &state[at..at + law.state_len()], out);
+    }
+}

@@ -1,0 +1,43 @@
+//! `element ElasticTubularJoint`.
+
+use super::{Ends, Kind, Make, refused};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::element::{Element, TubularJoint, TubularJointOptions};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const TUBULAR_JOINT: Kind = Kind {
+    names: &["ElasticTubularJoint", "elasticTubularJoint"],
+    usage: "element ElasticTubularJoint $tag $i $j $braceDiameter $braceAngle $E $chordDiameter $chordThickness $chordAngle",
+    make: Make::TwoNodes(make),
+};
+
+fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
+    let nodes = a.last_span();
+    if (ends.ndm, ends.ndf) != (2, 3) {
+        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
+    }
+    let brace_diameter = a.positive("diameter of the brace")?;
+    let brace_angle = a.float("angle of the brace in degrees")?;
+    if !(brace_angle > 0.0 && brace_angle < 180.0) {
+        let label = "expected the angle between brace and chord, more than 0 and less than 180 degrees";
+        return Err(a.refuse(format!("angle of the brace is {brace_angle}"), label));
+    }
+    let e = a.positive("modulus of elasticity E")?;
+    let chord_diameter = a.positive("diameter of the chord")?;
+    if brace_diameter >= chord_diameter {
+        let message = format!("the brace with the diameter {brace_diameter} is as wide as the chord");
+        return Err(a.refuse(message, "expected a diameter of the chord greater than that of the brace"));
+    }
+    let options = TubularJointOptions {
+        brace_diameter,
+        brace_angle,
+        e,
+        chord_diameter,
+        chord_thickness: a.positive("thickness of the chord")?,
+        chord_angle: a.float("angle of the chord in degrees")?,
+    };
+    let line = ends.place.1 - ends.place.0;
+    Ok(Arc::new(TubularJoint::new(&options, [line.x, line.y]).map_err(|e| refused(a, nodes, e))?))
+}

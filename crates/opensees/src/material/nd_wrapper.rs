@@ -1,0 +1,85 @@
+//! `nDMaterial` around others, and for fibres of beams.
+
+use super::nd_material::{family, form, of_solid};
+use crate::Tcl;
+use crate::args::Args;
+use hysteron_engine::material::{
+    BeamJ2, Condensed, InitialStrain, NdMaterial, SOLID, SeriesSolids, SeriesTolerance, strain_of_stress,
+};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+/// `InitStress`: the strain at rest is that of a pressure in all directions.
+pub(super) fn initial_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = of_solid(interp, a, Arc::clone)?;
+    let sigma = a.float("initial stress")?;
+    let span = a.last_span();
+    a.optional_int("number of dimensions, which is not used")?;
+    let mut stress = [0.0; SOLID];
+    stress[..3].fill(sigma);
+    let strain = strain_of_stress(&law, &stress).map_err(|e| {
+        a.refuse_at(span, format!("InitStress: {}", e.0), "expected a stress that the material can have")
+    })?;
+    Ok(NdMaterial::of_solid("InitStressNDMaterial", Arc::new(InitialStrain { law, strain })))
+}
+
+/// `Series3D`.
+pub(super) fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let mut laws = vec![(of_solid(interp, a, Arc::clone)?, 1.0)];
+    while a.at_number() {
+        laws.push((of_solid(interp, a, Arc::clone)?, 1.0));
+    }
+    let mut tolerance = SeriesTolerance { iterations: 10, relative: 1e-4, absolute: 1e-8 };
+    while let Some(word) = a.option() {
+        match word.as_ref() {
+            "-weights" => {
+                for (i, (_, weight)) in laws.iter_mut().enumerate() {
+                    *weight = a.nth_float("weight", i + 1)?;
+                }
+            }
+            "-maxIter" => tolerance.iterations = a.count("largest number of iterations")?,
+            "-relTol" => tolerance.relative = a.positive("relative tolerance of the stresses")?,
+            "-absTol" => tolerance.absolute = a.positive("tolerance of the stresses")?,
+            "-verbose" => {}
+            _ => crate::ignore_option(interp, a, &["-weights", "-maxIter", "-relTol", "-absTol", "-verbose"])?,
+        }
+    }
+    Ok(NdMaterial::of_solid("Series3DMaterial", Arc::new(SeriesSolids { laws, tolerance })))
+}
+
+/// `BeamFiber`.
+pub(super) fn beam_fiber(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = of_solid(interp, a, Condensed::beam)?;
+    Ok(NdMaterial::of_beams("BeamFiberMaterial", Some(law), None))
+}
+
+/// `BeamFiber2d`.
+pub(super) fn plane_beam_fiber(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let law = of_solid(interp, a, Condensed::plane_beam)?;
+    Ok(NdMaterial::of_beams("BeamFiberMaterial2d", None, Some(law)))
+}
+
+/// `BeamFiber2dPS`.
+pub(super) fn beam_fiber_of_plane_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let family = family(interp, a)?;
+    let plane = form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))?;
+    Ok(NdMaterial::of_beams("BeamFiberMaterial2dPS", None, Some(Condensed::beam_of_plane(&plane))))
+}
+
+/// `J2BeamFiber`.
+pub(super) fn j2_beam_fiber(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
+    let e = a.positive("modulus of elasticity E")?;
+    let nu = a.float("Poisson's ratio nu")?;
+    if nu <= -1.0 {
+        return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1"));
+    }
+    let law = BeamJ2 {
+        e,
+        shear: 0.5 * e / (1.0 + nu),
+        yield_stress: a.positive("yield stress sigmaY")?,
+        isotropic: a.not_negative("modulus of isotropic hardening Hiso")?,
+        kinematic: a.not_negative("modulus of kinematic hardening Hkin")?,
+        rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
+    };
+    Ok(NdMaterial::of_beams("J2BeamFiber", Some(Arc::new(law)), Some(Arc::new(law))))
+}
