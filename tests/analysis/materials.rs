@@ -159,3 +159,29 @@ fn steel_of_hardening_ratio_1_is_elastic() {
     let n = ran.numbers();
     assert!(n.len() == 16 && n.iter().all(|n| (n - 30.0).abs() < 1e-9), "{n:?}");
 }
+
+/// A spring above a stiff column, pulled by steps of 1 mm.
+fn limited(column: i32, steps: usize) -> String {
+    format!(
+        "model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 0 1; node 3 0 1; fix 1 1 1 1; fix 2 0 1 1; fix 3 0 1 1
+        geomTransf Linear 1; element elasticBeamColumn 1 1 2 1 1e9 1e3 1
+        limitCurve ThreePoint 1 {column} 0. 9.5 1. 9.5 2. 9.5 -500. 4. 2 0 1 3 1 2
+        uniaxialMaterial LimitState 1 5 0.005 10 0.01 20 0.02 -5 -0.005 -10 -0.01 -20 -0.02 1 1 0 0 0 1 2
+        element zeroLength 2 2 3 -mat 1 -dir 1
+        timeSeries Linear 1; pattern Plain 1 1 {{ sp 3 1 0.001 }}
+        integrator LoadControl 1; system FullGeneral; constraints Transformation; numberer Plain
+        test NormUnbalance 1e-9 20; algorithm Newton; analysis Static
+        analyze {steps}; puts [lindex [eleResponse 2 force] 3]"
+    )
+}
+
+/// A spring that has reached the limit of its column falls along the given slope to the residual force.
+#[test]
+fn limit_curve_ends_the_envelope() {
+    for (steps, force) in [(9, 9.0), (10, 10.0), (16, 7.0), (22, 4.0), (30, 4.0)] {
+        let got = run(&limited(1, steps)).numbers()[0];
+        assert!((got - force).abs() < 1e-4, "{steps} mm: {got}, not {force}");
+    }
+    assert!(Script::default().run(&limited(7, 1)).error().message.contains("cannot watch element 7"));
+}

@@ -55,8 +55,8 @@ pub const PAGES: &[Page] = &[
         name: "material",
         title: "Materials",
         intro: "Uniaxial laws, laws of friction, and the commands that try a law by itself.",
-        commands: "uniaxialMaterial hystereticBackbone nDMaterial frictionModel testUniaxialMaterial setStrain getStrain getStress \
-                   getTangent getDampTangent",
+        commands: "uniaxialMaterial hystereticBackbone limitCurve nDMaterial frictionModel testUniaxialMaterial setStrain getStrain \
+                   getStress getTangent getDampTangent",
     },
     Page {
         name: "element",

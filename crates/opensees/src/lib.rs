@@ -93,6 +93,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         model::constraint::COMMANDS,
         material::COMMANDS,
         material::backbone::COMMANDS,
+        material::limit_state::COMMANDS,
         material::friction::COMMANDS,
         section::COMMANDS,
         section::fiber::COMMANDS,

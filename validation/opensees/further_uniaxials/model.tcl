@@ -95,3 +95,109 @@ analyze 10
 pattern Plain 2 1 { eleLoad -ele 1 2 -type -beamUniform 0. 0.1 -0.4 }
 analyze 10
 wipe
+# Concretes and bars at strains of their own, then springs of columns that fail at a limit curve.
+model basic -ndm 1 -ndf 1
+uniaxialMaterial Concrete07 41 -30. -0.002 25000. 3. 0.0002 2. 2.3 4.
+uniaxialMaterial Concrete07 42 -30. -0.002 25000. 3. 0.0002 2. 30. 4.
+uniaxialMaterial ConfinedConcrete01 43 S4b 30. 26000. -epscu 0.02 -varub 300. 200. 10. 100. 400. 206000. 0.005 100. 16. -internal 8. 100. 400. 206000. 0. 100. -wrap 30. 0.2 1. 3000. 2e5 -stRatio 0.85
+uniaxialMaterial ConfinedConcrete01 44 C 30. 26000. -scott -nu 0.2 300. 10. 100. 300. 206000. 0. 1000. 16. -gravel
+uniaxialMaterial ASDConcrete1D 45 30000. -fc 30.
+uniaxialMaterial ASDConcrete1D 46 30000. -Te 0. 0.0001 0.001 -Ts 0. 3. 0.1 -Td 0. 0. 0.9 -Ce 0. 0.0005 0.002 0.01 -Cs 0. 15. 30. 3. -Cd 0. 0. 0.2 0.9
+uniaxialMaterial Dodd_Restrepo 47 400. 600. 0.01 0.12 2e5 0.04 520.
+uniaxialMaterial SteelDRC 48 2e5 400. 0.12 600. 0.01
+uniaxialMaterial SteelDRC 49 2e5 400. 0.12 600. 0.01 -shPoint 0.04 520. -bausch 0 -omegaFactor 0.8
+uniaxialMaterial SteelDRC 50 2e5 400. 0.12 600. 0.01 -bausch 2 -fractStrain 0.2
+uniaxialMaterial Masonry 51 -5. 0.2 -0.002 -0.01 0.001 5000. 2. 0.3 0.2 -0.003 -0.008 0.3 0.4 1.5 0.7 1.5 0.6 1.1 1.5 1. 1
+uniaxialMaterial Masonry 52 -5. 0. -0.002 -0.01 0.001 5000. 2. 0.3 0.3 0. 0. 0.3 0.4 1.5 0.7 1.5 0.6 1.1 1.5 1. 2
+timeSeries Path 1 -dt 1 -values $path
+node 1 0.; fix 1 1
+node 9 0.; uniaxialMaterial Elastic 9 1.; element zeroLength 9 1 9 -mat 9 -dir 1
+foreach {i share} {41 0.06 42 0.02 43 0.1 44 0.1 45 0.03 46 0.03 47 0.3 48 0.3 49 0.08 50 0.4 51 0.08 52 0.1} {
+    node 1$i 0.
+    element zeroLength $i 1 1$i -mat $i -dir 1
+    pattern Plain $i 1 "sp 1$i 1 $share"
+    recorder Element -file spring$i.out -time -ele $i material 1 stress
+}
+constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-12 20; algorithm Newton
+integrator LoadControl 1; analysis Static
+analyze 144
+wipe
+# kip and in.
+set n 0
+foreach curve {
+    {Shear 1 1 0.0018 3517. 9. 9. 7.75 11.87 2470. 3. 2 0 1 4 1 2 0.}
+    {Shear 1 1 0.0018 3517. 9. 9. 7.75 11.87 -20. 3. 2 1 1 4 1 2 -0.01}
+    {ThreePoint 1 1 0. 22. 0.01 18. 0.02 12. -8. 2. 2 1 1 4 1 2}
+    {ThreePoint 1 1 0. 22. 0.001 18. 0.002 12. -8. 2. 1 1}
+    {RotationShearCurve 1 1 1 3 3 15. -0.4 -10. 0.0275}
+    {RotationShearCurve 1 1 1 3 3 -1 -1 0 1 9. 7.75 9. 58. 6. 2. 49. 20. 0.5 0.0018 3.517 60. 60. -0.0289}
+} {
+    incr n
+    model basic -ndm 2 -ndf 3
+    node 1 0. 0.; node 2 0. 0.; node 3 0. 58.; node 4 0. 58.
+    fix 1 1 1 1; fix 4 0 0 1
+    equalDOF 3 4 2 3
+    geomTransf Linear 1
+    uniaxialMaterial Elastic 12 1e6
+    element elasticBeamColumn 1 2 3 81. 3000. 50000. 1
+    element zeroLength 3 1 2 -mat 12 12 12 -dir 1 2 6
+    eval limitCurve $curve
+    uniaxialMaterial LimitState 5 25. 0.0125 30. 0.015 45. 0.0225 -25. -0.0125 -30. -0.015 -45. -0.0225 0.4 0.3 0.01 0.02 0. 1 2 [expr {$n % 2}]
+    element zeroLength 2 3 4 -mat 5 12 12 -dir 1 2 6
+    timeSeries Constant 2
+    pattern Plain 2 2 { load 3 0. -60. 0. }
+    timeSeries Path 5 -dt 1 -values $path
+    pattern Plain 5 5 { sp 4 1 20. }
+    recorder Element -file column$n.out -time -ele 2 force
+    constraints Transformation; numberer Plain; system BandGeneral; test NormDispIncr 1e-10 60; algorithm Newton
+    integrator LoadControl 1; analysis Static
+    for {set i 0} {$i < 144} {incr i} {
+        if {[analyze 1] != 0} {
+            algorithm ModifiedNewton -initial; test NormDispIncr 1e-10 3000
+            analyze 1
+            algorithm Newton; test NormDispIncr 1e-10 60
+        }
+    }
+    wipe
+}
+# A pounding mass with Coulomb friction.
+model basic -ndm 1 -ndf 1
+node 1 0.; fix 1 1
+node 2 0. -mass 1.; node 3 0. -mass 2.
+uniaxialMaterial CoulombDamper 2 40. 1.5 -tol 0.2
+uniaxialMaterial ViscoelasticGap 3 800. 1. -0.02
+uniaxialMaterial Elastic 4 60.
+element zeroLength 1 1 2 -mat 2 -dir 1
+element zeroLength 2 2 3 -mat 3 4 -dir 1 1
+timeSeries Trig 1 0.0 10.0 0.6 -factor 4.
+pattern UniformExcitation 1 1 -accel 1
+constraints Plain; numberer Plain; system BandGeneral; test NormDispIncr 1e-13 200; algorithm Newton
+integrator Newmark 0.5 0.25; analysis Transient
+recorder Node -file pounding.out -time -node 2 3 -dof 1 disp
+analyze 600 0.005
+wipe
+wipe
+# Beams of fibers of continua, in the plane and in space.
+foreach {n ndm ndf kind} {1 2 3 dispBeamColumn 2 2 3 forceBeamColumn 3 3 6 forceBeamColumn 4 3 6 dispBeamColumn} {
+    model basic -ndm $ndm -ndf $ndf
+    nDMaterial J2Plasticity 1 1.6e5 8e4 300. 380. 20. 500.
+    nDMaterial ElasticIsotropic 2 30000. 0.2
+    if {$ndm == 2} {
+        node 1 0. 0.; node 2 1500. 100.; fix 1 1 1 1
+        geomTransf Linear 1
+        section NDFiber 1 -alpha 0.8 { patch rect 1 8 1 -100. -50. 100. 50.; layer straight 2 3 200. -80. -40. -80. 40.; fiber 90. 0. 400. 2 }
+    } else {
+        node 1 0. 0. 0.; node 2 1500. 100. 50.; fix 1 1 1 1 1 1 1
+        geomTransf Linear 1 0. 0. 1.
+        section NDFiber 1 { patch rect 1 6 3 -100. -50. 100. 50.; layer straight 2 3 200. -80. -40. -80. 40.; fiber 90. 0. 400. 2 }
+    }
+    element $kind 1 1 2 4 1 1
+    timeSeries Path 1 -dt 1 -values {0 1 -1 1.5 -1.5 0.5}
+    if {$ndm == 2} { pattern Plain 1 1 { load 2 -1e5 1.1e5 1e7 } } else { pattern Plain 1 1 { load 2 -1e5 8e4 2.5e4 5e6 -1e6 2e6 } }
+    constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-9 50; algorithm Newton
+    integrator LoadControl 0.05; analysis Static
+    recorder Node -file beam$n.out -time -node 2 -dof 1 2 3 disp
+    recorder Element -file beam_section$n.out -time -ele 1 section 1 force
+    analyze 100
+    wipe
+}

@@ -7,6 +7,7 @@ mod engine;
 mod failure;
 mod ground_inertia;
 pub mod integrator;
+mod limit_states;
 mod loads;
 mod lockstep;
 mod matrices;

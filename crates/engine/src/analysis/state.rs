@@ -109,6 +109,9 @@ impl State {
                 own.copy_from_slice(other);
             }
         }
+        if model.elements.iter().any(|e| !e.watchers.is_empty()) {
+            self.watch(model);
+        }
     }
 
     /// Make room for nodes and elements that have been added behind the others; new elements are virgin.

@@ -4,7 +4,7 @@ use super::bar::{Bar, BarOptions};
 use super::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Snapshot, one_by_one,
 };
-use crate::material::{Material, Slot, Strain};
+use crate::material::{Material, Slot, Strain, of_length};
 use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -44,7 +44,8 @@ impl CorotTruss {
         if length == 0.0 {
             return Err(ElementError("the truss has no length".into()));
         }
-        let bar = Bar { slot: Slot::new(material, tag, 0), options, length, ndm: line.len(), per_node };
+        let bar =
+            Bar { slot: Slot::new(of_length(material, length), tag, 0), options, length, ndm: line.len(), per_node };
         Ok(Self { bar, line: full })
     }
 

@@ -39,7 +39,7 @@ mod wall;
 mod zero_length;
 mod zero_length_section;
 
-use crate::material::{MaterialError, Slot};
+use crate::material::{Material, MaterialError, Slot};
 pub(crate) use crate::numeric::dot;
 use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
@@ -337,6 +337,11 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
     /// `None` where it has none of that name. The state variables stay the same.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
         None
+    }
+
+    /// Laws that watch a column, with the offsets of their histories in the state.
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        vec![]
     }
 
     /// Number of load variables, in which [`Element::add_load`] sums loads.

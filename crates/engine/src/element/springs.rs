@@ -97,6 +97,11 @@ impl Springs {
         self.springs.iter().flat_map(Spring::slots)
     }
 
+    /// Laws that watch a column.
+    pub(super) fn watchers(&self) -> Vec<(usize, Material)> {
+        self.slots().filter_map(Slot::watcher).collect()
+    }
+
     pub(super) fn init(&self, state: &mut [f64]) {
         self.slots().for_each(|slot| slot.init(state));
     }

@@ -5,7 +5,7 @@ use super::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
     Snapshot, add_outer, dot, one_by_one,
 };
-use crate::material::{Material, Slot, Strain};
+use crate::material::{Material, Slot, Strain, of_length};
 use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -45,7 +45,8 @@ impl Truss {
             row[per_node + i] = x / (length * length);
         }
         let initial = dot(&row[per_node..per_node + line.len()], &initial[..line.len()]);
-        let bar = Bar { slot: Slot::new(material, tag, 0), options, length, ndm: line.len(), per_node };
+        let bar =
+            Bar { slot: Slot::new(of_length(material, length), tag, 0), options, length, ndm: line.len(), per_node };
         Ok(Self { bar, row, initial })
     }
 

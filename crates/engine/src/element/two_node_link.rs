@@ -258,6 +258,10 @@ impl Element for TwoNodeLink {
         self.springs.basic_rows(direction, (self.ndm, self.per_node))
     }
 
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.springs.watchers()
+    }
+
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let mut new = self.clone();
         let old = new.springs.set_parameter(words, value)?;

@@ -2,6 +2,7 @@
 
 use super::zero_length::direction_row;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use crate::material::Material;
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
@@ -110,6 +111,10 @@ impl Element for ZeroLengthSection {
         let mut k = [0.0; MAX_ORDER * MAX_ORDER];
         self.slot.section.initial_stiffness(&mut k[..n * n]);
         self.add_stiffness(&k[..n * n], tangent);
+    }
+
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.slot.watchers()
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {

@@ -1,6 +1,8 @@
 //! Every [`UniaxialLaw`] as a [`Uniaxial`] material: its history lies in the state of an element.
 
-use super::{Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw};
+use super::{
+    ColumnResponse, LimitCurve, Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw,
+};
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -72,6 +74,14 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let mut new = self.clone();
         let old = new.set_parameter(words.first()?, value)?;
         Some((Arc::new(new), old))
+    }
+    fn limit_curve(&self) -> Option<&LimitCurve> {
+        UniaxialLaw::limit_curve(self)
+    }
+    fn observe(&self, committed: &mut [f64], seen: &ColumnResponse) {
+        let mut state = L::State::read(committed);
+        UniaxialLaw::observe(self, &mut state, seen);
+        state.write(committed);
     }
     fn as_any(&self) -> Option<&dyn Any> {
         Some(self)

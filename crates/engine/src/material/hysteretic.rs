@@ -1,18 +1,16 @@
 //! Trilinear hysteresis with pinching, damage and degraded unloading (Scott and Filippou, 2000).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
+pub(super) mod cycle;
 
-/// Largest strain of an envelope, which no analysis reaches.
-const MAX_STRAIN: f64 = 1.0e16;
-/// Slope of a horizontal branch divided by the elastic slope; a positive value keeps the stiffness matrix regular.
-const FLAT_SLOPE_RATIO: f64 = 1.0e-9;
+use super::{MaterialError, Strain, Stress, UniaxialLaw};
+use cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
 
 /// The envelope on one side: stresses and strains of its three points, positive on both sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
-    stress: [f64; 3],
-    strain: [f64; 3],
-    slope: [f64; 3],
+    pub(super) stress: [f64; 3],
+    pub(super) strain: [f64; 3],
+    pub(super) slope: [f64; 3],
     /// Unloading slope, equal to the steepest slope of the envelope.
     unloading: f64,
 }
@@ -35,7 +33,7 @@ impl Envelope {
     }
 
     /// Stress and slope at a strain.
-    fn at(&self, x: f64) -> (f64, f64) {
+    pub(super) fn at(&self, x: f64) -> (f64, f64) {
         let (m, r, e) = (&self.stress, &self.strain, &self.slope);
         if x < 0.0 {
             (0.0, FLAT_SLOPE_RATIO * e[0])
@@ -51,7 +49,7 @@ impl Envelope {
     }
 
     /// Strain of zero stress on the descending branch that contains the largest strain.
-    fn exhausted(&self, largest: f64) -> Option<f64> {
+    pub(super) fn exhausted(&self, largest: f64) -> Option<f64> {
         let (m, r, e) = (&self.stress, &self.strain, &self.slope);
         let limit = if largest <= r[0] {
             return None;
@@ -64,13 +62,13 @@ impl Envelope {
     }
 
     /// Area under the envelope up to its last point.
-    fn energy(&self) -> f64 {
+    pub(super) fn energy(&self) -> f64 {
         let (m, r) = (&self.stress, &self.strain);
         0.5 * (r[0] * m[0] + (r[1] - r[0]) * (m[1] + m[0]) + (r[2] - r[1]) * (m[2] + m[1]))
     }
 
     /// Degradation factor of the unloading slope after a largest strain.
-    fn degraded(&self, largest: f64, beta: f64) -> f64 {
+    pub(super) fn degraded(&self, largest: f64, beta: f64) -> f64 {
         let k = (largest / self.strain[0]).powf(beta);
         if k < 1.0 { 1.0 } else { 1.0 / k }
     }
@@ -98,34 +96,24 @@ impl Hysteretic {
     }
 }
 
-crate::state_struct! {
-    /// History of [`Hysteretic`].
-    pub struct History {
-        /// Strain.
-        strain: f64,
-        /// Stress.
-        stress: f64,
-        /// Tangent minus the initial tangent.
-        softening: f64,
-        /// Largest strain in tension and in compression, both positive, enlarged by damage.
-        extreme: [f64; 2],
-        /// Strain of zero stress after the last unloading from tension and from compression.
-        unloaded: [f64; 2],
-        /// Dissipated and stored energy per volume.
-        energy: f64,
-        /// 1 loading, -1 unloading, 0 virgin.
-        loading: f64,
+impl Enveloped for Hysteretic {
+    type History = Cycle;
+    const NAME: &'static str = "Hysteretic";
+
+    fn cycle(history: &Cycle) -> &Cycle {
+        history
     }
-}
+    fn cycle_mut(history: &mut Cycle) -> &mut Cycle {
+        history
+    }
+    fn initial(&self) -> f64 {
+        self.sides[0].slope[0]
+    }
+    fn envelope(&self, _: &Cycle, side: usize, x: f64) -> (f64, f64) {
+        self.sides[side].at(x)
+    }
 
-/// The response with the lower stress of an unloading and a reloading line.
-fn lower(unloading: (f64, f64), reloading: (f64, f64)) -> (f64, f64) {
-    if unloading.0 < reloading.0 { unloading } else { reloading }
-}
-
-impl Hysteretic {
-    /// Response between the largest strains towards tension (`s` = 1) or, mirrored, towards compression (`s` = -1).
-    fn advance(&self, c: &History, d: f64, t: &mut History, s: f64) -> (f64, f64) {
+    fn advance(&self, c: &Cycle, d: f64, t: &mut Cycle, s: f64) -> (f64, f64) {
         let (ahead, behind) = if s > 0.0 { (0, 1) } else { (1, 0) };
         let (front, rear) = (&self.sides[ahead], &self.sides[behind]);
         let k_rear = rear.unloading * rear.degraded(c.extreme[behind], self.beta);
@@ -147,65 +135,28 @@ impl Hysteretic {
         let zero = s * t.unloaded[behind];
         let release = rear.exhausted(c.extreme[behind]).map_or(zero, |limit| zero.max(-limit));
         let full = target - (1.0 - self.pinch_y) * peak / k_front;
-        let pinch = release + (full - release) * self.pinch_x;
-        let elastic = (sig_c + k_front * d, k_front);
-        if x < zero {
-            let sig = sig_c + k_rear * d;
-            if sig >= 0.0 { (0.0, FLAT_SLOPE_RATIO * rear.unloading) } else { (sig, k_rear) }
-        } else if x < pinch {
-            if x <= release {
-                (0.0, FLAT_SLOPE_RATIO * front.unloading)
-            } else {
-                let k = peak * self.pinch_y / (pinch - release);
-                lower(elastic, ((x - release) * k, k))
-            }
-        } else {
-            let k = (1.0 - self.pinch_y) * peak / (target - pinch);
-            lower(elastic, (self.pinch_y * peak + (x - pinch) * k, k))
-        }
+        let way = Way {
+            zero,
+            release,
+            pinch: release + (full - release) * self.pinch_x,
+            target: [target, peak],
+            share: self.pinch_y,
+            slopes: [k_rear, k_front],
+            elastic: [rear.unloading, front.unloading],
+        };
+        way.at(x, d, sig_c)
     }
 }
 
 impl UniaxialLaw for Hysteretic {
-    type State = History;
+    type State = Cycle;
     const NAME: &'static str = "Hysteretic";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let initial = UniaxialLaw::initial_tangent(self);
-        let d = strain.value - c.strain;
-        if d.abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: initial + c.softening, damping: 0.0 }, *c));
-        }
-        let mut t = *c;
-        t.strain = strain.value;
-        if t.loading == 0.0 {
-            t.loading = d.signum();
-        }
-        let beyond = [(1.0, t.strain >= c.extreme[0]), (-1.0, t.strain <= -c.extreme[1])];
-        let (value, tangent) = match beyond.into_iter().position(|b| b.1) {
-            Some(side) => {
-                let s = beyond[side].0;
-                t.extreme[side] = s * t.strain;
-                t.loading = s;
-                let (stress, slope) = self.sides[side].at(s * t.strain);
-                (s * stress, slope)
-            }
-            None => {
-                let s = d.signum();
-                let (stress, slope) = self.advance(c, d, &mut t, s);
-                (s * stress, slope)
-            }
-        };
-        if !(value.is_finite() && tangent.is_finite()) {
-            let message = format!("Hysteretic has no stress at a strain of {:.6e}: too much damage", strain.value);
-            return Err(MaterialError(message));
-        }
-        t.energy = c.energy + 0.5 * (c.stress + value) * d;
-        (t.stress, t.softening) = (value, tangent - initial);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+    fn update(&self, c: &Cycle, strain: Strain) -> Result<(Stress, Cycle), MaterialError> {
+        self.step(c, strain)
     }
 
     fn initial_tangent(&self) -> f64 {
-        self.sides[0].slope[0]
+        self.initial()
     }
 }

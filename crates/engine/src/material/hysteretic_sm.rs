@@ -1,14 +1,11 @@
 //! Multilinear hysteresis with pinching, damage, degraded unloading and degrading envelopes (Mazzoni, 2023, after Scott
 //! and Filippou, 2000).
 
+use super::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
 use super::{MaterialError, Strain, Stress, UniaxialLaw};
 
 /// Number of points of an envelope.
 const POINTS: usize = 7;
-/// Largest strain of an envelope, which no analysis reaches.
-const MAX_STRAIN: f64 = 1.0e16;
-/// Slope of a horizontal branch divided by the elastic slope.
-const FLAT_SLOPE_RATIO: f64 = 1.0e-9;
 /// Least factor of a degraded envelope.
 const MIN_FACTOR: f64 = 1.0e-9;
 /// Place of the points that an envelope of few points lacks, between its last two.
@@ -161,37 +158,20 @@ impl HystereticSm {
 crate::state_struct! {
     /// History of [`HystereticSm`].
     pub struct History {
-        /// Strain.
-        strain: f64,
-        /// Stress.
-        stress: f64,
-        /// Tangent minus the initial tangent.
-        softening: f64,
-        /// Largest strain in tension and in compression, both positive, enlarged by damage.
-        extreme: [f64; 2],
-        /// Strain of zero stress after the last unloading from tension and from compression.
-        unloaded: [f64; 2],
-        /// Dissipated and stored energy per volume.
-        energy: f64,
-        /// 1 loading, -1 unloading, 0 virgin.
-        loading: f64,
+        /// Part of every law of this kind.
+        cycle: Cycle,
         /// Factor of each envelope; 0 before any loss.
         kept: [f64; 2],
     }
 }
 
-/// The response with the lower stress of an unloading and a reloading line.
-fn lower(unloading: (f64, f64), reloading: (f64, f64)) -> (f64, f64) {
-    if unloading.0 < reloading.0 { unloading } else { reloading }
-}
-
 impl HystereticSm {
     /// Turn of the loading towards the side `ahead`: strain of zero stress, and damage to that side.
     fn turn(&self, c: &History, t: &mut History, (ahead, behind): (usize, usize), s: f64, k_rear: f64) {
-        let (x, sig) = (s * c.strain, s * c.stress);
-        t.unloaded[behind] = s * (x - sig / k_rear);
-        let energy = c.energy - 0.5 * sig / k_rear * sig;
-        let (reached, first) = (c.extreme[behind], self.sides[behind].strain[0]);
+        let (x, sig) = (s * c.cycle.strain, s * c.cycle.stress);
+        t.cycle.unloaded[behind] = s * (x - sig / k_rear);
+        let energy = c.cycle.energy - 0.5 * sig / k_rear * sig;
+        let (reached, first) = (c.cycle.extreme[behind], self.sides[behind].strain[0]);
         if reached <= first {
             return;
         }
@@ -201,45 +181,56 @@ impl HystereticSm {
             let before = if c.kept[ahead] == 0.0 { 1.0 } else { c.kept[ahead] };
             t.kept[ahead] = before * factor;
         }
-        t.extreme[ahead] = c.extreme[ahead] * (1.0 + harm);
+        t.cycle.extreme[ahead] = c.cycle.extreme[ahead] * (1.0 + harm);
+    }
+}
+
+impl Enveloped for HystereticSm {
+    type History = History;
+    const NAME: &'static str = "HystereticSM";
+
+    fn cycle(history: &History) -> &Cycle {
+        &history.cycle
+    }
+    fn cycle_mut(history: &mut History) -> &mut Cycle {
+        &mut history.cycle
+    }
+    fn initial(&self) -> f64 {
+        self.sides[0].slopes()[0]
+    }
+    fn envelope(&self, c: &History, side: usize, x: f64) -> (f64, f64) {
+        self.branch(side, c.kept[side]).at(x)
     }
 
-    /// Response between the largest strains towards tension (`s` = 1) or, mirrored, towards compression (`s` = -1).
     fn advance(&self, c: &History, d: f64, t: &mut History, s: f64) -> (f64, f64) {
         let (ahead, behind) = if s > 0.0 { (0, 1) } else { (1, 0) };
         let rear = self.branch(behind, c.kept[behind]);
-        let (soft_rear, soft_front) =
-            (self.softened(behind, c.extreme[behind]), self.softened(ahead, c.extreme[ahead]));
+        let extreme = c.cycle.extreme;
+        let (soft_rear, soft_front) = (self.softened(behind, extreme[behind]), self.softened(ahead, extreme[ahead]));
         let k_rear = rear.unloading * soft_rear;
-        if t.loading == -s && s * c.stress <= 0.0 {
+        if t.cycle.loading == -s && s * c.cycle.stress <= 0.0 {
             self.turn(c, t, (ahead, behind), s, k_rear);
         }
-        t.loading = s;
         let front = self.branch(ahead, t.kept[ahead]);
         let k_front = front.unloading * soft_front;
-        let (x, sig_c, d) = (s * t.strain, s * c.stress, s * d);
+        let t = &mut t.cycle;
+        t.loading = s;
         t.extreme[ahead] = t.extreme[ahead].min(MAX_STRAIN).max(front.points.strain[0]);
         let target = t.extreme[ahead];
         let (peak, _) = front.at(target);
         let zero = s * t.unloaded[behind];
-        let release = rear.exhausted(c.extreme[behind]).map_or(zero, |limit| zero.max(-limit));
+        let release = rear.exhausted(extreme[behind]).map_or(zero, |limit| zero.max(-limit));
         let full = target - (1.0 - self.pinch[1]) * peak / k_front;
-        let pinch = release + (full - release) * self.pinch[0];
-        let elastic = (sig_c + k_front * d, k_front);
-        if x < zero {
-            let sig = sig_c + k_rear * d;
-            if sig >= 0.0 { (0.0, FLAT_SLOPE_RATIO * rear.unloading) } else { (sig, k_rear) }
-        } else if x < pinch {
-            if x <= release {
-                (0.0, FLAT_SLOPE_RATIO * front.unloading)
-            } else {
-                let k = peak * self.pinch[1] / (pinch - release);
-                lower(elastic, ((x - release) * k, k))
-            }
-        } else {
-            let k = (1.0 - self.pinch[1]) * peak / (target - pinch);
-            lower(elastic, (self.pinch[1] * peak + (x - pinch) * k, k))
-        }
+        let way = Way {
+            zero,
+            release,
+            pinch: release + (full - release) * self.pinch[0],
+            target: [target, peak],
+            share: self.pinch[1],
+            slopes: [k_rear, k_front],
+            elastic: [rear.unloading, front.unloading],
+        };
+        way.at(s * t.strain, s * d, s * c.cycle.stress)
     }
 }
 
@@ -248,40 +239,10 @@ impl UniaxialLaw for HystereticSm {
     const NAME: &'static str = "HystereticSM";
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let initial = UniaxialLaw::initial_tangent(self);
-        let d = strain.value - c.strain;
-        if d.abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: initial + c.softening, damping: 0.0 }, *c));
-        }
-        let mut t = History { strain: strain.value, ..*c };
-        if t.loading == 0.0 {
-            t.loading = d.signum();
-        }
-        let beyond = [(1.0, t.strain >= c.extreme[0]), (-1.0, t.strain <= -c.extreme[1])];
-        let (value, tangent) = match beyond.into_iter().position(|b| b.1) {
-            Some(side) => {
-                let s = beyond[side].0;
-                t.extreme[side] = s * t.strain;
-                t.loading = s;
-                let (stress, slope) = self.branch(side, c.kept[side]).at(s * t.strain);
-                (s * stress, slope)
-            }
-            None => {
-                let s = d.signum();
-                let (stress, slope) = self.advance(c, d, &mut t, s);
-                (s * stress, slope)
-            }
-        };
-        if !(value.is_finite() && tangent.is_finite()) {
-            let message = format!("HystereticSM has no stress at a strain of {:.6e}: too much damage", strain.value);
-            return Err(MaterialError(message));
-        }
-        t.energy = c.energy + 0.5 * (c.stress + value) * d;
-        (t.stress, t.softening) = (value, tangent - initial);
-        Ok((Stress { value, tangent, damping: 0.0 }, t))
+        self.step(c, strain)
     }
 
     fn initial_tangent(&self) -> f64 {
-        self.sides[0].slopes()[0]
+        self.initial()
     }
 }

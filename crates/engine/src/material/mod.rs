@@ -5,6 +5,7 @@
 //! [`Slot`]. A law has no units: stress and strain may be force and displacement.
 
 mod any_law;
+mod asd_concrete_1d;
 mod axial_spring;
 mod backbone;
 mod bar_slip;
@@ -20,9 +21,13 @@ mod concrete02;
 mod concrete02_is;
 mod concrete04;
 mod concrete06;
+mod concrete07;
 mod concrete_cm;
 mod concrete_d;
 mod concrete_w_beta;
+mod confined_concrete01;
+mod coulomb_damper;
+mod dodd_restrepo;
 mod ecc01;
 mod elastic;
 mod elastic_multi_linear;
@@ -49,6 +54,8 @@ mod kikuchi_aiken;
 mod kikuchi_aiken_hdr;
 mod kikuchi_aiken_lrb;
 mod lanes;
+mod limit_state;
+mod masonry;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
@@ -71,8 +78,10 @@ mod steel02;
 mod steel03;
 mod steel4;
 mod steel_brb;
+mod steel_drc;
 mod steel_mpf;
 mod uvc_uniaxial;
+mod viscoelastic_gap;
 mod viscous;
 mod viscous_damper;
 mod wrapped;
@@ -83,6 +92,7 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+pub use asd_concrete_1d::AsdConcrete1d;
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
 pub use backbone::{Backbone, BackboneElastic, SoilCurve};
 pub use bar_slip::{BarPlace, BarSlip, Bond, BondDamage, StressUnit};
@@ -101,6 +111,10 @@ pub use concrete02::Concrete02;
 pub use concrete02_is::Concrete02Is;
 pub use concrete04::Concrete04;
 pub use concrete06::Concrete06;
+pub use concrete07::Concrete07;
+pub use confined_concrete01::{ConfinedConcrete01, Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
+pub use coulomb_damper::CoulombDamper;
+pub use dodd_restrepo::DoddRestrepo;
 pub use ecc01::Ecc01;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
@@ -126,6 +140,11 @@ pub use jankowski_impact::JankowskiImpact;
 pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
 pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
+pub use limit_state::{
+    Column, ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit,
+    RotationShear,
+};
+pub use masonry::Masonry;
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
@@ -150,12 +169,14 @@ pub use sma_3k::Sma3k;
 pub use softening::{Mullins, Peak, Softening};
 pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
 pub use steel_brb::{BrbBranch, SteelBrb};
+pub use steel_drc::{BauschingerKind, ReportedStiffness, SteelDrc};
 pub use steel_mpf::SteelMpf;
 pub use steel01::Steel01;
 pub use steel02::Steel02;
 pub use steel03::Steel03;
 pub use steel4::{Steel4, Steel4Side};
 pub use uvc_uniaxial::{MAX_BACKSTRESSES, UvcUniaxial};
+pub use viscoelastic_gap::ViscoelasticGap;
 pub use viscous::Viscous;
 pub use viscous_damper::{IntegrationMethod, ViscousDamper};
 pub use wrapped::{InitialState, MinMax};
@@ -296,6 +317,14 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         None
     }
 
+    /// Limit surface of a column whose committed response the law needs.
+    fn limit_curve(&self) -> Option<&LimitCurve> {
+        None
+    }
+
+    /// Changes the committed state by the response of the column that [`UniaxialLaw::limit_curve`] names.
+    fn observe(&self, _committed: &mut Self::State, _seen: &ColumnResponse) {}
+
     /// Response specific to this law, in addition to those of every material.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -428,6 +457,12 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
         None
     }
+    /// Limit surface of a column whose committed response the law needs.
+    fn limit_curve(&self) -> Option<&LimitCurve> {
+        None
+    }
+    /// Changes the committed state by the response of the column that [`Uniaxial::limit_curve`] names.
+    fn observe(&self, _committed: &mut [f64], _seen: &ColumnResponse) {}
     /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
     fn as_any(&self) -> Option<&dyn Any> {
         None
@@ -440,3 +475,11 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
 
 /// A material as elements hold it: the parameters are shared, the state is stored by the element.
 pub type Material = Arc<dyn Uniaxial>;
+
+/// Parameter of laws whose softening depends on the length in which it localises.
+pub const CHARACTERISTIC_LENGTH: &str = "characteristicLength";
+
+/// The material for a bar of a length.
+pub fn of_length(material: Material, length: f64) -> Material {
+    material.with_parameter(&[CHARACTERISTIC_LENGTH], length).map_or(material, |(made, _)| made)
+}

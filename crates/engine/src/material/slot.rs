@@ -104,6 +104,11 @@ impl Slot {
         self.material.init(&mut words[HEADER..]);
     }
 
+    /// The law with the offset of its history, if it watches a column.
+    pub fn watcher(&self) -> Option<(usize, Material)> {
+        self.material.limit_curve().map(|_| (self.at + HEADER, Material::clone(&self.material)))
+    }
+
     /// Writes strain, stress, tangent and energy of a point at rest to the header. Returns the offset of the law's
     /// own variables.
     pub fn write_header(&self, words: &mut [f64], [strain, stress, tangent, energy]: [f64; 4]) -> usize {

@@ -5,7 +5,7 @@ use crate::element::beam::Rule;
 use crate::element::damping::ElementDamping;
 use crate::element::friction::Friction;
 use crate::element::transform::TransformSpec;
-use crate::material::{Backbone, Material, NdMaterial};
+use crate::material::{Backbone, LimitCurve, Material, NdMaterial};
 use crate::section::SharedSection;
 use crate::section::plate::SharedPlateSection;
 use crate::series::Series;
@@ -83,6 +83,8 @@ pub struct Definitions {
     pub transforms: Registry<TransformSpec>,
     /// `hystereticBackbone`.
     pub backbones: Registry<Arc<Backbone>>,
+    /// Limit surfaces of columns.
+    pub limit_curves: Registry<LimitCurve>,
     /// `damping`.
     pub dampings: Registry<Arc<ElementDamping>>,
 }
@@ -112,6 +114,7 @@ impl Default for Definitions {
             integrations: Registry::new("beam integration"),
             transforms: Registry::new("geometric transformation"),
             backbones: Registry::new("backbone"),
+            limit_curves: Registry::new("limit curve"),
             dampings: Registry::new("damping"),
         }
     }

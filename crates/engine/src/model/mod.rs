@@ -17,6 +17,7 @@ pub use node::Node;
 pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
 use crate::element::{CallDependent, Element};
+use crate::material::Material;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -53,6 +54,8 @@ pub struct ElementEntry {
     pub load: Range<usize>,
     /// State variables that it shares with the elements of its class.
     pub shared: Range<usize>,
+    /// Laws in it that watch a column, with the offsets of their histories in its state variables.
+    pub watchers: Vec<(usize, Material)>,
 }
 
 /// Nodes, elements, constraints and loads.
@@ -142,6 +145,7 @@ impl Model {
             force: 0..0,
             load: 0..0,
             shared: 0..0,
+            watchers: element.watchers(),
             element,
         };
         self.place(&mut entry);
@@ -195,6 +199,7 @@ impl Model {
     /// Put another element in the place of one, between the same nodes. The variables of the others move.
     pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
         debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());
+        self.elements[id.0].watchers = element.watchers();
         self.elements[id.0].element = element;
         self.place_elements();
         self.touch();

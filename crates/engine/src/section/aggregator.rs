@@ -107,6 +107,11 @@ impl Section for Aggregator {
         }
     }
 
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        let base = self.base.as_ref().map(|b| b.watchers()).unwrap_or_default();
+        base.into_iter().chain(self.additions.iter().filter_map(Slot::watcher)).collect()
+    }
+
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
         let mut new = self.clone();
         let (tag, rest) = match words {

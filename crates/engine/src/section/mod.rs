@@ -15,7 +15,7 @@ pub mod plate;
 mod slot;
 mod two_spring_isolator;
 
-use crate::material::MaterialError;
+use crate::material::{CHARACTERISTIC_LENGTH, Material, MaterialError};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -141,6 +141,11 @@ pub trait Section: fmt::Debug + Send + Sync {
         None
     }
 
+    /// Laws that watch a column, with the offsets of their histories in the state.
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        vec![]
+    }
+
     /// Response specific to this section, by the words of a recorder command.
     fn probe(&self, _words: &[&str]) -> Option<Probe> {
         None
@@ -151,3 +156,8 @@ pub trait Section: fmt::Debug + Send + Sync {
 
 /// A section as elements hold it: the parameters are shared, the state is stored by the element.
 pub type SharedSection = Arc<dyn Section>;
+
+/// The section for a part of a beam of a length.
+pub fn of_length(section: SharedSection, length: f64) -> SharedSection {
+    section.with_parameter(&[CHARACTERISTIC_LENGTH], length).map_or(section, |(made, _)| made)
+}

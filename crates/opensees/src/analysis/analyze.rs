@@ -139,6 +139,10 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if kind == Kind::Transient {
         finish(interp, &a)?;
     }
+    if let Some((spring, column)) = interp.host.engine.model().unwatched() {
+        let message = format!("the limit curve of element {spring} cannot watch element {column}");
+        return Err(a.refuse_at(call.span(0), message, "expected a frame element with its nodes in the model"));
+    }
     let can_wait = kind == Kind::Static && lengths.is_none() && interp.host.mode == Mode::Run;
     if interp.host.course.as_mut().is_some_and(|course| course.begin_analysis(steps as usize, can_wait)) {
         let session = &mut interp.host;

@@ -2,10 +2,10 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
-    Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, ConcreteCm, ConcreteD, ConcreteWBeta,
-    Ecc01, Material, TsaiEnvelope,
+    Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
+    ConcreteWBeta, Ecc01, Material, TsaiEnvelope,
 };
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -41,6 +41,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Concrete06"],
         usage: "uniaxialMaterial Concrete06 $tag $fc $e0 $n $k $alpha1 $fcr $ecr $b $alpha2",
         make: concrete06,
+    },
+    Kind {
+        names: &["Concrete07"],
+        usage: "uniaxialMaterial Concrete07 $tag $fpc $epsc0 $Ec $ft $et $xp $xn $r",
+        make: concrete07,
     },
     Kind {
         names: &["ConcreteD"],
@@ -134,6 +139,18 @@ fn concrete06(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (b, alpha_t) =
         (a.not_negative("exponent of tension stiffening b")?, a.not_negative("rate of plastic strain alpha2")?);
     Ok(Arc::new(Concrete06 { fc, eo, r, k, alpha_c, fcr, ecr, b, alpha_t }))
+}
+
+fn concrete07(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fc = -compressive(a, "compressive strength fpc")?;
+    let compression = [fc, -compressive(a, "strain at the strength epsc0")?];
+    let ec = a.positive("initial modulus Ec")?;
+    let tension = [a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?];
+    let critical_tension = a.positive("critical strain ratio xp")?;
+    let critical_compression = a.positive("critical strain ratio xn")?;
+    let r = a.positive("shape of the curves r")?;
+    let kept_strain = if interp.host.follows(&[slips::CHANG_MANDER_STRAIN]) { 0.0 } else { 1.0 };
+    Ok(Arc::new(Concrete07 { compression, tension, ec, critical_tension, critical_compression, r, kept_strain }))
 }
 
 fn concrete_d(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -3,8 +3,10 @@
 use super::Kind;
 use crate::args::Args;
 use crate::slips;
-use crate::{Tcl, warn};
-use hysteron_engine::material::{BilinearOilDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper};
+use crate::{Tcl, ignore_option, warn};
+use hysteron_engine::material::{
+    BilinearOilDamper, CoulombDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper,
+};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -20,6 +22,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["BilinearOilDamper"],
         usage: "uniaxialMaterial BilinearOilDamper $tag $K $C <$Fr $p> <$LGap> <$NM $relTol $absTol $maxHalf>",
         make: bilinear_oil_damper,
+    },
+    Kind {
+        names: &["CoulombDamper"],
+        usage: "uniaxialMaterial CoulombDamper $tag $tangent $friction <-tol $tol> <-numFlipped $numFlipped> <-reduceFc> \
+                <-dampOutTangent $dampOutTangent>",
+        make: coulomb_damper,
     },
     Kind {
         names: &["Maxwell", "MaxwellMaterial"],
@@ -125,4 +133,27 @@ fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let length = a.positive("length L")?;
     let secant_damping = a.flag("-returnD") || a.flag("-D");
     Ok(Arc::new(Maxwell { k, c, alpha, length, secant_damping, compat }))
+}
+
+/// Rate below which the friction of a Coulomb damper is proportional to it.
+const SLOW_RATE: f64 = 1e-6;
+
+fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (k, friction) = (a.not_negative("stiffness of the spring")?, a.not_negative("friction force")?);
+    let mut slow = SLOW_RATE;
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-tol" => slow = a.positive("rate tol below which the friction is proportional to it")?,
+            // These change the force by the number of iterations.
+            "-numFlipped" => {
+                a.int("number of changes of sign numFlipped")?;
+            }
+            "-dampOutTangent" => {
+                a.float("damping coefficient dampOutTangent")?;
+            }
+            "-reduceFc" => {}
+            _ => ignore_option(interp, a, &["-tol", "-numFlipped", "-reduceFc", "-dampOutTangent"])?,
+        }
+    }
+    Ok(Arc::new(CoulombDamper { k, friction, slow }))
 }

@@ -196,7 +196,7 @@ fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 /// The envelope on one side; `s` is the sign of its strains.
-fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelope, Exception> {
+pub(super) fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelope, Exception> {
     let (mut stress, mut strain) = ([0.0; 3], [0.0; 3]);
     let side = if s > 0.0 { "in tension" } else { "in compression" };
     for i in 0..points {

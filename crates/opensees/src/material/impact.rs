@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, warn};
-use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth};
+use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth, ViscoelasticGap};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -24,6 +24,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["JankowskiImpact"],
         usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
         make: jankowski,
+    },
+    Kind {
+        names: &["ViscoelasticGap"],
+        usage: "uniaxialMaterial ViscoelasticGap $tag $K $C $gap",
+        make: viscoelastic_gap,
     },
     Kind {
         names: &["Ratchet"],
@@ -78,6 +83,11 @@ fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
     Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
+}
+
+fn viscoelastic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (k, c) = (a.positive("stiffness K")?, a.not_negative("damping coefficient C")?);
+    Ok(Arc::new(ViscoelasticGap { k, c, gap: compressive(interp, a, GAP)? }))
 }
 
 fn ratchet(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -12,6 +12,8 @@ pub(crate) mod friction;
 mod hysteretic;
 mod hysteretic_sm;
 mod impact;
+pub(crate) mod limit_state;
+mod masonry;
 mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
@@ -21,6 +23,7 @@ mod rubber;
 mod smooth;
 mod soil;
 mod steel4;
+mod steel_drc;
 mod wrapper;
 
 use crate::args::Args;
@@ -52,9 +55,13 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         plastic::KINDS,
         concrete::KINDS,
         confined_concrete::KINDS,
+        nd_concrete::KINDS,
+        masonry::KINDS,
         steel4::KINDS,
+        steel_drc::KINDS,
         hysteretic::KINDS,
         hysteretic_sm::KINDS,
+        limit_state::KINDS,
         backbone::KINDS,
         bar_slip::KINDS,
         deteriorating::KINDS,

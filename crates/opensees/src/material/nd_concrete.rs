@@ -1,8 +1,9 @@
-//! `nDMaterial ASDConcrete3D`.
+//! `nDMaterial ASDConcrete3D` and `uniaxialMaterial ASDConcrete1D`.
 
+use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
-use hysteron_engine::material::{AsdConcrete, Extrapolation, HardeningCurve, NdMaterial};
+use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -108,4 +109,64 @@ fn shape(a: &mut Args<'_>) -> Result<f64, Exception> {
         return Err(a.refuse(format!("Kc is {kc}"), "expected from 2/3 to 1"));
     }
     Ok(kc)
+}
+
+pub(super) const KINDS: &[Kind] = &[Kind {
+    names: &["ASDConcrete1D"],
+    usage: "uniaxialMaterial ASDConcrete1D $tag $E <-fc $fc <-ft $ft>> <-Te $strains -Ts $stresses <-Td $damages>> \
+            <-Ce $strains -Cs $stresses <-Cd $damages>> <-implex> <-implexControl $tolerance $limit> <-implexAlpha $alpha> \
+            <-eta $eta> <-tangent> <-autoRegularization $length>",
+    make: asd_concrete_1d,
+}];
+
+const OPTIONS_1D: &[&str] = &[
+    "-fc",
+    "-ft",
+    "-Te",
+    "-Ts",
+    "-Td",
+    "-Ce",
+    "-Cs",
+    "-Cd",
+    "-implex",
+    "-implexControl",
+    "-implexAlpha",
+    "-eta",
+    "-tangent",
+    "-autoRegularization",
+];
+
+fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.positive("modulus of elasticity E")?;
+    let (mut tension, mut compression) = (Lists::default(), Lists::default());
+    let (mut fc, mut ft, mut eta, mut reference_length) = (None, None, 0.0, None);
+    let (mut implex, mut factor, mut control, mut tangent) = (false, 1.0, None, false);
+    while let Some(option) = a.option() {
+        match option.as_ref() {
+            "-fc" => fc = Some(a.positive("compressive strength fc in MPa")?),
+            "-ft" => ft = Some(a.positive("tensile strength ft in MPa")?),
+            "-Te" => tension.0[0] = a.floats("strain in tension")?,
+            "-Ts" => tension.0[1] = a.floats("stress in tension")?,
+            "-Td" => tension.0[2] = a.floats("damage in tension")?,
+            "-Ce" => compression.0[0] = a.floats("strain in compression")?,
+            "-Cs" => compression.0[1] = a.floats("stress in compression")?,
+            "-Cd" => compression.0[2] = a.floats("damage in compression")?,
+            "-eta" => eta = a.not_negative("viscosity eta")?,
+            "-implex" => implex = true,
+            "-implexControl" => {
+                control = Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
+            }
+            "-implexAlpha" => factor = a.not_negative("factor of the extrapolation")?,
+            "-tangent" => tangent = true,
+            "-autoRegularization" => reference_length = Some(a.positive("length for which the curves hold")?),
+            _ => ignore_option(interp, a, OPTIONS_1D)?,
+        }
+    }
+    let curves = match fc {
+        Some(fc) => AsdConcrete1d::curves_of_strength(e, fc, ft.unwrap_or(0.1 * fc), reference_length)
+            .ok_or_else(|| a.refuse("the strengths make no curve", "expected MPa and mm"))?,
+        None => [tension.curve(a, e, "T")?, compression.curve(a, e, "C")?],
+    };
+    let extrapolation = implex.then_some(Extrapolation { factor, control });
+    Ok(Arc::new(AsdConcrete1d { e, eta, curves, extrapolation, tangent, reference_length }))
 }

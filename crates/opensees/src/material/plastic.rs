@@ -5,8 +5,8 @@ use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    BarFatigue, BondSp01, BrbBranch, Buckling, Cast, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
-    ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelMpf, UvcUniaxial,
+    BarFatigue, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material,
+    MultiLinear, ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -46,6 +46,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ReinforcingSteel $tag $fy $fu $Es $Esh $esh $eult <-GABuck $lsr $beta $r $gamma | \
                 -DMBuck $lsr $alpha> <-CMFatigue $Cf $alpha $Cd> <-IsoHard $a1 $limit> <-MPCurveParams $R1 $R2 $R3>",
         make: reinforcing_steel,
+    },
+    Kind {
+        names: &["Dodd_Restrepo", "DoddRestrepo", "Restrepo"],
+        usage: "uniaxialMaterial Dodd_Restrepo $tag $Fy $Fsu $ESH $ESU $Youngs $ESHI $FSHI <$OmegaFac <$Conv>>",
+        make: dodd_restrepo,
     },
     Kind {
         names: &["Hardening"],
@@ -167,6 +172,18 @@ fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     a.optional_float("tolerance")?;
     let compat = interp.host.follows(&[slips::STEEL_BRB_FIRST]);
     Ok(Arc::new(SteelBrb { e, yield_stress, tension, compression, compat }))
+}
+
+fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let stress = [a.positive("yield stress Fy")?, a.positive("strength Fsu")?];
+    let strain = [a.not_negative("strain ESH where hardening begins")?, a.positive("strain ESU of the strength")?];
+    let e0 = a.positive("modulus Youngs")?;
+    let inner = [a.float("strain ESHI on the hardening curve")?, a.float("stress FSHI on the hardening curve")?];
+    let omega = a.optional_float("factor of the Bauschinger curves OmegaFac")?.unwrap_or(1.0);
+    let unit = if a.left() > 0 { a.positive("unit of the strains Conv")? } else { 1.0 };
+    let law = DoddRestrepo::new(stress, strain, e0, inner, omega, unit)
+        .map_err(|message| a.refuse(message, "expected a point between the beginning of hardening and the strength"))?;
+    Ok(Arc::new(law.compat(interp.host.follows(&[slips::BAUSCHINGER_ROUNDS]))))
 }
 
 fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -77,6 +77,46 @@ slips! {
     "The springs have one force, to round-off. The tangent is consistent.",
     "The answer would depend on the step and on the iterations.";
 
+    CHANG_MANDER_STRAIN, Command, Nowhere,
+    "`Concrete07`",
+    "Cracked concrete that leaves the compressive envelope beyond its plastic strain commits a strain of zero, and the tangent of the \
+     step before.",
+    "The strain is that of the step, and the tangent is zero.",
+    "The next step would begin at another strain.";
+
+    BAUSCHINGER_ROUNDS, Command, Case("further_uniaxials"),
+    "`Dodd_Restrepo`",
+    "The strain of a Bauschinger curve is found to a residual of 0.001, or by ten rounds. The tangent is not that of the curve. Constants \
+     have single precision.",
+    "It is found to round-off. The tangent is consistent.",
+    "Newton's method converges.";
+
+    CROSS_TIES, Command, Nowhere,
+    "`ConfinedConcrete01` with `-internal`",
+    "The inner ties of section S2 have their diameter in the place of the area of their bar.",
+    "The area of the bar.",
+    "The area has the unit of an area.";
+
+    LIMIT_STATE, Command, Case("further_uniaxials"),
+    "`LimitState`",
+    "A step that turns and ends beyond the largest strain keeps the direction of loading. In the energy that damage is divided by, two \
+     parts are multiplied.",
+    "The direction is that of the step. The energy is the area under the envelopes.",
+    "The size of the steps would change the answer. A product of energies is none.";
+
+    STEEL_DRC_STIFFNESS, Command, Case("further_uniaxials"),
+    "`SteelDRC`",
+    "The tangent is at least 0.005 Es and at most Es. It lacks the dashpot.",
+    "The tangent is consistent.",
+    "Newton's method converges.";
+
+    MASONRY_SLOPES, Command, Case("further_uniaxials"),
+    "`Masonry`",
+    "The initial stiffness is the modulus. Where the envelope does not rise, the slope at the end of reloading is divided by a \
+     difference of slopes.",
+    "The initial stiffness is that of the strut. The slope is half of the secant.",
+    "The slopes have the units of slopes.";
+
     SAWS_ENVELOPE, Command, Nowhere,
     "`SAWS`",
     "The place where the pinched line leaves the envelope is found to a force of 1e-6. The tangent on the envelope has parts of two \
@@ -171,6 +211,26 @@ pub(super) const OTHERS: &[Slip] = &[
         "`BWBN`: tangent",
         "A part of the derivative lacks the increment of the strain. Stresses are the same.",
         "It is the derivative of the stress.",
+    ),
+    differs(
+        "`ConfinedConcrete01` between the last point of its envelope and the ultimate strain",
+        "The stress and the tangent of the step before stay.",
+        "The stress is that of the last point.",
+    ),
+    differs(
+        "`Dodd_Restrepo` after fracture",
+        "The stress of the last trial stays, and later curves have no strength.",
+        "The stress is zero.",
+    ),
+    differs(
+        "`CoulombDamper` with `-numFlipped`, `-reduceFc`, `-dampOutTangent`",
+        "After more changes of sign of the rate in the iterations of one step the friction is less.",
+        "The friction depends on the rate alone. The options have no effect.",
+    ),
+    differs(
+        "`SteelDRC`: ends of curves at the same distance in both directions",
+        "Round-off decides whether the end of a curve moves to the shifted skeleton.",
+        "It stays.",
     ),
     differs("`SMA` at a strain of exactly 0", "The stress of the last trial stays.", "The stress is 0."),
     differs("`BoucWen` at rest", "The reported tangent is that of unloading.", "The reported tangent is the last one."),

@@ -338,7 +338,7 @@ impl Amended {
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
     forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
         add_own_damping overload softening euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {

@@ -284,7 +284,7 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
     forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
         add_own_damping overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {

@@ -264,6 +264,7 @@ impl ForceBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
+    const LOCALISES: bool = true;
     const DAMPABLE: bool = true;
     const STATE_LEN: usize = Trace::<N, B>::LEN;
 

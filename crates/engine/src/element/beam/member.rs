@@ -7,9 +7,10 @@ use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
 };
+use crate::material::Material;
 use crate::numeric::norm;
 use crate::probe::Probe;
-use crate::section::{Resultant, SectionSlot, SharedSection};
+use crate::section::{Resultant, SectionSlot, SharedSection, of_length};
 use std::fmt;
 use std::sync::Arc;
 
@@ -23,6 +24,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const SYMMETRIC: bool = true;
     /// Sections depend on the deflection of the beam between its ends: forces are not proportional to deformations.
     const DEFLECTS: bool = false;
+    /// Softening localises in one section.
+    const LOCALISES: bool = false;
     /// In space the sections need a torque.
     const NEEDS_TORSION: bool = false;
     /// OpenSees' element takes a damping of its own.
@@ -222,12 +225,14 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
         (rho, consistent): (f64, bool),
     ) -> Self {
         let mut at = transform.state_len() + Basic::<B>::LEN;
-        let place = |(section, tag)| {
-            let slot = SectionSlot::new(section, tag, at);
+        let length = transform.length();
+        let place = |((section, tag), weight): ((SharedSection, i32), &f64)| {
+            let size = if F::LOCALISES { weight * length } else { length };
+            let slot = SectionSlot::new(of_length(section, size), tag, at);
             at += slot.len();
             slot
         };
-        let sections = sections.into_iter().map(place).collect();
+        let sections = sections.into_iter().zip(&points.1).map(place).collect();
         let state_len = at + F::STATE_LEN;
         Self { member: Member { transform, sections, points, rho, consistent, own: at, state_len }, formulation }
     }
@@ -344,6 +349,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         }
     }
 
+    fn watchers(&self) -> Vec<(usize, Material)> {
+        self.member.sections.iter().flat_map(SectionSlot::watchers).collect()
+    }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let mut new = self.clone();
         let old = match words {

@@ -90,7 +90,7 @@ const BASIC: u32 = 901;
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
     forward_to_inner! {
-        class dofs commit lockstep initial_tangent mass inertance renews_tangent load_len add_load basic_rows
+        class dofs commit lockstep initial_tangent mass inertance renews_tangent watchers load_len add_load basic_rows
         overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {

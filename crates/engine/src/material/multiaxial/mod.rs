@@ -20,6 +20,7 @@ use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
+pub(super) use asd_concrete::CurvePoint;
 pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
 pub use beam_j2::BeamJ2;
 pub use condensed::Condensed;

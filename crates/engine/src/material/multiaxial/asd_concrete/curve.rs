@@ -2,20 +2,20 @@
 
 /// A point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct CurvePoint {
+pub(in crate::material) struct CurvePoint {
     /// Total strain.
-    pub(super) strain: f64,
+    pub(in crate::material) strain: f64,
     /// Stress.
-    pub(super) stress: f64,
+    pub(in crate::material) stress: f64,
     /// Damage, from 0 to 1.
-    pub(super) damage: f64,
+    pub(in crate::material) damage: f64,
     /// Effective stress: stress / (1 - damage).
-    pub(super) effective: f64,
+    pub(in crate::material) effective: f64,
 }
 
 impl CurvePoint {
     /// Plastic strain for a modulus of elasticity.
-    pub(super) fn plastic(&self, e: f64) -> f64 {
+    pub(in crate::material) fn plastic(&self, e: f64) -> f64 {
         self.strain - self.effective / e
     }
 }
@@ -140,7 +140,7 @@ impl HardeningCurve {
     }
 
     /// The curve whose softening has `scale` times its energy.
-    pub(super) fn scaled(&self, scale: f64) -> Self {
+    pub(in crate::material) fn scaled(&self, scale: f64) -> Self {
         let Some((energy, begin)) = self.energy().filter(|_| scale > 0.0 && scale != 1.0) else { return self.clone() };
         let mut made = self.clone();
         let peak = self.points[begin];
@@ -168,25 +168,35 @@ impl HardeningCurve {
         made
     }
 
-    /// The point at a total strain.
-    pub(super) fn at(&self, x: f64) -> CurvePoint {
-        let [x_tolerance, y_tolerance] = self.tolerances;
-        let found = self.points.windows(2).find(|p| x <= p[1].strain + x_tolerance);
-        let (p, q) = match found {
-            Some(pair) => (pair[0], pair[1]),
+    /// The points on both sides of a total strain. Beyond the curve its last rise goes on.
+    fn around(&self, x: f64) -> [CurvePoint; 2] {
+        match self.points.windows(2).find(|p| x <= p[1].strain + self.tolerances[0]) {
+            Some(pair) => [pair[0], pair[1]],
             None => {
                 let last = self.points.len() - 1;
                 let (before, p) = (self.points[last - 1], self.points[last]);
                 let span = p.strain - before.strain;
                 let beyond = |y: f64, old: f64| y + ((y - old) / span).max(0.0) * (x - p.strain);
                 let stress = beyond(p.stress, before.stress);
-                (p, CurvePoint { strain: x, stress, damage: 0.0, effective: beyond(p.effective, before.effective) })
+                [p, CurvePoint { strain: x, stress, damage: 0.0, effective: beyond(p.effective, before.effective) }]
             }
-        };
+        }
+    }
+
+    /// The point at a total strain.
+    pub(in crate::material) fn at(&self, x: f64) -> CurvePoint {
+        let ([p, q], least) = (self.around(x), self.tolerances[1]);
         let span = q.strain - p.strain;
         let share = if span > 0.0 { (x - p.strain) / span } else { 0.0 };
-        let stress = (p.stress + (q.stress - p.stress) * share).max(y_tolerance);
-        let effective = (p.effective + (q.effective - p.effective) * share).max(y_tolerance);
+        let stress = (p.stress + (q.stress - p.stress) * share).max(least);
+        let effective = (p.effective + (q.effective - p.effective) * share).max(least);
         CurvePoint { strain: x, stress, damage: 1.0 - stress / effective, effective }
+    }
+
+    /// Slope of the stress at a total strain.
+    pub(in crate::material) fn slope(&self, x: f64) -> f64 {
+        let [p, q] = self.around(x);
+        let span = q.strain - p.strain;
+        if span > 0.0 && self.at(x).stress > self.tolerances[1] { (q.stress - p.stress) / span } else { 0.0 }
     }
 }

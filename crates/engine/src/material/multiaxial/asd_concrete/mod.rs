@@ -10,7 +10,7 @@ use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
-use curve::CurvePoint;
+pub(in crate::material) use curve::CurvePoint;
 use nalgebra::{Matrix3, SymmetricEigen};
 use std::sync::Arc;
 

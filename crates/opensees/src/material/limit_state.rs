@@ -1,0 +1,218 @@
+//! `limitCurve`, and the springs that fail at one.
+
+use super::Kind;
+use super::hysteretic::envelope;
+use crate::args::Args;
+use crate::{Command, Outcome, Tcl, finish, kind, slips};
+use hysteron_engine::material::{
+    Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, Material, RotationLimit, RotationShear,
+};
+use hysteron_tcl::{Call, Exception, Value};
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[Kind {
+    names: &["LimitState"],
+    usage: "uniaxialMaterial LimitState $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> $pinchX $pinchY \
+            $damage1 $damage2 <$beta <$curve $curveType <$degrade>>>",
+    make: limit_state,
+}];
+
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("limitCurve", USAGE, limit_curve).with_kinds(|| kind::usages(CURVES))];
+
+const USAGE: &str = "limitCurve $kind $tag $element ...";
+
+/// A kind of curve, made from the words after the tag of its element.
+type CurveKind = kind::Kind<fn(&mut Args<'_>, i32) -> Result<LimitCurve, Exception>>;
+
+const CURVES: &[CurveKind] = &[
+    CurveKind {
+        names: &["Shear"],
+        usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
+                <$nodeI $nodeJ $dof $perpDirn> <$delta>",
+        make: shear,
+    },
+    CurveKind {
+        names: &["Axial"],
+        usage: "limitCurve Axial $tag $element $Fsw $Kdeg $Fres $defType $forType <$nodeI $nodeJ $dof $perpDirn> \
+                <$delta <$eleRemove>>",
+        make: axial,
+    },
+    CurveKind {
+        names: &["ThreePoint"],
+        usage: "limitCurve ThreePoint $tag $element $x1 $y1 $x2 $y2 $x3 $y3 $Kdeg $Fres $defType $forType \
+                <$nodeI $nodeJ $dof $perpDirn>",
+        make: three_point,
+    },
+    CurveKind {
+        names: &["RotationShearCurve"],
+        usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
+                $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
+        make: rotation_shear,
+    },
+];
+
+fn limit_curve(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, USAGE);
+    let kind = kind::take(&mut a, "kind of limit curve", "limit curve", CURVES.iter())?;
+    interp.host.note_kind("limitCurve", kind.names[0]);
+    let tag = a.int("tag of the limit curve")?;
+    let span = a.last_span();
+    let element = a.int("tag of the element")?;
+    let made = (kind.make)(&mut a, element)?;
+    finish(interp, &a)?;
+    if !interp.host.builder.definitions.limit_curves.add(tag, made) {
+        return Err(a.refuse_at(span, format!("there is a limit curve {tag} already"), "expected a new tag"));
+    }
+    Ok(Value::EMPTY)
+}
+
+/// Deformation and force of a curve by their types, with the nodes of a drift.
+fn watched(a: &mut Args<'_>) -> Result<(LimitDeformation, LimitForce), Exception> {
+    let drift = match a.int("type of the deformation defType")? {
+        1 => false,
+        2 => true,
+        n => return Err(a.refuse(format!("there is no deformation {n}"), "expected 1 (chord rotation) or 2 (drift)")),
+    };
+    let force = match a.int("type of the force forType")? {
+        0 => LimitForce::Spring,
+        1 => LimitForce::Shear,
+        2 => LimitForce::Axial,
+        n => return Err(a.refuse(format!("there is no force {n}"), "expected 0 (spring), 1 (shear) or 2 (axial)")),
+    };
+    if !drift {
+        return Ok((LimitDeformation::ChordRotation, force));
+    }
+    let nodes = [a.int("tag of node I")?, a.int("tag of node J")?];
+    let dof = a.dof("degree of freedom of the drift", 6)?;
+    Ok((LimitDeformation::Drift { nodes, dof, along: a.dof("direction of the height perpDirn", 3)? }, force))
+}
+
+fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
+    let (rho, fc) = (a.not_negative("ratio of hoops rho")?, a.positive("concrete strength fc in psi")?);
+    let size = [a.positive("width b")?, a.positive("depth h")?, a.positive("effective depth d")?];
+    let hoops = a.not_negative("force of the hoops Fsw")?;
+    let (slope, residual) = (a.float("slope after failure Kdeg")?, a.not_negative("residual force Fres")?);
+    if slope == 0.0 {
+        return Err(
+            a.refuse("the slope after failure Kdeg is 0", "expected it negative, or the stiffness of unloading")
+        );
+    }
+    let (deformation, force) = watched(a)?;
+    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    let surface = LimitSurface::Shear { rho, fc, size, hoops, shift };
+    Ok(LimitCurve { element, deformation, force, surface, slope, residual })
+}
+
+/// Slope after failure, negative, and residual force.
+fn falling(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
+    let slope = a.float("slope after failure Kdeg")?;
+    if slope >= 0.0 {
+        return Err(a.refuse(format!("the slope after failure Kdeg is {slope}"), "expected it negative"));
+    }
+    Ok((slope, a.float("residual force Fres")?))
+}
+
+fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
+    let hoops = a.positive("force of the hoops Fsw")?;
+    let (slope, residual) = falling(a)?;
+    let (deformation, force) = watched(a)?;
+    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    if a.left() > 0 && a.int("removal of the element eleRemove")? != 0 {
+        return Err(a.refuse("elements are not removed at axial failure", "expected 0"));
+    }
+    Ok(LimitCurve { element, deformation, force, surface: LimitSurface::Axial { hoops, shift }, slope, residual })
+}
+
+fn three_point(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
+    let mut points = [[0.0; 2]; 3];
+    for (i, point) in points.iter_mut().enumerate() {
+        *point = [a.nth_float("deformation x", i + 1)?, a.nth_float("force y", i + 1)?];
+    }
+    if !points.windows(2).all(|p| p[1][0] > p[0][0]) {
+        return Err(a.refuse("the deformations of the points do not rise", "expected x1 < x2 < x3"));
+    }
+    let (slope, residual) = falling(a)?;
+    let (deformation, force) = watched(a)?;
+    Ok(LimitCurve { element, deformation, force, surface: LimitSurface::Points(points), slope, residual })
+}
+
+/// Words of a curve with the data of its column: those from the deformation type on.
+const COLUMN_WORDS: usize = 15;
+
+fn rotation_shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
+    let nodes = [a.int("tag of node I")?, a.int("tag of node J")?];
+    let dof = a.dof("axis of the rotation rotAxis", 6)?;
+    if dof < 2 {
+        return Err(a.refuse("the axis of the rotation is a translation", "expected 3, or 4 to 6 in space"));
+    }
+    let calibrated = a.left() >= 3 + COLUMN_WORDS;
+    let strength = a.float("shear strength Vn")?;
+    if !(strength > 0.0 || strength == -1.0 || calibrated && strength == 0.0) {
+        return Err(a.refuse(format!("the shear strength Vn is {strength}"), "expected it positive, or -1 for none"));
+    }
+    let residual = a.float("residual shear Vr")?;
+    if residual < -1.0 {
+        return Err(a.refuse(format!("the residual shear Vr is {residual}"), "expected -1 or more"));
+    }
+    let slope = a.float("slope after failure Kdeg")?;
+    if slope > 0.0 || !calibrated && slope == 0.0 {
+        return Err(a.refuse(format!("the slope after failure Kdeg is {slope}"), "expected it negative"));
+    }
+    let (rotation, column) =
+        if calibrated { (0.0, Some(column(a)?)) } else { (a.positive("rotation at failure rotLim")?, None) };
+    let surface = LimitSurface::RotationShear(RotationShear { strength, rotation, column });
+    let (deformation, force) = (LimitDeformation::Rotation { nodes, dof }, LimitForce::Spring);
+    Ok(LimitCurve { element, deformation, force, surface, slope, residual })
+}
+
+fn column(a: &mut Args<'_>) -> Result<Column, Exception> {
+    let limit = match a.int("type of the rotation defType")? {
+        1 => RotationLimit::Hinge,
+        2 => RotationLimit::Total,
+        3 => RotationLimit::Flexural,
+        4 => RotationLimit::Plastic,
+        5 => RotationLimit::FlexuralPlastic,
+        n => return Err(a.refuse(format!("there is no rotation {n}"), "expected 1 to 5")),
+    };
+    let size = |a: &mut Args<'_>, what: &str| match a.float(what)?.abs() {
+        0.0 => Err(a.refuse(format!("the {what} is 0"), "expected another number")),
+        x => Ok::<f64, Exception>(x),
+    };
+    Ok(Column {
+        limit,
+        size: [size(a, "width b")?, size(a, "effective depth d")?, size(a, "depth h")?],
+        length: size(a, "length L")?,
+        spacing: size(a, "spacing st of the hoops")?,
+        steel: size(a, "area As of the longitudinal bars")?,
+        core: size(a, "area Acc of the core")?,
+        development: size(a, "development length ld")?,
+        bar: size(a, "bar diameter db")?,
+        hoops: a.float("ratio of hoops rhot")?.abs(),
+        fc: size(a, "concrete strength fc in ksi")?,
+        fy: size(a, "yield stress fy")?,
+        fyt: size(a, "yield stress fyt of the hoops")?,
+        shift: a.float("shift of the rotation delta")?,
+    })
+}
+
+fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow, then the curve.
+    let points = if a.left() <= 13 { 2 } else { 3 };
+    let sides = [envelope(a, points, 1.0)?, envelope(a, points, -1.0)?];
+    let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
+    let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
+    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    let (mut curve, mut symmetric) = (None, false);
+    if a.left() > 0 {
+        let (found, _) = a.of(&interp.host.builder.definitions.limit_curves)?;
+        curve = match a.int("type of the curve curveType")? {
+            0 => None,
+            n => Some((found, n == 1)),
+        };
+        symmetric = a.optional_int("symmetric reloading degrade")?.unwrap_or(0) == 1;
+    }
+    let compat = interp.host.follows(&[slips::LIMIT_STATE]);
+    let odd_energy = compat && points == 3;
+    Ok(Arc::new(LimitState { sides, pinch, damage, beta, symmetric, curve, turns_beyond: !compat, odd_energy }))
+}

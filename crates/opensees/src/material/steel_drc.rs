@@ -1,0 +1,88 @@
+//! `uniaxialMaterial SteelDRC`.
+
+use super::Kind;
+use crate::args::Args;
+use crate::{Tcl, ignore_option, slips};
+use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
+use hysteron_tcl::Exception;
+use std::sync::Arc;
+
+pub(super) const KINDS: &[Kind] = &[Kind {
+    names: &["SteelDRC"],
+    usage: "uniaxialMaterial SteelDRC $tag $Es $fy $eu $fu $esh <-Psh $Psh> <-shPoint $esh1 $fsh1> <-omegaFactor $omegaFac> \
+            <-fractStrain $efract> <-bausch $type> <-stiffOutput $type> <-viscousDamper $C $alpha> <-Dfu $Dfu>",
+    make: steel_drc,
+}];
+
+const OPTIONS: &[&str] =
+    &["-Psh", "-shPoint", "-omegaFactor", "-fractStrain", "-bausch", "-stiffOutput", "-viscousDamper", "-Dfu"];
+
+fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let (e, fy) = (a.positive("elastic modulus Es")?, a.positive("yield stress fy")?);
+    let ultimate = [a.positive("strain eu of the strength")?, a.positive("strength fu")?];
+    let hardening = a.positive("strain esh where hardening begins")?;
+    if hardening >= ultimate[0] {
+        return Err(
+            a.refuse(format!("the strain esh is {hardening}"), format!("expected less than eu, {}", ultimate[0]))
+        );
+    }
+    let mut law = SteelDrc {
+        e,
+        fy,
+        hardening,
+        ultimate,
+        power: 3.0,
+        fracture: None,
+        omega: 1.0,
+        straight: 1.0,
+        curve: BauschingerKind::Bezier,
+        stiffness: ReportedStiffness::Tangent,
+        viscous: [0.0, 1.0],
+        compat: interp.host.follows(&[slips::STEEL_DRC_STIFFNESS]),
+    };
+    let mut point = [0.0; 2];
+    while let Some(option) = a.option() {
+        match option.to_lowercase().as_str() {
+            "-psh" => law.power = a.positive("exponent Psh of hardening")?,
+            "-shpoint" => point = [a.float("strain esh1 on the hardening curve")?, a.float("stress fsh1 there")?],
+            "-omegafactor" | "-omegafac" => law.omega = a.positive("factor of the Bauschinger curves omegaFac")?,
+            "-fractstrain" => law.fracture = Some(a.float("strain of fracture efract")?).filter(|x| *x != -1.0),
+            "-bausch" => law.curve = curve(a)?,
+            "-stiffoutput" => law.stiffness = stiffness(a)?,
+            "-viscousdamper" => {
+                law.viscous = [a.not_negative("damping coefficient C")?, a.positive("velocity exponent alpha")?];
+            }
+            "-dfu" => law.straight = a.positive("length Dfu of the straight line after a reversal")?,
+            _ => ignore_option(interp, a, OPTIONS)?,
+        }
+    }
+    if let Some(fracture) = law.fracture.filter(|x| *x <= ultimate[0]) {
+        let label = format!("expected more than eu, {}", ultimate[0]);
+        return Err(a.refuse(format!("the strain of fracture is {fracture}"), label));
+    }
+    if point[0] != 0.0 && point[1] != 0.0 {
+        law.power = law.power_through(point);
+        if !law.power.is_finite() {
+            return Err(a.refuse("no hardening curve goes through the point", "expected a point between esh and eu"));
+        }
+    }
+    Ok(Arc::new(law))
+}
+
+fn curve(a: &mut Args<'_>) -> Result<BauschingerKind, Exception> {
+    match a.int("type of the Bauschinger curves")? {
+        0 => Ok(BauschingerKind::Power),
+        1 => Ok(BauschingerKind::Bezier),
+        2 => Ok(BauschingerKind::Rational),
+        n => Err(a.refuse(format!("there is no curve {n}"), "expected 0 (power), 1 (cubic) or 2 (rational)")),
+    }
+}
+
+fn stiffness(a: &mut Args<'_>) -> Result<ReportedStiffness, Exception> {
+    match a.int("type of the stiffness")? {
+        0 => Ok(ReportedStiffness::Tangent),
+        1 => Ok(ReportedStiffness::Secant),
+        2 => Ok(ReportedStiffness::Elastic),
+        n => Err(a.refuse(format!("there is no stiffness {n}"), "expected 0 (tangent), 1 (secant) or 2 (elastic)")),
+    }
+}
