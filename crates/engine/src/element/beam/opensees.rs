@@ -39,7 +39,8 @@ pub(super) fn settle<const N: usize, const B: usize>(
         ([0.0; N], vec![0.0; <ForceBased as Formulation<N, B>>::load_len(member.sections.len())], state.to_vec());
     let (disp, vel, load) = (&still[..], &still[..], &load[..]);
     let accel = &[];
-    let motion = ElementInput { disp, vel, accel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
+    let motion =
+        ElementInput { disp, vel, accel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
     match formulation.respond(member, &[0.0; B], &motion, &virgin, state) {
         Ok(basic) => basic.write(&mut state[member.head()..]),
         Err(_) => state.copy_from_slice(&virgin),
