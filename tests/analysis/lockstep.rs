@@ -2,6 +2,7 @@
 
 use super::script::{Script, run};
 use hysteron::opensees::lockstep::{Course, Made, analyze};
+use hysteron::run::End;
 use std::collections::BTreeMap;
 
 type Rows = BTreeMap<String, Vec<Vec<f64>>>;
@@ -186,6 +187,20 @@ fn a_script_that_asks_for_results_does_not_wait() {
     let (mut run, ..) = Script::default().ready(&script, Some(Course::default()));
     let result = run.begin("model.tcl", &[]);
     run.close(result);
+    assert_eq!(run.interp.host.course.and_then(|c| c.last_analysis()), None);
+    assert_eq!(side_by_side(&[script], 1)[0].0, Made::No);
+}
+
+#[test]
+fn a_command_by_another_name_asks_for_results_too() {
+    let tail = "-P 1 -Mz 2 -orient 0 1 0 -1 0 0";
+    let script = plane(&format!("{} {tail}", bouc_wen(1, 1.0, 0.0)), "NormDispIncr 1e-10 20");
+    let script = format!(
+        "rename nodeDisp wipe_of_mine; rename node knot; proc node args {{ knot {{*}}$args }}; {script}; wipe_of_mine 2 1"
+    );
+    let (mut run, ..) = Script::default().ready(&script, Some(Course::default()));
+    let result = run.begin("model.tcl", &[]);
+    assert!(matches!(run.close(result), End::Done));
     assert_eq!(run.interp.host.course.and_then(|c| c.last_analysis()), None);
     assert_eq!(side_by_side(&[script], 1)[0].0, Made::No);
 }

@@ -5,7 +5,7 @@ use super::driver::{SingleElement, difference, path};
 use super::every_bearing;
 use super::parts::{PARTS, parts};
 use super::script::run;
-use super::shapes::{Shape, nodes};
+use super::shapes::{Shape, nodes, rigid};
 use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
@@ -381,21 +381,6 @@ fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleEl
         places.swap(2, 3);
     }
     (SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone()), places)
-}
-
-/// Displacements of a small rigid rotation `spin` about the origin, and a translation.
-fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64>, spin: Vector3<f64>) -> Vec<f64> {
-    let spin = if ndm == 2 { Vector3::new(0.0, 0.0, spin.z) } else { spin };
-    let mut u = vec![];
-    for x in places {
-        u.extend((shift + spin.cross(x)).iter().take(ndm));
-        match (ndm, ndf) {
-            (2, 3) => u.push(spin.z),
-            (3, 6) => u.extend(spin.iter()),
-            _ => {}
-        }
-    }
-    u
 }
 
 /// Material with a stress at rest, the last word of an element.

@@ -78,3 +78,18 @@ pub fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
         }
     }
 }
+
+/// Displacements of a small rigid rotation `spin` about the origin, and a translation.
+pub fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64>, spin: Vector3<f64>) -> Vec<f64> {
+    let spin = if ndm == 2 { Vector3::new(0.0, 0.0, spin.z) } else { spin };
+    let mut u = vec![];
+    for x in places {
+        u.extend((shift + spin.cross(x)).iter().take(ndm));
+        match (ndm, ndf) {
+            (2, 3) => u.push(spin.z),
+            (3, 6) => u.extend(spin.iter()),
+            _ => {}
+        }
+    }
+    u
+}

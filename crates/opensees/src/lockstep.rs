@@ -3,10 +3,10 @@
 //! A run comes to its last analysis and answers that it has been made. The script goes on to its end, which must not ask for
 //! results. When all runs of a group have come so far, their analyses are made in vector instructions.
 
+use crate::Tcl;
 use crate::run::Run;
-use crate::{Outcome, Tcl, calls};
 use hysteron_engine::analysis::{LockstepRows, Recorded, lockstep};
-use hysteron_tcl::{Call, Exception};
+use hysteron_tcl::{Call, Exception, Value};
 
 /// Commands after the last analysis that need no results.
 const ENDING: &[&str] = &["wipe", "wipeAnalysis", "setPrecision", "logFile"];
@@ -45,22 +45,17 @@ impl Course {
     }
 }
 
-/// Run a command where the course of the run is followed.
-pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    let name = call.name();
-    let name = name.rsplit("::").next().unwrap_or_default();
-    let Some(command) = calls::command(name) else {
-        return Err(Exception::error(format!("the command \"{name}\" was renamed")));
-    };
-    if let Some(course) = &mut interp.host.course {
-        let ends = ENDING.contains(&name);
-        course.followed |= !ends;
-        if course.steps.is_some() {
-            // The analysis has not been made yet.
-            return if ends { Ok(hysteron_tcl::Value::EMPTY) } else { Err(Exception::Interrupted) };
-        }
+/// Note a command of a run whose course is followed; after an analysis that waits, the end of a run is let pass and any other
+/// command stops it.
+pub(crate) fn before_command(interp: &mut Tcl, call: &Call<'_>) -> Result<Option<Value>, Exception> {
+    let Some(course) = &mut interp.host.course else { return Ok(None) };
+    let ends = ENDING.contains(&call.name().trim_start_matches(':'));
+    course.followed |= !ends;
+    match course.steps {
+        None => Ok(None),
+        Some(_) if ends => Ok(Some(Value::EMPTY)),
+        Some(_) => Err(Exception::Interrupted),
     }
-    (command.run)(interp, call)
 }
 
 impl Run {

@@ -1,7 +1,7 @@
 //! A script from its file to its outcome.
 
 use crate::elsewhere;
-use crate::lockstep::Course;
+use crate::lockstep::{self, Course};
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
@@ -61,8 +61,6 @@ const CHECK_BUDGET: u64 = 20_000_000;
 thread_local! {
     /// The commands that every run begins with.
     static VOCABULARY: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
-    /// The same where the course of a run is followed.
-    static FOLLOWED: OnceCell<Vocabulary<Session>> = const { OnceCell::new() };
 }
 
 /// A script with all that it works on.
@@ -100,8 +98,7 @@ impl Run {
             crate::install(&mut interp);
             interp
         };
-        let vocabulary = if course.is_some() { &FOLLOWED } else { &VOCABULARY };
-        let mut interp = vocabulary.with(|known| match (mode, known.get()) {
+        let mut interp = VOCABULARY.with(|known| match (mode, known.get()) {
             (Mode::Run, Some(words)) => Interp::with_vocabulary(session, console, files, words),
             (Mode::Run, None) => {
                 let interp = fresh(session, console, files);
@@ -111,6 +108,7 @@ impl Run {
             (Mode::Check, _) => fresh(session, console, files),
         });
         interp.elsewhere = elsewhere::command;
+        interp.before_command = course.is_some().then_some(lockstep::before_command);
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);
         }

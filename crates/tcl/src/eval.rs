@@ -254,12 +254,12 @@ impl<H> Interp<H> {
         let result = match &self.core.table.commands[id.0 as usize].imp {
             Imp::Core(function) => function(&mut self.core, &Call::new(&argv, place)),
             Imp::Full(number) => {
-                let function = self.functions[*number as usize];
+                let number = *number;
                 let outer = self.core.calls.site;
                 if let Some(span) = place.and_then(|p| p.whole()) {
                     self.core.calls.site = Some(span);
                 }
-                let result = function(self, &Call::new(&argv, place));
+                let result = self.call_numbered(number, &Call::new(&argv, place));
                 self.core.calls.site = outer;
                 result
             }

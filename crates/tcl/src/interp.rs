@@ -6,7 +6,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 use super::builtin;
-use super::command::{CommandFn, CoreFn, Imp};
+use super::command::{Call, CommandFn, CoreFn, Imp};
 use super::console::Console;
 use super::core::{CallSite, Callee, CommandTable, Core, NsId};
 use super::error::Exception;
@@ -20,6 +20,9 @@ use crate::diagnostic::SourceId;
 /// Handler of an error at the top level of a script.
 pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
 
+/// Observer of the commands of the host. A value takes the place of the command.
+pub type BeforeCommand<H> = fn(&mut Interp<H>, &Call<'_>) -> Result<Option<Value>, Exception>;
+
 /// A Tcl interpreter. The documentation of the crate has an example.
 pub struct Interp<H> {
     /// State that the commands of the host work on.
@@ -30,6 +33,10 @@ pub struct Interp<H> {
     /// Handler of errors at the top level of the script. It returns the error to end the script, or a value to
     /// go on with the next command. `None` ends the script.
     pub on_error: Option<OnError<H>>,
+    /// Is called before each command of the host, by whatever name a script calls it.
+    pub before_command: Option<BeforeCommand<H>>,
+    /// Number of functions that are Tcl's own: those of the host come after them.
+    own_functions: usize,
 }
 
 /// The commands and variables of an interpreter, for others that begin with the same.
@@ -39,6 +46,7 @@ pub struct Interp<H> {
 pub struct Vocabulary<H> {
     table: CommandTable,
     functions: Vec<CommandFn<H>>,
+    own_functions: usize,
 }
 
 thread_local! {
@@ -65,8 +73,9 @@ impl<H> DerefMut for Interp<H> {
 impl<H> Interp<H> {
     /// An interpreter with the commands and variables of Tcl.
     pub fn new(host: H, console: Box<dyn Console>, files: Box<dyn Files>) -> Self {
-        let mut interp = Interp { host, core: Core::new(console, files), functions: vec![], on_error: None };
+        let mut interp = Self::with_functions(host, Core::new(console, files), vec![], 0);
         builtin::install(&mut interp);
+        interp.own_functions = interp.functions.len();
         builtin::variables(&mut interp.core);
         interp
     }
@@ -80,12 +89,28 @@ impl<H> Interp<H> {
     ) -> Self {
         let mut core = Core::new(console, files);
         core.table = vocabulary.table.copied();
-        Interp { host, core, functions: vocabulary.functions.clone(), on_error: None }
+        Self::with_functions(host, core, vocabulary.functions.clone(), vocabulary.own_functions)
+    }
+
+    fn with_functions(host: H, core: Core, functions: Vec<CommandFn<H>>, own_functions: usize) -> Self {
+        Interp { host, core, functions, on_error: None, before_command: None, own_functions }
+    }
+
+    /// Call a function: one of the host after its observer, which may take its place.
+    #[inline]
+    pub(crate) fn call_numbered(&mut self, number: u32, call: &Call<'_>) -> Result<Value, Exception> {
+        if let Some(before) = self.before_command.filter(|_| number as usize >= self.own_functions)
+            && let Some(value) = before(self, call)?
+        {
+            return Ok(value);
+        }
+        self.functions[number as usize](self, call)
     }
 
     /// Its commands and variables as they are now.
     pub fn vocabulary(&self) -> Vocabulary<H> {
-        Vocabulary { table: self.core.table.copied(), functions: self.functions.clone() }
+        let own_functions = self.own_functions;
+        Vocabulary { table: self.core.table.copied(), functions: self.functions.clone(), own_functions }
     }
 
     /// Register a command of the host. It replaces one of the same name.

@@ -44,7 +44,7 @@ pub use self::core::Core;
 pub use self::error::{Exception, Returned, ScriptError};
 pub use self::files::{FileInfo, FileKind, Files, MAX_FILE_SIZE, OpenMode, OsFiles, Stream, read_whole};
 pub use self::form::Form;
-pub use self::interp::{Interp, OnError, Vocabulary};
+pub use self::interp::{BeforeCommand, Interp, OnError, Vocabulary};
 pub use self::list::List;
 pub use self::memory_files::MemoryFiles;
 pub use self::outline::{TopLevel, top_level};

@@ -12,7 +12,7 @@ pub const WIDTH: usize = BLOCK;
 /// A flag of each of [`WIDTH`] models: a bit, the first one the lowest.
 pub type Flags = u8;
 
-/// A number of each of [`WIDTH`] models. Inside of [`super::lanes::in_lanes`] its operations are vector instructions.
+/// A number of each of [`WIDTH`] models. Where loops run in lanes its operations are vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Wide(pub [f64; WIDTH]);

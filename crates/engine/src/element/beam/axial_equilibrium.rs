@@ -1,7 +1,8 @@
 //! The displacement-based beam with one axial force: `AxEqDispBeamColumn2d`.
 
+use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
-use super::member::{Basic, Formulation, Member};
+use super::member::{Formulation, Member};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};

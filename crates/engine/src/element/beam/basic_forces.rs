@@ -1,7 +1,8 @@
 //! Basic forces of beams, for a damping of single elements.
 
+use super::basic::Basic;
 use super::elastic::ElasticBeam;
-use super::member::{Basic, FiberBeam, Formulation};
+use super::member::{FiberBeam, Formulation};
 use crate::element::damping::BasicForces;
 use crate::element::transform::Transform;
 

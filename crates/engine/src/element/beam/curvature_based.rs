@@ -2,8 +2,9 @@
 
 mod opensees;
 
+use super::basic::Basic;
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
-use super::member::{Basic, Formulation, Member, Trace};
+use super::member::{Formulation, Member, Trace};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};

@@ -1,7 +1,8 @@
 //! The displacement-based beam: `dispBeamColumn`.
 
+use super::basic::Basic;
 use super::elastic::{Bending, Release, add_clamped_load};
-use super::member::{Basic, Formulation, Member, bending_at, set};
+use super::member::{Formulation, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};

@@ -1,6 +1,7 @@
 //! The force-based beam: `forceBeamColumn`.
 
-use super::member::{Basic, Formulation, Member, Trace, bending_at, set};
+use super::basic::Basic;
+use super::member::{Formulation, Member, Trace, bending_at, set};
 use super::opensees::settle;
 use super::point::Point;
 use crate::element::load::ElementLoad;

@@ -14,6 +14,7 @@ use crate::section::{Resultant, SectionSlot, SharedSection, of_length};
 use std::fmt;
 use std::sync::Arc;
 
+use super::basic::Basic;
 use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass, rigidities};
 
 /// Relation between the sections of a beam and its basic system of `B` deformations.
@@ -71,31 +72,6 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B];
     /// Basic deformations of the virgin beam for basic forces and loads.
     fn elastic_deformation(member: &Member<N, B>, q: &[f64; B], load: &[f64]) -> [f64; B];
-}
-
-/// Forces and stiffness of the basic system.
-#[derive(Clone, Copy, Debug)]
-pub struct Basic<const B: usize> {
-    /// Forces.
-    pub q: [f64; B],
-    /// Stiffness.
-    pub k: [[f64; B]; B],
-}
-
-impl<const B: usize> Basic<B> {
-    const LEN: usize = B + B * B;
-
-    pub(super) fn read(state: &[f64]) -> Self {
-        let mut basic = Self { q: [0.0; B], k: [[0.0; B]; B] };
-        basic.q.copy_from_slice(&state[..B]);
-        basic.k.as_flattened_mut().copy_from_slice(&state[B..Self::LEN]);
-        basic
-    }
-
-    pub(super) fn write(&self, state: &mut [f64]) {
-        state[..B].copy_from_slice(&self.q);
-        state[B..Self::LEN].copy_from_slice(self.k.as_flattened());
-    }
 }
 
 /// State variables of a beam that continues from its last trial state.

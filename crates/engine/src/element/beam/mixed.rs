@@ -1,7 +1,8 @@
 //! The mixed beam: `mixedBeamColumn`.
 
+use super::basic::Basic;
 use super::force_based::{ForceBased, internal_forces};
-use super::member::{Basic, Formulation, Member, Trace};
+use super::member::{Formulation, Member, Trace};
 use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;

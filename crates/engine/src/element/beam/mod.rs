@@ -1,6 +1,7 @@
 //! Beam-columns.
 
 mod axial_equilibrium;
+mod basic;
 mod basic_forces;
 mod component;
 mod curvature_based;
@@ -15,12 +16,13 @@ mod point;
 mod timoshenko;
 
 pub use axial_equilibrium::AxialEquilibrium;
+pub use basic::Basic;
 pub use component::{ComponentBeam, ComponentOptions};
 pub use curvature_based::{CurvatureBased, MAX_DEFORMATIONS};
 pub use displacement_based::DisplacementBased;
 pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use force_based::ForceBased;
 pub use integration::{Hinge, Points, Rule};
-pub use member::{Basic, FiberBeam, Formulation, Member};
+pub use member::{FiberBeam, Formulation, Member};
 pub use mixed::Mixed;
 pub use timoshenko::{TimoshenkoBeam, TimoshenkoOptions};

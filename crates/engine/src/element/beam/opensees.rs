@@ -3,8 +3,9 @@
 //! The iteration starts from the last trial state and ends at a small residual energy. Without convergence it is repeated
 //! with the initial flexibility of the sections, and then with smaller increments.
 
+use super::basic::Basic;
 use super::force_based::{ForceBased, add_torsion, internal_forces};
-use super::member::{Basic, Formulation, Member, Trace};
+use super::member::{Formulation, Member, Trace};
 use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
