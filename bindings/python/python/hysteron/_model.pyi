@@ -192,7 +192,8 @@ class Model:
         """ladder('on' | 'off:', 'try', 'other', 'algorithms', 'and', 'shorter', 'steps', 'before', 'a', 'step', 'fails')"""
     def layer(self, *args: _Word) -> None:
         """layer('straight', material, n, area, y1, z1, y2, z2 | 'circ', material, n, area, y, z, radius, <angle1, angle2>)"""
-    def limitCurve(self, *args: Any) -> NoReturn: ...
+    def limitCurve(self, *args: _Word) -> None:
+        """limitCurve(kind, tag, element, ...)"""
     def load(self, *args: _Word) -> None:
         """load(node, f1, <f2, ...>, <'-const'>, <'-pattern', tag>)"""
     def loadConst(self, *args: _Word) -> None:

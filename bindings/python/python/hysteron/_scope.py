@@ -21,7 +21,7 @@ OUT_OF_SCOPE = {
     ),
     "other programs and generators": "NDTest ShallowFoundationGen OpenSeesParameter",
     "parts of laws that hysteron does not have yet": (
-        "limitCurve stiffnessDegradation strengthDegradation strengthControl unloadingRule "
+        "stiffnessDegradation strengthDegradation strengthControl unloadingRule "
         "updateMaterialStage setCreep InitialStateAnalysis"
     ),
     "queries that hysteron does not have yet": (

@@ -187,7 +187,8 @@ def ladder(*args: _Word) -> None:
     """ladder('on' | 'off:', 'try', 'other', 'algorithms', 'and', 'shorter', 'steps', 'before', 'a', 'step', 'fails')"""
 def layer(*args: _Word) -> None:
     """layer('straight', material, n, area, y1, z1, y2, z2 | 'circ', material, n, area, y, z, radius, <angle1, angle2>)"""
-def limitCurve(*args: Any) -> NoReturn: ...
+def limitCurve(*args: _Word) -> None:
+    """limitCurve(kind, tag, element, ...)"""
 def load(*args: _Word) -> None:
     """load(node, f1, <f2, ...>, <'-const'>, <'-pattern', tag>)"""
 def loadConst(*args: _Word) -> None:
