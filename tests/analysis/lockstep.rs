@@ -204,3 +204,13 @@ fn a_command_by_another_name_asks_for_results_too() {
     assert_eq!(run.interp.host.course.and_then(|c| c.last_analysis()), None);
     assert_eq!(side_by_side(&[script], 1)[0].0, Made::No);
 }
+
+#[test]
+fn a_script_that_stops_early_leaves_the_others_side_by_side() {
+    let tail = "-P 1 -Mz 2 -orient 0 1 0 -1 0 0";
+    let of = |i| plane(&format!("{} {tail}", bouc_wen(i, 1.0, 0.0)), "NormDispIncr 1e-10 20");
+    let mut scripts: Vec<String> = (0..4).map(of).collect();
+    scripts[0] = scripts[0].replace("uniaxialMaterial Elastic 1 4e5", "error {no such bearing}");
+    let made: Vec<Made> = side_by_side(&scripts, 1).into_iter().map(|(made, _)| made).collect();
+    assert_eq!(made, [Made::No, Made::SideBySide, Made::SideBySide, Made::SideBySide]);
+}

@@ -1,6 +1,6 @@
 //! Materials, sections and transformations of the scripts of single elements.
 
-/// What every script has.
+/// Parts of every script.
 pub const PARTS: &str = "uniaxialMaterial Steel01 11 2. 200. 0.02\nuniaxialMaterial ElasticPPGap 12 200. -2. -0.01 0.05
 uniaxialMaterial Elastic 13 150.
 hystereticBackbone Raynor 31 200. 2. 3. 0.02 0.2 3. 1.

@@ -78,10 +78,14 @@ pub enum Made {
 
 /// Make the analyses of runs that wait: of all side by side, or else of each by itself. The results are the same.
 pub fn analyze(runs: &mut [&mut Run]) -> Vec<Made> {
-    match side_by_side(runs) {
-        Some(made) => made,
-        None => runs.iter_mut().map(|run| by_itself(run)).collect(),
-    }
+    let mut all = vec![Made::No; runs.len()];
+    // A script that has stopped before its analysis does not keep the others from going side by side.
+    let waiting = runs.iter_mut().enumerate().filter(|(_, run)| run.waits().is_some());
+    let (places, mut waiting): (Vec<usize>, Vec<&mut Run>) = waiting.map(|(i, run)| (i, &mut **run)).unzip();
+    let made = side_by_side(&mut waiting);
+    let made = made.unwrap_or_else(|| waiting.iter_mut().map(|run| by_itself(run)).collect());
+    places.into_iter().zip(made).for_each(|(i, made)| all[i] = made);
+    all
 }
 
 /// Make the analysis of a run by itself.

@@ -2,6 +2,8 @@
 
 mod evaluation;
 
+pub(super) use evaluation::ROUND_OFF;
+
 use super::failure::{Cause, Failure};
 use super::loads::Loads;
 use super::state::State;

@@ -1,7 +1,7 @@
 //! An element of several models, evaluated side by side.
 
 use super::{Element, ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
-use crate::numeric::wide::{Flags, WIDTH, Wide};
+use crate::numeric::wide::{Flags, WIDTH, Wide, is_set};
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
@@ -78,7 +78,7 @@ impl LockstepElement for OneByOne {
         let (committed, rest) = histories.split_at_mut(words);
         let (trial, matrix) = rest.split_at_mut(words);
         let LockstepOutput { trial: all_trial, force: all_force, tangent: mut all_tangent, part } = output;
-        for (lane, element) in self.0.iter().enumerate().filter(|(lane, _)| motion.lanes >> lane & 1 == 1) {
+        for (lane, element) in self.0.iter().enumerate().filter(|(lane, _)| is_set(motion.lanes, *lane)) {
             disp.iter_mut().zip(motion.disp).for_each(|(own, all)| *own = all.0[lane]);
             committed.iter_mut().zip(motion.committed).for_each(|(own, all)| *own = all.0[lane]);
             trial.iter_mut().zip(&*all_trial).for_each(|(own, all)| *own = all.0[lane]);

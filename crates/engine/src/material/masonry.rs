@@ -217,7 +217,7 @@ impl Trial<'_> {
         self.curve()
     }
 
-    /// Where reloading meets the envelope, and the change of slope on the way: strain, stress, slope.
+    /// Point at which reloading meets the envelope, and the change of slope on the way: strain, stress, slope.
     fn prepare_reloading(&mut self) -> [f64; 3] {
         let law = self.law;
         if self.t.inner < self.t.plastic {

@@ -91,7 +91,7 @@ pub struct Definitions {
 
 impl Definitions {
     /// Let the tags be taken once more that OpenSees forgets at a further `model`: those of all but materials and sections.
-    /// What has been made of the things of before keeps them.
+    /// Elements and patterns made of the things of before keep them.
     pub fn reuse_tags(&mut self) {
         self.frictions.reuse_tags();
         self.series.reuse_tags();

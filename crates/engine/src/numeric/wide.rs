@@ -12,6 +12,12 @@ pub const WIDTH: usize = BLOCK;
 /// A flag of each of [`WIDTH`] models: a bit, the first one the lowest.
 pub type Flags = u8;
 
+/// Returns true if the flag of a model is set.
+#[inline(always)]
+pub fn is_set(flags: Flags, model: usize) -> bool {
+    flags >> model & 1 == 1
+}
+
 /// A number of each of [`WIDTH`] models. Where loops run in lanes its operations are vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
@@ -102,7 +108,7 @@ impl Wide {
     pub fn where_flag(self, flags: Flags, otherwise: Self) -> Self {
         let mut out = [0.0; WIDTH];
         for i in 0..WIDTH {
-            out[i] = if flags >> i & 1 == 1 { self.0[i] } else { otherwise.0[i] };
+            out[i] = if is_set(flags, i) { self.0[i] } else { otherwise.0[i] };
         }
         Self(out)
     }

@@ -76,7 +76,7 @@ impl Wall {
     }
 }
 
-/// What is removed, and when.
+/// Elements and nodes that are removed, and the time of it.
 #[derive(Debug)]
 enum Rule {
     /// A wall of elements, with the mass of each; the secondary elements follow the last of them.

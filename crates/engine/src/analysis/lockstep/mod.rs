@@ -12,7 +12,7 @@ use super::engine::Engine;
 use crate::assembly::Plan;
 use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
-use crate::numeric::wide::{Flags, WIDTH, Wide};
+use crate::numeric::wide::{Flags, WIDTH, Wide, is_set};
 use crate::solve::DenseLu;
 use std::ops::Range;
 use std::sync::Arc;
@@ -41,8 +41,8 @@ pub struct LockstepRows {
 ///
 /// Returns true for each model that has failed: its engine is left as it was, and its analysis is to be made by itself.
 /// `None` where the models or their analyses are not made for it, and nothing has changed then: everything but steps of
-/// load control by Newton's method under a simple test, single-point constraints, equations few enough for a dense matrix, and elements that have a
-/// [`LockstepElement`].
+/// load control by Newton's method under a simple test, single-point constraints, equations few enough for
+/// a dense matrix, and elements that have a [`LockstepElement`].
 pub fn lockstep(
     engines: &mut [&mut Engine],
     steps: usize,
@@ -51,10 +51,10 @@ pub fn lockstep(
 ) -> Option<[bool; WIDTH]> {
     let mut models = Models::new(engines)?;
     models.analyze(steps, recorded, take);
-    for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| models.failed >> lane & 1 == 0) {
+    for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| !is_set(models.failed, *lane)) {
         models.finish(lane, engine, steps);
     }
-    Some(std::array::from_fn(|lane| models.failed >> lane & 1 == 1))
+    Some(std::array::from_fn(|lane| is_set(models.failed, lane)))
 }
 
 /// A force on a degree of freedom.

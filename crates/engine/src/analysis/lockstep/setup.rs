@@ -15,7 +15,7 @@ use crate::solve::DenseLu;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// What of an engine goes side by side with that of others.
+/// Parts of an engine that go side by side with those of others.
 #[derive(Clone, Copy)]
 struct Parts<'a> {
     model: &'a Model,

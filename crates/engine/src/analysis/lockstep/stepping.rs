@@ -7,13 +7,11 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::{ALL, Flags, LockstepRows, Measure, Models, Norm, Recorded, Work};
+use crate::analysis::system::ROUND_OFF;
 use crate::element::{LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};
-use crate::numeric::wide::{WIDTH, Wide};
+use crate::numeric::wide::{WIDTH, Wide, is_set};
 use std::sync::atomic::Ordering;
-
-/// Displacements that differ by no more than this fraction differ by the round-off of a correction.
-const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 /// Steps between two looks at the interrupt, whose recorded numbers are taken together.
 const STEPS_AT_ONCE: usize = 64;
@@ -252,7 +250,7 @@ impl Models {
     /// Find the corrections model by model: rows are exchanged in some and not in others.
     fn solve_one_by_one(&mut self, idle: Flags) {
         let Work { matrix, b, x, factors, values, solution, .. } = &mut self.work;
-        for lane in (0..WIDTH).filter(|lane| idle >> lane & 1 == 0) {
+        for lane in (0..WIDTH).filter(|lane| !is_set(idle, *lane)) {
             values.iter_mut().zip(&*matrix).for_each(|(own, all)| *own = all.0[lane]);
             solution.iter_mut().zip(&*b).for_each(|(own, all)| *own = all.0[lane]);
             match factors.factor(values) {
@@ -322,7 +320,7 @@ impl Models {
         };
         let passed = norm.at_most(Wide::all(self.tolerance)) & !*waits;
         for (lane, n) in self.flags.expected.iter_mut().enumerate() {
-            *n = if passed >> lane & 1 == 1 { iteration } else { *n };
+            *n = if is_set(passed, lane) { iteration } else { *n };
         }
         *waits |= passed;
         let ends = if iteration >= self.max_iterations { ALL } else { norm.is_no_number() };

@@ -10,7 +10,7 @@ use std::sync::atomic::Ordering;
 static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
 
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
-const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
+pub(in crate::analysis) const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 /// Displacements that are compared at once.
 const SIDE_BY_SIDE: usize = 6;

@@ -1,4 +1,4 @@
-//! What a reversal changes.
+//! Changes of the state at a reversal.
 
 use super::{History, Point, SteelDrc};
 
