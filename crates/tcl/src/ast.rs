@@ -1,9 +1,9 @@
 //! A parsed script. Bytes are counted in the text of the [`Unit`], which knows where that text comes from.
 
-use std::cell::{Cell, OnceCell};
+use std::cell::Cell;
 use std::rc::Rc;
 
-use super::expr::Template;
+use super::inline::Inline;
 use super::origin::Origin;
 use super::stack;
 use super::stretch::Stretch;
@@ -76,21 +76,15 @@ pub(crate) struct Command {
     pub(crate) words: Box<[Word]>,
     pub(crate) start: u32,
     pub(crate) end: u32,
+    /// Its place in the sources.
+    pub(crate) span: Option<Span>,
     pub(crate) found: Cell<Found>,
-    /// True if the command can run without a call.
+    /// The form in which it runs without a call.
     pub(crate) inline: Inline,
-}
-
-/// Frequent commands that are carried out without a call, if their name means the command of the language.
-#[derive(Debug)]
-pub(crate) enum Inline {
-    No,
-    /// `expr`, with its words as a ready expression.
-    Expr(Box<OnceCell<Option<Template>>>),
-    /// `set name value`
-    Set(Rc<VarName>),
-    /// `incr name`, `incr name 2`
-    Incr(Rc<VarName>, i64),
+    /// Number of that form among the commands of the language.
+    pub(crate) form: u8,
+    /// True if it is such a form without brackets in it.
+    pub(crate) is_flat: bool,
 }
 
 /// One word.
@@ -121,7 +115,7 @@ pub(crate) enum Part {
 }
 
 /// `$name`, `$name(index)`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct VarRef {
     pub(crate) name: Rc<VarName>,
     pub(crate) index: Option<Index>,
@@ -130,8 +124,8 @@ pub(crate) struct VarRef {
 }
 
 /// The index of an array element.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Index {
     Text(Text),
-    Parts(Box<[Part]>),
+    Parts(Rc<[Part]>),
 }

@@ -51,6 +51,8 @@ pub(crate) struct Proc {
     pub(crate) params: Vec<Param>,
     /// True if the last parameter is `args`.
     pub(crate) variadic: bool,
+    /// True if no two parameters have the same name.
+    pub(crate) distinct: bool,
     pub(crate) body: Value,
     pub(crate) script: Rc<Script>,
 }
@@ -82,8 +84,9 @@ impl Place<'_> {
         self.script.unit.span(word.start, word.end)
     }
 
+    #[inline]
     pub(crate) fn whole(&self) -> Option<Span> {
-        self.script.unit.span(self.command.start, self.command.end)
+        self.command.span
     }
 }
 

@@ -7,10 +7,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::channel::Channels;
-use super::command::{CmdId, Definition};
+use super::command::Definition;
 use super::console::Console;
 use super::error::Exception;
 use super::files::Files;
+use super::inline::InlinedCommands;
 use super::namespace::Namespace;
 use super::table::Table;
 use super::text::Text;
@@ -51,7 +52,8 @@ pub(crate) struct CallSite {
 /// Callee of a call site.
 #[derive(Debug)]
 pub(crate) enum Callee {
-    Proc(Text),
+    /// By the index of its frame, which has the words of the call.
+    Proc(usize),
     Source(Text),
 }
 
@@ -147,14 +149,6 @@ pub(crate) struct CommandTable {
     pub(crate) inlined: InlinedCommands,
 }
 
-/// Commands that run without being called, as long as their names mean those of the language.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct InlinedCommands {
-    pub(crate) expr: Option<CmdId>,
-    pub(crate) set: Option<CmdId>,
-    pub(crate) incr: Option<CmdId>,
-}
-
 impl CommandTable {
     fn new() -> Self {
         CommandTable {
@@ -190,6 +184,7 @@ pub(crate) struct Packages {
 struct Spare {
     words: Vec<Vec<Value>>,
     vars: Vec<Table<Slot>>,
+    text: String,
 }
 
 thread_local! {
@@ -277,6 +272,19 @@ impl Core {
         }
     }
 
+    /// An empty text to put others together in, reused.
+    pub(crate) fn take_buffer(&mut self) -> String {
+        std::mem::take(&mut self.spare.text)
+    }
+
+    pub(crate) fn give_buffer(&mut self, mut text: String) {
+        text.clear();
+        // A rare long text must not keep its memory for ever.
+        if text.capacity() <= 4096 {
+            self.spare.text = text;
+        }
+    }
+
     pub(crate) fn take_vars(&mut self) -> Table<Slot> {
         self.spare.vars.pop().unwrap_or_default()
     }
@@ -307,7 +315,10 @@ impl Core {
     pub fn callers(&self) -> Vec<Caller> {
         let caller = |site: &CallSite| {
             let what = match &site.what {
-                Callee::Proc(name) => format!("proc \"{}\"", &**name),
+                Callee::Proc(frame) => {
+                    let words = self.calls.frames.get(*frame).map_or(&[][..], |f| &f.words);
+                    format!("proc \"{}\"", words.first().unwrap_or(&Value::EMPTY))
+                }
                 Callee::Source(path) => format!("source \"{}\"", &**path),
             };
             Some(Caller { what, span: site.span? })

@@ -2,13 +2,14 @@
 
 use std::rc::Rc;
 
-use super::ast::{Command, Found, Index, Inline, ParseError, Part, Script, Unit, VarRef, WordKind};
+use super::ast::{Command, Found, Index, ParseError, Part, Script, Unit, VarRef, WordKind};
 use super::command::{Call, CmdId, Imp, Place};
 use super::core::Core;
 use super::error::{Exception, ScriptError};
 use super::interp::Interp;
 use super::lexer;
 use super::list::List;
+use super::number::plain_int;
 use super::stack;
 use super::text::Cache;
 use super::value::{Rep, Value};
@@ -69,7 +70,8 @@ impl<H> Interp<H> {
         self.deeper(|interp| interp.invoke(argv, None))
     }
 
-    fn deeper<R>(&mut self, work: impl FnOnce(&mut Self) -> Result<R, Exception>) -> Result<R, Exception> {
+    #[inline]
+    pub(crate) fn deeper<R>(&mut self, work: impl FnOnce(&mut Self) -> Result<R, Exception>) -> Result<R, Exception> {
         if self.core.calls.depth >= MAX_DEPTH {
             return Err(too_deep());
         }
@@ -81,68 +83,52 @@ impl<H> Interp<H> {
 
     /// Run the commands of a script; the result is that of the last one.
     pub(crate) fn run(&mut self, script: &Script) -> Result<Value, Exception> {
-        self.deeper(|interp| {
-            let Some((last, before)) = script.commands.split_last() else {
-                return match &script.error {
-                    None => Ok(Value::EMPTY),
-                    Some(error) => Err(interp.core.syntax_error(script, error)),
-                };
-            };
-            // Drop intermediate results at once: a second owner of a list makes its next change copy it.
-            for command in before {
-                interp.command_or_on(script, command)?;
-            }
-            let result = interp.command_or_on(script, last)?;
-            match &script.error {
-                None => Ok(result),
-                Some(error) => Err(interp.core.syntax_error(script, error)),
-            }
-        })
+        self.deeper(|interp| interp.run_here(script))
+    }
+
+    /// As [`Interp::run`], for a script that is not nested deeper than what called it, such as the body of a loop.
+    #[inline]
+    pub(crate) fn run_here(&mut self, script: &Script) -> Result<Value, Exception> {
+        let Some((last, before)) = script.commands.split_last() else { return self.end_of(script, Value::EMPTY) };
+        // Drop intermediate results at once: a second owner of a list makes its next change copy it.
+        for command in before {
+            self.command_or_on(script, command)?;
+        }
+        let result = self.command_or_on(script, last)?;
+        self.end_of(script, result)
+    }
+
+    /// The result of a script, whose commands have run.
+    #[inline]
+    fn end_of(&self, script: &Script, result: Value) -> Result<Value, Exception> {
+        match &script.error {
+            None => Ok(result),
+            Some(error) => Err(self.core.syntax_error(script, error)),
+        }
     }
 
     /// Run a command. An error at top level goes to the host's handler, if it has one.
     fn command_or_on(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
-        match (self.command(script, command), self.on_error) {
-            (Err(e @ Exception::Error(_)), Some(handle)) if self.core.calls.depth == 1 => handle(self, e),
-            (result, _) => result,
+        match self.command(script, command) {
+            Err(e) => self.failed_at_level(e),
+            result => result,
+        }
+    }
+
+    #[cold]
+    fn failed_at_level(&mut self, e: Exception) -> Result<Value, Exception> {
+        match (e, self.on_error) {
+            (e @ Exception::Error(_), Some(handle)) if self.core.calls.depth == 1 => handle(self, e),
+            (e, _) => Err(e),
         }
     }
 
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
-        match &command.inline {
-            Inline::No => {}
-            Inline::Expr(_) => {
-                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.expr)
-                    && let Some(result) = self.expr_command(script, command)
-                {
-                    return result;
-                }
-            }
-            Inline::Set(name) => {
-                if let Some(word) = command.words.get(2)
-                    && self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.set)
-                {
-                    let result = match &word.kind {
-                        WordKind::Literal(v) => Ok(v.clone()),
-                        kind => self.word(script, kind),
-                    };
-                    let result = result.and_then(|value| {
-                        self.core.assign(name, value.clone())?;
-                        Ok(value)
-                    });
-                    return result.map_err(|e| self.inline_failed(e, script, command));
-                }
-            }
-            Inline::Incr(name, by) => {
-                if self.core.is_inlined(Place { script, command, map: None }, self.core.table.inlined.incr)
-                    && let Some(sum) = self.core.increment(name, *by)
-                {
-                    return Ok(sum);
-                }
-            }
+        match self.inlined(script, command) {
+            Some(result) => result,
+            None => self.call_command(script, command),
         }
-        self.call_command(script, command)
     }
 
     /// Run a command by a call.
@@ -194,13 +180,21 @@ impl<H> Interp<H> {
         self.core.trace_command(e, Some(place), None)
     }
 
+    /// The result of a command in brackets.
+    fn bracket(&mut self, script: &Script) -> Result<Value, Exception> {
+        match &script.commands[..] {
+            [only] if only.is_flat => self.command(script, only),
+            _ => self.run(script),
+        }
+    }
+
     /// The value of a word.
     pub(crate) fn word(&mut self, script: &Script, kind: &WordKind) -> Result<Value, Exception> {
         match kind {
             WordKind::Literal(v) => Ok(v.clone()),
             WordKind::Var(var) => self.variable(&script.unit, var),
-            WordKind::Script(script) => self.run(script),
-            WordKind::Parts(parts) => self.join(&script.unit, parts).map(Value::from),
+            WordKind::Script(script) => self.bracket(script),
+            WordKind::Parts(parts) => self.joined(&script.unit, parts),
         }
     }
 
@@ -226,17 +220,37 @@ impl<H> Interp<H> {
         result.map_err(|e| e.at(unit.span(var.start, var.end), ""))
     }
 
+    /// The value whose text several parts are. Tags and the like, which are integers, become so at once.
+    fn joined(&mut self, unit: &Unit, parts: &[Part]) -> Result<Value, Exception> {
+        let mut text = self.core.take_buffer();
+        let written = self.join_into(unit, parts, &mut text);
+        let value = match plain_int(&text) {
+            Some(i) => Value::from(i),
+            None => Value::from(text.as_str()),
+        };
+        self.core.give_buffer(text);
+        written.map(|()| value)
+    }
+
     /// The text of several parts.
     pub(crate) fn join(&mut self, unit: &Unit, parts: &[Part]) -> Result<String, Exception> {
         let mut text = String::new();
+        self.join_into(unit, parts, &mut text)?;
+        Ok(text)
+    }
+
+    fn join_into(&mut self, unit: &Unit, parts: &[Part], text: &mut String) -> Result<(), Exception> {
         for part in parts {
             match part {
                 Part::Text(t) => text.push_str(t),
-                Part::Var(v) => self.variable(unit, v)?.write_to(&mut text),
-                Part::Script(s) => self.run(s)?.write_to(&mut text),
+                Part::Var(v) => match self.core.scalar(&v.name) {
+                    Some(value) if v.index.is_none() => value.write_to(text),
+                    _ => self.variable(unit, v)?.write_to(text),
+                },
+                Part::Script(s) => self.bracket(s)?.write_to(text),
             }
         }
-        Ok(text)
+        Ok(())
     }
 
     /// Call the command that the first of some words names.
@@ -341,22 +355,8 @@ impl Core {
         self.settle_place(e.map_error(|e| e.line = line), None)
     }
 
-    /// Returns true if the name of a command means the given command of the language.
-    fn is_inlined(&self, place: Place<'_>, wanted: Option<CmdId>) -> bool {
-        let known = place.command.found.get();
-        let id = if known.epoch == self.table.epoch && known.namespace == self.here().0 {
-            Some(CmdId(known.command))
-        } else {
-            match place.command.words.first().map(|w| &w.kind) {
-                Some(WordKind::Literal(name)) => self.lookup(std::slice::from_ref(name), Some(place)),
-                _ => None,
-            }
-        };
-        id.is_some() && id == wanted
-    }
-
     /// The command that the first word names; remembered with the parsed command.
-    fn lookup(&self, argv: &[Value], place: Option<Place<'_>>) -> Option<CmdId> {
+    pub(crate) fn lookup(&self, argv: &[Value], place: Option<Place<'_>>) -> Option<CmdId> {
         let name = argv.first()?;
         let ns = self.here();
         let memory = place.filter(|p| {

@@ -3,12 +3,13 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use super::ast::{Command, Index, Inline, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
+use super::ast::{Command, Index, ParseError, Part, Script, Unit, VarRef, Word, WordKind};
 use super::escape::backslash;
+use super::inline::Inline;
 use super::origin::Origin;
 use super::stack;
 use super::stretch::MIN_SHARED;
-use super::value::{Rep, Value};
+use super::value::Value;
 use super::vars::VarName;
 
 /// Limit of nested brackets and parentheses in one text.
@@ -167,8 +168,11 @@ impl<'a> Lexer<'a> {
             end = self.pos;
             self.skip_blanks();
         }
-        let inline = inline(&words);
-        Ok(Command { words: words.into(), start: start as u32, end: end as u32, found: Cell::default(), inline })
+        let inline = Inline::of(&words);
+        let (form, is_flat) = (inline.number(), inline.is_flat(&words));
+        let (start, end) = (start as u32, end as u32);
+        let span = self.unit.span(start, end);
+        Ok(Command { words: words.into(), start, end, span, found: Cell::default(), inline, form, is_flat })
     }
 
     fn word(&mut self, nested: bool) -> Result<Word, ParseError> {
@@ -440,28 +444,10 @@ impl<'a> Lexer<'a> {
             WordKind::Literal(v) => Index::Text(v.to_text()),
             WordKind::Var(v) => Index::Parts([Part::Var(v)].into()),
             WordKind::Script(s) => Index::Parts([Part::Script(s)].into()),
-            WordKind::Parts(p) => Index::Parts(p),
+            WordKind::Parts(p) => Index::Parts(Vec::from(p).into()),
         };
         let name = VarName::simple(name);
         Ok(Some(VarRef { name, index: Some(index), start: start as u32, end: self.pos as u32 }))
-    }
-}
-
-/// Returns true if a command needs no call.
-fn inline(words: &[Word]) -> Inline {
-    let [Word { kind: WordKind::Literal(name), .. }, rest @ ..] = words else { return Inline::No };
-    if rest.iter().any(|w| w.expand) {
-        return Inline::No;
-    }
-    match (&*name.as_str(), rest) {
-        ("expr", _) => Inline::Expr(Box::default()),
-        ("set", [Word { kind: WordKind::Literal(name), .. }, _]) => Inline::Set(VarName::of(name)),
-        ("incr", [Word { kind: WordKind::Literal(name), .. }, by @ ..]) => match by {
-            [] => Inline::Incr(VarName::of(name), 1),
-            [Word { kind: WordKind::Literal(Value(Rep::Int(by))), .. }] => Inline::Incr(VarName::of(name), *by),
-            _ => Inline::No,
-        },
-        _ => Inline::No,
     }
 }
 

@@ -18,6 +18,7 @@ mod files;
 mod form;
 mod glob;
 mod index;
+mod inline;
 mod interp;
 mod lexer;
 mod list;

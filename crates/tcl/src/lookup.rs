@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::core::{Core, NsId};
 use super::error::Exception;
+use super::expr::Num;
 use super::table::Table;
 use super::text::Text;
 use super::value::{Rep, Value};
@@ -74,16 +75,16 @@ impl Core {
         let frame = self.frame();
         if let Scope::Here = name.scope {
             if frame.is_proc {
-                return frame.vars.get_hashed(&name.tail, name.hash);
+                return frame.vars.get_near(&name.tail, name.hash, &name.near);
             }
             if frame.ns != NsId::GLOBAL
-                && let Some(slot) = self.ns(frame.ns).vars.get_hashed(&name.tail, name.hash)
+                && let Some(slot) = self.ns(frame.ns).vars.get_near(&name.tail, name.hash, &name.near)
             {
                 return Some(slot);
             }
-            return self.ns(NsId::GLOBAL).vars.get_hashed(&name.tail, name.hash);
+            return self.ns(NsId::GLOBAL).vars.get_near(&name.tail, name.hash, &name.near);
         }
-        self.ns(self.scope_of(name)?).vars.get_hashed(&name.tail, name.hash)
+        self.ns(self.scope_of(name)?).vars.get_near(&name.tail, name.hash, &name.near)
     }
 
     /// The value of a variable that is a plain scalar; `None` does not mean that there is no variable.
@@ -98,8 +99,7 @@ impl Core {
     /// As [`Core::scalar`], to change the value.
     #[inline]
     fn scalar_mut(&mut self, name: &VarName) -> Option<&mut Value> {
-        // Setting this one has consequences.
-        if &*name.tail == "tcl_precision" {
+        if name.is_precision {
             return None;
         }
         match self.slot_mut(name) {
@@ -121,20 +121,48 @@ impl Core {
         Some(sum)
     }
 
+    /// Give a scalar another value, a number; false, with nothing done, where that takes more.
+    #[inline]
+    pub(crate) fn set_number(&mut self, name: &VarName, n: Num) -> bool {
+        if name.element.is_some() {
+            return false;
+        }
+        let Some(value) = self.scalar_mut(name) else { return false };
+        *value = n.into();
+        true
+    }
+
+    /// Append an item to a list where it is. The list, or the item where that takes more.
+    #[inline]
+    pub(crate) fn push_item(&mut self, name: &VarName, item: Value) -> Result<Value, Value> {
+        if name.element.is_some() {
+            return Err(item);
+        }
+        let Some(value) = self.scalar_mut(name) else { return Err(item) };
+        if !matches!(value.0, Rep::List(_) | Rep::Empty) {
+            return Err(item);
+        }
+        match value.list_mut() {
+            Ok(items) => items.push(item),
+            Err(_) => return Err(item),
+        }
+        Ok(value.clone())
+    }
+
     #[inline]
     fn slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
         let active = self.calls.active;
         if let Scope::Here = name.scope {
             if self.calls.frames[active].is_proc {
-                return self.calls.frames[active].vars.get_hashed_mut(&name.tail, name.hash);
+                return self.calls.frames[active].vars.get_near_mut(&name.tail, name.hash, &name.near);
             }
             let ns = self.calls.frames[active].ns;
-            let here = ns != NsId::GLOBAL && self.ns(ns).vars.get_hashed(&name.tail, name.hash).is_some();
+            let here = ns != NsId::GLOBAL && self.ns(ns).vars.get_near(&name.tail, name.hash, &name.near).is_some();
             let ns = if here { ns } else { NsId::GLOBAL };
-            return self.ns_mut(ns).vars.get_hashed_mut(&name.tail, name.hash);
+            return self.ns_mut(ns).vars.get_near_mut(&name.tail, name.hash, &name.near);
         }
         let ns = self.scope_of(name)?;
-        self.ns_mut(ns).vars.get_hashed_mut(&name.tail, name.hash)
+        self.ns_mut(ns).vars.get_near_mut(&name.tail, name.hash, &name.near)
     }
 
     /// The slot of a variable, made if there is none; `None` where its namespace does not exist.
@@ -148,8 +176,8 @@ impl Core {
         let mut ns = self.scope_of(name)?;
         if let Scope::Here = name.scope
             && ns != NsId::GLOBAL
-            && self.ns(ns).vars.get_hashed(&name.tail, name.hash).is_none()
-            && self.ns(NsId::GLOBAL).vars.get_hashed(&name.tail, name.hash).is_some_and(Slot::exists)
+            && self.ns(ns).vars.get_near(&name.tail, name.hash, &name.near).is_none()
+            && self.ns(NsId::GLOBAL).vars.get_near(&name.tail, name.hash, &name.near).is_some_and(Slot::exists)
         {
             ns = NsId::GLOBAL;
         }
@@ -204,7 +232,7 @@ impl Core {
             None => Err(Trouble::NoNamespace),
             Some(slot) => slot.with_mut(|slot| put(slot, index, value)),
         };
-        if &*name.tail == "tcl_precision" {
+        if name.is_precision {
             self.take_precision()?;
         }
         done.map_err(|why| self.var_error("set", name, index.map(|t| &**t), why))
@@ -287,7 +315,9 @@ impl Core {
         let frame = self.frame();
         let ns = match name.scope {
             Scope::Here if frame.is_proc => None,
-            Scope::Here if self.ns(frame.ns).vars.get_hashed(&name.tail, name.hash).is_none() => Some(NsId::GLOBAL),
+            Scope::Here if self.ns(frame.ns).vars.get_near(&name.tail, name.hash, &name.near).is_none() => {
+                Some(NsId::GLOBAL)
+            }
             _ => self.scope_of(name),
         };
         match ns {

@@ -173,10 +173,7 @@ impl Core {
         if let Some(&old) = self.ns(ns).commands.get(name) {
             self.table.commands[old.0 as usize].imp = imp;
             // No longer those of the language.
-            let inlined = &mut self.table.inlined;
-            for command in [&mut inlined.expr, &mut inlined.set, &mut inlined.incr] {
-                command.take_if(|id| *id == old);
-            }
+            self.table.inlined.forget(old);
             return old;
         }
         let id = CmdId(self.table.commands.len() as u32);

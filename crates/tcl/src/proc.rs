@@ -40,7 +40,8 @@ impl Proc {
             list.push(Param { name: VarName::simple(&text), default });
         }
         let variadic = list.last().is_some_and(|p| &*p.name.text == "args");
-        Ok(Proc { ns, params: list, variadic, body: body.clone(), script: script_of(body) })
+        let distinct = list.iter().enumerate().all(|(i, p)| list[..i].iter().all(|q| *q.name.tail != *p.name.tail));
+        Ok(Proc { ns, params: list, variadic, distinct, body: body.clone(), script: script_of(body) })
     }
 
     /// The parameters as `wrong # args` shows them.
@@ -64,17 +65,15 @@ impl<H> Interp<H> {
         argv: Vec<Value>,
         place: Option<Place<'_>>,
     ) -> Result<Value, Exception> {
-        let name = match argv.first() {
-            Some(v) => v.to_text(),
-            None => Text::from(""),
-        };
+        let name = |words: &[Value]| words.first().map_or_else(|| Text::from(""), Value::to_text);
         self.call_body(
             proc,
             argv,
             1,
             place,
-            || quoted(&name),
-            |line| {
+            |words| quoted(&name(words)),
+            |words, line| {
+                let name = name(words);
                 let shown: String = name.chars().take(60).collect();
                 let dots = if name.chars().count() > 60 { "..." } else { "" };
                 format!("procedure \"{shown}{dots}\" line {line}")
@@ -89,15 +88,15 @@ impl<H> Interp<H> {
         argv: Vec<Value>,
         skip: usize,
         place: Option<Place<'_>>,
-        shown: impl FnOnce() -> String,
-        trace: impl FnOnce(usize) -> String,
+        shown: impl FnOnce(&[Value]) -> String,
+        trace: impl FnOnce(&[Value], usize) -> String,
     ) -> Result<Value, Exception> {
         let mut vars = self.core.take_vars();
         if !bind(proc, argv.get(skip..).unwrap_or_default(), &mut vars) {
             self.core.give_vars(vars);
             let params = proc.usage();
             let blank = if params.is_empty() { "" } else { " " };
-            let message = format!("wrong # args: should be \"{}{blank}{params}\"", shown());
+            let message = format!("wrong # args: should be \"{}{blank}{params}\"", shown(&argv));
             let span = place.and_then(|p| p.whole());
             let e = Exception::coded(message, &["TCL", "WRONGARGS"]).at(span, "");
             return Err(self.failed(e, argv, place));
@@ -106,7 +105,6 @@ impl<H> Interp<H> {
             return Err(self.failed(e, argv, place));
         }
         let span = place.and_then(|p| p.whole()).or(self.core.calls.site);
-        let name = argv.first().map_or_else(|| Text::from(""), Value::to_text);
         let caller = self.core.calls.active;
         let frame = Frame {
             ns: proc.ns,
@@ -117,7 +115,7 @@ impl<H> Interp<H> {
             words: argv,
         };
         let outer_site = self.core.calls.site;
-        self.core.calls.sites.push(CallSite { what: Callee::Proc(name), span });
+        self.core.calls.sites.push(CallSite { what: Callee::Proc(self.core.calls.frames.len()), span });
         self.core.calls.frames.push(frame);
         self.core.calls.active = self.core.calls.frames.len() - 1;
         let compiled = std::mem::replace(&mut self.core.calls.compiled, true);
@@ -152,7 +150,7 @@ impl<H> Interp<H> {
             Err(Exception::Error(e)) => {
                 let body = proc.body.origin().map(|o| o.span(0, proc.body.as_str().len() as u32));
                 let line = self.core.line_within(&e, body);
-                let e = Exception::Error(e).trace(|_| trace(line));
+                let e = Exception::Error(e).trace(|_| trace(&words, line));
                 let e = self.core.settle_place(e, place);
                 let e = self.core.trace_command(e, place, Some(&words));
                 self.core.give_words(words);
@@ -222,6 +220,10 @@ fn bind(proc: &Proc, args: &[Value], vars: &mut Table<Slot>) -> bool {
                 None => return false,
             }
         };
+        if proc.distinct {
+            vars.push(param.name.tail.clone(), param.name.hash, Slot::Scalar(value));
+            continue;
+        }
         // Of two parameters with the same name the first counts.
         let slot = vars.entry_or(&param.name.tail, param.name.hash, Slot::default);
         if !slot.exists() {

@@ -1,6 +1,8 @@
 //! A hash table with two orders: of insertion, for dictionaries, and of Tcl's own hash tables, for arrays and names in a
 //! namespace. `array names` therefore lists in the order of tclsh.
 
+use std::cell::Cell;
+
 use super::text::Text;
 
 const NONE: u32 = u32::MAX;
@@ -102,21 +104,41 @@ impl<V> Table<V> {
         None
     }
 
-    pub(crate) fn get_hashed(&self, key: &str, hash: u32) -> Option<&V> {
-        self.find(key, hash).and_then(|at| self.entries[at].as_ref()).map(|e| &e.value)
+    /// As [`Table::find`], for a name that was found at `near` before.
+    #[inline]
+    fn find_near(&self, key: &Text, hash: u32, near: &Cell<u32>) -> Option<usize> {
+        let at = near.get() as usize;
+        if let Some(Some(entry)) = self.entries.get(at)
+            && entry.key.is(key)
+        {
+            return Some(at);
+        }
+        let at = self.find(key, hash)?;
+        near.set(at as u32);
+        Some(at)
     }
 
-    pub(crate) fn get_hashed_mut(&mut self, key: &str, hash: u32) -> Option<&mut V> {
-        let at = self.find(key, hash)?;
+    /// The value under a name that was found at `near` before. The place is noted there.
+    #[inline]
+    pub(crate) fn get_near(&self, key: &Text, hash: u32, near: &Cell<u32>) -> Option<&V> {
+        let at = self.find_near(key, hash, near)?;
+        self.entries[at].as_ref().map(|e| &e.value)
+    }
+
+    /// As [`Table::get_near`], to change the value.
+    #[inline]
+    pub(crate) fn get_near_mut(&mut self, key: &Text, hash: u32, near: &Cell<u32>) -> Option<&mut V> {
+        let at = self.find_near(key, hash, near)?;
         self.entries[at].as_mut().map(|e| &mut e.value)
     }
 
     pub(crate) fn get(&self, key: &str) -> Option<&V> {
-        self.get_hashed(key, hash(key))
+        self.find(key, hash(key)).and_then(|at| self.entries[at].as_ref()).map(|e| &e.value)
     }
 
     pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut V> {
-        self.get_hashed_mut(key, hash(key))
+        let at = self.find(key, hash(key))?;
+        self.entries[at].as_mut().map(|e| &mut e.value)
     }
 
     pub(crate) fn contains(&self, key: &str) -> bool {
@@ -147,7 +169,8 @@ impl<V> Table<V> {
         None
     }
 
-    fn push(&mut self, key: Text, hash: u32, value: V) -> usize {
+    /// Put a value under a key that is not there. Returns its place.
+    pub(crate) fn push(&mut self, key: Text, hash: u32, value: V) -> usize {
         let at = self.entries.len();
         let head = self.heads.at(hash);
         let next = std::mem::replace(head, at as u32);

@@ -1,7 +1,10 @@
 //! Texts: shared, with what they were last understood as.
 
+use std::borrow::Borrow;
 use std::cell::{Cell, RefCell};
+use std::collections::HashSet;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::ops::Deref;
 use std::rc::Rc;
 
@@ -105,7 +108,35 @@ impl Drop for StrObj {
 #[derive(Clone)]
 pub(crate) struct Text(pub(super) Rc<StrObj>);
 
+thread_local! {
+    /// Names of variables in scripts. Those that are the same object are equal without a look at their bytes.
+    static NAMES: RefCell<HashSet<Text>> = RefCell::default();
+}
+
+/// Number of names that a thread keeps.
+const MAX_NAMES: usize = 10_000;
+
 impl Text {
+    /// A name, the same object each time.
+    pub(crate) fn name(text: &str) -> Text {
+        NAMES.with_borrow_mut(|names| {
+            if let Some(name) = names.get(text) {
+                return name.clone();
+            }
+            let name = Text::from(text);
+            if names.len() < MAX_NAMES {
+                names.insert(name.clone());
+            }
+            name
+        })
+    }
+
+    /// Returns true if both are the same object.
+    #[inline]
+    pub(crate) fn is(&self, other: &Text) -> bool {
+        Rc::ptr_eq(&self.0, &other.0)
+    }
+
     pub(crate) fn to_value(&self) -> Value {
         Value(Rep::Str(self.0.clone()))
     }
@@ -115,6 +146,26 @@ impl Deref for Text {
     type Target = str;
     fn deref(&self) -> &str {
         &self.0.text
+    }
+}
+
+impl Borrow<str> for Text {
+    fn borrow(&self) -> &str {
+        self
+    }
+}
+
+impl PartialEq for Text {
+    fn eq(&self, other: &Text) -> bool {
+        **self == **other
+    }
+}
+
+impl Eq for Text {}
+
+impl Hash for Text {
+    fn hash<S: Hasher>(&self, state: &mut S) {
+        (**self).hash(state);
     }
 }
 

@@ -43,6 +43,19 @@ pub(crate) enum Rep {
 #[derive(Clone, Copy)]
 pub(crate) struct Bits(u64);
 
+impl From<f64> for Bits {
+    #[inline]
+    fn from(d: f64) -> Self {
+        Bits(d.to_bits())
+    }
+}
+
+impl fmt::Debug for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.get().fmt(f)
+    }
+}
+
 impl Bits {
     #[inline]
     pub(crate) fn get(self) -> f64 {
@@ -115,9 +128,7 @@ impl Value {
     pub fn write_to(&self, out: &mut String) {
         use fmt::Write as _;
         match &self.0 {
-            Rep::Int(i) => {
-                let _ = write!(out, "{i}");
-            }
+            Rep::Int(i) => out.push_str(itoa::Buffer::new().format(*i)),
             Rep::Big(b) => {
                 let _ = write!(out, "{b}");
             }
@@ -159,7 +170,13 @@ impl Value {
 
     /// Length in characters.
     pub fn char_count(&self) -> usize {
-        let Rep::Str(s) = &self.0 else { return self.as_str().chars().count() };
+        let s = match &self.0 {
+            Rep::Str(s) => s,
+            Rep::Int(i) => {
+                return i.unsigned_abs().checked_ilog10().map_or(1, |n| n as usize + 1 + usize::from(*i < 0));
+            }
+            _ => return self.as_str().chars().count(),
+        };
         if s.chars.get() == u32::MAX {
             s.chars.set(s.text.chars().count() as u32);
         }

@@ -16,7 +16,11 @@ pub(crate) struct VarName {
     pub(crate) tail: Text,
     /// Hash of the tail.
     pub(crate) hash: u32,
+    /// Place of the name in the table in which it was found last.
+    pub(crate) near: Cell<u32>,
     pub(crate) scope: Scope,
+    /// True for `tcl_precision`: setting it has consequences.
+    pub(crate) is_precision: bool,
     /// The index where the name was written as `name(index)`.
     pub(crate) element: Option<Text>,
 }
@@ -49,14 +53,16 @@ impl VarName {
     }
 
     fn new(name: &str, element: Option<&str>) -> Rc<VarName> {
-        let text = Text::from(name);
+        let text = Text::name(name);
         let (scope, tail) = match split_qualified(name) {
             None => (Scope::Here, text.clone()),
-            Some(("", tail)) if name.starts_with("::") => (Scope::Global, Text::from(tail)),
-            Some((path, tail)) => (Scope::Qualified(path.into()), Text::from(tail)),
+            Some(("", tail)) if name.starts_with("::") => (Scope::Global, Text::name(tail)),
+            Some((path, tail)) => (Scope::Qualified(path.into()), Text::name(tail)),
         };
         let hash = table::hash(&tail);
-        Rc::new(VarName { text, tail, hash, scope, element: element.map(Text::from) })
+        let is_precision = &*tail == "tcl_precision";
+        let element = element.map(Text::from);
+        Rc::new(VarName { text, tail, hash, near: Cell::new(0), scope, is_precision, element })
     }
 
     /// A name that may have an index.

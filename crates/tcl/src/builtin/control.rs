@@ -74,7 +74,7 @@ impl<H> Interp<H> {
 
 impl crate::core::Core {
     /// Tell in `$errorInfo` in which body an error happened, where Tcl would.
-    fn trace_body(&self, e: Exception, body: &Value, what: &str) -> Exception {
+    pub(crate) fn trace_body(&self, e: Exception, body: &Value, what: &str) -> Exception {
         let Exception::Error(e) = e else { return e };
         if self.calls.compiled {
             return Exception::Error(e);

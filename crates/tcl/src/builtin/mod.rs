@@ -35,8 +35,9 @@ mod try_catch;
 mod var;
 
 use super::command::{CommandFn, CoreFn, Imp};
-use super::core::{Core, InlinedCommands};
+use super::core::Core;
 use super::expr::func;
+use super::inline::InlinedCommands;
 use super::interp::Interp;
 use super::value::Value;
 
@@ -90,9 +91,7 @@ pub(crate) fn install<H>(interp: &mut Interp<H>) {
     for name in func::names() {
         interp.core.define(ns, &name.into(), Imp::Core(func::command));
     }
-    let find = |name| interp.core.find_command(name);
-    let inlined = InlinedCommands { expr: find("expr"), set: find("set"), incr: find("incr") };
-    interp.core.table.inlined = inlined;
+    interp.core.table.inlined = InlinedCommands::new(|name| interp.core.find_command(name));
 }
 
 /// The variables that Tcl begins with.

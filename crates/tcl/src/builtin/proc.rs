@@ -65,8 +65,8 @@ fn apply<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
         argv,
         2,
         None,
-        || "apply lambdaExpr".to_owned(),
-        |line| format!("lambda term \"{shown}{dots}\" line {line}"),
+        |_| "apply lambdaExpr".to_owned(),
+        |_, line| format!("lambda term \"{shown}{dots}\" line {line}"),
     )
 }
 

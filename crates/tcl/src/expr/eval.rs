@@ -2,7 +2,7 @@
 
 use super::super::ast::Found;
 use super::super::command::{CmdId, Imp};
-use super::super::core::NsId;
+use super::super::core::{Core, NsId};
 use super::super::error::Exception;
 use super::super::interp::Interp;
 use super::super::number::Number;
@@ -16,7 +16,16 @@ impl<H> Interp<H> {
             return Ok(self.numeric(value.clone()));
         }
         let expr = compile(value).map_err(|e| e.at(None, ""))?;
-        let result = self.evaluate(&expr, &[])?;
+        self.result_of(&expr, &[])
+    }
+
+    /// The result of a compiled expression.
+    #[inline]
+    pub(crate) fn result_of(&mut self, expr: &Expr, operands: &[Value]) -> Result<Value, Exception> {
+        if let Some(n) = self.core.number_of(expr, operands) {
+            return Ok(n.into());
+        }
+        let result = self.evaluate(expr, operands)?;
         self.finish(result)
     }
 
@@ -32,8 +41,16 @@ impl<H> Interp<H> {
         if let Rep::Int(i) = value.0 {
             return Ok(i != 0);
         }
-        let expr = compile(value)?;
-        let result = self.evaluate(&expr, &[])?;
+        self.holds(&*compile(value)?)
+    }
+
+    /// The truth of a compiled condition.
+    #[inline]
+    pub(crate) fn holds(&mut self, expr: &Expr) -> Result<bool, Exception> {
+        if let Some(n) = self.core.number_of(expr, &[]) {
+            return Ok(n.is_true());
+        }
+        let result = self.evaluate(expr, &[])?;
         match result.0 {
             Rep::Int(i) => Ok(i != 0),
             _ => result.to_bool().map_err(|e| e.at(expr.unit.span(0, expr.unit.text.len() as u32), "")),
@@ -101,9 +118,9 @@ impl<H> Interp<H> {
                 }
                 Op::Function(function) => {
                     let from = stack.len().saturating_sub(function.args);
-                    let value = if self.is_of_the_language(function) {
-                        match (function.real, stack.get(from..)) {
-                            (Some(real), Some([Value(Rep::Double(x))])) if !x.get().is_nan() => {
+                    let value = if self.core.is_of_the_language(function) {
+                        match (function.known, stack.get(from..)) {
+                            (Some(func::Known::Real(real)), Some([Value(Rep::Double(x))])) if !x.get().is_nan() => {
                                 func::finite(real(x.get()))
                             }
                             (_, args) => func::call(&mut self.core, &function.name, args.unwrap_or_default()),
@@ -143,12 +160,6 @@ impl<H> Interp<H> {
             Rep::Int(i) => Ok(i != 0),
             _ => value.to_bool().map_err(|e| e.at(expr.unit.span(place.start, place.end), "")),
         }
-    }
-
-    /// Returns true if a math function was found to be Tcl's own and nothing was defined since.
-    fn is_of_the_language(&self, function: &Function) -> bool {
-        let found = function.found.get();
-        found.epoch == self.core.table.epoch && found.namespace == self.core.here().0 && found.command == u32::MAX
     }
 
     /// Call a math function: one of the script's own, `proc tcl::mathfunc::name`, or one of Tcl's.
@@ -192,6 +203,14 @@ impl<H> Interp<H> {
         let mut argv = vec![Value::from(name)];
         argv.extend(args);
         self.invoke_command(id, argv, None)
+    }
+}
+
+impl Core {
+    /// Returns true if a math function was found to be Tcl's own and nothing was defined since.
+    pub(super) fn is_of_the_language(&self, function: &Function) -> bool {
+        let found = function.found.get();
+        found.epoch == self.table.epoch && found.namespace == self.here().0 && found.command == u32::MAX
     }
 }
 

@@ -58,9 +58,37 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     REAL.iter().map(|f| f.0).chain(REAL2.iter().map(|f| f.0)).chain(OTHER.iter().map(|f| f.0))
 }
 
-/// The function of one real number that a name means, if its result is checked at once.
-pub(super) fn real_function(name: &str) -> Option<Real> {
-    REAL.iter().find(|f| f.0 == name && name != "sqrt").map(|f| f.1)
+/// A function that gives a number for numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Known {
+    /// Its result is checked at once.
+    Real(Real),
+    Real2(Real2),
+    Root,
+    Abs,
+    Double,
+    Int,
+    Max,
+    Min,
+    Round,
+}
+
+/// The function that a name means, if it is one of these.
+pub(super) fn known(name: &str) -> Option<Known> {
+    let other = match name {
+        "sqrt" => Known::Root,
+        "abs" => Known::Abs,
+        "double" => Known::Double,
+        "int" => Known::Int,
+        "max" => Known::Max,
+        "min" => Known::Min,
+        "round" => Known::Round,
+        _ => {
+            let real = REAL.iter().find(|f| f.0 == name).map(|f| Known::Real(f.1));
+            return real.or_else(|| REAL2.iter().find(|f| f.0 == name).map(|f| Known::Real2(f.1)));
+        }
+    };
+    Some(other)
 }
 
 /// The command behind each of `tcl::mathfunc::…`.

@@ -4,10 +4,11 @@ pub(crate) mod arith;
 mod eval;
 pub(crate) mod func;
 mod lexeme;
+mod numeric;
 mod parse;
 mod template;
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 
 use super::ast::{Found, ParseError, Part, Script, Unit, VarRef};
@@ -15,6 +16,7 @@ use super::error::Exception;
 use super::text::Cache;
 use super::value::Value;
 use crate::diagnostic::Span;
+pub(crate) use numeric::Num;
 pub(crate) use template::Template;
 
 /// A compiled expression.
@@ -24,6 +26,16 @@ pub(crate) struct Expr {
     ops: Vec<Op>,
     /// For each operation where its text is.
     places: Vec<Range>,
+    /// True until it is evaluated.
+    is_new: Cell<bool>,
+    /// Its form without values in between, if it is one of numbers.
+    tree: OnceCell<Option<numeric::Node>>,
+}
+
+impl Expr {
+    fn new(unit: Rc<Unit>, ops: Vec<Op>, places: Vec<Range>) -> Self {
+        Expr { unit, ops, places, is_new: Cell::new(true), tree: OnceCell::new() }
+    }
 }
 
 /// Bytes of the text.
@@ -46,7 +58,7 @@ enum Op {
     Parts(Box<[Part]>),
     Unary(Unary),
     Binary(Binary),
-    Function(Box<Function>),
+    Function(Rc<Function>),
     /// If the top is false, replace it by 0 and go on there.
     And(u32),
     /// If the top is true, replace it by 1 and go on there.
@@ -64,8 +76,8 @@ enum Op {
 struct Function {
     name: Box<str>,
     args: usize,
-    /// Tcl's own function, where it is of one real number and checked by its result alone.
-    real: Option<fn(f64) -> f64>,
+    /// Tcl's own function, where it is one of numbers.
+    known: Option<func::Known>,
     found: Cell<Found>,
 }
 

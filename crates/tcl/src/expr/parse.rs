@@ -116,7 +116,7 @@ impl<'a> Parser<'a> {
                 }
                 _ => match self.binary(lexeme, at, length)? {
                     None => {
-                        return Ok(Expr { unit: self.unit.clone(), ops: self.ops, places: self.places });
+                        return Ok(Expr::new(self.unit.clone(), self.ops, self.places));
                     }
                     Some(next) => at = next,
                 },
@@ -422,10 +422,10 @@ impl<'a> Parser<'a> {
             }
             Lexeme::Function => {
                 let name = self.names.pop().unwrap_or_default();
-                let real = func::real_function(name);
+                let known = func::known(name);
                 let function =
-                    Function { name: name.into(), args: pending.commas, real, found: Cell::new(Found::default()) };
-                self.emit(Op::Function(Box::new(function)), start, right.end, operator);
+                    Function { name: name.into(), args: pending.commas, known, found: Cell::new(Found::default()) };
+                self.emit(Op::Function(Rc::new(function)), start, right.end, operator);
             }
             // A comma only separates; a question mark has made its jump already.
             _ => {}

@@ -5,13 +5,14 @@
 
 use std::rc::Rc;
 
-use super::super::ast::{Command, Inline, Part, Script, Unit, Word, WordKind};
+use super::super::ast::{Command, Part, Script, Unit, Word, WordKind};
 use super::super::command::Place;
 use super::super::error::Exception;
+use super::super::inline::Expression;
 use super::super::interp::Interp;
 use super::super::number::is_space;
 use super::super::value::{Rep, Value};
-use super::{Expr, parse};
+use super::{Expr, compile as compile_value, parse};
 
 /// Marks a place where an operand is handed in.
 pub(super) const SLOT: u8 = 1;
@@ -107,17 +108,35 @@ fn negate(value: &mut Value) {
 
 impl<H> Interp<H> {
     /// An `expr` whose words are not put together; none where the command must be called in the general way.
-    pub(crate) fn expr_command(&mut self, script: &Script, command: &Command) -> Option<Result<Value, Exception>> {
+    pub(crate) fn expr_command(
+        &mut self,
+        script: &Script,
+        command: &Command,
+        expression: &Expression,
+    ) -> Option<Result<Value, Exception>> {
         let words = command.words.get(1..)?;
-        if let [Word { kind: WordKind::Literal(text), expand: false, .. }] = words {
-            return Some(self.expr(text).map_err(|e| self.inline_failed(e, script, command)));
+        if let [Word { kind: WordKind::Literal(text), .. }] = words {
+            let result = match expression.braced.get() {
+                Some(expr) => self.result_of(expr, &[]),
+                None => self.first_braced(text, expression),
+            };
+            return Some(result.map_err(|e| self.inline_failed(e, script, command)));
         }
-        let Inline::Expr(template) = &command.inline else { return None };
-        let template = template.get_or_init(|| Template::new(words)).as_ref()?;
+        let template = expression.template.get_or_init(|| Template::new(words)).as_ref()?;
         let mut operands = self.core.take_words();
         let result = self.expr_template(template, script, words, &mut operands);
         self.core.give_words(operands);
         Some(result.map_err(|e| self.inline_failed(e, script, command)))
+    }
+
+    #[cold]
+    fn first_braced(&mut self, text: &Value, expression: &Expression) -> Result<Value, Exception> {
+        if let Rep::Str(_) = text.0 {
+            // The text may be a number that is asked for again: its form is kept here as well.
+            let expr = compile_value(text)?;
+            return self.result_of(expression.braced.get_or_init(|| expr), &[]);
+        }
+        self.expr(text)
     }
 
     fn expr_template(
@@ -147,8 +166,7 @@ impl<H> Interp<H> {
             && operands.iter().all(is_number)
         {
             operands.iter_mut().for_each(negate);
-            let result = self.evaluate(expr, operands)?;
-            return self.finish(result);
+            return self.result_of(expr, operands);
         }
         let mut text = String::new();
         let mut next = operands.iter();

@@ -1,0 +1,450 @@
+//! Expressions of numbers alone, evaluated without values in between.
+//!
+//! Such an expression reads variables and list elements and changes nothing. Where anything comes up that is no small
+//! number, and where there is an error, there is no result, and the expression is evaluated again in the general way.
+
+use std::rc::Rc;
+
+use super::super::ast::{Command, Index, Part, Script, VarRef, WordKind};
+use super::super::core::Core;
+use super::super::inline::Inline;
+use super::super::number::Number;
+use super::super::value::{Bits, Rep, Value};
+use super::super::vars::{Slot, VarName};
+use super::func::Known;
+use super::{Binary, Expr, Function, Op, Unary};
+
+/// Operations within operations up to here; deeper expressions are evaluated in the general way.
+const MAX_DEPTH: usize = 50;
+/// Integers up to here are doubles without a loss.
+const EXACT: u64 = 1 << 53;
+
+/// A number that fits a register.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Num {
+    Int(i64),
+    Double(Bits),
+}
+
+impl Num {
+    #[inline]
+    fn double(d: f64) -> Option<Num> {
+        if d.is_nan() { None } else { Some(Num::Double(d.into())) }
+    }
+
+    fn truth(truth: bool) -> Num {
+        Num::Int(i64::from(truth))
+    }
+
+    #[inline]
+    pub(crate) fn is_true(self) -> bool {
+        match self {
+            Num::Int(i) => i != 0,
+            Num::Double(d) => d.get() != 0.0,
+        }
+    }
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        match self {
+            Num::Int(i) => i as f64,
+            Num::Double(d) => d.get(),
+        }
+    }
+
+    /// The number that a value is; none for other values, integers of many digits and what is not a number.
+    #[inline]
+    pub(crate) fn of(value: &Value) -> Option<Num> {
+        match &value.0 {
+            Rep::Int(i) => Some(Num::Int(*i)),
+            Rep::Double(d) => Num::double(d.get()),
+            _ => Num::read(value),
+        }
+    }
+
+    /// The number that a text is.
+    #[inline(never)]
+    fn read(value: &Value) -> Option<Num> {
+        let Rep::Str(text) = &value.0 else { return None };
+        match text.number()? {
+            Number::Int(i) => Some(Num::Int(i)),
+            Number::Double(d) => Num::double(d),
+            Number::Big(_) => None,
+        }
+    }
+}
+
+impl From<Num> for Value {
+    #[inline]
+    fn from(n: Num) -> Value {
+        match n {
+            Num::Int(i) => Value(Rep::Int(i)),
+            Num::Double(d) => Value(Rep::Double(d)),
+        }
+    }
+}
+
+/// An expression of numbers.
+#[derive(Debug)]
+pub(super) enum Node {
+    Constant(Num),
+    /// The operand with this number, handed in.
+    Operand(usize),
+    Variable(Rc<VarName>),
+    /// An element of an array.
+    Element(VarRef),
+    Unary(Unary, Box<Node>),
+    Binary(Binary, Box<(Node, Node)>),
+    Function(Rc<Function>, Known, Box<[Node]>),
+    And(Box<(Node, Node)>),
+    Or(Box<(Node, Node)>),
+    Choose(Box<(Node, Node, Node)>),
+    /// `[lindex $list place]`
+    Item {
+        script: Rc<Script>,
+        list: Rc<VarName>,
+        place: Box<Node>,
+    },
+    /// `[llength $list]`
+    Length {
+        script: Rc<Script>,
+        list: Rc<VarName>,
+    },
+    /// `[string length $text]`
+    Characters {
+        script: Rc<Script>,
+        text: Rc<VarName>,
+    },
+}
+
+/// The tree of some operations; none where they are more than numbers.
+pub(super) fn tree(ops: &[Op]) -> Option<Node> {
+    let mut builder = Builder { ops, at: 0 };
+    builder.build(ops.len(), 0)
+}
+
+struct Builder<'a> {
+    ops: &'a [Op],
+    at: usize,
+}
+
+impl Builder<'_> {
+    /// The tree of the operations up to `end`.
+    fn build(&mut self, end: usize, depth: usize) -> Option<Node> {
+        if depth > MAX_DEPTH {
+            return None;
+        }
+        let ops = self.ops;
+        let mut stack: Vec<(Node, usize)> = vec![];
+        while self.at < end {
+            let op = &ops[self.at];
+            self.at += 1;
+            let (node, below) = match op {
+                Op::Push(value) => (Node::Constant(Num::of(value)?), 0),
+                Op::Slot(number) => (Node::Operand(*number), 0),
+                Op::Var(var) => (variable(var)?, 0),
+                Op::Script(script) => query(script)?,
+                Op::Unary(Unary::BitNot) | Op::Parts(_) | Op::Truth | Op::Jump(_) => return None,
+                Op::Unary(op) => {
+                    let (operand, below) = stack.pop()?;
+                    (Node::Unary(*op, Box::new(operand)), below + 1)
+                }
+                Op::Binary(op) => {
+                    let (right, below_right) = stack.pop()?;
+                    let (left, below_left) = stack.pop()?;
+                    (Node::Binary(*op, Box::new((left, right))), below_left.max(below_right) + 1)
+                }
+                Op::Function(function) => {
+                    let known = function.known?;
+                    let from = stack.len().checked_sub(function.args)?;
+                    let (args, depths): (Vec<_>, Vec<_>) = stack.split_off(from).into_iter().unzip();
+                    let below = depths.into_iter().max().unwrap_or(0);
+                    (Node::Function(function.clone(), known, args.into()), below + 1)
+                }
+                Op::And(to) | Op::Or(to) => {
+                    let (left, below) = stack.pop()?;
+                    let to = *to as usize;
+                    let right = self.build(to.checked_sub(1)?, depth + below + 1)?;
+                    self.at = to;
+                    let pair = Box::new((left, right));
+                    (if matches!(op, Op::And(_)) { Node::And(pair) } else { Node::Or(pair) }, below + 1)
+                }
+                Op::Else(other) => {
+                    let (test, below) = stack.pop()?;
+                    let other = *other as usize;
+                    let yes = self.build(other.checked_sub(1)?, depth + below + 1)?;
+                    let Op::Jump(to) = ops.get(other.checked_sub(1)?)? else { return None };
+                    self.at = other;
+                    let no = self.build(*to as usize, depth + below + 1)?;
+                    (Node::Choose(Box::new((test, yes, no))), below + 1)
+                }
+            };
+            if below + depth > MAX_DEPTH {
+                return None;
+            }
+            stack.push((node, below));
+        }
+        match stack.pop() {
+            Some((node, _)) if stack.is_empty() => Some(node),
+            _ => None,
+        }
+    }
+}
+
+fn variable(var: &VarRef) -> Option<Node> {
+    match &var.index {
+        None => Some(Node::Variable(var.name.clone())),
+        Some(Index::Text(_)) => Some(Node::Element(var.clone())),
+        Some(Index::Parts(parts)) => match &**parts {
+            [Part::Var(VarRef { index: None, .. })] => Some(Node::Element(var.clone())),
+            _ => None,
+        },
+    }
+}
+
+/// A command in brackets that looks at a list or text.
+fn query(script: &Rc<Script>) -> Option<(Node, usize)> {
+    let [Command { words, inline, .. }] = &script.commands[..] else { return None };
+    let plain = |i: usize| match &words.get(i)?.kind {
+        WordKind::Var(VarRef { name, index: None, .. }) => Some(name.clone()),
+        _ => None,
+    };
+    let script = script.clone();
+    match inline {
+        Inline::Item => {
+            let place = match &words.get(2)?.kind {
+                WordKind::Literal(value) => Node::Constant(Num::of(value)?),
+                WordKind::Var(var) => variable(var)?,
+                _ => return None,
+            };
+            Some((Node::Item { list: plain(1)?, place: Box::new(place), script }, 1))
+        }
+        Inline::Length => Some((Node::Length { list: plain(1)?, script }, 0)),
+        Inline::Characters => Some((Node::Characters { text: plain(2)?, script }, 0)),
+        _ => None,
+    }
+}
+
+impl Expr {
+    /// The expression as one of numbers, if it is one. The first evaluation is always a general one: many are the only one.
+    #[inline]
+    fn numbers(&self) -> Option<&Node> {
+        if self.is_new.get() {
+            self.is_new.set(false);
+            return None;
+        }
+        self.tree.get_or_init(|| tree(&self.ops)).as_ref()
+    }
+}
+
+impl Core {
+    /// The value of an expression of numbers; none where it must be evaluated in the general way.
+    #[inline]
+    pub(crate) fn number_of(&self, expr: &Expr, operands: &[Value]) -> Option<Num> {
+        if self.precision > 0 {
+            return None;
+        }
+        self.number(expr.numbers()?, operands)
+    }
+
+    #[inline]
+    fn leaf(&self, node: &Node, operands: &[Value]) -> Option<Num> {
+        match node {
+            Node::Constant(n) => Some(*n),
+            Node::Variable(name) => self.number_in(name),
+            node => self.number(node, operands),
+        }
+    }
+
+    /// The frequent nodes. This function is small so that it has few registers to save.
+    fn number(&self, node: &Node, operands: &[Value]) -> Option<Num> {
+        match node {
+            Node::Constant(n) => Some(*n),
+            Node::Variable(name) => self.number_in(name),
+            Node::Binary(op, pair) => {
+                let left = self.leaf(&pair.0, operands)?;
+                let right = self.leaf(&pair.1, operands)?;
+                binary(*op, left, right)
+            }
+            node => self.rare(node, operands),
+        }
+    }
+
+    #[inline(never)]
+    fn rare(&self, node: &Node, operands: &[Value]) -> Option<Num> {
+        match node {
+            Node::Constant(_) | Node::Variable(_) | Node::Binary(..) => self.number(node, operands),
+            Node::Operand(i) => Num::of(operands.get(*i)?),
+            Node::Element(var) => self.element(var),
+            Node::Unary(op, operand) => unary(*op, self.leaf(operand, operands)?),
+            Node::Function(function, known, args) => {
+                if !self.is_of_the_language(function) {
+                    return None;
+                }
+                self.function(*known, args, operands)
+            }
+            Node::And(pair) => {
+                let both = self.number(&pair.0, operands)?.is_true() && self.number(&pair.1, operands)?.is_true();
+                Some(Num::truth(both))
+            }
+            Node::Or(pair) => {
+                let any = self.number(&pair.0, operands)?.is_true() || self.number(&pair.1, operands)?.is_true();
+                Some(Num::truth(any))
+            }
+            Node::Choose(three) => {
+                let (test, yes, no) = &**three;
+                self.number(if self.number(test, operands)?.is_true() { yes } else { no }, operands)
+            }
+            Node::Item { script, list, place } => {
+                self.if_inlined(script)?;
+                let Num::Int(at) = self.number(place, operands)? else { return None };
+                self.look_at_list(list, |items| Num::of(items.get(usize::try_from(at).ok()?)?))
+            }
+            Node::Length { script, list } => {
+                self.if_inlined(script)?;
+                self.look_at_list(list, |items| Some(Num::Int(items.len() as i64)))
+            }
+            Node::Characters { script, text } => {
+                self.if_inlined(script)?;
+                Some(Num::Int(self.scalar(text)?.char_count() as i64))
+            }
+        }
+    }
+
+    /// The number that an element of an array is.
+    fn element(&self, var: &VarRef) -> Option<Num> {
+        let value = match var.index.as_ref()? {
+            Index::Text(index) => self.peek(&var.name, Some(index)),
+            Index::Parts(parts) => match &**parts {
+                [Part::Var(index)] => self.peek(&var.name, Some(&self.scalar(&index.name)?.as_str())),
+                _ => return None,
+            },
+        };
+        Num::of(&value.ok()?)
+    }
+
+    /// The number that a variable holds.
+    #[inline]
+    fn number_in(&self, name: &VarName) -> Option<Num> {
+        match self.slot(name)? {
+            Slot::Scalar(value) => Num::of(value),
+            Slot::Shared(variable) | Slot::Link(variable) => match &*variable.borrow() {
+                Slot::Scalar(value) => Num::of(value),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn look_at_list<R>(&self, name: &VarName, look: impl FnOnce(&[Value]) -> Option<R>) -> Option<R> {
+        match &self.scalar(name)?.0 {
+            Rep::List(items) => look(items),
+            Rep::Str(_) => look(&self.scalar(name)?.to_list().ok()?),
+            _ => None,
+        }
+    }
+
+    /// Something if the only command of a script means the one of the language.
+    #[inline]
+    fn if_inlined(&self, script: &Script) -> Option<()> {
+        let command = script.commands.first()?;
+        self.is_inlined(script, command).then_some(())
+    }
+
+    #[inline]
+    fn function(&self, known: Known, args: &[Node], operands: &[Value]) -> Option<Num> {
+        match (known, args) {
+            (Known::Real(f), [x]) => Num::double(f(self.leaf(x, operands)?.to_f64())),
+            (Known::Root, [x]) => Num::double(self.number(x, operands)?.to_f64().sqrt()),
+            (Known::Real2(f), [x, y]) => {
+                Num::double(f(self.number(x, operands)?.to_f64(), self.number(y, operands)?.to_f64()))
+            }
+            (Known::Double, [x]) => Num::double(self.number(x, operands)?.to_f64()),
+            (Known::Abs, [x]) => match self.number(x, operands)? {
+                Num::Int(i) => i.checked_abs().map(Num::Int),
+                Num::Double(d) => Num::double(d.get().abs()),
+            },
+            (Known::Int, [x]) => match self.number(x, operands)? {
+                n @ Num::Int(_) => Some(n),
+                Num::Double(d) => (d.get().abs() < EXACT as f64).then_some(Num::Int(d.get() as i64)),
+            },
+            (Known::Round, [x]) => match self.number(x, operands)? {
+                n @ Num::Int(_) => Some(n),
+                Num::Double(d) => (d.get().abs() < EXACT as f64).then_some(Num::Int(d.get().round() as i64)),
+            },
+            (Known::Max | Known::Min, [first, more @ ..]) => {
+                let other = if matches!(known, Known::Max) { Binary::Gt } else { Binary::Lt };
+                let mut best = self.number(first, operands)?;
+                for arg in more {
+                    let n = self.number(arg, operands)?;
+                    if binary(other, n, best)?.is_true() {
+                        best = n;
+                    }
+                }
+                Some(best)
+            }
+            _ => None,
+        }
+    }
+}
+
+#[inline]
+fn unary(op: Unary, n: Num) -> Option<Num> {
+    match (op, n) {
+        (Unary::Plus, n) => Some(n),
+        (Unary::Minus, Num::Int(i)) => i.checked_neg().map(Num::Int),
+        (Unary::Minus, Num::Double(d)) => Num::double(-d.get()),
+        (Unary::Not, n) => Some(Num::truth(!n.is_true())),
+        (Unary::BitNot, _) => None,
+    }
+}
+
+#[inline]
+fn binary(op: Binary, left: Num, right: Num) -> Option<Num> {
+    match (left, right) {
+        (Num::Double(x), Num::Double(y)) => doubles(op, x.get(), y.get()),
+        (Num::Int(x), Num::Int(y)) => ints(op, x, y),
+        (Num::Double(x), Num::Int(y)) => (y.unsigned_abs() <= EXACT).then(|| doubles(op, x.get(), y as f64))?,
+        (Num::Int(x), Num::Double(y)) => (x.unsigned_abs() <= EXACT).then(|| doubles(op, x as f64, y.get()))?,
+    }
+}
+
+#[inline]
+fn doubles(op: Binary, x: f64, y: f64) -> Option<Num> {
+    match op {
+        Binary::Add => Num::double(x + y),
+        Binary::Sub => Num::double(x - y),
+        Binary::Mul => Num::double(x * y),
+        Binary::Div => Num::double(x / y),
+        Binary::Pow if x != 0.0 || y >= 0.0 => Num::double(x.powf(y)),
+        Binary::Lt => Some(Num::truth(x < y)),
+        Binary::Gt => Some(Num::truth(x > y)),
+        Binary::Le => Some(Num::truth(x <= y)),
+        Binary::Ge => Some(Num::truth(x >= y)),
+        Binary::Eq => Some(Num::truth(x == y)),
+        Binary::Ne => Some(Num::truth(x != y)),
+        _ => None,
+    }
+}
+
+#[inline]
+fn ints(op: Binary, x: i64, y: i64) -> Option<Num> {
+    Some(match op {
+        Binary::Add => Num::Int(x.checked_add(y)?),
+        Binary::Sub => Num::Int(x.checked_sub(y)?),
+        Binary::Mul => Num::Int(x.checked_mul(y)?),
+        Binary::Div if y > 0 => Num::Int(x.div_euclid(y)),
+        Binary::Mod if y > 0 => Num::Int(x.rem_euclid(y)),
+        Binary::Pow => Num::Int(x.checked_pow(u32::try_from(y).ok()?)?),
+        Binary::Lt => Num::truth(x < y),
+        Binary::Gt => Num::truth(x > y),
+        Binary::Le => Num::truth(x <= y),
+        Binary::Ge => Num::truth(x >= y),
+        Binary::Eq => Num::truth(x == y),
+        Binary::Ne => Num::truth(x != y),
+        Binary::BitAnd => Num::Int(x & y),
+        Binary::BitOr => Num::Int(x | y),
+        Binary::BitXor => Num::Int(x ^ y),
+        _ => return None,
+    })
+}

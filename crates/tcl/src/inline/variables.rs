@@ -1,0 +1,110 @@
+//! Commands on variables and lists without a call.
+
+use super::super::ast::{Command, Script, Word, WordKind};
+use super::super::core::Core;
+use super::super::error::Exception;
+use super::super::expr::Num;
+use super::super::interp::Interp;
+use super::super::value::{Rep, Value};
+use super::super::vars::VarName;
+use super::{Inline, literal};
+
+impl<H> Interp<H> {
+    #[inline]
+    pub(super) fn inline_set(
+        &mut self,
+        script: &Script,
+        command: &Command,
+        name: &VarName,
+    ) -> Result<Value, Exception> {
+        if let Some(Word { kind: WordKind::Script(inner), .. }) = command.words.get(2)
+            && let Some(n) = self.core.bracket_number(inner)
+        {
+            self.core.tick()?;
+            if self.core.set_number(name, n) {
+                return Ok(n.into());
+            }
+        }
+        let value = self.inline_word(script, command, 2)?;
+        match self.core.assign(name, value.clone()) {
+            Ok(()) => Ok(value),
+            Err(e) => Err(self.inline_failed(e, script, command)),
+        }
+    }
+
+    #[inline]
+    pub(super) fn inline_incr(
+        &mut self,
+        script: &Script,
+        command: &Command,
+        name: &VarName,
+    ) -> Result<Value, Exception> {
+        if command.words.len() == 2 {
+            if let Some(sum) = self.core.increment(name, 1) {
+                return Ok(sum);
+            }
+            return self.call_inlined(script, command, [0, 1].map(|i| literal(command, i).clone()));
+        }
+        let by = self.inline_word(script, command, 2)?;
+        if let Rep::Int(by) = by.0
+            && let Some(sum) = self.core.increment(name, by)
+        {
+            return Ok(sum);
+        }
+        self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), by])
+    }
+
+    #[inline]
+    pub(super) fn inline_lappend(
+        &mut self,
+        script: &Script,
+        command: &Command,
+        name: &VarName,
+    ) -> Result<Value, Exception> {
+        let item = self.inline_word(script, command, 2)?;
+        match self.core.push_item(name, item) {
+            Ok(list) => Ok(list),
+            Err(item) => {
+                self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), item])
+            }
+        }
+    }
+
+    #[inline]
+    pub(super) fn inline_item(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        let list = self.inline_word(script, command, 1)?;
+        let place = self.inline_word(script, command, 2)?;
+        if let Rep::Int(at) = place.0
+            && let Ok(at) = u32::try_from(at)
+            && let Ok(items) = list.to_list()
+        {
+            return Ok(items.get(at as usize).cloned().unwrap_or_default());
+        }
+        self.call_inlined(script, command, [literal(command, 0).clone(), list, place])
+    }
+
+    #[inline]
+    pub(super) fn inline_length(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        let list = self.inline_word(script, command, 1)?;
+        match list.to_list() {
+            Ok(items) => Ok(Value::from(items.len())),
+            Err(_) => self.call_inlined(script, command, [literal(command, 0).clone(), list]),
+        }
+    }
+
+    #[inline]
+    pub(super) fn inline_characters(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        Ok(Value::from(self.inline_word(script, command, 2)?.char_count()))
+    }
+}
+
+impl Core {
+    /// The number that `[expr {...}]` gives; none where it must be run.
+    #[inline]
+    fn bracket_number(&self, script: &Script) -> Option<Num> {
+        let [only] = &script.commands[..] else { return None };
+        let Inline::Expr(expression) = &only.inline else { return None };
+        let expr = expression.braced.get()?;
+        if self.is_inlined(script, only) { self.number_of(expr, &[]) } else { None }
+    }
+}
