@@ -123,6 +123,7 @@ impl<H> Interp<H> {
         }
     }
 
+    #[inline]
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
         match self.inlined(script, command) {
@@ -132,6 +133,7 @@ impl<H> Interp<H> {
     }
 
     /// Run a command by a call.
+    #[inline(never)]
     fn call_command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
@@ -184,6 +186,8 @@ impl<H> Interp<H> {
     fn bracket(&mut self, script: &Script) -> Result<Value, Exception> {
         match &script.commands[..] {
             [only] if only.is_flat => self.command(script, only),
+            // In brackets nothing is left open.
+            [only] => self.deeper(|interp| interp.command(script, only)),
             _ => self.run(script),
         }
     }
@@ -239,7 +243,7 @@ impl<H> Interp<H> {
         Ok(text)
     }
 
-    fn join_into(&mut self, unit: &Unit, parts: &[Part], text: &mut String) -> Result<(), Exception> {
+    pub(crate) fn join_into(&mut self, unit: &Unit, parts: &[Part], text: &mut String) -> Result<(), Exception> {
         for part in parts {
             match part {
                 Part::Text(t) => text.push_str(t),

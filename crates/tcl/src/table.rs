@@ -104,6 +104,24 @@ impl<V> Table<V> {
         None
     }
 
+    /// The value under a name, if it stands at this place.
+    #[inline(always)]
+    pub(crate) fn at(&self, place: u32, key: &Text) -> Option<&V> {
+        match self.entries.get(place as usize) {
+            Some(Some(entry)) if entry.key.is(key) => Some(&entry.value),
+            _ => None,
+        }
+    }
+
+    /// As [`Table::at`], to change the value.
+    #[inline(always)]
+    pub(crate) fn at_mut(&mut self, place: u32, key: &Text) -> Option<&mut V> {
+        match self.entries.get_mut(place as usize) {
+            Some(Some(entry)) if entry.key.is(key) => Some(&mut entry.value),
+            _ => None,
+        }
+    }
+
     /// As [`Table::find`], for a name that was found at `near` before.
     #[inline]
     fn find_near(&self, key: &Text, hash: u32, near: &Cell<u32>) -> Option<usize> {

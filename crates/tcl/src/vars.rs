@@ -19,6 +19,8 @@ pub(crate) struct VarName {
     /// Place of the name in the table in which it was found last.
     pub(crate) near: Cell<u32>,
     pub(crate) scope: Scope,
+    /// True for a name without an index whose setting has no consequences.
+    pub(crate) is_plain: bool,
     /// True for `tcl_precision`: setting it has consequences.
     pub(crate) is_precision: bool,
     /// The index where the name was written as `name(index)`.
@@ -61,8 +63,9 @@ impl VarName {
         };
         let hash = table::hash(&tail);
         let is_precision = &*tail == "tcl_precision";
+        let is_plain = element.is_none() && !is_precision;
         let element = element.map(Text::from);
-        Rc::new(VarName { text, tail, hash, near: Cell::new(0), scope, is_precision, element })
+        Rc::new(VarName { text, tail, hash, near: Cell::new(0), scope, is_plain, is_precision, element })
     }
 
     /// A name that may have an index.

@@ -10,7 +10,7 @@ use super::super::core::Core;
 use super::super::inline::Inline;
 use super::super::number::Number;
 use super::super::value::{Bits, Rep, Value};
-use super::super::vars::{Slot, VarName};
+use super::super::vars::VarName;
 use super::func::Known;
 use super::{Binary, Expr, Function, Op, Unary};
 
@@ -306,7 +306,7 @@ impl Core {
             }
             Node::Characters { script, text } => {
                 self.if_inlined(script)?;
-                Some(Num::Int(self.scalar(text)?.char_count() as i64))
+                self.with_scalar(text, |text| Some(Num::Int(text.char_count() as i64)))
             }
         }
     }
@@ -326,22 +326,15 @@ impl Core {
     /// The number that a variable holds.
     #[inline]
     fn number_in(&self, name: &VarName) -> Option<Num> {
-        match self.slot(name)? {
-            Slot::Scalar(value) => Num::of(value),
-            Slot::Shared(variable) | Slot::Link(variable) => match &*variable.borrow() {
-                Slot::Scalar(value) => Num::of(value),
-                _ => None,
-            },
-            _ => None,
-        }
+        self.with_scalar(name, Num::of)
     }
 
     fn look_at_list<R>(&self, name: &VarName, look: impl FnOnce(&[Value]) -> Option<R>) -> Option<R> {
-        match &self.scalar(name)?.0 {
+        self.with_scalar(name, |value| match &value.0 {
             Rep::List(items) => look(items),
-            Rep::Str(_) => look(&self.scalar(name)?.to_list().ok()?),
+            Rep::Str(_) => look(&value.to_list().ok()?),
             _ => None,
-        }
+        })
     }
 
     /// Something if the only command of a script means the one of the language.

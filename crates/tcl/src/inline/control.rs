@@ -56,6 +56,7 @@ impl<H> Interp<H> {
         })
     }
 
+    #[inline(never)]
     pub(super) fn inline_if(
         &mut self,
         script: &Script,
@@ -73,6 +74,7 @@ impl<H> Interp<H> {
         Ok(Value::EMPTY)
     }
 
+    #[inline(never)]
     pub(super) fn inline_loop(&mut self, script: &Script, command: &Command, words: &Loop) -> Result<Value, Exception> {
         if let Some(start) = &words.start {
             let started = self.inline_body(command, start, "\"for\" initial command");
@@ -112,6 +114,7 @@ impl<H> Interp<H> {
         }
     }
 
+    #[inline(never)]
     pub(super) fn inline_foreach(
         &mut self,
         script: &Script,
@@ -149,7 +152,7 @@ impl<H> Interp<H> {
         Ok(Value::EMPTY)
     }
 
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_return(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         Err(Exception::Return(self.inline_word(script, command, 1)?))
     }

@@ -19,8 +19,10 @@ use super::value::{Rep, Value};
 use super::vars::VarName;
 
 /// The names of these commands, in the order of `Inline::number`.
-const NAMES: [&str; 12] =
-    ["expr", "set", "incr", "if", "while", "for", "foreach", "return", "lappend", "lindex", "llength", "string"];
+const NAMES: [&str; 13] = [
+    "expr", "set", "incr", "if", "while", "for", "foreach", "return", "lappend", "lindex", "llength", "string",
+    "append",
+];
 
 /// The commands of the language behind the names; none where a script has put another in the place.
 #[derive(Clone, Copy, Default)]
@@ -60,6 +62,8 @@ pub(crate) enum Inline {
     Return,
     /// `lappend name value`
     Lappend(Rc<VarName>),
+    /// `append name value`
+    Append(Rc<VarName>),
     /// `lindex list place`
     Item,
     /// `llength list`
@@ -148,6 +152,7 @@ impl Inline {
             }
             ("return", 0..=1) => Some(Inline::Return),
             ("lappend", 2) => variable(1).map(Inline::Lappend),
+            ("append", 2) => variable(1).map(Inline::Append),
             ("lindex", 2) => Some(Inline::Item),
             ("llength", 1) => Some(Inline::Length),
             ("string", 2) if is_word(words, 1, "length") => Some(Inline::Characters),
@@ -172,6 +177,7 @@ impl Inline {
             Inline::Item => 9,
             Inline::Length => 10,
             Inline::Characters => 11,
+            Inline::Append(_) => 12,
         }
     }
 
@@ -284,6 +290,7 @@ impl<H> Interp<H> {
             Inline::Foreach(names, body) => self.inline_foreach(script, command, names, body),
             Inline::Return => self.inline_return(script, command),
             Inline::Lappend(name) => self.inline_lappend(script, command, name),
+            Inline::Append(name) => self.inline_append(script, command, name),
             Inline::Item => self.inline_item(script, command),
             Inline::Length => self.inline_length(script, command),
             Inline::Characters => self.inline_characters(script, command),

@@ -10,7 +10,7 @@ use super::super::vars::VarName;
 use super::{Inline, literal};
 
 impl<H> Interp<H> {
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_set(
         &mut self,
         script: &Script,
@@ -32,7 +32,7 @@ impl<H> Interp<H> {
         }
     }
 
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_incr(
         &mut self,
         script: &Script,
@@ -54,7 +54,7 @@ impl<H> Interp<H> {
         self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), by])
     }
 
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_lappend(
         &mut self,
         script: &Script,
@@ -70,7 +70,40 @@ impl<H> Interp<H> {
         }
     }
 
-    #[inline]
+    #[inline(never)]
+    pub(super) fn inline_append(
+        &mut self,
+        script: &Script,
+        command: &Command,
+        name: &VarName,
+    ) -> Result<Value, Exception> {
+        let value = if let Some(Word { kind: WordKind::Parts(parts), .. }) = command.words.get(2) {
+            // The parts are put together in a buffer, which spares a text of their own.
+            let mut text = self.core.take_buffer();
+            let written = self.join_into(&script.unit, parts, &mut text);
+            let appended = if written.is_ok() { self.core.append_text(name, &text) } else { None };
+            let value = if appended.is_none() { Value::from(text.as_str()) } else { Value::EMPTY };
+            self.core.give_buffer(text);
+            if let Err(e) = written {
+                return Err(self.control_failed(e, script, command));
+            }
+            if let Some(all) = appended {
+                return Ok(all);
+            }
+            value
+        } else {
+            let value = self.inline_word(script, command, 2)?;
+            if let Rep::Str(_) = value.0
+                && let Some(all) = self.core.append_text(name, &value.as_str())
+            {
+                return Ok(all);
+            }
+            value
+        };
+        self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), value])
+    }
+
+    #[inline(never)]
     pub(super) fn inline_item(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         let list = self.inline_word(script, command, 1)?;
         let place = self.inline_word(script, command, 2)?;
@@ -83,7 +116,7 @@ impl<H> Interp<H> {
         self.call_inlined(script, command, [literal(command, 0).clone(), list, place])
     }
 
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_length(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         let list = self.inline_word(script, command, 1)?;
         match list.to_list() {
@@ -92,7 +125,7 @@ impl<H> Interp<H> {
         }
     }
 
-    #[inline]
+    #[inline(never)]
     pub(super) fn inline_characters(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         Ok(Value::from(self.inline_word(script, command, 2)?.char_count()))
     }

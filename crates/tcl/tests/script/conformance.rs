@@ -61,4 +61,4 @@ macro_rules! families {
     };
 }
 
-families! { clock control dict expr file format list namespace proc programs regexp string unbraced }
+families! { clock control dict expr file format inline list namespace proc programs regexp string unbraced }

@@ -24,6 +24,55 @@ fn tclish() -> impl Strategy<Value = String> {
     prop_oneof![letters, "\\PC{0,30}"]
 }
 
+/// A value that a variable of an expression may have.
+fn operand() -> impl Strategy<Value = String> {
+    let odd = ["0x10", " 7 ", "abc", "", "yes", "9223372036854775807", "9007199254740993", "1e308", "-0.0", "1 2 3"];
+    prop_oneof![
+        (-9i64..10).prop_map(|i| i.to_string()),
+        (-20i64..20).prop_map(|i| format!("{}", i as f64 * 0.25)),
+        prop::num::f64::NORMAL.prop_map(|d| Value::from(d).as_str().into_owned()),
+        any::<i64>().prop_map(|i| i.to_string()),
+        prop::sample::select(odd.to_vec()).prop_map(str::to_owned),
+    ]
+}
+
+/// An expression of the variables `a`, `b` and `l`.
+fn expression() -> impl Strategy<Value = String> {
+    let leaves =
+        ["$a", "$b", "2", "0.5", "-3", "[llength $l]", "[lindex $l $a]", "[lindex $l 1]", "[string length $b]"];
+    prop::sample::select(leaves.to_vec()).prop_map(str::to_owned).prop_recursive(4, 24, 3, |inner| {
+        let operators =
+            ["+", "-", "*", "/", "%", "**", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "&", "|", "^", "eq", "<<"];
+        let functions = ["abs", "int", "round", "double", "sqrt", "sin", "floor", "exp", "-", "!", "+", "~"];
+        let two = ["max", "min", "pow", "hypot", "fmod", "atan2"];
+        prop_oneof![
+            4 => (inner.clone(), prop::sample::select(operators.to_vec()), inner.clone())
+                .prop_map(|(x, op, y)| format!("({x} {op} {y})")),
+            2 => (prop::sample::select(functions.to_vec()), inner.clone()).prop_map(|(f, x)| format!("{f}({x})")),
+            1 => (prop::sample::select(two.to_vec()), inner.clone(), inner.clone())
+                .prop_map(|(f, x, y)| format!("{f}({x}, {y})")),
+            1 => (inner.clone(), inner.clone(), inner).prop_map(|(x, y, z)| format!("({x} ? {y} : {z})")),
+        ]
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
+
+    /// The first evaluation of an expression takes the general way. Later ones take that of numbers, if there is one.
+    #[test]
+    fn an_expression_gives_the_same_each_time(text in expression(), a in operand(), b in operand(), l in operand()) {
+        let (mut interp, ..) = interp();
+        let words = [a, b, l].map(Value::from);
+        let body = format!("for {{set i 0}} {{$i < 3}} {{incr i}} {{lappend r [list [catch {{expr {{{text}}}}} m] $m]}}; set r");
+        interp.eval_str("p.tcl", &format!("proc f {{a b l}} {{{body}}}")).unwrap();
+        let call = Value::list(std::iter::once(Value::from("f")).chain(words));
+        let results = elements(&interp.eval_value(&call).unwrap());
+        prop_assert_eq!(&results[0], &results[1]);
+        prop_assert_eq!(&results[0], &results[2]);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
