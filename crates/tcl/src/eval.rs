@@ -126,15 +126,15 @@ impl<H> Interp<H> {
     #[inline]
     fn command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         self.core.tick()?;
-        match self.inlined(script, command) {
-            Some(result) => result,
-            None => self.call_command(script, command),
+        match self.core.is_inlined(script, command) {
+            true => self.inlined(script, command),
+            false => self.call_command(script, command),
         }
     }
 
     /// Run a command by a call.
     #[inline(never)]
-    fn call_command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+    pub(crate) fn call_command(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         let mut argv = self.core.take_words();
         let mut map: Option<Vec<u32>> = None;
         for (i, word) in command.words.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Numbers as Tcl writes and reads them.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::rc::Rc;
 
 use nom::branch::alt;
@@ -27,6 +27,31 @@ impl Number {
             Number::Big(b) => big_to_f64(b),
             Number::Double(d) => *d,
         }
+    }
+}
+
+/// A double by its bits: with nothing but integers and pointers in it, a value is passed in registers, which makes loops
+/// a third faster.
+#[derive(Clone, Copy)]
+pub(crate) struct Bits(u64);
+
+impl From<f64> for Bits {
+    #[inline]
+    fn from(d: f64) -> Self {
+        Bits(d.to_bits())
+    }
+}
+
+impl fmt::Debug for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.get().fmt(f)
+    }
+}
+
+impl Bits {
+    #[inline]
+    pub(crate) fn get(self) -> f64 {
+        f64::from_bits(self.0)
     }
 }
 

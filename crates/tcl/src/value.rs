@@ -10,7 +10,7 @@ use std::rc::Rc;
 use super::dict::{Dict, DictObj};
 use super::error::Exception;
 use super::list::{self, List, ListObj};
-use super::number::{self, Number};
+use super::number::{self, Bits, Number};
 use super::origin::Origin;
 use super::text::{Cache, StrObj, Text};
 
@@ -36,31 +36,6 @@ pub(crate) enum Rep {
     Str(Rc<StrObj>),
     List(Rc<ListObj>),
     Dict(Rc<DictObj>),
-}
-
-/// A double by its bits: with nothing but integers and pointers in it, a value is passed in registers, which makes loops
-/// a third faster.
-#[derive(Clone, Copy)]
-pub(crate) struct Bits(u64);
-
-impl From<f64> for Bits {
-    #[inline]
-    fn from(d: f64) -> Self {
-        Bits(d.to_bits())
-    }
-}
-
-impl fmt::Debug for Bits {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.get().fmt(f)
-    }
-}
-
-impl Bits {
-    #[inline]
-    pub(crate) fn get(self) -> f64 {
-        f64::from_bits(self.0)
-    }
 }
 
 impl Value {
@@ -477,7 +452,7 @@ impl From<usize> for Value {
 
 impl From<f64> for Value {
     fn from(d: f64) -> Self {
-        Value(Rep::Double(Bits(d.to_bits())))
+        Value(Rep::Double(d.into()))
     }
 }
 

@@ -107,26 +107,29 @@ fn negate(value: &mut Value) {
 }
 
 impl<H> Interp<H> {
-    /// An `expr` whose words are not put together; none where the command must be called in the general way.
-    pub(crate) fn expr_command(
+    /// An `expr` whose words are not put together, as far as they can be compiled.
+    #[inline(never)]
+    pub(crate) fn inline_expr(
         &mut self,
         script: &Script,
         command: &Command,
         expression: &Expression,
-    ) -> Option<Result<Value, Exception>> {
-        let words = command.words.get(1..)?;
+    ) -> Result<Value, Exception> {
+        let words = command.words.get(1..).unwrap_or_default();
         if let [Word { kind: WordKind::Literal(text), .. }] = words {
             let result = match expression.braced.get() {
                 Some(expr) => self.result_of(expr, &[]),
                 None => self.first_braced(text, expression),
             };
-            return Some(result.map_err(|e| self.inline_failed(e, script, command)));
+            return result.map_err(|e| self.inline_failed(e, script, command));
         }
-        let template = expression.template.get_or_init(|| Template::new(words)).as_ref()?;
+        let Some(template) = expression.template.get_or_init(|| Template::new(words)) else {
+            return self.call_command(script, command);
+        };
         let mut operands = self.core.take_words();
         let result = self.expr_template(template, script, words, &mut operands);
         self.core.give_words(operands);
-        Some(result.map_err(|e| self.inline_failed(e, script, command)))
+        result.map_err(|e| self.inline_failed(e, script, command))
     }
 
     #[cold]

@@ -274,15 +274,12 @@ fn literal(command: &Command, word: usize) -> &Value {
 }
 
 impl<H> Interp<H> {
-    /// Carry a command out without a call; none where it must be called.
+    /// Carry a command out without a call, if it is one of these.
     #[inline]
-    pub(crate) fn inlined(&mut self, script: &Script, command: &Command) -> Option<Result<Value, Exception>> {
-        if !self.core.is_inlined(script, command) {
-            return None;
-        }
-        Some(match &command.inline {
-            Inline::No => return None,
-            Inline::Expr(expression) => return self.expr_command(script, command, expression),
+    pub(crate) fn inlined(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
+        match &command.inline {
+            Inline::No => self.call_command(script, command),
+            Inline::Expr(expression) => self.inline_expr(script, command, expression),
             Inline::Set(name) => self.inline_set(script, command, name),
             Inline::Incr(name) => self.inline_incr(script, command, name),
             Inline::If(clauses) => self.inline_if(script, command, clauses),
@@ -294,7 +291,7 @@ impl<H> Interp<H> {
             Inline::Item => self.inline_item(script, command),
             Inline::Length => self.inline_length(script, command),
             Inline::Characters => self.inline_characters(script, command),
-        })
+        }
     }
 
     /// The value of a word of a command that is carried out without a call.
