@@ -1,5 +1,6 @@
 //! Numbers as Tcl writes and reads them.
 
+use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 use std::rc::Rc;
 
@@ -216,13 +217,16 @@ pub(crate) fn write_double(out: &mut String, d: f64) {
         if d == 0.0 {
             out.push_str(if d.is_sign_negative() { "-0.0" } else { "0.0" });
         } else {
-            let form = format!("{d:e}");
-            match form.split_once('e') {
-                Some((mantissa, exponent)) if !exponent.starts_with('-') => {
-                    let _ = write!(out, "{mantissa}e+{exponent}");
-                }
-                _ => out.push_str(&form),
+            let mut buffer = zmij::Buffer::new();
+            let text = buffer.format_finite(d);
+            // Sizes from 1e-5 have no exponent there.
+            let form = if text.as_bytes().contains(&b'e') { Cow::Borrowed(text) } else { format!("{d:e}").into() };
+            let sign = form.bytes().position(|b| b == b'e').map_or(0, |e| e + 1);
+            out.push_str(&form[..sign]);
+            if !matches!(form.as_bytes().get(sign), Some(b'-' | b'+')) {
+                out.push('+');
             }
+            out.push_str(&form[sign..]);
         }
     }
 }

@@ -148,6 +148,8 @@ proptest! {
         prop_assert_eq!(number.as_str().parse::<f64>().unwrap(), d);
         prop_assert_eq!(Value::from(&*number.as_str()).to_f64().unwrap(), d);
         prop_assert_eq!(call(&["format", &format!("%.{precision}f"), &number.as_str()]), format!("{d:.precision$}"));
+        let (size, sign) = (d.abs(), format!("{d:e}").replace('e', "e+").replace("e+-", "e-"));
+        prop_assert!((1e-4..1e17).contains(&size) || *number.as_str() == *sign);
         let general = call(&["format", "%.17g", &number.as_str()]);
         prop_assert_eq!(general.parse::<f64>().unwrap(), d);
     }
