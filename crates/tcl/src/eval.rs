@@ -110,16 +110,16 @@ impl<H> Interp<H> {
     /// Run a command. An error at top level goes to the host's handler, if it has one.
     fn command_or_on(&mut self, script: &Script, command: &Command) -> Result<Value, Exception> {
         match self.command(script, command) {
-            Err(e) => self.failed_at_level(e),
+            Err(e @ Exception::Error(_)) => self.failed_at_level(e),
             result => result,
         }
     }
 
     #[cold]
     fn failed_at_level(&mut self, e: Exception) -> Result<Value, Exception> {
-        match (e, self.on_error) {
-            (e @ Exception::Error(_), Some(handle)) if self.core.calls.depth == 1 => handle(self, e),
-            (e, _) => Err(e),
+        match self.on_error {
+            Some(handle) if self.core.calls.depth == 1 => handle(self, e),
+            _ => Err(e),
         }
     }
 

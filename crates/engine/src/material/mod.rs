@@ -152,7 +152,7 @@ pub use multiaxial::{
     AsdConcrete, BEAM_FIBRE, BeamJ2, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters,
     HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE,
     PLANE_BEAM_FIBRE, ParallelSolids, Plane, SOLID, SeriesSolids, SeriesTolerance, SharedMultiaxial, SimplifiedJ2,
-    THICK_PLANE, Tangent, strain_of_stress,
+    THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
 };
 pub use no_tension::NoTension;
 pub use parallel::Parallel;

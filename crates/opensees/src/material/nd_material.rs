@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
     ConcreteCm, Condensed, Fsam, FsamParameters, InitialStrain, Isotropic, J2Plasticity, LAYER, NdMaterial,
-    Orthotropic, ParallelSolids, SOLID, SharedMultiaxial, SimplifiedJ2,
+    Orthotropic, ParallelSolids, SOLID, SharedMultiaxial, SimplifiedJ2, WeightedLaws,
 };
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
@@ -215,7 +215,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
             *weight = a.nth_float("weight", i)?;
         }
     }
-    Ok(NdMaterial::of_solid("Parallel3DMaterial", Arc::new(ParallelSolids { laws })))
+    Ok(NdMaterial::of_solid("Parallel3DMaterial", Arc::new(ParallelSolids { laws: WeightedLaws(laws) })))
 }
 
 fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {

@@ -4,7 +4,7 @@ use super::nd_material::{family, form, of_solid};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::material::{
-    BeamJ2, Condensed, InitialStrain, NdMaterial, SOLID, SeriesSolids, SeriesTolerance, strain_of_stress,
+    BeamJ2, Condensed, InitialStrain, NdMaterial, SOLID, SeriesSolids, SeriesTolerance, WeightedLaws, strain_of_stress,
 };
 use hysteron_tcl::Exception;
 use std::sync::Arc;
@@ -44,7 +44,7 @@ pub(super) fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, E
             _ => crate::ignore_option(interp, a, &["-weights", "-maxIter", "-relTol", "-absTol", "-verbose"])?,
         }
     }
-    Ok(NdMaterial::of_solid("Series3DMaterial", Arc::new(SeriesSolids { laws, tolerance })))
+    Ok(NdMaterial::of_solid("Series3DMaterial", Arc::new(SeriesSolids { laws: WeightedLaws(laws), tolerance })))
 }
 
 /// `BeamFiber`.

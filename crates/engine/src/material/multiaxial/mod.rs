@@ -13,6 +13,7 @@ mod j2;
 mod series;
 mod simplified_j2;
 mod wall_strip;
+mod weighted;
 mod wrapped;
 
 use super::MaterialError;
@@ -31,6 +32,7 @@ pub use j2::J2Plasticity;
 pub use series::{SeriesSolids, SeriesTolerance};
 pub use simplified_j2::SimplifiedJ2;
 pub use wall_strip::WallStrip;
+pub use weighted::WeightedLaws;
 pub use wrapped::{InitialStrain, ParallelSolids, strain_of_stress};
 
 /// Number of stresses in space.

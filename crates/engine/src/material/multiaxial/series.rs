@@ -1,6 +1,6 @@
 //! Laws in space in series: one stress, and strains that add up with weights.
 
-use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent};
+use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::probe::Probe;
 use nalgebra::{SMatrix, SVector};
@@ -29,7 +29,7 @@ pub struct SeriesTolerance {
 #[derive(Clone, Debug)]
 pub struct SeriesSolids {
     /// The laws with their weights.
-    pub laws: Vec<(SharedMultiaxial<SOLID>, f64)>,
+    pub laws: WeightedLaws,
     /// Accuracy of the equilibrium.
     pub tolerance: SeriesTolerance,
 }
@@ -41,7 +41,7 @@ fn matrix(t: &Tangent<SOLID>) -> Matrix {
 impl SeriesSolids {
     /// Stiffness of stiffnesses in series; `None` if one is singular.
     fn combined(&self, inverses: &[Matrix]) -> Option<Matrix> {
-        let flexibility: Matrix = inverses.iter().zip(&self.laws).map(|(f, (_, w))| f * *w).sum();
+        let flexibility: Matrix = inverses.iter().zip(self.laws.iter()).map(|(f, (_, w))| f * *w).sum();
         flexibility.try_inverse()
     }
 
@@ -88,9 +88,9 @@ impl SeriesSolids {
             let Some(inverses) = inverses else { return Ok(None) };
             let Some(stiffness) = self.combined(&inverses) else { return Ok(None) };
             // Strain that is left, and what the stresses take to become one.
-            let total: Vector = strains.iter().zip(&self.laws).map(|(s, (_, w))| s * *w).sum();
+            let total: Vector = strains.iter().zip(self.laws.iter()).map(|(s, (_, w))| s * *w).sum();
             let by_stress: Vector =
-                now.iter().zip(&inverses).zip(&self.laws).map(|(((s, _), f), (_, w))| f * s * *w).sum();
+                now.iter().zip(&inverses).zip(self.laws.iter()).map(|(((s, _), f), (_, w))| f * s * *w).sum();
             let stress = stiffness * (e - total + by_stress);
             let error = now.iter().map(|(s, _)| (s - stress).norm()).fold(0.0, f64::max);
             let size = now.iter().map(|(s, _)| s.norm()).fold(0.0, f64::max);
@@ -115,28 +115,24 @@ impl SeriesSolids {
 
 impl Multiaxial<SOLID> for SeriesSolids {
     fn state_len(&self) -> usize {
-        self.laws.iter().map(|(law, _)| SOLID + law.state_len()).sum()
+        SOLID * self.laws.len() + self.laws.state_len()
     }
     fn init(&self, state: &mut [f64]) {
-        let (strains, mut rest) = state.split_at_mut(SOLID * self.laws.len());
+        let (strains, rest) = state.split_at_mut(SOLID * self.laws.len());
         strains.fill(0.0);
-        for (law, _) in &self.laws {
-            let (own, after) = rest.split_at_mut(law.state_len());
-            law.init(own);
-            rest = after;
-        }
+        self.laws.init(rest);
     }
     fn is_linear(&self) -> bool {
-        self.laws.iter().all(|(law, _)| law.is_linear())
+        self.laws.is_linear()
     }
     fn is_symmetric(&self) -> bool {
-        self.laws.iter().all(|(law, _)| law.is_symmetric())
+        self.laws.is_symmetric()
     }
     fn depends_on_time(&self) -> bool {
-        self.laws.iter().any(|(law, _)| law.depends_on_time())
+        self.laws.depends_on_time()
     }
     fn density(&self) -> f64 {
-        self.laws.iter().map(|(law, weight)| weight * law.density()).sum()
+        self.laws.density()
     }
 
     fn update(
@@ -173,11 +169,7 @@ impl Multiaxial<SOLID> for SeriesSolids {
     }
 
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
-        let scaled: Vec<_> = self.laws.iter().map(|(law, w)| (law.of_length(length), law, *w)).collect();
-        scaled.iter().any(|(scaled, ..)| scaled.is_some()).then(|| {
-            let laws = scaled.into_iter().map(|(scaled, law, w)| (scaled.unwrap_or_else(|| Arc::clone(law)), w));
-            Arc::new(Self { laws: laws.collect(), ..self.clone() }) as _
-        })
+        Some(Arc::new(Self { laws: self.laws.of_length(length)?, ..self.clone() }))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -1,6 +1,6 @@
 //! Laws in space around others: an initial strain, and a weighted sum.
 
-use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent};
+use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -98,31 +98,27 @@ impl Multiaxial<SOLID> for InitialStrain {
 #[derive(Clone, Debug)]
 pub struct ParallelSolids {
     /// The laws with their weights.
-    pub laws: Vec<(SharedMultiaxial<SOLID>, f64)>,
+    pub laws: WeightedLaws,
 }
 
 impl Multiaxial<SOLID> for ParallelSolids {
     fn state_len(&self) -> usize {
-        self.laws.iter().map(|(law, _)| law.state_len()).sum()
+        self.laws.state_len()
     }
-    fn init(&self, mut state: &mut [f64]) {
-        for (law, _) in &self.laws {
-            let (own, rest) = state.split_at_mut(law.state_len());
-            law.init(own);
-            state = rest;
-        }
+    fn init(&self, state: &mut [f64]) {
+        self.laws.init(state);
     }
     fn is_linear(&self) -> bool {
-        self.laws.iter().all(|(law, _)| law.is_linear())
+        self.laws.is_linear()
     }
     fn is_symmetric(&self) -> bool {
-        self.laws.iter().all(|(law, _)| law.is_symmetric())
+        self.laws.is_symmetric()
     }
     fn depends_on_time(&self) -> bool {
-        self.laws.iter().any(|(law, _)| law.depends_on_time())
+        self.laws.depends_on_time()
     }
     fn density(&self) -> f64 {
-        self.laws.iter().map(|(law, weight)| weight * law.density()).sum()
+        self.laws.density()
     }
     fn update(
         &self,
@@ -132,7 +128,7 @@ impl Multiaxial<SOLID> for ParallelSolids {
         mut next: &mut [f64],
     ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
         let (mut stress, mut tangent) = ([0.0; SOLID], [[0.0; SOLID]; SOLID]);
-        for (law, weight) in &self.laws {
+        for (law, weight) in self.laws.iter() {
             let (own, rest) = committed.split_at(law.state_len());
             let (trial, after) = next.split_at_mut(law.state_len());
             let (s, k) = law.update(own, e, dt, trial)?;
@@ -143,16 +139,11 @@ impl Multiaxial<SOLID> for ParallelSolids {
         Ok((stress, tangent))
     }
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
-        let scaled: Vec<_> = self.laws.iter().map(|(law, weight)| (law.of_length(length), law, *weight)).collect();
-        scaled.iter().any(|(scaled, ..)| scaled.is_some()).then(|| {
-            let laws =
-                scaled.into_iter().map(|(scaled, law, weight)| (scaled.unwrap_or_else(|| Arc::clone(law)), weight));
-            Arc::new(Self { laws: laws.collect() }) as _
-        })
+        Some(Arc::new(Self { laws: self.laws.of_length(length)? }))
     }
     fn initial_tangent(&self) -> Tangent<SOLID> {
         let mut tangent = [[0.0; SOLID]; SOLID];
-        for (law, weight) in &self.laws {
+        for (law, weight) in self.laws.iter() {
             tangent.iter_mut().zip(&law.initial_tangent()).for_each(|(out, row)| axpy(*weight, row, out));
         }
         tangent
