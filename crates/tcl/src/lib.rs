@@ -17,6 +17,7 @@ mod expr;
 mod files;
 mod form;
 mod glob;
+mod in_place;
 mod index;
 mod inline;
 mod interp;

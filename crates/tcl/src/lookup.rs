@@ -4,10 +4,9 @@ use std::rc::Rc;
 
 use super::core::{Core, NsId};
 use super::error::Exception;
-use super::expr::Num;
 use super::table::Table;
 use super::text::Text;
-use super::value::{Rep, Value};
+use super::value::Value;
 use super::vars::{Scope, Slot, Trouble, VarName, Watch, WatchedSlot, put, take};
 use crate::diagnostic;
 
@@ -69,34 +68,6 @@ impl Core {
         }
     }
 
-    /// The slot of a plain name of a procedure or of the global namespace, if it is where it was last.
-    #[inline(always)]
-    fn near_slot(&self, name: &VarName) -> Option<&Slot> {
-        let Scope::Here = name.scope else { return None };
-        let frame = self.frame();
-        if frame.is_proc {
-            return frame.vars.at(name.near.get(), &name.tail);
-        }
-        if frame.ns != NsId::GLOBAL {
-            return None;
-        }
-        self.ns(NsId::GLOBAL).vars.at(name.near.get(), &name.tail)
-    }
-
-    /// As [`Core::near_slot`], to change it.
-    #[inline(always)]
-    fn near_slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
-        let Scope::Here = name.scope else { return None };
-        let active = self.calls.active;
-        if self.calls.frames[active].is_proc {
-            return self.calls.frames[active].vars.at_mut(name.near.get(), &name.tail);
-        }
-        if self.calls.frames[active].ns != NsId::GLOBAL {
-            return None;
-        }
-        self.ns_mut(NsId::GLOBAL).vars.at_mut(name.near.get(), &name.tail)
-    }
-
     /// The slot of a variable, if there is one.
     pub(crate) fn slot(&self, name: &VarName) -> Option<&Slot> {
         let frame = self.frame();
@@ -114,101 +85,8 @@ impl Core {
         self.ns(self.scope_of(name)?).vars.get_near(&name.tail, name.hash, &name.near)
     }
 
-    /// The value of a variable that is a plain scalar; `None` does not mean that there is no variable.
-    #[inline]
-    pub(crate) fn scalar(&self, name: &VarName) -> Option<&Value> {
-        if let Some(Slot::Scalar(value)) = self.near_slot(name) {
-            return Some(value);
-        }
-        self.far_scalar(name)
-    }
-
-    #[inline(never)]
-    fn far_scalar(&self, name: &VarName) -> Option<&Value> {
-        match self.slot(name) {
-            Some(Slot::Scalar(value)) => Some(value),
-            _ => None,
-        }
-    }
-
-    /// As [`Core::scalar`], for a variable of another name too.
-    #[inline]
-    pub(crate) fn with_scalar<R>(&self, name: &VarName, look: impl FnOnce(&Value) -> Option<R>) -> Option<R> {
-        if let Some(Slot::Scalar(value)) = self.near_slot(name) {
-            return look(value);
-        }
-        self.slot(name)?.with(|slot| if let Slot::Scalar(value) = slot { look(value) } else { None })
-    }
-
-    /// As [`Core::scalar`], to change the value.
-    #[inline]
-    fn scalar_mut(&mut self, name: &VarName) -> Option<&mut Value> {
-        if !name.is_plain {
-            return None;
-        }
-        // The slot is looked for twice since a borrow that may be handed out lasts to the end.
-        if let Some(Slot::Scalar(_)) = self.near_slot_mut(name) {
-            return match self.near_slot_mut(name) {
-                Some(Slot::Scalar(value)) => Some(value),
-                _ => None,
-            };
-        }
-        self.far_scalar_mut(name)
-    }
-
-    #[inline(never)]
-    fn far_scalar_mut(&mut self, name: &VarName) -> Option<&mut Value> {
-        match self.slot_mut(name) {
-            Some(Slot::Scalar(value)) => Some(value),
-            _ => None,
-        }
-    }
-
-    /// Add to an integer in place; `None`, with nothing done, where that takes more.
-    #[inline]
-    pub(crate) fn increment(&mut self, name: &VarName, by: i64) -> Option<Value> {
-        let value = self.scalar_mut(name)?;
-        let Rep::Int(old) = value.0 else { return None };
-        let sum = Value::from(old.checked_add(by)?);
-        *value = sum.clone();
-        Some(sum)
-    }
-
-    /// Give a scalar another value, a number; false, with nothing done, where that takes more.
-    #[inline]
-    pub(crate) fn set_number(&mut self, name: &VarName, n: Num) -> bool {
-        let Some(value) = self.scalar_mut(name) else { return false };
-        *value = n.into();
-        true
-    }
-
-    /// Append to a text where it is. The whole text; none, with nothing done, where that takes more.
-    #[inline]
-    pub(crate) fn append_text(&mut self, name: &VarName, text: &str) -> Option<Value> {
-        let value = self.scalar_mut(name)?;
-        if !matches!(value.0, Rep::Str(_)) {
-            return None;
-        }
-        value.text_mut().push_str(text);
-        Some(value.clone())
-    }
-
-    /// Append an item to a list where it is. The list, or the item where that takes more.
-    #[inline]
-    pub(crate) fn push_item(&mut self, name: &VarName, item: Value) -> Result<Value, Value> {
-        let Some(value) = self.scalar_mut(name) else { return Err(item) };
-        if !matches!(value.0, Rep::List(_) | Rep::Empty) {
-            return Err(item);
-        }
-        match value.list_mut() {
-            Ok(items) => items.push(item),
-            Err(_) => return Err(item),
-        }
-        Ok(value.clone())
-    }
-
-    #[inline]
-    fn slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
+    /// As [`Core::slot`], to change it.
+    pub(crate) fn slot_mut(&mut self, name: &VarName) -> Option<&mut Slot> {
         let active = self.calls.active;
         if let Scope::Here = name.scope {
             if self.calls.frames[active].is_proc {
@@ -280,12 +158,13 @@ impl Core {
 
     /// Set a variable.
     pub(crate) fn write(&mut self, name: &VarName, index: Option<&Text>, value: Value) -> Result<(), Exception> {
-        if index.is_none()
-            && let Some(old) = self.scalar_mut(name)
-        {
-            *old = value;
-            return Ok(());
-        }
+        let value = match index {
+            None => match self.set_scalar(name, value) {
+                None => return Ok(()),
+                Some(value) => value,
+            },
+            Some(_) => value,
+        };
         let done = match self.slot_or_new(name) {
             None => Err(Trouble::NoNamespace),
             Some(slot) => slot.with_mut(|slot| put(slot, index, value)),

@@ -15,7 +15,7 @@ use super::func::Known;
 use super::{Binary, Expr, Function, Op, Unary};
 
 /// Operations within operations up to here; deeper expressions are evaluated in the general way.
-const MAX_DEPTH: usize = 50;
+const MAX_DEPTH: usize = 32;
 /// Integers up to here are doubles without a loss.
 const EXACT: u64 = 1 << 53;
 

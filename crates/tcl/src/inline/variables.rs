@@ -62,12 +62,10 @@ impl<H> Interp<H> {
         name: &VarName,
     ) -> Result<Value, Exception> {
         let item = self.inline_word(script, command, 2)?;
-        match self.core.push_item(name, item) {
-            Ok(list) => Ok(list),
-            Err(item) => {
-                self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), item])
-            }
+        if let Some(list) = self.core.push_item(name, &item) {
+            return Ok(list);
         }
+        self.call_inlined(script, command, [literal(command, 0).clone(), literal(command, 1).clone(), item])
     }
 
     #[inline(never)]
