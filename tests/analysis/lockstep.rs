@@ -39,6 +39,18 @@ fn check(scripts: &[String], analysis: u64, expected: Made) {
     }
 }
 
+/// Checks that some scripts fail and the others go side by side, with the rows that each has alone.
+fn check_failures(scripts: &[String], fails: impl Fn(usize) -> bool) {
+    for (i, ((made, rows), script)) in side_by_side(scripts, 1).into_iter().zip(scripts).enumerate() {
+        let alone = Script::default().run(script);
+        assert_eq!(alone.tables["disp.out"].len() < 120, fails(i), "{i}");
+        assert_eq!(made, if fails(i) { Made::No } else { Made::SideBySide }, "{i}");
+        if !fails(i) {
+            assert_same(&rows, &alone.tables, script);
+        }
+    }
+}
+
 const PATH: &str = "timeSeries Path 2 -dt 0.1 -values {0. 1. 0.5 -1. 2. -2. 0.3 1.5} -useLast";
 
 fn analysis(test: &str) -> String {
@@ -107,14 +119,62 @@ fn bearings_in_space_have_the_numbers_that_each_has_alone() {
     check(&of(2.0), 2, Made::SideBySide);
     // The first analysis has others behind it that need its results.
     assert!(side_by_side(&of(1.0), 1).iter().all(|(made, _)| *made == Made::No));
-    let hdr = |i: usize| {
-        let (a1, b1) = (450. + 60. * i as f64, 12. + i as f64);
-        space(&format!(
-            "HDR 1 1 2 450. 2.0e6 0.15 0.60 0.003 0.006 28 {a1} -6.0e3 9.0e4 {b1} 250. 60.0 4.0 1.5 0.75 3.0 \\
-            0 0 1 1 0 0 10.0 0.5 1.0 0.5 0.0 0.0"
-        ))
+}
+
+/// A high damping bearing with all of its numbers its own.
+fn hdr(i: usize, diameter: f64, a2: f64) -> String {
+    let x = i as f64;
+    let [g, a1, b1, b2, b3] = [450. + 9. * x, 450. + 60. * x, 12. + x, 250. - 9. * x, 60. + 2. * x];
+    let [c1, c2, c3, c4] = [4. + 9. * x, 1.5 + 7. * x, 0.75 - 0.03 * x, 3. + 90. * x];
+    format!(
+        "HDR 1 1 2 {g} 2.0e6 {inner} {diameter} 0.003 0.006 28 {a1} {a2} 9.0e4 {b1} {b2} {b3} {c1} {c2} {c3} {c4} \\
+        0 0 1 1 0 0 10.0 0.5 1.0 0.5 0.0 0.0",
+        inner = 0.25 * diameter
+    )
+}
+
+/// A bearing in space under an axial load that goes up and down, driven by displacements or by forces.
+fn under_changing_axial_load(bearing: &str, axial: f64, lateral: &str, test: &str) -> String {
+    format!(
+        "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0 0 0.3; fix 1 1 1 1 1 1 1; fix 2 0 0 0 1 1 1
+        element {bearing}
+        timeSeries Path 1 -dt 0.15 -values {{0. -1. -1. 0.6 -0.8 1. -0.3 1. -1. -1.1}}; pattern Plain 1 1 {{ load 2 0. 0. {axial} 0. 0. 0. }}
+        {PATH}; pattern Plain 2 2 {{ {lateral} }}
+        recorder Node -file disp.out -time -node 2 -dof 1 2 3 disp
+        recorder Element -file force.out -ele 1 globalForce
+        {}; analyze 130",
+        analysis(test)
+    )
+}
+
+#[test]
+fn high_damping_bearings_have_the_numbers_that_each_has_alone() {
+    let test = "NormDispIncr 1e-10 30";
+    check(&(0..8).map(|i| space(&hdr(i, 0.6, -6e3))).collect::<Vec<_>>(), 2, Made::SideBySide);
+    let pushed = |i: usize| under_changing_axial_load(&hdr(i, 0.6, -6e3), 90., "load 2 18. 0. 0. 0. 0. 0.", test);
+    check(&(0..5).map(pushed).collect::<Vec<_>>(), 1, Made::SideBySide);
+    // Numbers that all share are worked out once; with zeros in them the damage has no effect.
+    let alike = |i: usize| {
+        let bearing = hdr(0, 0.6, -6e3).replace(" 450 ", &format!(" {} ", 450. + 50. * i as f64));
+        let bearing = if i > 4 { bearing.replace(" 4 1.5 0.75 3 ", " 0 0 1 0 ") } else { bearing };
+        under_changing_axial_load(&bearing, 90., "sp 2 1 0.08; sp 2 2 -0.03", test)
     };
-    check(&(0..4).map(hdr).collect::<Vec<_>>(), 2, Made::SideBySide);
+    check(&(0..8).map(alike).collect::<Vec<_>>(), 1, Made::SideBySide);
+}
+
+#[test]
+fn high_damping_bearings_buckle_and_cavitate_each_by_itself() {
+    let test = "NormDispIncr 1e-9 60";
+    // From small to large: the first ones buckle under their load, or are torn beyond cavitation.
+    let torn = |i: usize| hdr(i, 0.56 + 0.015 * i as f64, -6e3);
+    let cavitates = |i: usize| under_changing_axial_load(&torn(i), 380., "sp 2 1 0.05; load 2 0. 5. 0. 0. 0. 0.", test);
+    check(&(0..8).map(cavitates).collect::<Vec<_>>(), 1, Made::SideBySide);
+    let always_pressed = |script: String| script.replace(" 0.6 -0.8 1. -0.3 1. ", " -0.6 -0.8 -1. -0.3 -1. ");
+    let slender = |i: usize| hdr(i, 0.3 + 0.01 * i as f64, -6e3);
+    let buckles =
+        |i: usize| always_pressed(under_changing_axial_load(&slender(i), 600., "sp 2 1 0.05; sp 2 2 0.02", test));
+    // Five fall over, the sixth buckles and stands up again, two stand.
+    check_failures(&(0..8).map(buckles).collect::<Vec<_>>(), |i| i < 5);
 }
 
 #[test]
@@ -154,17 +214,7 @@ fn a_model_that_fails_is_left_to_itself_and_changes_no_other() {
             "NormDispIncr 1e-10 20",
         )
     };
-    let scripts: Vec<String> = (0..5).map(script).collect();
-    let results = side_by_side(&scripts, 1);
-    for (i, ((made, rows), script)) in results.into_iter().zip(&scripts).enumerate() {
-        let alone = Script::default().run(script);
-        let fails = alone.tables["disp.out"].len() < 120;
-        assert_eq!(made, if fails { Made::No } else { Made::SideBySide }, "{i}");
-        assert!(fails == (i == 2), "{i}");
-        if !fails {
-            assert_same(&rows, &alone.tables, script);
-        }
-    }
+    check_failures(&(0..5).map(script).collect::<Vec<_>>(), |i| i == 2);
 }
 
 #[test]

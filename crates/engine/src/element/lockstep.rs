@@ -3,6 +3,7 @@
 use super::{Element, ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
 use crate::numeric::wide::{Flags, WIDTH, Wide, is_set};
 use std::any::Any;
+use std::cell::Cell;
 use std::fmt;
 use std::sync::Arc;
 
@@ -56,15 +57,26 @@ pub(crate) fn alike<'a, E: Element>(all: &[&'a Arc<dyn Element>; WIDTH]) -> Opti
 }
 
 /// Elements that are evaluated one after the other.
-#[derive(Debug)]
-struct OneByOne([Arc<dyn Element>; WIDTH]);
+struct OneByOne {
+    elements: [Arc<dyn Element>; WIDTH],
+    /// Committed and trial history and tangent of one of them, kept from one evaluation to the next.
+    buffer: Cell<Vec<f64>>,
+}
+
+impl fmt::Debug for OneByOne {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("OneByOne").field(&self.elements).finish()
+    }
+}
 
 /// Elements of one type, to be evaluated one after the other; `None` where they are of several types or sizes.
 pub(crate) fn one_by_one<E: Element>(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
     let own = alike::<E>(all)?;
     let sizes = |e: &E| (e.dofs(), e.state_len(), e.load_len());
     let same = own.iter().all(|e| sizes(e) == sizes(own[0])) && own[0].load_len() == 0;
-    same.then(|| Box::new(OneByOne(all.map(Arc::clone))) as Box<dyn LockstepElement>)
+    same.then(|| {
+        Box::new(OneByOne { elements: all.map(Arc::clone), buffer: Cell::default() }) as Box<dyn LockstepElement>
+    })
 }
 
 /// Velocities where nothing moves.
@@ -74,11 +86,12 @@ impl LockstepElement for OneByOne {
     fn respond(&self, motion: LockstepMotion<'_>, output: LockstepOutput<'_>) {
         let (n, words) = (motion.disp.len(), motion.committed.len());
         let (mut disp, mut force) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
-        let mut histories = vec![0.0; 2 * words + n * n];
-        let (committed, rest) = histories.split_at_mut(words);
+        let mut buffer = self.buffer.take();
+        buffer.resize(2 * words + n * n, 0.0);
+        let (committed, rest) = buffer.split_at_mut(words);
         let (trial, matrix) = rest.split_at_mut(words);
         let LockstepOutput { trial: all_trial, force: all_force, tangent: mut all_tangent, part } = output;
-        for (lane, element) in self.0.iter().enumerate().filter(|(lane, _)| is_set(motion.lanes, *lane)) {
+        for (lane, element) in self.elements.iter().enumerate().filter(|(lane, _)| is_set(motion.lanes, *lane)) {
             disp.iter_mut().zip(motion.disp).for_each(|(own, all)| *own = all.0[lane]);
             committed.iter_mut().zip(motion.committed).for_each(|(own, all)| *own = all.0[lane]);
             trial.iter_mut().zip(&*all_trial).for_each(|(own, all)| *own = all.0[lane]);
@@ -111,5 +124,6 @@ impl LockstepElement for OneByOne {
                 }
             }
         }
+        self.buffer.set(buffer);
     }
 }

@@ -12,6 +12,9 @@ pub const WIDTH: usize = BLOCK;
 /// A flag of each of [`WIDTH`] models: a bit, the first one the lowest.
 pub type Flags = u8;
 
+/// The flag that is set in all models.
+pub const ALL: Flags = Flags::MAX;
+
 /// Returns true if the flag of a model is set.
 #[inline(always)]
 pub fn is_set(flags: Flags, model: usize) -> bool {
@@ -19,7 +22,7 @@ pub fn is_set(flags: Flags, model: usize) -> bool {
 }
 
 /// A number of each of [`WIDTH`] models. Where loops run in lanes its operations are vector instructions.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
 pub struct Wide(pub [f64; WIDTH]);
 
@@ -51,6 +54,16 @@ impl Wide {
     #[inline(always)]
     pub const fn all(x: f64) -> Self {
         Self([x; WIDTH])
+    }
+
+    /// 1 in the models whose flag is set, else 0.
+    #[inline(always)]
+    pub fn of_flags(flags: Flags) -> Self {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = if is_set(flags, i) { 1.0 } else { 0.0 };
+        }
+        Self(out)
     }
 
     /// Square root.
@@ -126,6 +139,30 @@ impl Wide {
             flags |= bit;
         }
         flags as Flags
+    }
+
+    /// A function that is no vector instruction, of the models that want it. It is evaluated once where all have the same
+    /// number, as of displacements that are imposed on all.
+    #[inline(always)]
+    pub fn one_by_one(self, wanted: Flags, f: fn(f64) -> f64) -> Self {
+        let first = self.0[0].to_bits();
+        let mut differ = 0;
+        for i in 0..WIDTH {
+            differ |= self.0[i].to_bits() ^ first;
+        }
+        if differ == 0 { Self::all(f(self.0[0])) } else { self.each(wanted, f) }
+    }
+
+    /// A function of each model that wants it.
+    #[inline(never)]
+    fn each(self, wanted: Flags, f: fn(f64) -> f64) -> Self {
+        let mut out = Self::all(0.0);
+        for i in 0..WIDTH {
+            if is_set(wanted, i) {
+                out.0[i] = f(self.0[i]);
+            }
+        }
+        out
     }
 
     /// Flags of the models in which it is no number.

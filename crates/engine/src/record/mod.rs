@@ -227,19 +227,33 @@ impl Recorder {
         model: usize,
         (time_first, columns): (bool, Range<usize>),
     ) -> Result<(), RecordError> {
-        let width = all.numbers.len() / all.times.len().max(1);
+        let width = (all.numbers.len() / all.times.len().max(1)).max(1);
+        let first = usize::from(time_first);
+        let row_width = first + columns.len();
         self.row.clear();
         self.due.clear();
-        for (&time, numbers) in all.times.iter().zip(all.numbers.chunks_exact(width.max(1))) {
-            if !self.is_due(time) {
-                continue;
+        if self.cadence.dt == 0.0 {
+            // Column by column, in short loops: a study reads millions of rows.
+            self.row.resize(all.times.len() * row_width, 0.0);
+            self.due.extend_from_slice(&all.times);
+            for column in 0..row_width {
+                let rows = self.row.iter_mut().skip(column).step_by(row_width);
+                if column < first {
+                    rows.zip(&all.times).for_each(|(to, time)| *to = *time);
+                } else {
+                    let numbers = all.numbers.iter().skip(columns.start + column - first).step_by(width);
+                    rows.zip(numbers).for_each(|(to, number)| *to = number.0[model]);
+                }
             }
-            self.next = time + self.cadence.dt;
-            self.due.push(time);
-            if time_first {
-                self.row.push(time);
+        } else {
+            for (&time, numbers) in all.times.iter().zip(all.numbers.chunks_exact(width)) {
+                if self.is_due(time) {
+                    self.next = time + self.cadence.dt;
+                    self.due.push(time);
+                    self.row.extend(time_first.then_some(time));
+                    self.row.extend(numbers[columns.clone()].iter().map(|n| n.0[model]));
+                }
             }
-            self.row.extend(numbers[columns.clone()].iter().map(|n| n.0[model]));
         }
         self.output.rows(&self.due, &self.row)
     }

@@ -1,4 +1,4 @@
-//! Read-only files for the script of a study. Each is read from the disk once.
+//! Read-only files for the script of a study. Each is looked for and read from the disk once.
 
 use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::collections::HashMap;
@@ -8,7 +8,11 @@ use std::time::Duration;
 
 /// Contents of files by path. Clones share them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct FileContents(Arc<Mutex<HashMap<String, KnownFile>>>);
+pub(super) struct FileContents {
+    known: Arc<Mutex<HashMap<String, KnownFile>>>,
+    /// Files and folders that have not been read: `None` where there is none.
+    seen: Arc<Mutex<HashMap<String, Option<FileInfo>>>>,
+}
 
 /// A file that has been read.
 #[derive(Clone, Debug)]
@@ -29,22 +33,38 @@ impl KnownFile {
 impl FileContents {
     /// A copy with another text for one file.
     pub(super) fn with_text(&self, path: &str, text: &str) -> Self {
-        let mut texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        let mut texts = self.known.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
         texts.insert(path.to_owned(), KnownFile::text(text));
-        Self(Arc::new(Mutex::new(texts)))
+        Self { known: Arc::new(Mutex::new(texts)), seen: self.seen.clone() }
     }
 
     /// Paths and texts, in the order of the paths.
     pub(super) fn texts(&self) -> Vec<(String, String)> {
-        let texts = self.0.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
+        let texts = self.known.lock().map_or_else(|e| e.into_inner().clone(), |k| k.clone());
         let texts = texts.iter().map(|(path, f)| (path.clone(), String::from_utf8_lossy(&f.content).into_owned()));
         let mut texts: Vec<_> = texts.collect();
         texts.sort();
         texts
     }
+
+    /// Metadata of a file that has not been read. Every run asks for the folder of its recorders.
+    fn seen(&self, path: &str) -> io::Result<FileInfo> {
+        let mut seen = self.seen.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        if let Some(info) = seen.get(path) {
+            return info.clone().ok_or_else(|| io::ErrorKind::NotFound.into());
+        }
+        let info = OsFiles.info(path, true);
+        match &info {
+            Ok(info) => drop(seen.insert(path.to_owned(), Some(info.clone()))),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => drop(seen.insert(path.to_owned(), None)),
+            Err(_) => {}
+        }
+        info
+    }
 }
 
 /// Files of the system, kept in memory once they are read. Writing is refused: an overlay takes what a script writes.
+#[derive(Clone)]
 pub(super) struct CachedFiles {
     folder: String,
     contents: FileContents,
@@ -57,7 +77,7 @@ impl CachedFiles {
     }
 
     fn content(&self, path: &str) -> io::Result<Arc<[u8]>> {
-        let mut texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        let mut texts = self.contents.known.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
         if let Some(known) = texts.get(path) {
             return Ok(known.content.clone());
         }
@@ -85,9 +105,10 @@ impl Files for CachedFiles {
     }
 
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
-        let texts = self.contents.0.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
+        let texts = self.contents.known.lock().map_err(|_| io::Error::from(io::ErrorKind::Other))?;
         match (texts.get(path), follow) {
             (Some(known), true) => Ok(known.info.clone()),
+            (None, true) => self.contents.seen(path),
             // A replaced text may have no file on the disk.
             (known, _) => OsFiles.info(path, follow).or_else(|e| known.map(|k| k.info.clone()).ok_or(e)),
         }
@@ -111,6 +132,10 @@ impl Files for CachedFiles {
 
     fn set_modified(&mut self, _: &str, _: Duration) -> io::Result<()> {
         read_only()
+    }
+
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        Ok(self.content(path)?.to_vec())
     }
 }
 

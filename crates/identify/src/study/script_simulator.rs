@@ -5,6 +5,7 @@ use super::initial_run::RunLimits;
 use super::load::Study;
 use super::run::{ObservedChannel, Run, Setting};
 use super::simulator::{Channels, SimulationError, Simulator};
+use super::study_files::StudyFiles;
 use super::trace::{Trace, TraceOutput, Unobserved};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Options};
 use hysteron_engine::record::{Output, RecordError};
@@ -12,7 +13,7 @@ use hysteron_opensees::lockstep::Course;
 use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
 use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
 use hysteron_tcl::diagnostic::Diagnostic;
-use hysteron_tcl::{Console, Exception, OverlayFiles, Value, Watch};
+use hysteron_tcl::{Console, Exception, Value, Watch};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -255,7 +256,7 @@ impl ScriptSimulator {
         let RunMode { others, watched, course } = mode;
         let spec = &self.study.runs[run];
         let settings = Settings { mode: Mode::Run, strict: false, options: self.options.clone() };
-        let files = OverlayFiles::new(Box::new(CachedFiles::new(&self.study.folder_text(), &self.contents)));
+        let files = StudyFiles::new(CachedFiles::new(&self.study.folder_text(), &self.contents));
         let recorders = RecorderFiles::default();
         let outputs = RunOutputs { observed: self.outputs[run].clone(), others, files: recorders.clone() };
         self.outputs[run].iter().for_each(|(_, t)| t.clear());
@@ -338,7 +339,7 @@ impl ScriptSimulator {
                 if trace.no_clock {
                     return missing("has times that do not increase: the analysis has no clock".into());
                 }
-                if trace.column(o.column).is_none_or(|mut column| column.any(|v| !v.is_finite())) {
+                if !trace.is_finite(o.column) {
                     return Err(SimulationError::NotFinite(format!("{} column {}", o.output, o.column)));
                 }
                 let times = &spec.recording.times;

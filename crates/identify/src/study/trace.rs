@@ -59,7 +59,8 @@ impl Trace {
     /// Add rows at their times, of the columns that are kept.
     fn extend(&mut self, times: &[f64], rows: &[f64]) {
         self.no_clock |= self.times.last().zip(times.first()).is_some_and(|(last, first)| last >= first);
-        self.no_clock |= times.windows(2).any(|t| t[0] >= t[1]);
+        // Without an early end, the compiler makes vector instructions of it.
+        self.no_clock |= times.windows(2).fold(false, |stands, t| stands | (t[0] >= t[1]));
         self.times.extend_from_slice(times);
         self.values.extend_from_slice(rows);
     }
@@ -71,32 +72,43 @@ impl Trace {
         (self.has_start, self.no_clock) = (false, false);
     }
 
+    /// Returns true if a column is kept and has numbers alone.
+    pub(super) fn is_finite(&self, column: usize) -> bool {
+        let (width, place) = (self.kept_width(), self.place(column));
+        let Some(place) = place.filter(|_| column < self.width) else { return false };
+        // Without an early end, the compiler makes vector instructions of it.
+        let all = |sum: bool, v: &f64| sum & v.is_finite();
+        if width == 1 {
+            self.values.iter().fold(true, all)
+        } else {
+            self.values.iter().skip(place).step_by(width).fold(true, all)
+        }
+    }
+
     /// A column at increasing times: linear between rows, the first row before it, NaN after the last row.
     pub fn sample(&self, column: usize, times: &[f64]) -> Vec<f64> {
         let (width, place) = (self.kept_width(), self.place(column));
         let Some(place) = place.filter(|_| !self.times.is_empty() && column < self.width) else {
             return vec![f64::NAN; times.len()];
         };
-        let value = |row: usize| self.values[row * width + place];
-        let mut row = 0;
-        let at = |t: f64| {
-            while row < self.times.len() && self.times[row] < t {
-                row += 1;
-            }
-            match row {
-                0 => value(0),
-                r if r == self.times.len() => f64::NAN,
-                r => {
-                    let (t0, t1) = (self.times[r - 1], self.times[r]);
-                    let (a, b) = (value(r - 1), value(r));
-                    a + (b - a) * ((t - t0) / (t1 - t0))
-                }
-            }
-        };
         // Round-off must not put a last sample beyond the end of the analysis.
         let end = self.times[self.times.len() - 1];
         let close = 1e-9 * end.abs().max(1e-9);
-        times.iter().map(|t| if *t > end && *t - end <= close { end } else { *t }).map(at).collect()
+        let row = |i: usize| self.times.get(i).zip(self.values.get(i * width + place));
+        // Rows before and after a time. After the last one there is none, and the samples are no numbers.
+        let (mut i, mut t0, mut a) = (0, f64::NAN, f64::NAN);
+        let (mut t1, mut b) = (self.times[0], self.values[place]);
+        let mut samples = Vec::with_capacity(times.len());
+        for &t in times {
+            let t = if t > end && t - end <= close { end } else { t };
+            while t1 < t {
+                i += 1;
+                (t0, a) = (t1, b);
+                (t1, b) = row(i).map_or((f64::INFINITY, f64::NAN), |(t, v)| (*t, *v));
+            }
+            samples.push(if i == 0 { b } else { a + (b - a) * ((t - t0) / (t1 - t0)) });
+        }
+        samples
     }
 }
 

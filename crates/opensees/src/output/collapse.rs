@@ -341,7 +341,8 @@ fn other(interp: &mut Tcl, call: &Call<'_>, a: &mut Args<'_>, option: &str, w: &
         "-dT" => w.dt = a.not_negative("step of time dT")?,
         "-file" => {
             let name = a.word("name of the file")?.into_owned();
-            make_room(interp, call, &name, a.last_span())?;
+            let path = interp.absolute(&name);
+            make_room(interp, call, (&name, &path), a.last_span())?;
             w.file = Some(name);
         }
         _ => ignore_option(interp, a, OPTIONS)?,

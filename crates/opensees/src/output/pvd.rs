@@ -217,8 +217,8 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
         let d = Diagnostic::warning("recorder PVD: the files have the model alone");
         warn(interp, d.at(span, "expected for instance disp after it"))?;
     }
-    make_room(interp, call, &name, span)?;
     let path = interp.absolute(&name);
+    make_room(interp, call, (&name, &path), span)?;
     let made = interp.host.output.outputs.series(&name, Path::new(&path));
     let files = made.map_err(|e| a.refuse_at(span, e.to_string(), "cannot write here"))?;
     let files = Arc::new(Mutex::new(files));
@@ -226,5 +226,5 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
     let list = List { files: files.clone(), folder, times: vec![] };
     let grids = Grids { files, fields, response, written: 0, before: vec![], known: Known::default() };
     let recorder = Recorder::history(Box::new(grids), Box::new(list), cadence);
-    Ok(add(interp, call, recorder, Some(name), BTreeMap::new()))
+    Ok(add(interp, call, recorder, Some((name, path)), BTreeMap::new()))
 }

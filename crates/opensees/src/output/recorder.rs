@@ -151,15 +151,15 @@ impl Common {
 
     /// Open the output and add the recorder; its tag.
     fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, keep: Keep) -> Outcome {
-        let output: Box<dyn Output> = match &self.file {
-            Some((name, span)) => {
-                let path = interp.absolute(name);
+        let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
+        let output: Box<dyn Output> = match self.file.as_ref().zip(path.as_ref()) {
+            Some(((name, span), path)) => {
                 let format = FileFormat {
                     style: self.style.unwrap_or_default(),
                     layout: self.layout.unwrap_or(Layout::Text(Separator::Space)),
                     close_on_write: self.close_on_write,
                 };
-                make_room(interp, call, name, *span)?;
+                make_room(interp, call, (name, path), *span)?;
                 let made = interp.host.output.outputs.create(name, path.as_ref(), format);
                 made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }
@@ -170,19 +170,20 @@ impl Common {
             }
         };
         let recorder = keep(source, output, self.cadence);
-        Ok(add(interp, call, recorder, self.file.map(|(name, _)| name), self.tags))
+        let file = self.file.map(|(name, _)| name).zip(path);
+        Ok(add(interp, call, recorder, file, self.tags))
     }
 }
 
-/// Add a recorder to the session; its tag.
+/// Add a recorder to the session, with the name of its file and where that is; its tag.
 pub(super) fn add(
     interp: &mut Tcl,
     call: &Call<'_>,
     recorder: Recorder,
-    file: Option<String>,
+    file: Option<(String, String)>,
     tags: BTreeMap<String, Span>,
 ) -> Value {
-    let path = file.as_ref().map(|name| interp.absolute(name));
+    let (file, path) = file.unzip();
     let (span, words) = (call.whole_span(), words(call));
     let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false };
     Value::from(i64::from(interp.host.output.recorders.add(placed)))
@@ -192,14 +193,18 @@ pub(super) fn add(
 ///
 /// # Errors
 /// It is a folder, or another recorder's.
-pub(super) fn make_room(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
-    let path = interp.absolute(name);
-    if interp.files.info(&path, true).is_ok_and(|i| i.kind == FileKind::Directory) {
+pub(super) fn make_room(
+    interp: &mut Tcl,
+    call: &Call<'_>,
+    (name, path): (&str, &str),
+    span: Option<Span>,
+) -> Result<(), Exception> {
+    if interp.files.info(path, true).is_ok_and(|i| i.kind == FileKind::Directory) {
         let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
         return Err(Exception::diagnosed(d.at(span, "cannot write here")));
     }
-    make_missing_folder(interp, name, &path, span)?;
-    replace_recorder(interp, call, name, span)
+    make_missing_folder(interp, name, path, span)?;
+    replace_recorder(interp, call, (name, path), span)
 }
 
 fn words(call: &Call<'_>) -> Vec<String> {
@@ -211,9 +216,13 @@ fn words(call: &Call<'_>) -> Vec<String> {
 ///
 /// # Errors
 /// The two are different recorders. OpenSees' answer is wanted: then it is a warning.
-fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
-    let path = interp.absolute(name);
-    let Some(other) = interp.host.output.recorders.of_file(&path) else { return Ok(()) };
+fn replace_recorder(
+    interp: &mut Tcl,
+    call: &Call<'_>,
+    (name, path): (&str, &str),
+    span: Option<Span>,
+) -> Result<(), Exception> {
+    let Some(other) = interp.host.output.recorders.of_file(path) else { return Ok(()) };
     let (place, is_same) = (other.span, other.words == words(call));
     let message = format!("another recorder writes {name}{}", if is_same { ": its rows are lost" } else { "" });
     let mut d = Diagnostic::warning(message).at(span, "expected a file of its own");
@@ -226,7 +235,7 @@ fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<
         return Err(Exception::diagnosed(d));
     }
     warn(interp, d)?;
-    let finished = interp.host.output.recorders.finish_file(&path);
+    let finished = interp.host.output.recorders.finish_file(path);
     finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(span, "")))
 }
 

@@ -12,7 +12,7 @@ use super::engine::Engine;
 use crate::assembly::Plan;
 use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
-use crate::numeric::wide::{Flags, WIDTH, Wide, is_set};
+use crate::numeric::wide::{ALL, Flags, WIDTH, Wide, is_set};
 use crate::solve::DenseLu;
 use std::ops::Range;
 use std::sync::Arc;
@@ -110,7 +110,7 @@ struct Models {
     /// Time of the trial state, and of the committed one.
     time: f64,
     start: f64,
-    /// Committed displacements and histories.
+    /// Committed displacements and histories; the forces are those of the beginning.
     committed: Motion,
     /// Trial displacements, histories and forces.
     trial: Motion,
@@ -154,9 +154,6 @@ struct Work {
     /// Numbers of models that are not evaluated with others.
     saved: Vec<Wide>,
 }
-
-/// The flag that is set in all models.
-const ALL: Flags = Flags::MAX;
 
 /// Course of the analysis in each model.
 #[derive(Debug)]

@@ -185,7 +185,7 @@ impl Models {
             for (own, all) in [
                 (&mut state.disp, &self.committed.disp),
                 (&mut state.history, &self.committed.history),
-                (&mut state.force, &self.committed.force),
+                (&mut state.force, &self.trial.force),
             ] {
                 own.iter_mut().zip(all).for_each(|(own, all)| *own = all.0[lane]);
             }

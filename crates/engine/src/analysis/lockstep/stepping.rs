@@ -34,18 +34,18 @@ impl Lanes for Steps<'_> {
             for number in self.recorded {
                 self.rows.numbers.push(match *number {
                     Recorded::Disp(i) => self.models.committed.disp[i],
-                    Recorded::Force(i) => self.models.committed.force[i],
+                    Recorded::Force(i) => self.models.trial.force[i],
                 });
             }
         }
     }
 }
 
-/// Keep numbers of models without a flag as they were.
+/// Keep numbers of models as they were where `new` is not 1. The saved ones lie one after the other.
 #[inline(always)]
-fn restore(flags: Flags, saved: &[Wide], numbers: &mut [Wide]) {
-    for (new, old) in numbers.iter_mut().zip(saved) {
-        *new = new.where_flag(flags, *old);
+fn restore(new: Wide, saved: &mut std::slice::Iter<'_, Wide>, numbers: &mut [Wide]) {
+    for (number, old) in numbers.iter_mut().zip(saved) {
+        *number = new.where_equal(Wide::all(1.0), *number, *old);
     }
 }
 
@@ -172,11 +172,14 @@ impl Models {
             work.saved.clear();
             work.saved.extend_from_slice(force);
             work.saved.extend_from_slice(trial);
-            work.saved.extend_from_slice(tangent);
         }
         if want_tangent {
             for row in e.part.rows.among(n) {
-                tangent[row * n..(row + 1) * n].fill(Wide::all(0.0));
+                let row = &mut tangent[row * n..(row + 1) * n];
+                if partly {
+                    work.saved.extend_from_slice(row);
+                }
+                row.fill(Wide::all(0.0));
             }
         }
         force.fill(Wide::all(0.0));
@@ -187,13 +190,16 @@ impl Models {
         e.element.respond(motion, output);
         let evaluated = &mut work.evaluated[e.force.clone()];
         if partly {
-            let (saved_force, saved) = work.saved.split_at(e.force.len());
-            let (saved_trial, saved_tangent) = saved.split_at(e.state.len());
-            restore(lanes, saved_force, &mut self.trial.force[e.force.clone()]);
-            restore(lanes, saved_trial, &mut self.trial.history[e.state.clone()]);
-            restore(lanes, saved_tangent, &mut work.tangents[tangent_at..tangent_at + n * n]);
-            for (old, new) in evaluated.iter_mut().zip(&work.disp) {
-                *old = new.where_flag(lanes, *old);
+            let mut saved = work.saved.iter();
+            let new = Wide::of_flags(lanes);
+            restore(new, &mut saved, &mut self.trial.force[e.force.clone()]);
+            restore(new, &mut saved, &mut self.trial.history[e.state.clone()]);
+            for row in e.part.rows.among(if want_tangent { n } else { 0 }) {
+                let row = tangent_at + row * n..tangent_at + (row + 1) * n;
+                restore(new, &mut saved, &mut work.tangents[row]);
+            }
+            for (old, disp) in evaluated.iter_mut().zip(&work.disp) {
+                *old = new.where_equal(Wide::all(1.0), *disp, *old);
             }
         } else {
             evaluated.copy_from_slice(&work.disp[..n]);
@@ -339,6 +345,5 @@ impl Models {
         self.failed |= sum.is_no_number();
         self.committed.disp.copy_from_slice(&self.trial.disp);
         self.committed.history.copy_from_slice(&self.trial.history);
-        self.committed.force.copy_from_slice(&self.trial.force);
     }
 }

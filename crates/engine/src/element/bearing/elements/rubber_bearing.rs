@@ -1,17 +1,19 @@
 //! `HDR`, `ElastomericX`, `LeadRubberX`: a shear law with the axial law of layered rubber bearings.
 
+use crate::element::bearing::elements::rubber_bearings::RubberBearings;
 use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, BASIC_STIFFNESS, DEFORMATION, HYSTERETIC, LOCAL_DISP, LOCAL_FORCE, end_masses, probe,
 };
+use crate::element::bearing::elements::shear_bearings::Kept;
 use crate::element::bearing::kinematics::link::Link;
-use crate::element::bearing::laws::axial::{Axial, AxialLaw};
+use crate::element::bearing::laws::axial::{Axial, AxialLaw, AxialLockstep};
 use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput};
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
-    Snapshot, frame_force_labels, one_by_one,
+    Snapshot, alike, frame_force_labels, one_by_one,
 };
-use crate::numeric::wide::WIDTH;
+use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::sync::Arc;
@@ -25,8 +27,8 @@ pub struct RubberBearing<L> {
     mass: f64,
 }
 
-const SHEAR_AT: usize = Axial::LEN;
-const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
+pub(super) const SHEAR_AT: usize = Axial::LEN;
+pub(super) const MEMORY_AT: usize = SHEAR_AT + Shear::<2>::LEN;
 
 impl<L: RubberShear> RubberBearing<L> {
     /// Index of the state variables after the memory of the shear law.
@@ -146,7 +148,20 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
     }
 
     fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        one_by_one::<Self>(all)
+        let own = alike::<Self>(all)?;
+        let timeless =
+            own.iter().all(|b| !b.shear.is_viscous() && !b.shear.depends_on_time() && b.shear.tail_len() == 0);
+        let same = own.iter().all(|b| b.link == self.link) && timeless;
+        let axial = AxialLockstep::new(own.map(|b| b.axial)).filter(|_| same);
+        match (axial, L::lockstep(&own.map(|b| &b.shear))) {
+            (Some(axial), Some(shear)) => {
+                let rotations = own.map(|b| b.rotations());
+                let rotations = std::array::from_fn(|i| Wide(rotations.map(|k| k[i])));
+                let (link, stiffness) = (self.link.clone(), Kept::default());
+                Some(Box::new(RubberBearings { axial, shear, link, rotations, stiffness }))
+            }
+            _ => one_by_one::<Self>(all),
+        }
     }
 
     fn overload(&self, history: &[f64]) -> Option<Overload> {

@@ -1,6 +1,6 @@
 //! A bearing between two nodes: a shear law with uniaxial materials for the other directions.
 
-use crate::element::bearing::elements::shear_bearings::ShearBearings;
+use crate::element::bearing::elements::shear_bearings::{Kept, ShearBearings};
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::{
@@ -146,7 +146,10 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         let same = own.iter().all(|b| b.link == self.link) && self.law.dashpot() == 0.0;
         let springs = self.lockstep_springs(&own).filter(|_| same);
         match (springs, L::lockstep(&own.map(|b| &b.law))) {
-            (Some(springs), Some(law)) => Some(Box::new(ShearBearings { law, link: self.link.clone(), springs })),
+            (Some(springs), Some(law)) => {
+                let (link, stiffness) = (self.link.clone(), Kept::default());
+                Some(Box::new(ShearBearings { law, link, springs, stiffness }))
+            }
             _ => one_by_one::<Self>(all),
         }
     }

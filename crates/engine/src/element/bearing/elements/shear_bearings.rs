@@ -7,15 +7,29 @@ use crate::material::write_linear;
 use crate::numeric::lanes::{Lanes, in_lanes};
 use crate::numeric::wide::Wide;
 use crate::state_struct::StateStruct as _;
+use std::cell::Cell;
+use std::fmt;
 
 /// A [`ShearBearing`](super::shear_bearing::ShearBearing) of each of several models, with the same kinematics. The materials
 /// of the other directions are linear.
-#[derive(Debug)]
 pub(super) struct ShearBearings<L, const N: usize, const B: usize, const M: usize, const S: usize> {
     pub(super) law: L,
     pub(super) link: Link<N, B>,
     /// Stiffness of each material.
     pub(super) springs: [Wide; M],
+    /// Basic stiffness, kept between evaluations: most of it is zero and stays so.
+    pub(super) stiffness: Kept<B>,
+}
+
+/// A basic stiffness that is kept between evaluations.
+pub(super) type Kept<const B: usize> = Cell<Option<Box<[[Wide; B]; B]>>>;
+
+impl<L: fmt::Debug, const N: usize, const B: usize, const M: usize, const S: usize> fmt::Debug
+    for ShearBearings<L, N, B, M, S>
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ShearBearings").field("law", &self.law).field("springs", &self.springs).finish_non_exhaustive()
+    }
 }
 
 /// A response as a loop.
@@ -30,15 +44,15 @@ impl<L: ShearLockstep<S>, const N: usize, const B: usize, const M: usize, const 
 {
     #[inline(always)]
     fn evaluate(&mut self) {
-        let ShearBearings { law, link, springs } = self.bearings;
+        let ShearBearings { law, link, springs, stiffness: kept } = self.bearings;
         let (motion, output) = (self.motion, &mut self.output);
         let local = link.local_motion(motion.disp);
         let u = link.deformation_of(&local);
-        let (mut q, mut stiffness) = ([Wide::all(0.0); B], [[Wide::all(0.0); B]; B]);
+        let mut q = [Wide::all(0.0); B];
         let mut at = Shear::<S>::LEN;
         for (m, k) in springs.iter().enumerate() {
             let i = if m == 0 { 0 } else { m + S };
-            (q[i], stiffness[i][i]) = (*k * u[i], *k);
+            q[i] = *k * u[i];
             at += write_linear(*k, u[i], &motion.committed[at..], &mut output.trial[at..]);
         }
         let mut shear_u = [Wide::all(0.0); S];
@@ -48,10 +62,16 @@ impl<L: ShearLockstep<S>, const N: usize, const B: usize, const M: usize, const 
         q[1..=S].copy_from_slice(&shear.q);
         link.add_force(&q, &local, output.force);
         if let Some(tangent) = &mut output.tangent {
+            let mut stiffness = kept.take().unwrap_or_else(|| Box::new([[Wide::all(0.0); B]; B]));
+            for (m, k) in springs.iter().enumerate() {
+                let i = if m == 0 { 0 } else { m + S };
+                stiffness[i][i] = *k;
+            }
             for (row, k) in stiffness[1..=S].iter_mut().zip(&shear.k) {
                 row[1..=S].copy_from_slice(k);
             }
             link.add_tangent(&stiffness, &q, motion.disp, tangent, output.part);
+            kept.set(Some(stiffness));
         }
     }
 }

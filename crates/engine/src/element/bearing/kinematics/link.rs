@@ -200,7 +200,7 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds the global forces of the basic forces `q`, without P-Delta moments.
-    #[inline]
+    #[inline(always)]
     pub fn add_basic_force<T: Real>(&self, q: &[T; B], force: &mut [T]) {
         self.add_end_forces(&self.end_forces(q), force);
     }
@@ -221,24 +221,36 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds the masked part of the consistent tangent of [`Link::add_force`] for the basic stiffness `k`.
+    #[inline(always)]
     pub fn add_tangent<T: Real>(&self, k: &[[T; B]; B], q: &[T; B], disp: &[T], tangent: &mut [T], part: MatrixMask) {
         self.add_basic_part(k, tangent, part);
         let Some(p_delta) = &self.p_delta else { return };
-        let moments = || part.rows.among(N).map(|i| (i, p_delta.row(i))).filter(|(_, row)| !row.is_empty());
-        if moments().next().is_none() {
-            return;
-        }
         // The moments are proportional to the axial force.
-        let mut axial = [T::ZERO; N];
-        self.add_basic_force(&k[0], &mut axial);
-        for (i, row) in moments() {
+        let mut axial = None;
+        for i in part.rows.among(N) {
+            let row = p_delta.row(i);
+            if row.is_empty() {
+                continue;
+            }
             let to = &mut tangent[i * N..(i + 1) * N];
-            row.iter().for_each(|e| to[e.column] += q[0] * e.value);
+            for e in row {
+                to[e.column] += q[0] * e.value;
+            }
             if !self.axial_derivative {
                 continue;
             }
-            let lever = row.iter().fold(T::ZERO, |sum, e| sum + disp[e.column] * e.value);
-            to.iter_mut().zip(&axial).for_each(|(t, a)| *t += lever * *a);
+            let axial = axial.get_or_insert_with(|| {
+                let mut axial = [T::ZERO; N];
+                self.add_basic_force(&k[0], &mut axial);
+                axial
+            });
+            let mut lever = T::ZERO;
+            for e in row {
+                lever += disp[e.column] * e.value;
+            }
+            for (t, a) in to.iter_mut().zip(&*axial) {
+                *t += lever * *a;
+            }
         }
     }
 
@@ -248,13 +260,16 @@ impl<const N: usize, const B: usize> Link<N, B> {
     }
 
     /// Adds the masked part of Aᵀ k A for a basic matrix `k`.
+    #[inline(always)]
     pub fn add_basic_part<T: Real>(&self, k: &[[T; B]; B], tangent: &mut [T], part: MatrixMask) {
         let whole = part.columns.has_all(N);
         for i in part.rows.among(N) {
             // Derivatives of the force i by the basic deformations.
             let mut by_basic = [T::ZERO; B];
             for e in self.columns.row(i) {
-                by_basic.iter_mut().zip(&k[e.column]).for_each(|(by, k)| *by += *k * e.value);
+                for (by, k) in by_basic.iter_mut().zip(&k[e.column]) {
+                    *by += *k * e.value;
+                }
             }
             let to = &mut tangent[i * N..(i + 1) * N];
             if whole {
@@ -262,7 +277,11 @@ impl<const N: usize, const B: usize> Link<N, B> {
                 continue;
             }
             for j in part.columns.among(N) {
-                to[j] += self.columns.row(j).iter().fold(T::ZERO, |sum, e| sum + by_basic[e.column] * e.value);
+                let mut sum = T::ZERO;
+                for e in self.columns.row(j) {
+                    sum += by_basic[e.column] * e.value;
+                }
+                to[j] += sum;
             }
         }
     }

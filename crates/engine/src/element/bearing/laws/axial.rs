@@ -1,8 +1,12 @@
 //! Axial law of layered rubber bearings: cavitation with damage in tension, buckling in compression, both as functions
 //! of the shear displacement.
 
+mod lockstep;
+
 use crate::element::bearing::kinematics::overlap::overlap;
 use crate::element::bearing::laws::rubber::{PI, Rubber};
+
+pub(in crate::element::bearing) use lockstep::AxialLockstep;
 
 /// Least ratio of the critical load to that at zero shear displacement.
 const MIN_CRITICAL_RATIO: f64 = 0.2;
@@ -46,45 +50,45 @@ pub struct AxialLaw {
 
 crate::state_struct! {
     /// Committed axial state.
-    pub struct Axial {
+    pub struct Axial<T> {
         /// Force, tension positive.
-        force: f64,
+        force: T,
         /// Stiffness K_v.
-        kv: f64,
+        kv: T,
         /// Displacement u_c at first cavitation.
-        uc: f64,
+        uc: T,
         /// Current cavitation strength.
-        fcn: f64,
+        fcn: T,
         /// Largest tensile displacement u_max.
-        umax: f64,
+        umax: T,
         /// Critical load, negative.
-        fcrn: f64,
+        fcrn: T,
         /// Critical load of smallest size so far, negative.
-        fcrmin: f64,
+        fcrmin: T,
     }
 }
 
 /// Axial response to a displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxialStep {
+pub struct AxialStep<T = f64> {
     /// Trial state.
-    pub next: Axial,
+    pub next: Axial<T>,
     /// ∂N/∂u.
-    pub k: f64,
+    pub k: T,
     /// ∂N/∂u_h.
-    pub k_shear: f64,
+    pub k_shear: T,
     /// Critical load of the step, negative.
-    pub critical: f64,
+    pub critical: T,
     /// Derivative of the critical load by u_h.
-    pub d_critical: f64,
+    pub d_critical: T,
 }
 
 /// Properties at a shear displacement, with derivatives.
-struct Sheared {
-    kv: f64,
-    dkv: f64,
-    fcrn: f64,
-    dfcrn: f64,
+struct Sheared<T = f64> {
+    kv: T,
+    dkv: T,
+    fcrn: T,
+    dfcrn: T,
 }
 
 impl AxialLaw {
@@ -95,11 +99,17 @@ impl AxialLaw {
         Axial { force: 0.0, kv: axial, uc, fcn: cavitation, umax: uc, fcrn: -critical, fcrmin: -critical }
     }
 
+    /// Factor of u_h² in the softening, 3 / (π r)².
+    #[inline]
+    fn softening(&self) -> f64 {
+        3.0 / (PI * PI) / (self.rubber.gyration * self.rubber.gyration)
+    }
+
     fn sheared(&self, uh: f64) -> Sheared {
         let r = &self.rubber;
         let (mut kv, mut dkv) = (r.axial, 0.0);
         if self.softens {
-            let a = 3.0 / (PI * PI) / (r.gyration * r.gyration);
+            let a = self.softening();
             let soft = 1.0 / (1.0 + a * uh * uh);
             kv *= soft;
             dkv = -2.0 * a * uh * soft * kv;

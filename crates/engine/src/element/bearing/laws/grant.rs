@@ -1,12 +1,15 @@
 //! Shear law of `HDR`.
 
+mod lockstep;
 mod opensees;
 
 use crate::element::bearing::laws::axial::Axial;
-use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
+use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, RubberShearLockstep, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
+use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
 use crate::rules::Consistent;
+use lockstep::GrantLockstep;
 use std::fmt;
 
 /// Bidirectional shear law of high damping rubber.
@@ -32,6 +35,9 @@ pub struct GrantShear<R = Consistent> {
 
 /// Rules of [`GrantShear`] that differ in OpenSees.
 pub trait Rules: Clone + fmt::Debug + Send + Sync {
+    /// Bearings of several models can go side by side.
+    const SIDE_BY_SIDE: bool = true;
+
     /// Damage of which a trial state changes what grows: the committed one, or that of the trial before.
     fn begin(committed: &Damage, _last: &Damage) -> Damage {
         *committed
@@ -62,23 +68,23 @@ impl Rules for Consistent {}
 
 crate::state_struct! {
     /// State variables of high damping rubber.
-    pub struct Damage {
+    pub struct Damage<T> {
         /// Outer bound of the displacement D_S⁺.
-        outer: f64,
+        outer: T,
         /// Inner bound of the displacement D_S⁻.
-        inner: f64,
+        inner: T,
         /// Scragging D_S.
-        scragging: f64,
+        scragging: T,
         /// Mullins damage D_M.
-        mullins: f64,
+        mullins: T,
         /// Factors of scragging on elastic stiffness and growth of the radius: e^(-c₁ D_S³), e^(-c₂ D_S³).
-        scragging_factors: [f64; 2],
+        scragging_factors: [T; 2],
         /// Factor e^(-c₄ D_M³) of the Mullins damage.
-        mullins_factor: f64,
+        mullins_factor: T,
         /// Distance δ of the force from the bounding circle.
-        distance: f64,
+        distance: T,
         /// Radius R of the bounding circle.
-        radius: f64,
+        radius: T,
     }
 }
 
@@ -126,6 +132,10 @@ impl<R: Rules> RubberShear for GrantShear<R> {
 
     fn class(&self) -> &'static str {
         "HDR"
+    }
+
+    fn lockstep(all: &[&Self; WIDTH]) -> Option<impl RubberShearLockstep + 'static> {
+        GrantLockstep::new(all)
     }
 
     fn virgin(&self) -> (Shear<2>, Damage) {

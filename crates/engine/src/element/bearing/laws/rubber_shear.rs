@@ -1,7 +1,8 @@
 //! Shear laws of layered rubber bearings: input, response and trait.
 
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
-use crate::element::bearing::laws::shear::Shear;
+use crate::element::bearing::laws::shear::{NoLockstep, Shear};
+use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -65,6 +66,10 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     /// to follow OpenSees.
     fn step(&self, c: &Shear<2>, m: &Self::Memory, last: &Self::Memory, at: &ShearInput<'_>)
     -> ShearStep<Self::Memory>;
+    /// The law of each of several bearings, side by side; `None` where it is not made for it.
+    fn lockstep(_all: &[&Self; WIDTH]) -> Option<impl RubberShearLockstep + 'static> {
+        None::<NoLockstep>
+    }
     /// Own responses of the law; path numbers start at 100.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Names of all responses, those of the bearing included.
@@ -75,3 +80,16 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
 
 /// First path number of the responses of a law; smaller ones are those of the bearing.
 pub(in crate::element::bearing) const OWN: u32 = 100;
+
+/// A shear law of several bearings side by side. It depends on neither velocity, time nor axial force.
+pub trait RubberShearLockstep: fmt::Debug {
+    /// Trial states at displacements of a size, as [`RubberShear::step`] has them one by one, from the committed state and
+    /// memory; the trial memory goes to `next`. The method must be inlined.
+    fn step(&self, c: &Shear<2, Wide>, memory: &[Wide], next: &mut [Wide], u: [Wide; 2], size: Wide) -> Shear<2, Wide>;
+}
+
+impl RubberShearLockstep for NoLockstep {
+    fn step(&self, _: &Shear<2, Wide>, _: &[Wide], _: &mut [Wide], _: [Wide; 2], _: Wide) -> Shear<2, Wide> {
+        match *self {}
+    }
+}

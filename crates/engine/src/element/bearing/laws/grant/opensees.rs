@@ -4,6 +4,8 @@ use super::{Damage, Rules};
 use crate::rules::OpenSees;
 
 impl Rules for OpenSees {
+    const SIDE_BY_SIDE: bool = false;
+
     /// Variables that a displacement does not change keep the value of the last trial.
     fn begin(_: &Damage, last: &Damage) -> Damage {
         *last
