@@ -12,8 +12,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     (
         "engine",
         &[
-            "state_struct",
             "numeric",
+            "state_struct",
             "bytes",
             "number_format",
             "probe",

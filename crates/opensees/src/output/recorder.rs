@@ -204,7 +204,7 @@ pub(super) fn make_room(
         return Err(Exception::diagnosed(d.at(span, "cannot write here")));
     }
     make_missing_folder(interp, name, path, span)?;
-    replace_recorder(interp, call, (name, path), span)
+    replace_recorder(interp, call, name, span)
 }
 
 fn words(call: &Call<'_>) -> Vec<String> {
@@ -216,13 +216,9 @@ fn words(call: &Call<'_>) -> Vec<String> {
 ///
 /// # Errors
 /// The two are different recorders. OpenSees' answer is wanted: then it is a warning.
-fn replace_recorder(
-    interp: &mut Tcl,
-    call: &Call<'_>,
-    (name, path): (&str, &str),
-    span: Option<Span>,
-) -> Result<(), Exception> {
-    let Some(other) = interp.host.output.recorders.of_file(path) else { return Ok(()) };
+fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
+    let path = interp.absolute(name);
+    let Some(other) = interp.host.output.recorders.of_file(&path) else { return Ok(()) };
     let (place, is_same) = (other.span, other.words == words(call));
     let message = format!("another recorder writes {name}{}", if is_same { ": its rows are lost" } else { "" });
     let mut d = Diagnostic::warning(message).at(span, "expected a file of its own");
@@ -235,7 +231,7 @@ fn replace_recorder(
         return Err(Exception::diagnosed(d));
     }
     warn(interp, d)?;
-    let finished = interp.host.output.recorders.finish_file(path);
+    let finished = interp.host.output.recorders.finish_file(&path);
     finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(span, "")))
 }
 
