@@ -1,6 +1,6 @@
 //! Concrete without tension: Kent, Scott and Park.
 
-use super::lanes::{Block, BlockLaw, update_blocks};
+use super::lanes::{BlockLaw, Given, Response, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
@@ -73,25 +73,21 @@ const MIN: usize = 3;
 
 impl BlockLaw<{ History::LEN }> for Concrete01 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
         let law = self.clone();
         let mut on_envelope = [0; W];
         for (i, on_envelope) in on_envelope.iter_mut().enumerate() {
-            let (strain, min) = (block.words[STRAIN][i], block.words[MIN][i]);
-            *on_envelope = flag(Self::is_on_envelope(block.strain[i], strain, min));
+            let (strain, min) = (given.words[STRAIN][i], given.words[MIN][i]);
+            *on_envelope = flag(Self::is_on_envelope(given.strain[i], strain, min));
         }
         // Few blocks reach the envelope: the others are spared its divisions.
         if any(&on_envelope) {
             for i in 0..W {
-                let (next, value, tangent) = law.response::<true>(block.point(i), block.strain[i]);
-                block.set_point(i, next);
-                (block.value[i], block.tangent[i]) = (value, tangent);
+                out.set(i, law.response::<true>(given.point(i), given.strain[i]));
             }
         } else {
             for i in 0..W {
-                let (next, value, tangent) = law.response::<false>(block.point(i), block.strain[i]);
-                block.set_point(i, next);
-                (block.value[i], block.tangent[i]) = (value, tangent);
+                out.set(i, law.response::<false>(given.point(i), given.strain[i]));
             }
         }
     }

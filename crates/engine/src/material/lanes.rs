@@ -4,15 +4,23 @@
 //! the law loops.
 
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
-use crate::numeric::lanes::{BLOCK, Lanes, any, copy_back, flag, in_lanes, load};
+use crate::numeric::lanes::{BLOCK, Lanes, copy_back, in_lanes, load};
 use crate::state_struct::StateStruct as _;
 
-/// A block of `W` points of a law with `Q` state variables: one array for each quantity.
-#[derive(Clone, Debug)]
-pub(crate) struct Block<const Q: usize, const W: usize> {
+/// Committed history and strains of `W` points of a law with `Q` state variables: one array for each quantity.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'a, const Q: usize, const W: usize> {
     /// Trial strains.
-    pub(crate) strain: [f64; W],
-    /// State variables: those of the committed state before the response, those of the trial state after it.
+    pub(crate) strain: &'a [f64; W],
+    /// State variables of the committed state.
+    pub(crate) words: [&'a [f64; W]; Q],
+}
+
+/// Response of the same points. The arrays are apart from those of the committed state: where a law wrote over what it
+/// reads, the compiler would store single lanes by a mask, which some processors do slowly.
+#[derive(Clone, Debug)]
+pub(crate) struct Response<const Q: usize, const W: usize> {
+    /// State variables of the trial state.
     pub(crate) words: [[f64; W]; Q],
     /// Stresses.
     pub(crate) value: [f64; W],
@@ -20,7 +28,22 @@ pub(crate) struct Block<const Q: usize, const W: usize> {
     pub(crate) tangent: [f64; W],
 }
 
-impl<const Q: usize, const W: usize> Block<Q, W> {
+impl<const Q: usize, const W: usize> Given<'_, Q, W> {
+    /// State variables of a point.
+    #[inline(always)]
+    pub(crate) fn point(&self, i: usize) -> [f64; Q] {
+        let mut words = [0.0; Q];
+        words.iter_mut().zip(&self.words).for_each(|(word, column)| *word = column[i]);
+        words
+    }
+}
+
+impl<const Q: usize, const W: usize> Response<Q, W> {
+    #[inline(always)]
+    fn zeros() -> Self {
+        Self { words: [[0.0; W]; Q], value: [0.0; W], tangent: [0.0; W] }
+    }
+
     /// State variables of a point.
     #[inline(always)]
     pub(crate) fn point(&self, i: usize) -> [f64; Q] {
@@ -37,21 +60,28 @@ impl<const Q: usize, const W: usize> Block<Q, W> {
         }
     }
 
-    /// First point whose stress or tangent is not finite.
+    /// Sets state variables, stress and tangent of a point.
     #[inline(always)]
-    fn not_finite(&self) -> Option<usize> {
-        let mut wrong = [0; W];
-        for (i, wrong) in wrong.iter_mut().enumerate() {
-            *wrong = flag(!(self.value[i].is_finite() & self.tangent[i].is_finite()));
+    pub(crate) fn set(&mut self, i: usize, (words, value, tangent): ([f64; Q], f64, f64)) {
+        self.set_point(i, words);
+        (self.value[i], self.tangent[i]) = (value, tangent);
+    }
+
+    /// Bits that are all zero if stresses and tangents are finite.
+    #[inline(always)]
+    fn not_finite(&self) -> u64 {
+        let mut wrong = 0;
+        for (value, tangent) in self.value.iter().zip(&self.tangent) {
+            wrong |= ((value - value) + (tangent - tangent)).to_bits();
         }
-        if any(&wrong) { wrong.iter().position(|w| *w != 0) } else { None }
+        wrong
     }
 }
 
 /// A law that is evaluated in blocks. The number of its state variables is `Q`.
 pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
     /// Writes trial state, stress and tangent of the points of a block. The method must be inlined.
-    fn respond<const W: usize>(&self, block: &mut Block<Q, W>);
+    fn respond<const W: usize>(&self, given: &Given<'_, Q, W>, out: &mut Response<Q, W>);
 }
 
 /// A law without branches at a single point, which is a law of blocks by this alone.
@@ -70,13 +100,11 @@ pub(crate) trait PointLaw<const Q: usize>: UniaxialLaw {
 
 impl<L: PointLaw<Q>, const Q: usize> BlockLaw<Q> for L {
     #[inline(always)]
-    fn respond<const W: usize>(&self, block: &mut Block<Q, W>) {
+    fn respond<const W: usize>(&self, given: &Given<'_, Q, W>, out: &mut Response<Q, W>) {
         // A copy, so that the optimiser knows that no point of the block changes the law.
         let law = self.clone();
         for i in 0..W {
-            let (next, value, tangent) = law.response(block.point(i), block.strain[i]);
-            block.set_point(i, next);
-            (block.value[i], block.tangent[i]) = (value, tangent);
+            out.set(i, law.response(given.point(i), given.strain[i]));
         }
     }
 }
@@ -89,31 +117,45 @@ struct Points<'a, L, const Q: usize> {
     next: &'a mut [f64],
     value: &'a mut [f64],
     tangent: &'a mut [f64],
-    /// First point without a stress.
-    failed: Option<usize>,
+    /// Bits that are all zero as long as all is finite.
+    wrong: u64,
 }
 
 impl<L: BlockLaw<Q>, const Q: usize> Points<'_, L, Q> {
-    /// Evaluates up to `W` points.
+    /// Evaluates `W` points from `start`, or those that are left, by way of `out`.
     #[inline(always)]
-    fn block<const W: usize>(&mut self, start: usize) {
+    fn block<const W: usize>(&mut self, start: usize, out: &mut Response<Q, W>) {
         let n = self.strain.len();
         let end = n.min(start + W);
-        let zeros = [0.0; W];
-        let mut block =
-            Block { strain: load(&self.strain[start..end]), words: [zeros; Q], value: zeros, tangent: zeros };
-        for (q, column) in block.words.iter_mut().enumerate() {
-            *column = load(&self.committed[q * n + start..q * n + end]);
+        let is_whole = end - start == W;
+        // Whole blocks are read where they are, others from copies with zeros behind them.
+        let (strain, mut words);
+        let mut given = Given { strain: &[0.0; W], words: [&[0.0; W]; Q] };
+        if is_whole {
+            if let Some(strain) = self.strain[start..].first_chunk() {
+                given.strain = strain;
+            }
+            for (column, all) in given.words.iter_mut().zip(self.committed.chunks_exact(n)) {
+                if let Some(own) = all[start..].first_chunk() {
+                    *column = own;
+                }
+            }
+        } else {
+            strain = load(&self.strain[start..end]);
+            words = [[0.0; W]; Q];
+            for (column, all) in words.iter_mut().zip(self.committed.chunks_exact(n)) {
+                *column = load(&all[start..end]);
+            }
+            given.strain = &strain;
+            given.words.iter_mut().zip(&words).for_each(|(column, own)| *column = own);
         }
-        self.law.respond(&mut block);
-        for (q, column) in block.words.iter().enumerate() {
-            copy_back(column, &mut self.next[q * n + start..q * n + end]);
+        self.law.respond(&given, out);
+        self.wrong |= out.not_finite();
+        for (column, all) in out.words.iter().zip(self.next.chunks_exact_mut(n)) {
+            copy_back(column, &mut all[start..end]);
         }
-        copy_back(&block.value, &mut self.value[start..end]);
-        copy_back(&block.tangent, &mut self.tangent[start..end]);
-        if let Some(i) = block.not_finite().filter(|i| start + i < end) {
-            self.failed = self.failed.or(Some(start + i));
-        }
+        copy_back(&out.value, &mut self.value[start..end]);
+        copy_back(&out.tangent, &mut self.tangent[start..end]);
     }
 }
 
@@ -123,12 +165,15 @@ impl<L: BlockLaw<Q>, const Q: usize> Lanes for Points<'_, L, Q> {
         const DOUBLE: usize = 2 * BLOCK;
         let n = self.strain.len();
         let mut start = 0;
-        while n > start + BLOCK {
-            self.block::<DOUBLE>(start);
-            start += DOUBLE;
+        if n > BLOCK {
+            let mut out = Response::<Q, DOUBLE>::zeros();
+            while n > start + BLOCK {
+                self.block(start, &mut out);
+                start += DOUBLE;
+            }
         }
         if start < n {
-            self.block::<BLOCK>(start);
+            self.block(start, &mut Response::<Q, BLOCK>::zeros());
         }
     }
 }
@@ -163,11 +208,16 @@ pub(crate) fn update_blocks<L: BlockLaw<Q>, const Q: usize>(
         next,
         value: &mut stresses.value[..n],
         tangent: &mut stresses.tangent[..n],
-        failed: None,
+        wrong: 0,
     };
     in_lanes(&mut points);
-    let failed = points.failed;
+    let wrong = points.wrong;
     stresses.damping[..n].fill(0.0);
+    if wrong == 0 {
+        return Ok(());
+    }
+    let finite = stresses.value.iter().zip(&*stresses.tangent).map(|(s, k)| s.is_finite() && k.is_finite());
+    let failed = finite.take(n).position(|finite| !finite);
     failed.map_or(Ok(()), |i| Err(no_stress::<L>(strains.value[i])))
 }
 

@@ -1,6 +1,6 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
-use super::lanes::{Block, BlockLaw, update_blocks};
+use super::lanes::{BlockLaw, Given, Response, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
@@ -48,22 +48,21 @@ crate::state_struct! {
 
 impl BlockLaw<{ History::LEN }> for Steel01 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
         let law = self.clone();
         let mut turned = [0.0; W];
         for (i, turned) in turned.iter_mut().enumerate() {
-            let (next, value, tangent, turns) = law.response(block.point(i), block.strain[i]);
-            block.set_point(i, next);
-            (block.value[i], block.tangent[i]) = (value, tangent);
+            let (next, value, tangent, turns) = law.response(given.point(i), given.strain[i]);
+            out.set(i, (next, value, tangent));
             *turned = turns;
         }
         if law.is_isotropic() {
             for (i, turns) in turned.into_iter().enumerate().filter(|(_, turns)| *turns != 0.0) {
-                let mut next = History::read(&block.point(i));
+                let mut next = History::read(&out.point(i));
                 law.shift(turns, &mut next);
                 let mut words = [0.0; History::LEN];
                 next.write(&mut words);
-                block.set_point(i, words);
+                out.set_point(i, words);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use super::lanes::{Block, BlockLaw, no_stress, update_blocks};
+use super::lanes::{BlockLaw, Given, Response, no_stress, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
@@ -177,31 +177,35 @@ impl Lanes for BranchPoint<'_> {
 
 impl BlockLaw<{ History::LEN }> for Steel02 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, block: &mut Block<{ History::LEN }, W>) {
+    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
         let law = self.clone();
         let initial = law.sig_init / law.e0;
         let mut turns = [0; W];
         for (i, turns) in turns.iter_mut().enumerate() {
-            let (loading, before) = (block.words[LOADING][i], block.words[STRAIN][i]);
-            let d = (block.strain[i] + initial) - (before + initial);
+            let (loading, before) = (given.words[LOADING][i], given.words[STRAIN][i]);
+            let d = (given.strain[i] + initial) - (before + initial);
             *turns = flag((loading == 0.0) | (loading * d < 0.0));
         }
+        let mut turned: [[f64; W]; History::LEN];
+        let mut from = *given;
         if any(&turns) {
             // Few points turn in a step: they take their new branches one by one.
+            turned = given.words.map(|column| *column);
             for i in (0..W).filter(|i| turns[*i] != 0) {
-                let c = History::read(&block.point(i));
+                let c = History::read(&given.point(i));
                 let mut words = [0.0; History::LEN];
-                law.branch(&c, block.strain[i]).unwrap_or(c).write(&mut words);
-                block.set_point(i, words);
+                law.branch(&c, given.strain[i]).unwrap_or(c).write(&mut words);
+                turned.iter_mut().zip(words).for_each(|(column, word)| column[i] = word);
             }
+            from.words.iter_mut().zip(&turned).for_each(|(column, own)| *column = own);
         }
         for i in 0..W {
-            let words = block.point(i);
-            let (value, tangent) = law.on_branch(words, block.strain[i]);
-            (block.value[i], block.tangent[i]) = (value, tangent);
+            let (mut words, strain) = (from.point(i), given.strain[i]);
+            let (value, tangent) = law.on_branch(words, strain);
             let at_rest = words[LOADING] == 0.0;
-            block.words[STRAIN][i] = select(at_rest, words[STRAIN], block.strain[i]);
-            block.words[STRESS][i] = select(at_rest, words[STRESS], value - law.sig_init);
+            words[STRAIN] = select(at_rest, words[STRAIN], strain);
+            words[STRESS] = select(at_rest, words[STRESS], value - law.sig_init);
+            out.set(i, (words, value, tangent));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Points of a fiber section: strains from the deformations of the section, and sums over stresses and tangents.
 
-use crate::numeric::lanes::{BLOCK, LANES, Lanes, copy_back, in_lanes, load};
+use crate::numeric::lanes::{BLOCK, LANES, Lanes, in_lanes};
 
 /// Coordinates and areas of the points, one quantity after the other.
 #[derive(Clone, Debug, Default)]
@@ -63,14 +63,8 @@ impl Points {
 
     /// Strains for `M` deformations.
     pub(super) fn strains<const M: usize>(&self, e: &[f64], out: &mut [f64]) {
-        let axial = e[0];
-        let [y, z] = &self.gradients;
-        let out = &mut out[..self.len()];
-        if M == 2 {
-            out.iter_mut().zip(y).for_each(|(out, y)| *out = axial + y * e[1]);
-        } else {
-            out.iter_mut().zip(y).zip(z).for_each(|((out, y), z)| *out = axial + y * e[1] + z * e[2]);
-        }
+        let e = std::array::from_fn(|i| e[i]);
+        in_lanes(&mut PlaneStrains::<M> { points: self, e, out });
     }
 
     /// Strain of a point for deformations.
@@ -99,6 +93,34 @@ impl Points {
     }
 }
 
+/// Strains of a plane section.
+struct PlaneStrains<'a, const M: usize> {
+    points: &'a Points,
+    e: [f64; M],
+    out: &'a mut [f64],
+}
+
+impl<const M: usize> Lanes for PlaneStrains<'_, M> {
+    #[inline(always)]
+    fn evaluate(&mut self) {
+        let ((out, _), e, [all_y, all_z]) = (self.out.as_chunks_mut::<BLOCK>(), self.e, &self.points.gradients);
+        let ((y, _), (z, _)) = (all_y.as_chunks::<BLOCK>(), all_z.as_chunks::<BLOCK>());
+        for ((out, y), z) in out.iter_mut().zip(y).zip(z) {
+            let (y, z) = (*y, *z);
+            let mut own = [0.0; BLOCK];
+            for i in 0..BLOCK {
+                own[i] = e[0] + y[i] * e[1];
+            }
+            if M == 3 {
+                for i in 0..BLOCK {
+                    own[i] += z[i] * e[M - 1];
+                }
+            }
+            *out = own;
+        }
+    }
+}
+
 /// Sums in space: three resultants and six stiffnesses.
 const QUANTITIES: usize = 9;
 
@@ -112,26 +134,54 @@ struct Summation<'a, const M: usize> {
 impl<const M: usize> Lanes for Summation<'_, M> {
     #[inline(always)]
     fn evaluate(&mut self) {
-        let n = self.points.len();
-        let [all_y, all_z] = &self.points.gradients;
-        // On the stack, where the sums stay in registers.
-        let mut sums = [[0.0; BLOCK]; QUANTITIES];
-        for start in (0..n).step_by(BLOCK) {
-            // No closures: they would be compiled without the instructions of the processor.
-            let e0: [f64; BLOCK] = load(&self.work.strains[0][start..]);
-            let e1: [f64; BLOCK] = load(&self.work.strains[1][start..]);
-            let s0: [f64; BLOCK] = load(&self.work.stresses[0][start..]);
-            let s1: [f64; BLOCK] = load(&self.work.stresses[1][start..]);
-            let (area, tangent, y): ([f64; BLOCK], [f64; BLOCK], [f64; BLOCK]) =
-                (load(&self.points.areas[start..]), load(&self.tangent[start..]), load(&all_y[start..]));
-            let mut energy = load::<BLOCK>(&self.work.energies.0[start..]);
+        self.add_work();
+        if M == 3 {
+            // The sums of half a block stay in the registers of every processor.
+            self.add_up::<LANES>(0);
+            self.add_up::<LANES>(LANES);
+        } else {
+            self.add_up::<BLOCK>(0);
+        }
+    }
+}
+
+impl<const M: usize> Summation<'_, M> {
+    /// Writes the energies after the step.
+    #[inline(always)]
+    fn add_work(&mut self) {
+        let ([e0, e1], [s0, s1]) = (self.work.strains, self.work.stresses);
+        let ((e0, _), (e1, _)) = (e0.as_chunks::<BLOCK>(), e1.as_chunks::<BLOCK>());
+        let ((s0, _), (s1, _)) = (s0.as_chunks::<BLOCK>(), s1.as_chunks::<BLOCK>());
+        let ((before, _), (after, _)) =
+            (self.work.energies.0.as_chunks::<BLOCK>(), self.work.energies.1.as_chunks_mut::<BLOCK>());
+        for (((((after, before), e0), e1), s0), s1) in after.iter_mut().zip(before).zip(e0).zip(e1).zip(s0).zip(s1) {
+            let (mut energy, e0, e1, s0, s1) = (*before, *e0, *e1, *s0, *s1);
             for i in 0..BLOCK {
                 energy[i] += 0.5 * (s0[i] + s1[i]) * (e1[i] - e0[i]);
             }
-            copy_back(&energy, &mut self.work.energies.1[start..n]);
+            *after = energy;
+        }
+    }
+
+    /// Adds up `W` numbers of each block from `first` on. The points fill whole blocks.
+    #[inline(always)]
+    fn add_up<const W: usize>(&mut self, first: usize) {
+        let blocks = self.points.len() / BLOCK;
+        let [all_y, all_z] = &self.points.gradients;
+        let (s1, _) = self.work.stresses[1].as_chunks::<BLOCK>();
+        let (tangent, _) = self.tangent.as_chunks::<BLOCK>();
+        let (area, _) = self.points.areas.as_chunks::<BLOCK>();
+        let ((y, _), (z, _)) = (all_y.as_chunks::<BLOCK>(), all_z.as_chunks::<BLOCK>());
+        let (s1, tangent, area, y, z) =
+            (&s1[..blocks], &tangent[..blocks], &area[..blocks], &y[..blocks], &z[..blocks]);
+        // On the stack, where the sums stay in registers.
+        let mut sums = [[0.0; W]; QUANTITIES];
+        for block in 0..blocks {
+            let (s1, tangent) = (part::<W>(&s1[block], first), part::<W>(&tangent[block], first));
+            let (area, y) = (part::<W>(&area[block], first), part::<W>(&y[block], first));
             // Each sum is a loop of its own, which is sure to become vector instructions.
-            let (mut force, mut stiffness, mut by_y) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-            for i in 0..BLOCK {
+            let (mut force, mut stiffness, mut by_y) = ([0.0; W], [0.0; W], [0.0; W]);
+            for i in 0..W {
                 force[i] = s1[i] * area[i];
                 stiffness[i] = tangent[i] * area[i];
                 by_y[i] = stiffness[i] * y[i];
@@ -142,9 +192,9 @@ impl<const M: usize> Lanes for Summation<'_, M> {
             add(&mut sums[M + 1], &by_y);
             add_products(&mut sums[M + 2], &by_y, &y);
             if M == 3 {
-                let z: [f64; BLOCK] = load(&all_z[start..]);
-                let mut by_z = [0.0; BLOCK];
-                for i in 0..BLOCK {
+                let z = part::<W>(&z[block], first);
+                let mut by_z = [0.0; W];
+                for i in 0..W {
                     by_z[i] = stiffness[i] * z[i];
                 }
                 add_products(&mut sums[2], &force, &z);
@@ -153,20 +203,30 @@ impl<const M: usize> Lanes for Summation<'_, M> {
                 add_products(&mut sums[M + 5], &by_z, &z);
             }
         }
-        self.sums = sums;
+        for (all, own) in self.sums.iter_mut().zip(&sums) {
+            all[first..first + W].copy_from_slice(own);
+        }
     }
 }
 
+/// `W` numbers of a block.
 #[inline(always)]
-fn add(sums: &mut [f64; BLOCK], x: &[f64; BLOCK]) {
-    for i in 0..BLOCK {
+fn part<const W: usize>(block: &[f64; BLOCK], first: usize) -> [f64; W] {
+    let mut out = [0.0; W];
+    out.copy_from_slice(&block[first..first + W]);
+    out
+}
+
+#[inline(always)]
+fn add<const W: usize>(sums: &mut [f64; W], x: &[f64; W]) {
+    for i in 0..W {
         sums[i] += x[i];
     }
 }
 
 #[inline(always)]
-fn add_products(sums: &mut [f64; BLOCK], x: &[f64; BLOCK], y: &[f64; BLOCK]) {
-    for i in 0..BLOCK {
+fn add_products<const W: usize>(sums: &mut [f64; W], x: &[f64; W], y: &[f64; W]) {
+    for i in 0..W {
         sums[i] += x[i] * y[i];
     }
 }
