@@ -67,8 +67,9 @@ impl<const Q: usize, const W: usize> Response<Q, W> {
         (self.value[i], self.tangent[i]) = (value, tangent);
     }
 
-    /// Bits that are all zero if stresses and tangents are finite.
+    /// Bits that are all zero if stresses and tangents are finite: a number less itself is +0, infinities are no number then.
     #[inline(always)]
+    #[allow(clippy::eq_op)]
     fn not_finite(&self) -> u64 {
         let mut wrong = 0;
         for (value, tangent) in self.value.iter().zip(&self.tangent) {

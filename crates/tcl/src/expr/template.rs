@@ -187,13 +187,10 @@ impl<H> Interp<H> {
         self.expr_text(&text)
     }
 
+    /// Complete an error of a command without a call: it points at the first word after the name, if at nothing else.
     pub(crate) fn inline_failed(&mut self, e: Exception, script: &Script, command: &Command) -> Exception {
-        if !matches!(e, Exception::Error(_)) {
-            return e;
-        }
         let place = Place { script, command, map: None };
         let word = command.words.len() - 1;
-        let e = self.core.settle_place(e.at(place.word(word.min(1)), ""), Some(place));
-        self.core.trace_command(e, Some(place), None)
+        self.control_failed(e.at(place.word(word.min(1)), ""), script, command)
     }
 }

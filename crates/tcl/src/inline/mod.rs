@@ -52,11 +52,13 @@ pub(crate) enum Inline {
     Set(Rc<VarName>),
     /// `incr name ?increment?`
     Incr(Rc<VarName>),
+    /// `if test body ...`
     If(Box<[Clause]>),
+    /// `while test body`
     While(Box<Loop>),
-    /// With the place of the loop's first script.
+    /// `for start test next body`
     For(Box<Loop>),
-    /// With the variables that take an element each.
+    /// `foreach names list body`
     Foreach(Box<[Rc<VarName>]>, Body),
     /// `return ?value?`
     Return,
@@ -319,7 +321,7 @@ impl<H> Interp<H> {
 
     /// Complete an error that a part of a command has located, as far as it can be.
     #[cold]
-    fn control_failed(&mut self, e: Exception, script: &Script, command: &Command) -> Exception {
+    pub(crate) fn control_failed(&mut self, e: Exception, script: &Script, command: &Command) -> Exception {
         let place = Place { script, command, map: None };
         match e {
             Exception::Error(_) => {
