@@ -174,12 +174,7 @@ impl<H> Interp<H> {
 
     fn word_failed(&mut self, e: Exception, script: &Script, command: &Command, argv: Vec<Value>) -> Exception {
         self.core.give_words(argv);
-        if !matches!(e, Exception::Error(_)) {
-            return e;
-        }
-        let place = Place { script, command, map: None };
-        let e = self.core.settle_place(e, Some(place));
-        self.core.trace_command(e, Some(place), None)
+        self.control_failed(e, script, command)
     }
 
     /// The result of a command in brackets.

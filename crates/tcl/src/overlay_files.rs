@@ -122,6 +122,15 @@ impl Files for OverlayFiles {
         self.remove(from)
     }
 
+    /// What has not been changed is read below, in the way that is quickest there.
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        match self.above.info(path, true) {
+            Ok(_) => self.above.read(path),
+            Err(_) if self.hidden(path) => Err(io::ErrorKind::NotFound.into()),
+            Err(_) => self.below.read(path),
+        }
+    }
+
     fn set_modified(&mut self, path: &str, _: Duration) -> io::Result<()> {
         self.info(path, true).map(|_| ())
     }

@@ -125,11 +125,8 @@ impl<V> Table<V> {
     /// As [`Table::find`], for a name that was found at `near` before.
     #[inline]
     fn find_near(&self, key: &Text, hash: u32, near: &Cell<u32>) -> Option<usize> {
-        let at = near.get() as usize;
-        if let Some(Some(entry)) = self.entries.get(at)
-            && entry.key.is(key)
-        {
-            return Some(at);
+        if self.at(near.get(), key).is_some() {
+            return Some(near.get() as usize);
         }
         let at = self.find(key, hash)?;
         near.set(at as u32);

@@ -9,6 +9,7 @@ use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use super::super::error::Exception;
 use super::super::number::{Number, looks_like_bad_octal};
 use super::super::value::{Rep, Value};
+use super::num::{self, Num};
 use super::{Binary, Unary};
 
 /// Shifting further than this would make integers that take minutes to write.
@@ -106,75 +107,13 @@ pub(crate) fn unary(op: Unary, value: &Value) -> Result<Value, Exception> {
 
 #[inline]
 pub(crate) fn binary(op: Binary, a: &Value, b: &Value) -> Result<Value, Fault> {
-    match (&a.0, &b.0) {
-        (Rep::Double(x), Rep::Double(y)) => {
-            if let Some(v) = doubles(op, x.get(), y.get()) {
-                return Ok(v);
-            }
-        }
-        (Rep::Double(x), Rep::Int(y)) => {
-            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, x.get(), *y as f64)) {
-                return Ok(v);
-            }
-        }
-        (Rep::Int(x), Rep::Double(y)) => {
-            if let (true, Some(v)) = (is_arithmetic(op), doubles(op, *x as f64, y.get())) {
-                return Ok(v);
-            }
-        }
-        (Rep::Int(x), Rep::Int(y)) => {
-            if let Some(v) = ints(op, *x, *y) {
-                return Ok(v);
-            }
-        }
-        _ => {}
+    if let (Rep::Int(_) | Rep::Double(_), Rep::Int(_) | Rep::Double(_)) = (&a.0, &b.0)
+        && let (Some(x), Some(y)) = (Num::of(a), Num::of(b))
+        && let Some(n) = num::binary(op, x, y)
+    {
+        return Ok(n.into());
     }
     general(op, a, b)
-}
-
-fn is_arithmetic(op: Binary) -> bool {
-    matches!(op, Binary::Add | Binary::Sub | Binary::Mul | Binary::Div)
-}
-
-/// The frequent operations on doubles; `None` leaves them to the general way.
-#[inline]
-fn doubles(op: Binary, x: f64, y: f64) -> Option<Value> {
-    let number = |d: f64| if d.is_nan() { None } else { Some(Value::from(d)) };
-    match op {
-        Binary::Add => number(x + y),
-        Binary::Sub => number(x - y),
-        Binary::Mul => number(x * y),
-        Binary::Div => number(x / y),
-        Binary::Lt => Some(Value::from(x < y)),
-        Binary::Gt => Some(Value::from(x > y)),
-        Binary::Le => Some(Value::from(x <= y)),
-        Binary::Ge => Some(Value::from(x >= y)),
-        Binary::Eq => Some(Value::from(x == y)),
-        Binary::Ne => Some(Value::from(x != y)),
-        _ => None,
-    }
-}
-
-/// The frequent operations on integers; `None` where the result is too large or the general way is needed.
-#[inline]
-fn ints(op: Binary, x: i64, y: i64) -> Option<Value> {
-    Some(match op {
-        Binary::Add => Value::from(x.checked_add(y)?),
-        Binary::Sub => Value::from(x.checked_sub(y)?),
-        Binary::Mul => Value::from(x.checked_mul(y)?),
-        Binary::Div if y > 0 => Value::from(x.div_euclid(y)),
-        Binary::Mod if y > 0 => Value::from(x.rem_euclid(y)),
-        Binary::Lt => Value::from(x < y),
-        Binary::Gt => Value::from(x > y),
-        Binary::Le => Value::from(x <= y),
-        Binary::Ge => Value::from(x >= y),
-        Binary::Eq | Binary::StrEq => Value::from(x == y),
-        Binary::Ne | Binary::StrNe => Value::from(x != y),
-        Binary::BitAnd => Value::from(x & y),
-        Binary::BitOr => Value::from(x | y),
-        Binary::BitXor => Value::from(x ^ y),
-        _ => return None,
-    })
 }
 
 fn general(op: Binary, a: &Value, b: &Value) -> Result<Value, Fault> {

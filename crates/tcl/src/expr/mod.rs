@@ -4,6 +4,7 @@ pub(crate) mod arith;
 mod eval;
 pub(crate) mod func;
 mod lexeme;
+mod num;
 mod numeric;
 mod parse;
 mod template;
@@ -16,7 +17,7 @@ use super::error::Exception;
 use super::text::Cache;
 use super::value::Value;
 use crate::diagnostic::Span;
-pub(crate) use numeric::Num;
+pub(crate) use num::Num;
 pub(crate) use template::Template;
 
 /// A compiled expression.

@@ -11,6 +11,7 @@ use super::super::list::List;
 use super::super::value::{Rep, Value};
 use super::super::vars::VarName;
 use super::{Body, Clause, Loop, Test, literal};
+use crate::diagnostic::Span;
 
 impl<H> Interp<H> {
     /// The truth of a condition.
@@ -128,14 +129,15 @@ impl<H> Interp<H> {
             return self.call_inlined(script, command, words.chain([list, literal(command, 3).clone()]));
         };
         drop(list);
-        let done = self.deeper(|interp| interp.each(command, names, &items, body));
+        let place = command.words.get(1).and_then(|w| script.unit.span(w.start, w.end));
+        let done = self.deeper(|interp| interp.each(command, (names, place), &items, body));
         done.map_err(|e| self.control_failed(e, script, command))
     }
 
     fn each(
         &mut self,
         command: &Command,
-        names: &[Rc<VarName>],
+        (names, place): (&[Rc<VarName>], Option<Span>),
         items: &List,
         body: &Body,
     ) -> Result<Value, Exception> {
@@ -143,7 +145,7 @@ impl<H> Interp<H> {
             self.core.tick()?;
             for (i, name) in names.iter().enumerate() {
                 let value = items.get(round * names.len() + i).cloned().unwrap_or_default();
-                self.core.assign(name, value)?;
+                self.core.assign(name, value).map_err(|e| e.at(place, ""))?;
             }
             if !self.turn(command, body, "\"foreach\" body")? {
                 break;
