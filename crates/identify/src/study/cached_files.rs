@@ -64,7 +64,6 @@ impl FileContents {
 }
 
 /// Files of the system, kept in memory once they are read. Writing is refused: an overlay takes what a script writes.
-#[derive(Clone)]
 pub(super) struct CachedFiles {
     folder: String,
     contents: FileContents,
@@ -171,5 +170,26 @@ impl Seek for ReadStream {
 impl Stream for ReadStream {
     fn set_len(&mut self, _: u64) -> io::Result<()> {
         read_only()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::{CachedFiles, FileContents};
+    use hysteron_tcl::{Files as _, OpenMode, OverlayFiles};
+
+    #[test]
+    fn a_run_reads_what_it_has_written_and_no_other_does() {
+        let contents = FileContents::default().with_text("/study/motion.dat", "1 2");
+        let files = || OverlayFiles::new(Box::new(CachedFiles::new("/study", &contents)));
+        let mut own = files();
+        assert_eq!(own.read("/study/motion.dat").unwrap(), b"1 2");
+        let anew = OpenMode { write: true, create: true, truncate: true, ..OpenMode::default() };
+        own.open("/study/motion.dat", anew).unwrap().write_all(b"3").unwrap();
+        assert_eq!(own.read("/study/motion.dat").unwrap(), b"3");
+        assert_eq!(files().read("/study/motion.dat").unwrap(), b"1 2");
+        own.remove("/study/motion.dat").unwrap();
+        assert!(own.read("/study/motion.dat").is_err());
     }
 }

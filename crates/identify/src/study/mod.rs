@@ -28,7 +28,6 @@ mod side_by_side;
 mod simulator;
 mod standalone;
 mod study_file;
-mod study_files;
 mod trace;
 pub mod unit;
 mod worker_pool;
