@@ -32,7 +32,7 @@ pub(super) struct FragilityArgs {
 /// Run `hysteron ida`; the exit status.
 pub(super) fn ida(a: &IdaArgs) -> i32 {
     let stop = stop_flag();
-    let result = load(&a.jobs.study).and_then(|study| {
+    let result = load(&a.jobs.study, &stop).and_then(|study| {
         let runs =
             study.performance.hunt.as_ref().ok_or("the study has no [ida] with first, step, highest and runs")?.runs;
         wanted(&study)?;
@@ -54,7 +54,7 @@ pub(super) fn fragility(a: &FragilityArgs) -> i32 {
         return print(counts(&a.jobs.study, a.jobs.json));
     }
     let stop = stop_flag();
-    let result = load(&a.jobs.study).and_then(|study| {
+    let result = load(&a.jobs.study, &stop).and_then(|study| {
         let levels = study.performance.stripes.as_ref().ok_or("the study has no [stripes] with levels")?.levels.clone();
         wanted(&study)?;
         let jobs = StudyJobs::new(&a.jobs, &study, &a.out, &stop)?;

@@ -1,12 +1,13 @@
 //! `hysteron isolate`: an isolation study.
 
+use super::args::CheckArgs;
 use super::calibrate::FAILURE;
 use super::files::write_atomically;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
 use hysteron::design::isolate::{self, load, report, script_text, summary};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -28,8 +29,24 @@ pub(super) fn isolate(a: &IsolateArgs) -> i32 {
     finish(study(a, &stop), &stop)
 }
 
+/// Check an isolation study: its keys, and its values beside those of the script; the exit status.
+pub(super) fn check(args: &CheckArgs) -> i32 {
+    let stop = stop_flag();
+    args.limits.enforce(&stop);
+    let result = load(Path::new(&args.model), &stop).map(|study| {
+        let table = study.agreement.table();
+        if args.json {
+            return (format!("{}\n", table.json()), 0);
+        }
+        let remarks: String = study.agreement.remarks.iter().map(|r| format!("warning: {r}\n")).collect();
+        let jobs = isolate::jobs(&study).len();
+        (format!("{}\n{remarks}{}: {jobs} analyses\n", table.text(), args.model), 0)
+    });
+    finish(result, &stop)
+}
+
 fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.jobs.study)?;
+    let study = load(&a.jobs.study, stop)?;
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
@@ -38,7 +55,10 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
             write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
         }
     }
-    let outcomes = jobs.all(&all, all.len(), |job| jobs.one(job))?;
+    let outcomes = jobs.all(&all, all.len(), |job| {
+        let outcome = jobs.one(job)?;
+        isolate::runaway(&study, &outcome).map_or(Ok(outcome), Err)
+    })?;
     let results = summary(&study, &outcomes);
     let json = report::json(&study, &outcomes, &results);
     let checks = check_table(&results.checks);
@@ -57,7 +77,8 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     }
     let missed = results.checks.iter().filter(|c| c.status == Status::NotMet).count();
     let text = format!(
-        "{}\n{}\n{}\n{missed} of {} checks are not met; {}\n",
+        "{}\n{}\n{}\n{}\n{missed} of {} checks are not met; {}\n",
+        study.agreement.table().text(),
         results.structure.text(),
         results.schedule.text(),
         checks.text(),

@@ -31,7 +31,7 @@ pub(super) fn response_spectrum(a: &ResponseSpectrumArgs) -> i32 {
 }
 
 fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.jobs.study)?;
+    let study = load(&a.jobs.study, stop)?;
     let responses = respond_at_bounds(&study, a.modes as usize)?;
     let mut outcomes = vec![];
     if a.history {

@@ -18,6 +18,7 @@ use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
 use hysteron::analysis::{Options, RecoveryStrategy};
+use hysteron::design::isolate::is_isolation_study;
 use hysteron::diagnostic::{Diagnostic, Severity, Span};
 use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron::opensees::files::output_folder::OutputFolder;
@@ -43,6 +44,7 @@ pub(crate) fn main() -> i32 {
             }
         }
         Command::View(args) => super::view::view(&args),
+        Command::Check(args) if is_isolation_study(Path::new(&args.model)) => super::isolate::check(&args),
         Command::Check(args) if args.model.ends_with(".toml") => super::study::check(&args),
         Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),

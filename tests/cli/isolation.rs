@@ -109,3 +109,94 @@ fn shipped_scripts_beside_the_studies_run() {
     assert_eq!(status, Some(0), "{said}");
     assert!(printed.contains("K_eff"), "{printed}");
 }
+
+/// The shipped study with a script and records that are found from any folder, and with some of its text replaced.
+fn changed(changes: &[(&str, &str)]) -> String {
+    let folder = format!("{INPUTS}/isolation_study");
+    let mut text = fs::read_to_string(study()).unwrap();
+    text = text.replace("\"building.tcl\"", &format!("\"{folder}/building.tcl\""));
+    text = text.replace("\"../ground_motions", &format!("\"{INPUTS}/ground_motions"));
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    text
+}
+
+/// A study that contradicts its script is refused before the suite, with the key and the ratio.
+#[test]
+fn contradictions_of_study_and_script_are_refused() {
+    let place = Place::new();
+    for (name, from, to, named) in [
+        ("strength", "q_d = 26.0", "q_d = 52.0", ["q_d = 52", "ratio 2.0000"]),
+        ("stiffness", "k_d = 440.0", "k_d = 0.44", ["k_d = 0.44", "ratio 0.0010"]),
+        ("yield", "yield_displacement = 0.0066", "yield_displacement = 6.6", ["yield_displacement = 6.6", "0.0000"]),
+        ("weight", "weight = 1177.2", "weight = 117.72", ["the floors weigh 470.88", "ratio 0.1000"]),
+        ("gravity", "gravity = 9.81", "gravity = 9810.0", ["gravity = 9810", "ratio 1000"]),
+        ("bound", "name = \"LRB\"", "name = \"LRX\"", ["the lower bound", "isolate(Q,LRX)"]),
+        ("list", "7, 8, 9]", "7, 8]", ["the floors weigh", "the list of bearings"]),
+        ("tag", "7, 8, 9]", "7, 8, 99]", ["LRB 99", "is no element"]),
+        ("key", "k_d = 440.0", "k_D = 440.0", ["k_D", "k_d"]),
+    ] {
+        let file = format!("{name}.toml");
+        place.write(&file, changed(&[(from, to)]));
+        for command in ["check", "isolate"] {
+            let (status, _, said) = place.run(&[command, &file]);
+            assert_eq!(status, Some(2), "{name}, {command}: {said}");
+            assert!(named.iter().all(|n| said.contains(n)), "{name}, {command}: {said}");
+        }
+        assert!(!place.0.join("isolation/analyses").exists(), "{name}: the suite ran");
+    }
+}
+
+/// An eccentricity that moves the gravity loads with the mass is refused.
+#[test]
+fn an_eccentricity_moves_no_gravity() {
+    let place = Place::new();
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    let moments = "[expr {$isolate(ey)*$side*$w}] [expr {-$isolate(ex)*$side*$w}]";
+    assert!(script.contains(moments));
+    place.write("building.tcl", script.replace(moments, "0.0 0.0"));
+    let folder = format!("{INPUTS}/isolation_study/building.tcl");
+    place.write("study.toml", changed(&[]).replace(&folder, "building.tcl"));
+    let (status, _, said) = place.run(&["check", "study.toml"]);
+    assert!(status == Some(2) && said.contains("moves mass, never gravity"), "{said}");
+}
+
+/// Without the values of the script the study has the same design as with them.
+#[test]
+fn values_of_the_script_need_not_be_repeated() {
+    let place = Place::new();
+    let bare =
+        [("q_d = 26.0\n", ""), ("k_d = 440.0\n", ""), ("yield_displacement = 0.0066\n", ""), ("weight = 1177.2\n", "")];
+    place.write("bare.toml", changed(&bare));
+    place.write("whole.toml", changed(&[]));
+    let [bare, whole] = ["bare.toml", "whole.toml"].map(|file| {
+        let (status, printed, said) = place.run(&["response-spectrum", file, "--json", "--out", "out"]);
+        assert_eq!(status, Some(0), "{said}");
+        let json: serde_json::Value = serde_json::from_str(&printed).unwrap();
+        let rows = json["bearings"].as_array().unwrap().clone();
+        assert_eq!(rows.len(), 6, "{printed}");
+        rows
+    });
+    // The loop's own yield displacement is a little larger than that of its straight lines.
+    for (bare, whole) in bare.iter().zip(&whole) {
+        for key in ["D", "K_eff", "beta_eff"] {
+            let [a, b] = [bare, whole].map(|row| row[key].as_f64().unwrap());
+            assert!((a - b).abs() <= 0.02 * b, "{key}: {a}, {b}");
+        }
+    }
+    let (status, printed, said) = place.run(&["check", "bare.toml"]);
+    assert_eq!(status, Some(0), "{said}");
+    assert!(printed.contains("from the script") && printed.contains("4708.8"), "{printed}");
+}
+
+/// A suite whose bearings move beyond three times the displacement of the equivalent lateral force procedure stops.
+#[test]
+fn a_suite_that_runs_away_is_stopped() {
+    let place = Place::new();
+    place.write("far.toml", changed(&[("unit = \"g\"", "unit = \"g\"\nfactor = 8.0"), ("scale = [1.5, 3.5]\n", "")]));
+    let (status, _, said) = place.run(&["isolate", "far.toml"]);
+    assert!(status != Some(0) && said.contains("the suite was stopped"), "{said}");
+    assert!(!place.0.join("isolation/report.html").exists());
+}

@@ -18,6 +18,8 @@ pub struct System {
     pub weight_above: f64,
     /// Acceleration of gravity.
     pub gravity: f64,
+    /// True if the loop turns abruptly at the yield displacement.
+    pub abrupt: bool,
 }
 
 /// Result of the procedure.
@@ -35,7 +37,7 @@ pub struct LateralForce {
     pub coefficient: f64,
     /// Shear below the isolation system V_b = k_M D_M.
     pub shear_below: f64,
-    /// Unreduced shear above V_st = V_b (W_s/W)^(1 - 2.5 β_M), where the code has this rule.
+    /// Unreduced shear above V_st = V_b (W_s/W)^(1 - c β_M) with the code's c for smooth or abrupt loops; NaN without it.
     pub shear_above: f64,
     /// Number of iterations.
     pub iterations: usize,
@@ -67,8 +69,9 @@ impl System {
             }
             if (next / d - 1.0).abs() < TOLERANCE {
                 let shear_below = stiffness * d;
-                let smooth = code.value("force_above", "smooth").unwrap_or(f64::NAN);
-                let shear_above = shear_below * (self.weight_above / self.weight).powf(1.0 - smooth * damping);
+                let shape = if self.abrupt { "abrupt" } else { "smooth" };
+                let share = code.value("force_above", shape).unwrap_or(f64::NAN);
+                let shear_above = shear_below * (self.weight_above / self.weight).powf(1.0 - share * damping);
                 let iterations = iteration;
                 return Ok(LateralForce {
                     displacement: d,
@@ -141,13 +144,24 @@ mod tests {
             let b = x.1 + (y.1 - x.1) * (beta - x.0) / (y.0 - x.0);
             d = g * sm1 * t / (4.0 * PI * PI * b);
         }
-        let system =
-            System { q_d: q, k_d: k - q / d, yield_displacement: dy, weight: w, weight_above: 0.8 * w, gravity: g };
+        let system = System {
+            q_d: q,
+            k_d: k - q / d,
+            yield_displacement: dy,
+            weight: w,
+            weight_above: 0.8 * w,
+            gravity: g,
+            abrupt: false,
+        };
         let found = system.procedure(|t| g * sm1 / t, &code).expect("a result");
         assert!((found.displacement / d - 1.0).abs() < 1e-8, "{found:?} {d}");
         assert!((found.period - t).abs() < 1e-7 && (found.shear_below / (k * d) - 1.0).abs() < 1e-8);
         let exponent = 1.0 - 2.5 * found.damping;
         assert!((found.shear_above / (k * d * 0.8f64.powf(exponent)) - 1.0).abs() < 1e-8);
+        let turned = System { abrupt: true, ..system }.procedure(|t| g * sm1 / t, &code).expect("a result");
+        let exponent = 1.0 - 3.5 * found.damping;
+        assert!((turned.shear_above / (k * d * 0.8f64.powf(exponent)) - 1.0).abs() < 1e-8);
+        assert!(turned.shear_above > found.shear_above);
         let share = (system.q_d + system.k_d * d) - (system.q_d + system.k_d * d / 2.0);
         assert!((system.restoring_share(d) - share / w).abs() < 1e-12);
     }

@@ -117,7 +117,7 @@ impl Folder {
     }
 
     fn study(&self) -> Study {
-        load(&self.0.join("study.toml")).unwrap()
+        load(&self.0.join("study.toml"), &Arc::default()).unwrap()
     }
 }
 
@@ -231,6 +231,7 @@ fn multimode_of_one_mass_is_the_equivalent_lateral_force_procedure() {
             weight: 981.0,
             weight_above: 0.0,
             gravity: 9.81,
+            abrupt: false,
         };
         let elf = system.procedure(|t| study.meter() * study.target.at(t), &study.code).unwrap();
         let d = &r.directions[0];
@@ -251,7 +252,7 @@ fn multimode_of_one_mass_is_the_equivalent_lateral_force_procedure() {
 #[test]
 fn multimode_of_the_shipped_building_keeps_its_mass() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    let study = load(&root.join("tcl-like-inputs/isolation_study/study.toml")).unwrap();
+    let study = load(&root.join("tcl-like-inputs/isolation_study/study.toml"), &Arc::default()).unwrap();
     let r = respond(&study, "nominal", 12).unwrap();
     for d in &r.directions {
         assert!((d.modes.iter().map(|m| m.mass).sum::<f64>() - 1.0).abs() < 1e-6);
@@ -268,7 +269,7 @@ fn multimode_of_the_shipped_building_keeps_its_mass() {
 fn larger_examples_run_and_their_scripts_are_complete() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     for name in ["eight_storey_study", "bridge_study"] {
-        let mut study = load(&root.join(format!("tcl-like-inputs/{name}/study.toml"))).unwrap();
+        let mut study = load(&root.join(format!("tcl-like-inputs/{name}/study.toml")), &Arc::default()).unwrap();
         study.motions.truncate(1);
         for m in &mut study.motions[0].components {
             m.acceleration.truncate(700);

@@ -152,15 +152,22 @@ proc analyze {args} {
 }
 "#;
 
-/// Run the script of a study at a bound up to its first transient analysis.
+/// Run the script of a study at a bound and an eccentricity up to its first transient analysis. `stop` interrupts it.
 ///
 /// # Errors
-/// It fails before, or has no transient analysis.
-pub(crate) fn run_to_transient(study: &Study, bound: &'static str) -> Result<Run, String> {
+/// It fails before, has no transient analysis, or is interrupted.
+pub(crate) fn run_to_transient(
+    study: &Study,
+    bound: &'static str,
+    eccentricity: usize,
+    stop: &Arc<AtomicBool>,
+) -> Result<Run, String> {
     let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
     let files = OverlayFiles::new(Box::new(OsFiles));
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
-    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity: 0, level: 1.0 }, STOP_BEFORE)?;
+    let interrupt = run.interp.interrupt.clone();
+    run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: Arc::default() }));
+    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity, level: 1.0 }, STOP_BEFORE)?;
     let end = run.script(&study.script.to_string_lossy(), &[]);
     match end {
         End::Exit(0) => Ok(run),
@@ -342,7 +349,8 @@ fn bearing(
         gravity: compression[0],
         compression: compression.iter().copied().fold(f64::MIN, f64::max),
         least: compression.iter().copied().fold(f64::MAX, f64::min),
-        uplift: rise.iter().map(|r| r - rise[0]).fold(0.0, f64::max),
+        // A bearing in compression has not lifted, however its upper node has risen.
+        uplift: rise.iter().zip(&compression).filter(|(_, p)| **p <= 0.0).map(|(r, _)| *r).fold(0.0, f64::max),
         shear: largest_length(f),
         energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
         stability,

@@ -5,19 +5,27 @@
 //! `isolate(ax)` and `isolate(ay)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
 //! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
 
+mod agreement;
 mod capture;
 mod inputs;
 mod job;
 mod outcome;
 pub mod report;
+mod runaway;
+mod script_model;
+mod shear_test;
 mod study;
+mod study_file;
 mod summary;
 
+pub use agreement::{Agreement, Comparison};
 pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
 pub use job::{Job, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome};
-pub use study::{BearingType, Floor, Study, load};
+pub use runaway::runaway;
+pub use study::{BearingType, Floor, Study, is_isolation_study, load};
+pub use study_file::{Causes, Transition};
 pub use summary::{Summary, summary};
 
 /// Names of the bounds, in the order in which they are run.

@@ -19,7 +19,7 @@ pub struct BearingOutcome {
     pub compression: f64,
     /// Smallest axial force; tension is negative.
     pub least: f64,
-    /// Largest uplift of the upper node above its place before the motion.
+    /// Uplift: largest rise of the upper node above its place without load while the bearing has no compression.
     pub uplift: f64,
     /// Largest shear: vector sum.
     pub shear: f64,

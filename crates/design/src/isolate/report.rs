@@ -14,6 +14,7 @@ pub fn json(study: &Study, outcomes: &[JobOutcome], summary: &Summary) -> String
         "title": study.title,
         "code": {"name": study.code.name, "text_read": study.code.text_read, "source": study.code.source},
         "factors_of_motions": study.factors,
+        "agreement": rows(&study.agreement.table()),
         "schedule": rows(&summary.schedule),
         "structure": rows(&summary.structure),
         "checks": rows(&check_table(&summary.checks)),
@@ -39,7 +40,12 @@ pub fn html(study: &Study, outcomes: &[JobOutcome], summary: &Summary) -> String
     for text in &summary.not_checked {
         out += &format!("<li>{}</li>\n", page::escaped(text));
     }
-    out += "</ul><h2>Structure by bound</h2>\n";
+    out += "</ul><h2>Study and script</h2>\n";
+    page_table(&mut out, &study.agreement.table());
+    for text in &study.agreement.remarks {
+        out += &format!("<p class=\"note\">{}</p>\n", page::escaped(text));
+    }
+    out += "<h2>Structure by bound</h2>\n";
     page_table(&mut out, &summary.structure);
     for (bound, l) in super::BOUNDS.iter().zip(&summary.lateral_force) {
         if let Err(e) = l {

@@ -29,7 +29,7 @@ pub struct ModalModel {
 
 impl ModalModel {
     pub(super) fn new(study: &Study, bound: &'static str, wanted: usize) -> Result<Self, String> {
-        let run = run_to_transient(study, bound)?;
+        let run = run_to_transient(study, bound, 0, &Arc::default())?;
         let model = run.interp.host.engine.model();
         let ndm = model.nodes.first().map_or(0, |n| n.coords.len());
         if ndm < 2 {

@@ -1,0 +1,360 @@
+//! Study and script say the same: bearings, weights, gravity, bounds and eccentricities, before the suite runs.
+//!
+//! A value that the study leaves out is taken from the script. A value that it gives is compared, and refused where the
+//! design would be another one.
+
+use super::script_model::{ScriptBearing, ScriptModel};
+use super::shear_test::BilinearLoop;
+use super::study::{BearingType, Study};
+use super::study_file::{Stated, Transition};
+use crate::lateral_force::System;
+use hysteron_identify::report::{Cell, Table};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// Difference of Q_d, K_d and β from the script's, at most: a bilinear loop stands for any loop this well.
+const LOOP: f64 = 0.10;
+/// Share of K_eff below which K_d, or Q_d/D, has no weight in a comparison of its own.
+const NEGLIGIBLE: f64 = 0.02;
+/// Difference of the weight from the axial forces of the bearings under gravity, at most.
+const WEIGHT: f64 = 0.05;
+/// Mass times gravity over weight, at least and at most. Live loads are not all mass; a wrong unit is a factor of 9.8 or 1000.
+const MASS: [f64; 2] = [0.7, 1.4];
+/// Difference of the factors of a bound that the script's bearings show, at most: a law need not be linear in them.
+const FACTOR: f64 = 0.05;
+/// Change of a bearing's axial force under gravity by an accidental eccentricity, as a share of the mean, at most.
+const MOVED_GRAVITY: f64 = 0.01;
+/// Relative change of the design displacement at which its iteration ends, and iterations at most.
+const ITERATION: (f64, usize) = (0.01, 30);
+
+/// Values that the file states, with their lines.
+pub(super) struct StatedValues {
+    pub(super) file: String,
+    pub(super) gravity: Stated,
+    /// Q_d, K_d and D_y of each type.
+    pub(super) bearings: Vec<[Option<Stated>; 3]>,
+    /// The shape of the loops is stated.
+    pub(super) transitions: Vec<bool>,
+    /// Weights of the floors.
+    pub(super) floors: Vec<Option<Stated>>,
+}
+
+/// A value of the study beside the script's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Quantity.
+    pub subject: String,
+    /// Unit.
+    pub unit: String,
+    /// Value of the study; none where it was taken from the script.
+    pub study: Option<f64>,
+    /// Value of the script.
+    pub script: f64,
+}
+
+/// Values of the study beside those of the script.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Agreement {
+    /// Comparisons.
+    pub rows: Vec<Comparison>,
+    /// Matters that could not be compared, with the reason.
+    pub remarks: Vec<String>,
+}
+
+impl Agreement {
+    /// As a table.
+    pub fn table(&self) -> Table {
+        let mut table = Table::new([("quantity", ""), ("unit", ""), ("study", ""), ("script", ""), ("ratio", "")]);
+        for row in &self.rows {
+            let stated = row.study.map_or(Cell::Word("from the script"), Cell::Number);
+            let ratio = row.study.map(|s| s / row.script).filter(|r| r.is_finite());
+            table.rows.push(vec![
+                row.subject.clone().into(),
+                row.unit.clone().into(),
+                stated,
+                Cell::Number(row.script),
+                ratio.map_or(Cell::Word("-"), Cell::Number),
+            ]);
+        }
+        table
+    }
+
+    fn add(&mut self, subject: String, unit: &str, study: Option<f64>, script: f64) {
+        self.rows.push(Comparison { subject, unit: unit.into(), study, script });
+    }
+}
+
+/// Loops of the bearings of one type at the design displacement.
+struct TypeLoops {
+    mean: BilinearLoop,
+    abrupt: bool,
+}
+
+/// Fill what the study leaves out by the script's values, and compare what it states.
+///
+/// # Errors
+/// The script fails, or study and script contradict each other. The message has both places and the ratio.
+pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), String> {
+    let model = ScriptModel::new(study, "nominal", 0, stop)?;
+    weights(study, stated, &model)?;
+    let design = design_loops(study, &model)?;
+    let [amplitude, period] = design;
+    for kind in 0..study.bearings.len() {
+        match type_loops(&model, kind, amplitude, period) {
+            Ok(loops) => settle_bearings(study, stated, &model, kind, &loops)?,
+            Err(e) => untested(study, stated, kind, &e)?,
+        }
+    }
+    compare_bounds(study, &model, design, stop)?;
+    compare_eccentricities(study, &model, stop)
+}
+
+/// Place of a type in the script, for messages.
+fn place(study: &Study, bearing: &ScriptBearing) -> String {
+    format!("\"{}\", element {} {}", study.script.display(), bearing.class, bearing.tag)
+}
+
+fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let carried = model.gravity();
+    let first = &model.bearings[0];
+    if carried.is_nan() || carried <= 0.0 {
+        return Err(format!(
+            "the bearings carry {carried:.6} under gravity before the first transient analysis ({}): expected compression",
+            place(study, first)
+        ));
+    }
+    let script = study.script.display();
+    for (k, weight) in stated.floors.iter().enumerate().filter(|(_, w)| w.is_none()) {
+        debug_assert!(weight.is_none());
+        let node = study.floors[k].node;
+        let mass = model.mass_at(node).ok_or_else(|| format!("\"{script}\" has no node {node} of a floor"))?;
+        if mass <= 0.0 {
+            return Err(format!(
+                "{}: the floor at node {node} has no weight, and the script no mass at its elevation: expected weight = ...",
+                stated.file
+            ));
+        }
+        study.floors[k].weight = mass * study.gravity;
+    }
+    let of_floors: f64 = study.floors.iter().map(|f| f.weight).sum();
+    let all_stated = !study.floors.is_empty() && stated.floors.iter().any(Option::is_some);
+    study.weight = if study.floors.is_empty() { carried } else { of_floors };
+    let force = study.units[0].clone();
+    study.agreement.add("weight on the bearings".into(), &force, all_stated.then_some(of_floors), carried);
+    if (study.weight / carried - 1.0).abs() > WEIGHT {
+        let line = stated.floors.iter().flatten().next().map_or(String::new(), |w| format!(":{}", w.line));
+        return Err(format!(
+            "{}{line}: the floors weigh {:.6}, but the bearings of \"{script}\" carry {carried:.6} under gravity: ratio {:.4}. \
+             Expected the same within {} %: weights, the list of bearings or the script's loads are wrong",
+            stated.file,
+            study.weight,
+            study.weight / carried,
+            100.0 * WEIGHT,
+        ));
+    }
+    let by_mass = model.mass_above() * study.gravity;
+    study.agreement.add("mass above the bearings times gravity".into(), &force, Some(study.weight), by_mass);
+    let ratio = by_mass / carried;
+    if !(MASS[0]..=MASS[1]).contains(&ratio) {
+        return Err(format!(
+            "{}:{}: gravity = {} times the mass of \"{script}\" above its bearings is {by_mass:.6}, but the bearings carry \
+             {carried:.6}: ratio {ratio:.4}. Gravity, the masses or the loads are in another unit, or masses are missing",
+            stated.file, stated.gravity.line, stated.gravity.value,
+        ));
+    }
+    Ok(())
+}
+
+/// Amplitude and period at which bearings are tested: displacement and period of the equivalent lateral force procedure on
+/// the tested loops themselves.
+fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], String> {
+    let meter = study.meter();
+    let spectrum = |t: f64| meter * study.target.at(t);
+    let (mut amplitude, mut period) = (spectrum(2.0) / (TAU / 2.0).powi(2), 2.0);
+    for _ in 0..ITERATION.1 {
+        let mut system = System {
+            q_d: 0.0,
+            k_d: 0.0,
+            yield_displacement: 0.0,
+            weight: study.weight,
+            weight_above: study.weight_above(),
+            gravity: study.gravity,
+            abrupt: false,
+        };
+        for (kind, b) in study.bearings.iter().enumerate() {
+            let found = model.typical(kind).map(|t| model.test(t, amplitude, period));
+            // A bearing that cannot be tested has the values of the study, if there are some.
+            let (q_d, k_d, yields) = match found {
+                Some(Ok(l)) => (l.q_d, l.k_d, l.yield_displacement),
+                _ => (b.q_d, b.k_d, if b.yield_displacement.is_nan() { 0.0 } else { b.yield_displacement }),
+            };
+            let n = b.tags.len() as f64;
+            system.q_d += n * q_d;
+            system.k_d += n * k_d;
+            system.yield_displacement += n * q_d * yields;
+        }
+        system.yield_displacement = if system.q_d > 0.0 { system.yield_displacement / system.q_d } else { 0.0 };
+        let found = match system.procedure(spectrum, &study.code) {
+            Ok(found) => found,
+            // Bearings are compared all the same, at the displacement that has been come to.
+            Err(_) => break,
+        };
+        let change = (found.displacement / amplitude - 1.0).abs();
+        (amplitude, period) = (found.displacement, found.period);
+        if change < ITERATION.0 {
+            break;
+        }
+    }
+    if amplitude.is_finite() && amplitude > 0.0 && period.is_finite() {
+        return Ok([amplitude, period]);
+    }
+    Err("the target spectrum has no value at a period of 2 s: bearings cannot be tested at a design displacement"
+        .into())
+}
+
+/// Mean of the loops of all bearings of a type, which may differ by their axial forces.
+fn type_loops(model: &ScriptModel, kind: usize, amplitude: f64, period: f64) -> Result<TypeLoops, String> {
+    let mut all = vec![];
+    for b in model.bearings.iter().filter(|b| b.kind == kind) {
+        all.push(model.test(b, amplitude, period).map_err(|e| format!("the bearing {} cannot be tested: {e}", b.tag))?);
+    }
+    let mean = |of: fn(&BilinearLoop) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
+    let mean = BilinearLoop {
+        q_d: mean(|l| l.q_d),
+        k_d: mean(|l| l.k_d),
+        yield_displacement: mean(|l| l.yield_displacement),
+        amplitude,
+        abrupt: all.iter().any(|l| l.abrupt),
+    };
+    Ok(TypeLoops { abrupt: mean.abrupt, mean })
+}
+
+/// Refusal of a value of a type that contradicts the script's.
+fn contradiction(study: &Study, stated: &StatedValues, model: &ScriptModel, kind: usize, what: &str) -> String {
+    let bearing = model.typical(kind).map_or(String::new(), |b| place(study, b));
+    format!("{}:{what} ({bearing}). Without the key the script's value is taken", stated.file)
+}
+
+fn settle_bearings(
+    study: &mut Study,
+    stated: &StatedValues,
+    model: &ScriptModel,
+    kind: usize,
+    loops: &TypeLoops,
+) -> Result<(), String> {
+    let found = &loops.mean;
+    let d = found.amplitude;
+    let [q, k, y] = stated.bearings[kind];
+    let name = study.bearings[kind].name.clone();
+    let stiffness = found.k_d + found.q_d / d;
+    let [force, length] = study.units.clone();
+    let per_length = if length.is_empty() { String::new() } else { format!("{force}/{length}") };
+    // A part that hardly counts is compared with the whole.
+    let limits = [LOOP * found.q_d.max(NEGLIGIBLE * stiffness * d), LOOP * found.k_d.max(NEGLIGIBLE * stiffness)];
+    let parts = [("q_d", q, found.q_d, limits[0], &force), ("k_d", k, found.k_d, limits[1], &per_length)];
+    for (key, stated_value, script, limit, unit) in parts {
+        let subject = format!("{name}: {key} at {d:.4}");
+        study.agreement.add(subject, unit, stated_value.map(|s| s.value), script);
+        if let Some(s) = stated_value.filter(|s| (s.value - script).abs() > limit) {
+            let what = format!(
+                "{}: {key} = {} of {name}, but the script's bearings have {script:.6} at the design displacement {d:.6}: \
+                 ratio {:.4}",
+                s.line,
+                s.value,
+                s.value / script
+            );
+            return Err(contradiction(study, stated, model, kind, &what));
+        }
+    }
+    let (damping, subject) = (found.damping(d), format!("{name}: yield_displacement"));
+    study.agreement.add(subject, &length, y.map(|y| y.value), found.yield_displacement);
+    if let Some(y) = y {
+        let own = BilinearLoop { yield_displacement: y.value, ..*found }.damping(d);
+        if (own - damping).abs() > LOOP * damping {
+            let what = format!(
+                "{}: yield_displacement = {} of {name} gives a damping of {own:.4} at the design displacement {d:.6}, but the \
+                 loop of the script's bearings has {damping:.4}, as of {:.6}",
+                y.line, y.value, found.yield_displacement
+            );
+            return Err(contradiction(study, stated, model, kind, &what));
+        }
+    }
+    let transition = if loops.abrupt { Transition::Abrupt } else { Transition::Smooth };
+    let own = &mut study.bearings[kind];
+    own.q_d = q.map_or(found.q_d, |s| s.value);
+    own.k_d = k.map_or(found.k_d, |s| s.value);
+    own.yield_displacement = y.map_or(found.yield_displacement, |s| s.value);
+    if !stated.transitions[kind] {
+        own.transition = transition;
+    }
+    Ok(())
+}
+
+/// A type whose bearings cannot be tested has what the study states.
+fn untested(study: &mut Study, stated: &StatedValues, kind: usize, reason: &str) -> Result<(), String> {
+    let BearingType { name, yield_displacement, .. } = &mut study.bearings[kind];
+    if let Some(key) = ["q_d", "k_d"].iter().zip(&stated.bearings[kind]).find(|(_, s)| s.is_none()).map(|(k, _)| k) {
+        return Err(format!("{}: {name} has no {key}, and {reason}", stated.file));
+    }
+    if yield_displacement.is_nan() {
+        *yield_displacement = 0.0;
+    }
+    let remark = format!("{name}: Q_d and K_d are not compared with the script's, since {reason}");
+    study.agreement.remarks.push(remark);
+    Ok(())
+}
+
+/// The factors of the bounds arrive in the script's bearings.
+fn compare_bounds(
+    study: &Study,
+    nominal: &ScriptModel,
+    [amplitude, period]: [f64; 2],
+    stop: &Arc<AtomicBool>,
+) -> Result<(), String> {
+    for bound in ["lower", "upper"] {
+        let model = ScriptModel::new(study, bound, 0, stop)?;
+        for (kind, b) in study.bearings.iter().enumerate() {
+            let tests = [nominal, &model].map(|m| m.typical(kind).map(|t| m.test(t, amplitude, period)));
+            let [Some(Ok(before)), Some(Ok(after))] = tests else { continue };
+            let stiffness = before.k_d + before.q_d / amplitude;
+            let parts = [
+                ("Q", before.q_d, after.q_d, NEGLIGIBLE * stiffness * amplitude),
+                ("K", before.k_d, after.k_d, NEGLIGIBLE * stiffness),
+            ];
+            for (of, (letter, before, after, least)) in parts.into_iter().enumerate() {
+                let (asked, found) = (study.factor(b, bound, of), after / before);
+                if before > least && (found / asked - 1.0).abs() > FACTOR {
+                    return Err(format!(
+                        "the {bound} bound asks for {asked:.4} times the nominal {letter}_d of {}, but the bearings of the \
+                         script have {found:.4} times ({}): does it use isolate({letter},{})?",
+                        b.name,
+                        model.typical(kind).map_or(String::new(), |t| place(study, t)),
+                        b.name
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// An accidental eccentricity moves mass, never gravity.
+fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicBool>) -> Result<(), String> {
+    let mean = first.gravity() / first.bearings.len() as f64;
+    for (k, [x, y]) in study.eccentricities.iter().enumerate().skip(1) {
+        let model = ScriptModel::new(study, "nominal", k, stop)?;
+        for (before, after) in first.bearings.iter().zip(&model.bearings) {
+            if (after.gravity - before.gravity).abs() > MOVED_GRAVITY * mean {
+                return Err(format!(
+                    "the eccentricity {x} {y} changes the load of gravity on a bearing from {:.6} to {:.6} ({}): expected the \
+                     same. An accidental eccentricity moves mass, never gravity: keep the loads where they are without it",
+                    before.gravity,
+                    after.gravity,
+                    place(study, after)
+                ));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,243 @@
+//! The file of an isolation study: its keys, and what can be said of them without the script.
+
+use crate::performance::{Collapse, Hunt, Intensity, LimitState, Stripes};
+use serde::Deserialize;
+use toml::Spanned;
+
+/// Factors of one bound on Q_d and K_d, by their causes. They are multiplied.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields, default)]
+pub struct Causes {
+    /// Aging.
+    pub aging: [f64; 2],
+    /// Temperature.
+    pub temperature: [f64; 2],
+    /// Velocity.
+    pub velocity: [f64; 2],
+    /// Cumulative travel.
+    pub travel: [f64; 2],
+    /// Contamination.
+    pub contamination: [f64; 2],
+    /// Scragging.
+    pub scragging: [f64; 2],
+    /// Tests.
+    pub test: [f64; 2],
+    /// Specification.
+    pub specification: [f64; 2],
+}
+
+impl Default for Causes {
+    fn default() -> Self {
+        let one = [1.0, 1.0];
+        Self {
+            aging: one,
+            temperature: one,
+            velocity: one,
+            travel: one,
+            contamination: one,
+            scragging: one,
+            test: one,
+            specification: one,
+        }
+    }
+}
+
+impl Causes {
+    /// Factor on Q_d (0) or K_d (1): [1 + share (product of aging and environment - 1)] times those of test and
+    /// specification.
+    pub fn factor(&self, of: usize, share: f64) -> f64 {
+        let environment = [&self.aging, &self.temperature, &self.travel, &self.contamination];
+        let product: f64 = environment.iter().map(|c| c[of]).product();
+        let tested = self.velocity[of] * self.scragging[of] * self.test[of] * self.specification[of];
+        (1.0 + share * (product - 1.0)) * tested
+    }
+
+    pub(super) fn all(&self) -> [[f64; 2]; 8] {
+        let Self { aging, temperature, velocity, travel, contamination, scragging, test, specification } = self;
+        [*aging, *temperature, *velocity, *travel, *contamination, *scragging, *test, *specification]
+    }
+}
+
+/// Shape of the loops of a type of bearing at the yield displacement.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Transition {
+    /// The loop turns at once, as that of a slider.
+    Abrupt,
+    /// The corner is rounded.
+    Smooth,
+}
+
+/// Bearings of one type, as the file names them.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BearingEntry {
+    pub(super) name: String,
+    pub(super) tags: Vec<i64>,
+    pub(super) q_d: Option<Spanned<f64>>,
+    pub(super) k_d: Option<Spanned<f64>>,
+    pub(super) yield_displacement: Option<Spanned<f64>>,
+    pub(super) transition: Option<Transition>,
+    #[serde(default)]
+    pub(super) lower: Causes,
+    #[serde(default)]
+    pub(super) upper: Causes,
+    pub(super) displacement: Option<f64>,
+    pub(super) critical_load: Option<f64>,
+    pub(super) diameter: Option<f64>,
+    pub(super) tension: Option<f64>,
+}
+
+/// A floor, as the file names it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FloorEntry {
+    pub(super) node: i64,
+    pub(super) weight: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub(super) height: f64,
+}
+
+/// One pair of records.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MotionEntry {
+    pub(super) name: Option<String>,
+    pub(super) files: Vec<String>,
+    #[serde(default = "one")]
+    pub(super) factor: f64,
+    pub(super) unit: Option<String>,
+    pub(super) dt: Option<f64>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn no_eccentricity() -> Vec<[f64; 2]> {
+    vec![[0.0, 0.0]]
+}
+
+/// All keys.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StudyFile {
+    #[serde(default)]
+    pub(super) title: String,
+    pub(super) script: String,
+    #[serde(default = "default_code")]
+    pub(super) code: String,
+    /// Acceleration of gravity in the units of the script.
+    pub(super) gravity: Spanned<f64>,
+    /// Names of the units of force and length.
+    #[serde(default)]
+    pub(super) units: [String; 2],
+    /// Plan dimensions b and d.
+    pub(super) plan: Option<[f64; 2]>,
+    #[serde(default = "no_eccentricity")]
+    pub(super) eccentricities: Vec<[f64; 2]>,
+    /// Words of the target spectrum.
+    pub(super) target: Vec<String>,
+    /// Periods between which pairs are scaled; not scaled without them.
+    pub(super) scale: Option<[f64; 2]>,
+    /// Response modification coefficient of the structure above.
+    #[serde(default = "one")]
+    pub(super) response_modification: f64,
+    #[serde(default)]
+    pub(super) floor: Vec<FloorEntry>,
+    pub(super) bearing: Vec<BearingEntry>,
+    pub(super) motion: Vec<MotionEntry>,
+    #[serde(default)]
+    pub(super) intensity: Intensity,
+    pub(super) ida: Option<Hunt>,
+    pub(super) stripes: Option<Stripes>,
+    #[serde(default)]
+    pub(super) collapse: Collapse,
+    #[serde(default)]
+    pub(super) limit_state: Vec<LimitState>,
+    /// Bounds of incremental analyses and stripes.
+    #[serde(default = "nominal")]
+    pub(super) fragility_bounds: Vec<String>,
+    /// Damping of the structure above in modal analyses.
+    #[serde(default = "structure_damping")]
+    pub(super) structure_damping: f64,
+}
+
+fn nominal() -> Vec<String> {
+    vec!["nominal".into()]
+}
+
+fn structure_damping() -> f64 {
+    0.05
+}
+
+fn default_code() -> String {
+    "asce7-16".into()
+}
+
+/// A number that a file states, with its line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stated {
+    pub(super) value: f64,
+    pub(super) line: usize,
+}
+
+impl Stated {
+    /// Of a value in a text.
+    pub(super) fn of(value: &Spanned<f64>, text: &str) -> Self {
+        let before = &text.as_bytes()[..value.span().start.min(text.len())];
+        Self { value: *value.get_ref(), line: 1 + before.iter().filter(|b| **b == b'\n').count() }
+    }
+}
+
+fn positive(what: &str, x: f64) -> Result<(), String> {
+    if x > 0.0 && x.is_finite() { Ok(()) } else { Err(format!("{what} is {x}: expected more than 0")) }
+}
+
+fn not_negative(what: &str, x: f64) -> Result<(), String> {
+    if x >= 0.0 && x.is_finite() { Ok(()) } else { Err(format!("{what} is {x}: expected 0 or more")) }
+}
+
+impl StudyFile {
+    /// Check numbers and tags by themselves.
+    ///
+    /// # Errors
+    /// One of them has no meaning. The message names it.
+    pub(super) fn check(&self) -> Result<(), String> {
+        positive("gravity", *self.gravity.get_ref())?;
+        positive("response_modification", self.response_modification)?;
+        if !(0.0..1.0).contains(&self.structure_damping) {
+            return Err(format!("structure_damping is {}: expected 0 to less than 1", self.structure_damping));
+        }
+        if self.bearing.is_empty() || self.motion.is_empty() || self.eccentricities.is_empty() {
+            return Err("expected at least one [[bearing]], one [[motion]] and one eccentricity".into());
+        }
+        let mut tags: Vec<i64> = self.bearing.iter().flat_map(|b| b.tags.iter().copied()).collect();
+        tags.sort_unstable();
+        if let Some(w) = tags.windows(2).find(|w| w[0] == w[1]) {
+            return Err(format!("the bearing {} is listed twice", w[0]));
+        }
+        for b in &self.bearing {
+            let stated = [("q_d", &b.q_d), ("k_d", &b.k_d), ("yield_displacement", &b.yield_displacement)];
+            for (name, value) in stated {
+                // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
+                value.as_ref().map_or(Ok(()), |v| not_negative(&format!("{name} of {}", b.name), *v.get_ref()))?;
+            }
+            if b.tags.is_empty() {
+                return Err(format!("the bearings {} have no tags", b.name));
+            }
+            for f in b.lower.all().iter().chain(&b.upper.all()).flatten() {
+                positive(&format!("a factor of {}", b.name), *f)?;
+            }
+        }
+        for f in &self.floor {
+            if let Some(weight) = &f.weight {
+                positive(&format!("the weight of the floor at node {}", f.node), *weight.get_ref())?;
+            }
+        }
+        for f in self.floor.iter().skip(1) {
+            positive(&format!("the height of the floor at node {}", f.node), f.height)?;
+        }
+        Ok(())
+    }
+}
