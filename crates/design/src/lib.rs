@@ -18,4 +18,5 @@ pub mod prototype;
 pub mod scaling;
 pub mod spectrum;
 pub mod suite;
+pub mod supports;
 pub mod target;

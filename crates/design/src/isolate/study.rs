@@ -27,6 +27,8 @@ pub struct BearingType {
     pub yield_displacement: f64,
     /// Shape of the loop at the yield displacement.
     pub transition: Transition,
+    /// Lateral stiffness of the substructure below one bearing; rigid without it.
+    pub substructure: Option<f64>,
     /// Factors of the lower bound.
     pub lower: Causes,
     /// Factors of the upper bound.
@@ -50,6 +52,7 @@ impl BearingType {
             k_d: number(&entry.k_d),
             yield_displacement: number(&entry.yield_displacement),
             transition: entry.transition.unwrap_or(Transition::Smooth),
+            substructure: entry.substructure,
             name: entry.name,
             tags: entry.tags,
             lower: entry.lower,

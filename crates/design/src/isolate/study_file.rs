@@ -78,6 +78,7 @@ pub(super) struct BearingEntry {
     pub(super) k_d: Option<Spanned<f64>>,
     pub(super) yield_displacement: Option<Spanned<f64>>,
     pub(super) transition: Option<Transition>,
+    pub(super) substructure: Option<f64>,
     #[serde(default)]
     pub(super) lower: Causes,
     #[serde(default)]
@@ -223,6 +224,7 @@ impl StudyFile {
                 // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
                 value.as_ref().map_or(Ok(()), |v| not_negative(&format!("{name} of {}", b.name), *v.get_ref()))?;
             }
+            b.substructure.map_or(Ok(()), |k| positive(&format!("substructure of {}", b.name), k))?;
             if b.tags.is_empty() {
                 return Err(format!("the bearings {} have no tags", b.name));
             }

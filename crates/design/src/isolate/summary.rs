@@ -2,10 +2,11 @@
 
 use super::BOUNDS;
 use super::outcome::{BearingOutcome, JobOutcome};
-use super::study::Study;
+use super::study::{BearingType, Study};
 use super::study_file::Transition;
 use crate::check::{Check, Status};
 use crate::lateral_force::{LateralForce, System, torsional_period_ratio, torsional_ratio};
+use crate::supports::{Support, simplified_method};
 use hysteron_identify::report::{Cell, Table, html};
 
 /// Results of a study.
@@ -77,11 +78,30 @@ fn system(study: &Study, bound: &str) -> System {
     }
 }
 
-/// The equivalent lateral force procedure of each bound.
+/// The equivalent lateral force procedure of each bound; the simplified method for bridges where substructures are given.
 pub(super) fn procedures(study: &Study) -> Vec<Result<LateralForce, String>> {
     let meter = study.meter();
-    let of = |bound: &&str| system(study, bound).procedure(|t| meter * study.target.at(t), &study.code);
+    let spectrum = |t: f64| meter * study.target.at(t);
+    let of = |bound: &&str| {
+        if study.bearings.iter().any(|b| b.substructure.is_some()) {
+            let supports: Vec<Support> = study.bearings.iter().map(|b| support(study, b, bound)).collect();
+            let found = simplified_method(|_| supports.clone(), study.weight, study.gravity, spectrum, &study.code);
+            return found.map(LateralForce::from);
+        }
+        system(study, bound).procedure(spectrum, &study.code)
+    };
     BOUNDS.iter().map(of).collect()
+}
+
+/// All bearings of a type on their substructures.
+fn support(study: &Study, b: &BearingType, bound: &str) -> Support {
+    let n = b.tags.len() as f64;
+    Support {
+        q_d: n * b.q_d * study.factor(b, bound, 0),
+        k_d: n * b.k_d * study.factor(b, bound, 1),
+        yield_displacement: b.yield_displacement,
+        substructure: b.substructure.map_or(f64::INFINITY, |k| n * k),
+    }
 }
 
 /// Results of analyses, which may be some of all.

@@ -1,0 +1,233 @@
+//! Simplified method for isolated bridges whose supports give way: isolators in series with substructures.
+//!
+//! AASHTO Guide Specifications for Seismic Isolation Design, article 7.1 and commentary; equations as in the design examples of
+//! NCHRP project 20-7, task 262 (Buckle, Al-Ani and Monzon, 2011).
+
+use crate::codes::Code;
+use crate::lateral_force::LateralForce;
+use std::f64::consts::{PI, TAU};
+
+/// A support: isolators, and the substructure below them. Consistent units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Support {
+    /// Characteristic strength Q_d of its isolators together.
+    pub q_d: f64,
+    /// Post-elastic stiffness K_d of its isolators together.
+    pub k_d: f64,
+    /// Displacement D_y at which they yield.
+    pub yield_displacement: f64,
+    /// Lateral stiffness K_sub of the substructure; infinite for a rigid one.
+    pub substructure: f64,
+}
+
+impl Support {
+    /// α = (K_d d + Q_d)/(K_sub d - Q_d), the displacement of the substructure over that of the isolators. Negative where the
+    /// substructure is too soft for the isolators to yield.
+    fn ratio(&self, d: f64) -> f64 {
+        if self.substructure.is_infinite() {
+            return 0.0;
+        }
+        (self.k_d * d + self.q_d) / (self.substructure * d - self.q_d)
+    }
+}
+
+/// Share of a bridge that one support takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SupportResponse {
+    /// Effective stiffness of isolators and substructure in series.
+    pub stiffness: f64,
+    /// Displacement of the isolators.
+    pub isolators: f64,
+    /// Displacement of the substructure.
+    pub substructure: f64,
+    /// Force.
+    pub force: f64,
+}
+
+/// Result of the method.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BridgeResponse {
+    /// Displacement of the superstructure d.
+    pub displacement: f64,
+    /// Effective stiffness K_eff of all supports.
+    pub stiffness: f64,
+    /// Effective period T_eff in s.
+    pub period: f64,
+    /// Effective damping ξ.
+    pub damping: f64,
+    /// Damping coefficient B_L.
+    pub coefficient: f64,
+    /// Supports, in their order.
+    pub supports: Vec<SupportResponse>,
+    /// Number of iterations.
+    pub iterations: usize,
+}
+
+impl From<BridgeResponse> for LateralForce {
+    /// The displacement is that of the superstructure. There is no shear above.
+    fn from(b: BridgeResponse) -> Self {
+        Self {
+            displacement: b.displacement,
+            stiffness: b.stiffness,
+            period: b.period,
+            damping: b.damping,
+            coefficient: b.coefficient,
+            shear_below: b.stiffness * b.displacement,
+            shear_above: f64::NAN,
+            iterations: b.iterations,
+        }
+    }
+}
+
+/// Relative change of the displacement at which the iteration ends.
+const TOLERANCE: f64 = 1.0e-10;
+/// Iterations at most.
+const MAX_ITERATIONS: usize = 500;
+
+/// Iterate on the displacement d of a bridge of a weight on supports that may depend on d. `acceleration` is the spectrum of
+/// 5 % damping in the unit of `gravity`; with S_a = g S_D1/T this is d = g S_D1 T_eff/(4π² B_L).
+///
+/// # Errors
+/// The code has no damping coefficient, a substructure is so soft that the isolators do not yield, the spectrum has no value at
+/// a period, or the iteration does not end.
+pub fn simplified_method(
+    supports: impl Fn(f64) -> Vec<Support>,
+    weight: f64,
+    gravity: f64,
+    acceleration: impl Fn(f64) -> f64,
+    code: &Code,
+) -> Result<BridgeResponse, String> {
+    let mut d = acceleration(1.0) / TAU.powi(2);
+    for iterations in 1..=MAX_ITERATIONS {
+        let all = supports(d);
+        let (mut stiffness, mut energy) = (0.0, 0.0);
+        let mut responses = vec![];
+        for (k, s) in all.iter().enumerate() {
+            let ratio = s.ratio(d);
+            if ratio < 0.0 {
+                return Err(format!("the substructure of support {} is too soft: its isolators do not yield", k + 1));
+            }
+            let isolators = d / (1.0 + ratio);
+            let force = s.k_d * isolators + s.q_d;
+            responses.push(SupportResponse { stiffness: force / d, isolators, substructure: d - isolators, force });
+            stiffness += force / d;
+            energy += s.q_d * (isolators - s.yield_displacement).max(0.0);
+        }
+        let period = TAU * (weight / (gravity * stiffness)).sqrt();
+        let damping = 2.0 * energy / (PI * stiffness * d * d);
+        let coefficient = code.damping_coefficient(damping).ok_or("the code has no damping coefficient")?;
+        let next = acceleration(period) * (period / TAU).powi(2) / coefficient;
+        if !(next.is_finite() && next > 0.0) {
+            return Err(format!("the target spectrum has no value at the period {period:.3} s"));
+        }
+        if (next / d - 1.0).abs() < TOLERANCE {
+            let supports = responses;
+            return Ok(BridgeResponse {
+                displacement: d,
+                stiffness,
+                period,
+                damping,
+                coefficient,
+                supports,
+                iterations,
+            });
+        }
+        // Half of the change: the full one goes to and fro where the damping changes fast.
+        d = 0.5 * (d + next);
+    }
+    Err(format!("the displacement of the simplified method did not settle in {MAX_ITERATIONS} iterations"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Support, simplified_method};
+    use crate::codes::Code;
+    use crate::lateral_force::System;
+
+    /// Acceleration of gravity in in/s².
+    const G: f64 = 386.4;
+
+    struct Bridge {
+        weights: [f64; 4],
+        piers: f64,
+        /// Weight of the piers that moves with the superstructure.
+        pier_weight: f64,
+        abutments: f64,
+        /// Q_d over weight, and K_d d over weight.
+        isolators: [f64; 2],
+        s_d1: f64,
+    }
+
+    const FIRST: Bridge = Bridge {
+        weights: [44.95, 280.31, 280.31, 44.95],
+        piers: 172.0,
+        pier_weight: 107.16,
+        abutments: 10_000.0,
+        isolators: [0.05, 0.05],
+        s_d1: 0.2,
+    };
+
+    /// Design examples of NCHRP 20-7 (262): displacement [in], period [s], stiffness [kip/in], damping, force of a pier [kip].
+    /// The hand calculation there stopped early, so that its last digits differ.
+    #[test]
+    fn published_bridges() {
+        let code = Code::named("aashto").expect("a code");
+        let second = Bridge { weights: [168.48, 657.18, 657.18, 168.18], piers: 288.87, pier_weight: 256.26, ..FIRST };
+        let stronger = Bridge { isolators: [0.075, 0.1], s_d1: 0.4, ..FIRST };
+        for (name, b, [d, period, stiffness, damping, force]) in [
+            ("1.0", FIRST, [1.6456, 1.4287, 37.924, 0.3048, 26.708]),
+            ("1.1", stronger, [3.9634, 1.6704, 27.745, 0.2656, 47.117]),
+            ("2.0", second, [1.6505, 1.4331, 94.902, 0.3011, 61.481]),
+        ] {
+            let [q, k] = b.isolators;
+            let supports = |d: f64| {
+                let of = |(w, substructure): (&f64, f64)| Support {
+                    q_d: q * w,
+                    k_d: k * w / d,
+                    yield_displacement: 0.0,
+                    substructure,
+                };
+                b.weights.iter().zip([b.abutments, b.piers, b.piers, b.abutments]).map(of).collect()
+            };
+            let weight = b.weights.iter().sum::<f64>() + b.pier_weight;
+            let found = simplified_method(supports, weight, G, |t| G * b.s_d1 / t, &code).expect(name);
+            for (got, expected) in [
+                (found.displacement, d),
+                (found.period, period),
+                (found.stiffness, stiffness),
+                (found.damping, damping),
+                (found.supports[1].force, force),
+            ] {
+                assert!((got / expected - 1.0).abs() < 6.0e-4, "{name}: {got}, not {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn on_rigid_supports_it_is_the_method_of_one_mass() {
+        let code = Code::named("aashto").expect("a code");
+        let support = |q_d: f64, k_d: f64| Support { q_d, k_d, yield_displacement: 0.02, substructure: f64::INFINITY };
+        let all = |_: f64| vec![support(20.0, 30.0), support(10.0, 15.0)];
+        let found = simplified_method(all, 500.0, G, |t| G * 0.3 / t, &code).expect("a result");
+        let system = System {
+            q_d: 30.0,
+            k_d: 45.0,
+            yield_displacement: 0.02,
+            weight: 500.0,
+            weight_above: 500.0,
+            gravity: G,
+            abrupt: false,
+        };
+        let one = system.procedure(|t| G * 0.3 / t, &code).expect("a result");
+        assert!((found.displacement / one.displacement - 1.0).abs() < 1e-8);
+        assert!((found.damping / one.damping - 1.0).abs() < 1e-8 && (found.period / one.period - 1.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_soft_pier_is_refused() {
+        let code = Code::named("aashto").expect("a code");
+        let all = |_: f64| vec![Support { q_d: 30.0, k_d: 45.0, yield_displacement: 0.0, substructure: 1.0 }];
+        let e = simplified_method(all, 500.0, G, |t| G * 0.3 / t, &code).expect_err("no yielding");
+        assert!(e.contains("support 1"), "{e}");
+    }
+}
