@@ -1,5 +1,6 @@
 //! Backbone curves (`hystereticBackbone`), and the elastic law that follows one.
 
+use super::plain_methods::plain_methods;
 use super::{Material, MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -318,7 +319,11 @@ pub struct BackboneElastic {
     pub factor: f64,
 }
 
+crate::watches_columns!(BackboneElastic => nothing);
+
 impl Uniaxial for BackboneElastic {
+    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
+    with_parameter as_any }
     fn name(&self) -> &'static str {
         "Backbone"
     }

@@ -3,8 +3,12 @@
 mod points;
 mod runs;
 
+use super::nearest::{FiberPlace, select};
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
+use crate::material::{
+    LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
+};
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use points::Points;
@@ -211,24 +215,10 @@ impl FiberSection {
         sums.write(self.resultants().len(), &mut [0.0; M], k);
     }
 
-    /// Fiber selected by the words of a recorder, and the words after them. The selection is an index, or coordinates
-    /// with an optional material tag.
+    /// Fiber selected by the words of a recorder, and the words after them.
     fn find<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
-        let number = |w: &str| w.parse::<f64>().ok();
-        let y = number(words.first()?)?;
-        let Some(z) = words.get(1).and_then(|w| number(w)) else {
-            return Some((y as usize, &words[1..])).filter(|f| f.0 < self.fibers.len());
-        };
-        let (tag, rest) = match words.get(2).and_then(|w| w.parse::<i32>().ok()) {
-            Some(tag) => (Some(tag), &words[3..]),
-            None => (None, &words[2..]),
-        };
-        // The z coordinate does not count in a plane section.
-        let distance = |f: &PlacedFiber| (f.y - y).powi(2) + if self.biaxial { (f.z - z).powi(2) } else { 0.0 };
-        let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
-        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
-        let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
-        Some((nearest.0, rest))
+        let place = |f: &PlacedFiber| FiberPlace { y: f.y, z: f.z, tag: self.runs[f.run].slot.tag };
+        select(words, self.biaxial, self.fibers.iter().map(place))
     }
 
     /// Materials of the fibers and of the torsion.
@@ -252,7 +242,24 @@ impl FiberSection {
     }
 }
 
+impl WatchesColumns for FiberSection {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.slots().flat_map(Slot::limit_curves).collect()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        if self.linear.is_none() {
+            let parts = Parts::of_mut(committed, self.points.len());
+            for block in &self.blocks {
+                block.observe(&self.runs, &mut parts.laws[block.words(&self.runs)], columns);
+            }
+        }
+        self.torsion.iter().for_each(|torsion| torsion.observe(committed, columns));
+    }
+}
+
+#[deny(clippy::missing_trait_methods)]
 impl Section for FiberSection {
+    plain_methods! { elastic }
     fn class(&self) -> &'static str {
         if self.biaxial { "FiberSection3d" } else { "FiberSection2d" }
     }

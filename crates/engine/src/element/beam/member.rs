@@ -7,7 +7,6 @@ use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
 };
-use crate::material::Material;
 use crate::numeric::norm;
 use crate::probe::Probe;
 use crate::section::{Resultant, SectionSlot, SharedSection, of_length};
@@ -242,6 +241,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for Fib
     }
 }
 
+crate::watches_columns!([F, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
+
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
     fn class(&self) -> &'static str {
         F::CLASS[usize::from(N == 12)]
@@ -325,9 +326,6 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         }
     }
 
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.member.sections.iter().flat_map(SectionSlot::watchers).collect()
-    }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let mut new = self.clone();
         let old = match words {
