@@ -337,6 +337,121 @@ fn wrappers_of_elements_forward_every_method() {
     assert!(wrong.is_empty(), "{HELD} is missing in\n{}", wrong.join("\n"));
 }
 
+/// Traits of which a wrapper must decide on every method.
+const WRAPPED_TRAITS: [&str; 5] = ["WatchesColumns", "Uniaxial", "Multiaxial", "Section", "PlateSection"];
+
+/// Names of types by which a struct holds a law or a section.
+const HOLDERS: [&str; 6] =
+    ["Slot", "SectionSlot", "Material", "SharedMultiaxial", "SharedSection", "SharedPlateSection"];
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|w| !w.is_empty())
+}
+
+/// A struct or an enum: its file, its name, the words of its body, and whether other files see it.
+struct Shape<'a> {
+    file: usize,
+    name: &'a str,
+    body: BTreeSet<&'a str>,
+    public: bool,
+}
+
+fn shapes(files: &[(PathBuf, String)]) -> Vec<Shape<'_>> {
+    let mut all = vec![];
+    for (file, (_, text)) in files.iter().enumerate() {
+        for (at, _) in ["struct ", "enum "].iter().flat_map(|kind| text.match_indices(kind)) {
+            let line = text[..at].rfind('\n').map_or(0, |i| i + 1);
+            let before = text[line..at].trim();
+            if !(before.is_empty() || before == "pub" || before.starts_with("pub(")) {
+                continue;
+            }
+            let rest = &text[at..];
+            let end = rest.find("\n}").into_iter().chain(rest.find(";\n")).min().unwrap_or(rest.len());
+            let body = rest[..end].lines().filter(|l| !l.trim_start().starts_with("//"));
+            let mut body: Vec<&str> = body.flat_map(words).skip(1).collect();
+            if !body.is_empty() {
+                let name = body.remove(0);
+                all.push(Shape { file, name, body: body.into_iter().collect(), public: !before.is_empty() });
+            }
+        }
+    }
+    all
+}
+
+/// The structs that hold a law or a section, directly or in another struct.
+fn holding<'a>(shapes: &'a [Shape<'a>]) -> BTreeSet<(usize, &'a str)> {
+    let mut holding: BTreeSet<(usize, &str)> = BTreeSet::new();
+    loop {
+        let before = holding.len();
+        for shape in shapes {
+            let in_file = |word: &str| shapes.iter().any(|s| s.file == shape.file && s.name == word);
+            let holds = |word: &str| {
+                if in_file(word) {
+                    return holding.contains(&(shape.file, word));
+                }
+                let seen = |s: &&Shape<'_>| s.public && s.name == word;
+                HOLDERS.contains(&word) || shapes.iter().filter(seen).any(|s| holding.contains(&(s.file, s.name)))
+            };
+            if shape.body.iter().any(|word| *word != shape.name && holds(word)) {
+                holding.insert((shape.file, shape.name));
+            }
+        }
+        if holding.len() == before {
+            return holding;
+        }
+    }
+}
+
+/// What holds a law or a section forwards every method that a law or a section has, and the columns that it watches.
+#[test]
+fn what_holds_a_law_forwards_every_method() {
+    const HELD: &str = "#[deny(clippy::missing_trait_methods)]";
+    let mut files = sources("crates/engine/src");
+    files.extend(sources("tests/support"));
+    let shapes = shapes(&files);
+    let holding = holding(&shapes);
+    let (mut found, mut wrong) = (0, vec![]);
+    for (file, (path, text)) in files.iter().enumerate() {
+        for (at, _) in text.match_indices("\nimpl") {
+            let line = text[at + 1..].lines().next().unwrap_or_default();
+            let Some((of, on)) = line.split_once(" for ") else { continue };
+            let of: Vec<&str> = words(of).collect();
+            let Some(name) = words(on).next() else { continue };
+            let is_law = of.iter().any(|w| WRAPPED_TRAITS[1..].contains(w));
+            if is_law && holding.contains(&(file, name)) {
+                found += 1;
+                if text[..at].lines().last() != Some(HELD) {
+                    wrong.push(format!("{}: {HELD} is missing at {line}", path.display()));
+                }
+            }
+        }
+        for (at, _) in text.match_indices("watches_columns!(") {
+            let call = text[at..].split(");").next().unwrap_or_default();
+            let Some((of, "nothing")) = call.rsplit_once(" => ") else { continue };
+            let of = of.rsplit_once("] ").map_or(of, |(_, name)| name).trim_start_matches("watches_columns!(");
+            let name = words(of).next().unwrap_or_default();
+            if holding.contains(&(file, name)) {
+                wrong.push(format!("{}: {name} holds a law that may watch a column", path.display()));
+            }
+        }
+    }
+    assert!(found >= 15, "only {found} found");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn traits_of_laws_have_no_defaults() {
+    let files = sources("crates/engine/src");
+    for name in WRAPPED_TRAITS {
+        let head = format!("pub trait {name}");
+        let traits = files.iter().flat_map(|(_, text)| text.split(&head).skip(1));
+        let bodies: Vec<&str> = traits.filter(|t| t.starts_with([':', '<', ' '])).collect();
+        assert_eq!(bodies.len(), 1, "{name}");
+        let body = bodies[0].split("\n}").next().unwrap();
+        assert!(!body.contains("    }\n"), "{name} has a method that a wrapper may forget");
+    }
+}
+
 /// Lines outside `opensees*.rs` and the commands that may decide by the flag `compat`.
 const MAX_DECISIONS: usize = 45;
 

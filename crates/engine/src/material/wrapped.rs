@@ -206,6 +206,7 @@ impl Uniaxial for InitialState {
         let mut new = self.clone();
         let old = match words {
             ["epsInit"] => std::mem::replace(&mut new.strain, value),
+            ["material", rest @ ..] => new.inner.set_parameter(rest, value)?,
             _ => new.inner.set_parameter(words, value)?,
         };
         Some((Arc::new(new), old))
