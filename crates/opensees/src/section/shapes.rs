@@ -37,7 +37,7 @@ fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<Tagged, Exception> {
 
 /// Middles of strips of equal depth from the top of a part of height `whole` about the origin down to `depth` below it.
 /// Order and round-off of fibers are those of OpenSees: both decide which fiber a recorder shows.
-fn strips(whole: f64, depth: f64, count: usize) -> impl DoubleEndedIterator<Item = f64> {
+fn strips(whole: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
     let strip = depth / count as f64;
     let first = 0.5 * (whole - strip);
     (0..count).map(move |i| first - strip * i as f64)
