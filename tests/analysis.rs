@@ -6,6 +6,8 @@
 mod algorithms;
 #[path = "analysis/amended.rs"]
 mod amended;
+#[path = "analysis/bounds.rs"]
+mod bounds;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]
@@ -18,6 +20,8 @@ mod dynamics;
 mod element_dynamics;
 #[path = "analysis/energy.rs"]
 mod energy;
+#[path = "analysis/imposed_rates.rs"]
+mod imposed_rates;
 #[path = "analysis/lockstep.rs"]
 mod lockstep;
 #[path = "analysis/materials.rs"]
