@@ -6,6 +6,8 @@
 mod algorithms;
 #[path = "analysis/amended.rs"]
 mod amended;
+#[path = "analysis/bounds.rs"]
+mod bounds;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]
@@ -20,6 +22,8 @@ mod element_dynamics;
 mod energy;
 #[path = "analysis/fiber_order.rs"]
 mod fiber_order;
+#[path = "analysis/imposed_rates.rs"]
+mod imposed_rates;
 #[path = "analysis/lockstep.rs"]
 mod lockstep;
 #[path = "analysis/materials.rs"]

@@ -1,7 +1,7 @@
 //! `hysteron bearing`: a test of a single bearing, as in a testing machine.
 
 use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
-use super::console::Terminal;
+use super::console::{NoOutput, Terminal};
 use super::files::NoFiles;
 use super::limits::LimitArgs;
 use super::loops::ReportArgs;
@@ -105,7 +105,7 @@ struct MotionArgs {
     /// Time for which ramps are held
     #[arg(long, default_value_t = 0.0)]
     hold: f64,
-    /// Impose velocities too: for devices that feel the rate of deformation
+    /// Impose velocities too, in a transient analysis (done by itself for devices whose forces depend on velocity)
     #[arg(long)]
     rates: bool,
 }
@@ -125,7 +125,7 @@ enum MotionKind {
 }
 
 impl BearingArgs {
-    fn protocol(&self) -> Protocol {
+    fn protocol(&self, depends_on_velocity: bool) -> Protocol {
         let thickness = self.report.thickness().unwrap_or(1.0);
         let strains = self.strains.iter().map(|s| s * thickness);
         Protocol {
@@ -143,12 +143,12 @@ impl BearingArgs {
             axial: self.axial_load.axial,
             axial_amplitude: self.axial_load.axial_amplitude,
             axial_ratio: self.axial_load.axial_ratio,
-            rates: self.details.rates,
+            rates: self.details.rates || depends_on_velocity,
         }
     }
 
-    /// Find the bearing: run its file alone, and inspect the model.
-    fn bearing(&self) -> Result<Bearing, TestError> {
+    /// Find the bearing: run its file alone, and inspect the model. True if its forces depend on velocity.
+    fn bearing(&self) -> Result<(Bearing, bool), TestError> {
         let settings = Settings { mode: Mode::Run, strict: self.script_args.strict, options: Options::default() };
         let files = OverlayFiles::new(Box::new(OsFiles));
         let mut run =
@@ -166,7 +166,8 @@ impl BearingArgs {
             let ndm = eval("getNDM").and_then(|n| n.parse().ok());
             return match (nodes.as_deref(), ndm) {
                 (Some(&[lower, upper]), Some(ndm @ 2..=3)) => {
-                    Ok(Bearing { file, call: None, nodes: [lower, upper], ndm })
+                    let depends = depends_on_velocity(&run);
+                    Ok((Bearing { file, call: None, nodes: [lower, upper], ndm }, depends))
                 }
                 _ => Err(TestError::Message(format!(
                     "element 1 of \"{file}\" does not join two nodes in plane or space"
@@ -184,7 +185,18 @@ impl BearingArgs {
             return Err(TestError::Message(format!("{problem}: {procedures} (see --device)")));
         }
         let call = format!("{name} 1 1 2 {words}").trim_end().to_owned();
-        Ok(Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3 })
+        let bearing = Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3 };
+        let depends = self.made_bearing_depends_on_velocity(&bearing);
+        Ok((bearing, depends))
+    }
+
+    /// Returns true if the forces of a bearing that a procedure makes depend on velocity. An error in it is left to the test.
+    fn made_bearing_depends_on_velocity(&self, bearing: &Bearing) -> bool {
+        let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+        let files = OverlayFiles::new(Box::new(OsFiles));
+        let mut run = Run::new(settings, Box::new(NoOutput), Box::new(files), Box::new(NoFiles));
+        eval_to_text(&mut run.interp, &bearing.definition());
+        depends_on_velocity(&run)
     }
 
     /// Folder of the results.
@@ -192,6 +204,11 @@ impl BearingArgs {
         let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         self.out.clone().unwrap_or_else(|| format!("{stem}_test"))
     }
+}
+
+/// Returns true if the forces of an element of a model depend on velocity.
+fn depends_on_velocity(run: &Run) -> bool {
+    run.interp.host.engine.model().elements.iter().any(|e| e.element.traits().viscous)
 }
 
 /// Result of a Tcl script as text.
@@ -222,7 +239,8 @@ pub(super) fn bearing(args: &BearingArgs) -> i32 {
 }
 
 fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
-    let (bearing, protocol) = (args.bearing()?, args.protocol());
+    let (bearing, depends_on_velocity) = args.bearing()?;
+    let protocol = args.protocol(depends_on_velocity);
     protocol.check(bearing.ndm)?;
     let folder = args.folder();
     let in_folder = |name: &str| format!("{folder}/{name}");

@@ -129,3 +129,28 @@ fn a_support_wins_over_a_constraint() {
     let u = ran.numbers();
     assert!(close(u[0], u[1], 1e-12) && u[2] == 0.0 && u[3] != 0.0);
 }
+
+/// `rigidDiaphragm` in the plane, with the displacements of openseespy 3.7.1: 1 and 2 make that displacement equal, 3 makes the
+/// nodes a rigid body.
+#[test]
+fn a_diaphragm_in_the_plane() {
+    for (direction, expected) in [
+        (1, [1.7845e-3, 7.5000e-7, -8.1724e-4, 1.7845e-3, 1.5603e-3, -6.6896e-4]),
+        (2, [4.0500e-3, 7.4959e-7, -1.9500e-3, 8.5583e-7, 7.4959e-7, -3.2107e-7]),
+        (3, [1.5750e-4, 1.5134e-6, 9.6907e-5, 6.0593e-5, 4.9967e-5, 9.6907e-5]),
+    ] {
+        let script = format!(
+            "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 4 0; node 3 0 3; node 4 0.5 4; fix 1 1 1 1; fix 2 1 1 1
+            geomTransf Linear 1; element elasticBeamColumn 1 1 3 0.1 2e8 1e-4 1
+            element elasticBeamColumn 2 2 4 0.1 2e8 4e-4 1
+            rigidDiaphragm {direction} 3 4
+            timeSeries Linear 1; pattern Plain 1 1 {{ load 3 10 5 2 }}
+            constraints Transformation; numberer RCM; system FullGeneral; algorithm Linear
+            integrator LoadControl 1; analysis Static; analyze 1; puts \"[nodeDisp 3] [nodeDisp 4]\""
+        );
+        for numbers in [run(&script).numbers(), Script::compat().run(&script).done().numbers()] {
+            let near = numbers.iter().zip(expected).all(|(a, b)| close(*a, b, 1e-4));
+            assert!(near, "{direction}: {numbers:?}, expected {expected:?}");
+        }
+    }
+}

@@ -473,3 +473,24 @@ fn time_rounds_as_in_opensees() {
         assert!(close(run(&text).numbers()[0], 11.98, 1e-12), "{integrator}");
     }
 }
+
+/// Rayleigh damping of single elements and nodes, with the displacements of openseespy 3.7.1: of an element its stiffness, of a
+/// node its mass.
+#[test]
+fn rayleigh_damping_of_elements_and_nodes() {
+    for (choice, expected) in
+        [("", [0.017011, 0.032597]), ("-ele 1", [0.018739, 0.035999]), ("-node 2", [0.018984, 0.036683])]
+    {
+        let script = format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; node 3 0; fix 1 1; mass 2 2.; mass 3 3.
+            uniaxialMaterial Elastic 1 100.
+            element zeroLength 1 1 2 -mat 1 -dir 1 -doRayleigh 1; element zeroLength 2 2 3 -mat 1 -dir 1 -doRayleigh 1
+            rayleigh 0.5 0.02 0 0 {choice}
+            timeSeries Constant 1; pattern Plain 1 1 {{ load 3 1. }}
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator Newmark 0.5 0.25; analysis Transient; analyze 20 0.05; puts \"[nodeDisp 2 1] [nodeDisp 3 1]\""
+        );
+        let numbers = run(&script).numbers();
+        assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{choice}: {numbers:?}");
+    }
+}

@@ -160,7 +160,7 @@ fn warned() {
         ("rayleigh -0.1 0 0 0", "by mass is negative"),
         ("integrator Newmark 0.25 0.5", "the wrong way round"),
         ("analyze 1", "there is no analysis"),
-        ("rigidDiaphragm 2 1 3", "rigidDiaphragm is ignored"),
+        ("rigidDiaphragm 2 1 3", "rigidDiaphragm: the x of the node differs by 4"),
         ("fix 3 1 1 1; mass 2 1 1 0; eigen -wrong 1", "\"-wrong\" is not an option and is ignored"),
         ("section Fiber 1 { fiber 0 0 0 1; fiber 0.1 0 1 1 }", "the fiber has no area"),
         ("section Fiber 1 { patch circ 1 8 2 0 0 2 1 360 0 }", "both turned round"),

@@ -80,6 +80,20 @@ pub struct Bearing {
     pub ndm: usize,
 }
 
+impl Bearing {
+    /// The commands that make it.
+    pub fn definition(&self) -> String {
+        let source = format!("source {}\n", word(&self.file));
+        match &self.call {
+            Some(call) => {
+                let model = "model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nnode 2 0.0 0.0 0.0\n";
+                format!("{model}{source}{call}\n")
+            }
+            None => source,
+        }
+    }
+}
+
 /// Tcl procedure: a straight path along x in n steps.
 const RAMP: &str = "proc ramp {to n} {\n    global xs\n    set from [lindex $xs end]\n    \
     for {set i 1} {$i <= $n} {incr i} { place [expr {$from + ($to - $from)*$i/double($n)}] 0.0 0.0 }\n}\n";
@@ -147,12 +161,8 @@ impl Protocol {
         let _ =
             writeln!(t, "# {} of the bearing of {}, made by hysteron.", sentence(self.motion.title()), bearing.file);
         let _ = writeln!(t, "# Units are those of the bearing; times in the unit of 1/frequency.\n");
-        if let Some(call) = &bearing.call {
-            t += "model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nnode 2 0.0 0.0 0.0\n";
-            let _ = writeln!(t, "source {}\n{call}\n", word(&bearing.file));
-        } else {
-            let _ = writeln!(t, "source {}\n", word(&bearing.file));
-        }
+        t += &bearing.definition();
+        t.push('\n');
         let plane = bearing.ndm == 2;
         let driven = self.imposed_directions(plane);
         let held = |d: usize| if driven.contains(&d) || d == bearing.ndm { "0" } else { "1" };
@@ -164,7 +174,7 @@ impl Protocol {
         let _ = writeln!(t, "constraints Transformation\nnumberer Plain\nsystem FullGeneral");
         let _ = writeln!(t, "test NormDispIncr {:.1e} 50\nalgorithm Newton\n", 1e-9 * self.largest());
         if self.axial != 0.0 {
-            self.write_axial_load(&mut t, bearing, ndf);
+            self.write_axial_load(&mut t, bearing, &driven, ndf);
         }
         self.write_path(&mut t);
         self.write_motion(&mut t, bearing, &driven, ndf);
@@ -198,14 +208,25 @@ impl Protocol {
         }
     }
 
-    /// Write the constant axial load.
-    fn write_axial_load(&self, t: &mut String, bearing: &Bearing, ndf: usize) {
+    /// Write the constant axial load. A device that only resists a velocity would be a mechanism under it: with rates, the
+    /// upper plate is held where it is.
+    fn write_axial_load(&self, t: &mut String, bearing: &Bearing, driven: &[usize], ndf: usize) {
+        let upper = bearing.nodes[1];
         let _ = writeln!(t, "# Axial load, which stays.");
         let _ = writeln!(t, "timeSeries Linear 901\npattern Plain 901 901 {{");
         let _ = writeln!(t, "    load {} {}\n}}", bearing.nodes[1], vertical_load(-self.axial, bearing.ndm, ndf));
+        if self.rates {
+            let held = |d: usize| if driven.contains(&d) { "1" } else { "0" };
+            let flags: Vec<&str> = (1..=ndf).map(held).collect();
+            let _ = writeln!(t, "fix {upper} {}", flags.join(" "));
+        }
         t.push_str("integrator LoadControl 0.1\nanalysis Static\n");
         t.push_str("if {[analyze 10] != 0} { error \"the bearing does not carry the axial load\" }\n");
-        t.push_str("loadConst -time 0.0\n\n");
+        t.push_str("loadConst -time 0.0\n");
+        for d in driven.iter().filter(|_| self.rates) {
+            let _ = writeln!(t, "remove sp {upper} {d}");
+        }
+        t.push('\n');
     }
 
     /// Write the path of the upper node as lists of coordinates, one for each step from the state at rest.

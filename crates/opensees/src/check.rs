@@ -2,6 +2,7 @@
 
 use crate::analysis::analyze::warn_of_missing;
 use crate::host::Mode;
+use crate::analysis::speeds::warn_of_speedless;
 use crate::output::{display, figure, print, query, recorder};
 use crate::{Outcome, Tcl, calls, commands, report};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
@@ -128,6 +129,16 @@ pub(crate) fn finish(interp: &mut Tcl) {
         && let Err(Exception::Error(e)) = warn_of_missing(interp)
     {
         report(interp, e.diagnostic);
+    }
+}
+
+/// End of a script: a check warns of laws that depend on a velocity which they never see.
+pub(crate) fn warn_of_speeds(interp: &mut Tcl) {
+    if interp.host.mode == Mode::Check
+        && !interp.host.check.rejected
+        && let Some(warning) = warn_of_speedless(&interp.host)
+    {
+        report(interp, warning);
     }
 }
 

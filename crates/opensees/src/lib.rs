@@ -35,6 +35,7 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value};
 
 pub use analysis::again::Again;
+pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use files::outputs::{FileFormat, Outputs};

@@ -143,6 +143,7 @@ impl Run {
             self.partial = self.interp.host.open_files();
         }
         crate::check::finish(&mut self.interp);
+        crate::check::warn_of_speeds(&mut self.interp);
         match (self.interp.host.finish(), end) {
             (Err(e), End::Done | End::Failed(_) | End::Ignored(_)) => {
                 End::Raised(Box::new(Diagnostic::error(e.to_string())))

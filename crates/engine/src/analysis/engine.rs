@@ -1,8 +1,10 @@
 //! A model, its state, and the steps that advance it.
 
+mod rates;
 mod stepping;
 
 use super::algorithm::Algorithm;
+use super::bounds::Excess;
 use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
@@ -115,6 +117,12 @@ pub struct Engine {
     committed: State,
     trial: State,
     pub(super) step_start: StepStart,
+    /// Degrees of freedom whose velocity a static analysis imposed: it ends with the motion.
+    pub(super) led: Vec<bool>,
+    /// Elements that depend on velocities, and whether they have had one.
+    speeds: rates::Speeds,
+    /// The first response beyond what means something that was let pass.
+    pub excess: Option<Excess>,
     setup: Option<Setup>,
     prepared: Option<(u64, PrepareOptions, Workspace)>,
     /// The parts of the analysis have not been prepared for the model yet.
@@ -146,6 +154,9 @@ impl Engine {
             committed: State::default(),
             trial: State::default(),
             step_start: StepStart::default(),
+            led: vec![],
+            speeds: rates::Speeds::default(),
+            excess: None,
             setup: None,
             prepared: None,
             fresh: true,
@@ -181,7 +192,8 @@ impl Engine {
         self.drop_prepared();
         let (steps, iterations, earlier_work) = (self.steps, self.iterations, self.earlier_work);
         let interrupt = self.interrupt.take();
-        *self = Self { imbalance, steps, iterations, earlier_work, interrupt, ..Self::new(options) };
+        let (speeds, excess) = (std::mem::take(&mut self.speeds), self.excess.take());
+        *self = Self { imbalance, steps, iterations, earlier_work, interrupt, speeds, excess, ..Self::new(options) };
     }
 
     /// Forget the analysis.
@@ -280,6 +292,8 @@ impl Engine {
     }
 
     fn rearrange<T>(&mut self, change: impl FnOnce(&mut Model) -> T) -> T {
+        self.stop_led(&[]);
+        self.led.clear();
         let before = self.model.clone();
         let result = change(&mut self.model);
         self.committed = self.committed.rearranged(&before, &self.model);
@@ -296,6 +310,12 @@ impl Engine {
     /// Change the committed state by hand: displacements, velocities.
     pub fn change_state(&mut self, change: impl FnOnce(&mut State, &Model)) {
         self.step_start.forget();
+        if !self.led.is_empty()
+            && let Ok(work) = self.prepare(self.handler())
+        {
+            let led = work.led.clone();
+            self.stop_led(&led);
+        }
         self.adopt(change);
     }
 
@@ -321,21 +341,13 @@ impl Engine {
     pub fn restore(&mut self, state: &State) {
         self.change_state(|s, _| s.clone_from(state));
         self.forget_work();
-    }
-
-    /// Forget what is remembered of earlier steps, so that the next one depends on the committed state alone.
-    pub fn forget_work(&mut self) {
-        self.step_start.forget();
-        self.setup.iter_mut().for_each(|s| s.algorithm.forget());
-        if let Some((_, _, work)) = &mut self.prepared {
-            work.forget();
-        }
-        self.fresh = true;
+        self.note_led();
     }
 
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
+        self.led.clear();
         self.step_start.forget();
         self.committed.grow(&self.model);
         self.trial.clone_from(&self.committed);
@@ -428,6 +440,8 @@ impl Engine {
         prepared.interrupt.clone_from(&self.interrupt);
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);
+        self.stop_led(&prepared.led);
+        self.speeds.prepare(&self.model);
         self.trial.clone_from(&self.committed);
         self.drop_prepared();
         self.prepared = Some((self.model.revision(), options, prepared));

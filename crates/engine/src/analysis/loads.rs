@@ -15,7 +15,9 @@ pub(super) struct ImposedDof {
     constant: bool,
     initial: f64,
     ground: Option<Ground>,
-    /// Displacement, velocity and acceleration of the ground at the last time.
+    /// Velocity and acceleration are imposed too.
+    rates: bool,
+    /// Displacement of the ground, and velocity and acceleration that are imposed, at the last time.
     motion: [f64; 3],
 }
 
@@ -28,13 +30,22 @@ struct NodalEntry {
 }
 
 impl ImposedDof {
-    /// Take the motion of the ground at a time; where its pattern is held, at the time when it was.
+    /// Take the motion of the ground at a time; where its pattern is held, at the time when it was. Others take velocity and
+    /// acceleration of their series.
     #[inline]
-    fn follow_ground(&mut self, model: &Model, time: f64) {
+    fn follow(&mut self, model: &Model, drives: &[Drive], time: f64) {
         if let Some(g) = &self.ground {
             let held = model.patterns.values().nth(self.pattern).and_then(|p| p.held);
             self.motion = g.motion.at(held.unwrap_or(time));
+        } else if self.rates && !self.constant {
+            let [vel, accel] = drives[self.pattern].derivatives(time);
+            (self.motion[1], self.motion[2]) = (self.value * vel, self.value * accel);
         }
+    }
+
+    /// Returns true if velocity and acceleration are those of the series of its pattern.
+    pub(super) fn follows_series(&self) -> bool {
+        self.rates && self.ground.is_none()
     }
 }
 
@@ -53,7 +64,11 @@ pub struct Loads {
     elements: Vec<(ElementId, usize, ElementLoad)>,
     /// Imposed displacements that are out of the equations.
     pub(super) imposed: Vec<ImposedDof>,
-    /// Some of them come with velocities.
+    /// Imposed displacements that constraints in the equations hold, where velocities are imposed with them.
+    pub(super) linked: Vec<ImposedDof>,
+    /// Some of the former come with velocities of the ground.
+    pub(super) ground_moves: bool,
+    /// Some imposed displacements come with velocities.
     pub(super) moves: bool,
     /// Forces on all degrees of freedom at the last time.
     pub(super) nodal: Vec<f64>,
@@ -71,6 +86,8 @@ impl Loads {
             inertia: vec![],
             elements: vec![],
             imposed: vec![],
+            linked: vec![],
+            ground_moves: false,
             moves: false,
             nodal: vec![0.0; model.dofs()],
             valid: false,
@@ -91,15 +108,21 @@ impl Loads {
                 loads.inertia.push(GroundInertia::new(model, i, e, compat));
             }
         }
-        loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i)).collect();
-        loads.moves = loads.imposed.iter().any(|i| i.ground.as_ref().is_some_and(|g| g.rates));
+        loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i, compat)).collect();
+        loads.ground_moves = loads.imposed.iter().any(|i| i.ground.is_some() && i.rates);
+        if !compat {
+            let links = map.links.iter().filter_map(|link| link.imposed);
+            loads.linked = links.filter_map(|i| loads.find(model, &i, compat)).collect();
+        }
+        loads.moves = loads.imposed.iter().chain(&loads.linked).any(|i| i.rates);
         loads
     }
 
-    fn find(&self, model: &Model, i: &Imposed) -> Option<ImposedDof> {
+    fn find(&self, model: &Model, i: &Imposed, compat: bool) -> Option<ImposedDof> {
         let m = &model.patterns.get(&i.pattern)?.motions[i.index];
         let pattern = self.tags.binary_search(&i.pattern).ok()?;
         let (ground, motion) = (m.ground.clone(), [0.0; 3]);
+        let rates = ground.as_ref().map_or(!compat, |g| g.rates);
         Some(ImposedDof {
             dof: i.dof,
             pattern,
@@ -107,6 +130,7 @@ impl Loads {
             constant: m.constant,
             initial: m.initial,
             ground,
+            rates,
             motion,
         })
     }
@@ -120,17 +144,31 @@ impl Loads {
         i.initial + i.value * if i.constant { 1.0 } else { self.factors[i.pattern] }
     }
 
-    /// Velocity and acceleration imposed at the last time, where they are.
-    pub(super) fn imposed_rates(i: &ImposedDof) -> Option<(f64, f64)> {
-        i.ground.as_ref().filter(|g| g.rates).map(|_| (i.motion[1], i.motion[2]))
+    /// Velocity and acceleration imposed at the last time, where they are. Displacements by a series have none where no
+    /// time passes.
+    pub(super) fn imposed_rates(i: &ImposedDof, elapses: bool) -> Option<[f64; 2]> {
+        let rests = i.ground.is_none() && !elapses;
+        i.rates.then(|| if rests { [0.0; 2] } else { [i.motion[1], i.motion[2]] })
     }
 
     /// Value of a constraint that the handler keeps in the equations.
     pub(super) fn link_value(&self, model: &Model, i: &Imposed, time: f64) -> f64 {
-        self.find(model, i).map_or(0.0, |mut i| {
-            i.follow_ground(model, time);
+        self.find(model, i, true).map_or(0.0, |mut i| {
+            i.follow(model, &self.drives, time);
             self.imposed_value(&i)
         })
+    }
+
+    /// Returns true if the series of a pattern moves nodes.
+    pub(super) fn is_driven(&self) -> bool {
+        let driven =
+            |i: &ImposedDof| i.follows_series() && !i.constant && !matches!(self.drives[i.pattern], Drive::Held(_));
+        self.imposed.iter().chain(&self.linked).any(driven)
+    }
+
+    /// The largest displacement that is imposed, without sign.
+    pub(super) fn largest_imposed(&self) -> f64 {
+        self.imposed.iter().chain(&self.linked).fold(0.0f64, |m, i| m.max(self.imposed_value(i).abs()))
     }
 
     /// Returns true if all loads are forces on nodes and displacements without rates.
@@ -208,7 +246,8 @@ impl Loads {
     #[inline]
     pub(super) fn apply(&mut self, model: &Model, time: f64, words: &mut [f64]) -> Result<bool, (String, String)> {
         let mut changed = !self.valid;
-        self.imposed.iter_mut().for_each(|i| i.follow_ground(model, time));
+        let drives = &self.drives;
+        self.imposed.iter_mut().chain(&mut self.linked).for_each(|i| i.follow(model, drives, time));
         for ((f, drive), loaded) in self.factors.iter_mut().zip(&self.drives).zip(&self.loaded) {
             let factor = drive.factor(time);
             changed |= *loaded && factor != *f;

@@ -1,6 +1,7 @@
 //! Analyses: the state of the motion, the integrators and algorithms that advance it, and what may go wrong.
 
 pub mod algorithm;
+mod bounds;
 mod convergence;
 mod energy;
 mod engine;
@@ -27,6 +28,7 @@ mod two_end_residual;
 mod work_counts;
 mod workspace;
 
+pub use bounds::Excess;
 pub use convergence::{Measure, Norm, Test, TestOutcome};
 pub use energy::{ClassEnergy, Energies, EnergyBalance};
 pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};

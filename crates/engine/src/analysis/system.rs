@@ -53,6 +53,13 @@ pub struct System<'a> {
     pub settled: bool,
 }
 
+/// Work out degrees of freedom that follow others.
+fn follow(followers: &[(usize, Vec<(usize, f64)>)], field: &mut [f64]) {
+    for (dof, terms) in followers {
+        field[*dof] = terms.iter().map(|&(from, c)| c * field[from]).sum();
+    }
+}
+
 impl<'a> System<'a> {
     /// The equations at a committed state, outside of a step.
     #[inline]
@@ -101,6 +108,7 @@ impl System<'_> {
         let applied = self.work.loads.apply(self.model, time, &mut self.new.element_load);
         self.moved |= applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
         self.impose();
+        self.impose_linked();
         Ok(())
     }
 
@@ -134,16 +142,16 @@ impl System<'_> {
         }
     }
 
-    /// Give the degrees of freedom that follow the ground its velocity and acceleration, and those that follow them.
+    /// Give the degrees of freedom whose motion is imposed its velocity and acceleration, and those that follow them.
     fn impose_rates(&mut self) {
+        let elapses = self.elapses;
         let work = &mut *self.work;
         for part in [0, 1] {
             let field = if part == 0 { &mut self.new.vel } else { &mut self.new.accel };
             for i in &work.loads.imposed {
-                if let Some((vel, accel)) = Loads::imposed_rates(i) {
-                    let value = if part == 0 { vel } else { accel };
-                    work.spread[i.dof] = value - field[i.dof];
-                    field[i.dof] = value;
+                if let Some(rates) = Loads::imposed_rates(i, elapses) {
+                    work.spread[i.dof] = rates[part] - field[i.dof];
+                    field[i.dof] = rates[part];
                 }
             }
             for d in work.plan.map.dependents.iter().filter(|d| !d.held) {
@@ -153,6 +161,35 @@ impl System<'_> {
             }
             work.clear_imposed();
         }
+    }
+
+    /// Move the imposed degrees of freedom that constraints in the equations hold, and those that follow them alone. In a
+    /// dynamic analysis the displacements are imposed too: a correction would become a velocity, and ring from step to step.
+    fn impose_linked(&mut self) {
+        let work = &*self.work;
+        if work.loads.linked.is_empty() {
+            return;
+        }
+        if self.dynamic {
+            self.moved = true;
+            for i in &work.loads.linked {
+                self.new.disp[i.dof] = work.loads.imposed_value(i);
+            }
+            follow(&work.followers, &mut self.new.disp);
+        }
+        self.impose_linked_rates();
+    }
+
+    /// Give them velocity and acceleration of their motion, which corrections do not change.
+    pub(super) fn impose_linked_rates(&mut self) {
+        let work = &*self.work;
+        for i in &work.loads.linked {
+            if let Some([vel, accel]) = Loads::imposed_rates(i, self.elapses) {
+                (self.new.vel[i.dof], self.new.accel[i.dof]) = (vel, accel);
+            }
+        }
+        follow(&work.followers, &mut self.new.vel);
+        follow(&work.followers, &mut self.new.accel);
     }
 
     /// Spread a correction of the equations to all degrees of freedom, into `work.spread`.

@@ -1,9 +1,11 @@
 //! Data of an analysis between two changes of the model: plan, factors, matrices of the elements, buffers.
 
 mod forces;
+mod led;
 mod steady;
 mod tangent;
 
+use super::bounds::Bounds;
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
@@ -123,6 +125,8 @@ pub(super) struct ElementMatrices {
     pub residual_needs_tangent: bool,
     /// The integrator multiplies the tangents with displacements of its own, so that all columns are read.
     pub multiplies: bool,
+    /// Some elements depend on the velocities of their nodes.
+    pub sees_velocity: bool,
 }
 
 /// The tangent of the equations.
@@ -202,6 +206,12 @@ pub struct Workspace {
     pub(super) interrupt: Option<Arc<AtomicBool>>,
     /// Lumped masses of the nodes: degree of freedom, mass, mass-proportional damping.
     nodal: Vec<(usize, f64, f64)>,
+    /// Degrees of freedom that constraints in the equations let follow imposed ones alone, with what they follow.
+    pub(super) followers: Vec<(usize, Vec<(usize, f64)>)>,
+    /// Degrees of freedom whose velocity is imposed; empty where there are none.
+    pub(super) led: Vec<bool>,
+    /// Limits of deformations and displacements that mean something.
+    pub(super) bounds: Bounds,
     /// Damping and inertia that never change, once they are needed and found.
     steady: Option<Box<SteadyMatrices>>,
     looked_for_steady: bool,
@@ -258,6 +268,7 @@ impl ElementMatrices {
                 matrices.mass.extend(m);
                 matrices.mass.len() - n * n
             });
+            matrices.sees_velocity |= traits.viscous || inertance.is_some();
             let opensees = e.element.opensees();
             let followed = if compat { opensees } else { OpenSeesTraits::default() };
             let [forces, reported] = [traits.rayleigh, traits.rayleigh || compat].map(|damped| {
@@ -355,11 +366,15 @@ impl Workspace {
             damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
             interrupt: None,
+            followers: vec![],
+            led: vec![],
+            bounds: Bounds::new(model),
             steady: None,
             looked_for_steady: false,
             plan,
             solver,
         };
+        workspace.find_led();
         workspace.fill_matrices(model);
         Ok(workspace)
     }

@@ -93,6 +93,11 @@ macro_rules! forward_to_inner {
             self.inner.softening(&history[..self.inner_len])
         }
     };
+    (@stretch) => {
+        fn stretch(&self, disp: &[f64]) -> Option<$crate::element::Stretch> {
+            self.inner.stretch(disp)
+        }
+    };
     (@euler_load) => {
         fn euler_load(&self) -> Option<f64> {
             self.inner.euler_load()

@@ -267,6 +267,21 @@ pub struct Softening {
     pub force_end: f64,
 }
 
+/// A deformation of a law, and the size that the law was made for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// Deformation, without sign.
+    pub deformation: f64,
+    /// The size.
+    pub size: f64,
+    /// The size in words.
+    pub what: &'static str,
+    /// Deformations over the size that are pointed out.
+    pub suspect: f64,
+    /// Deformations over the size at which an analysis ends.
+    pub refused: f64,
+}
+
 /// An axial load that a bearing does not carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overload {
@@ -380,6 +395,11 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
 
     /// The ends of a backbone that softens, and the committed deformation; `None` where it does not.
     fn softening(&self, _history: &[f64]) -> Option<Softening> {
+        None
+    }
+
+    /// The deformation of its law at displacements of its degrees of freedom, where the law was made for some size.
+    fn stretch(&self, _disp: &[f64]) -> Option<Stretch> {
         None
     }
 

@@ -1,6 +1,6 @@
 //! Motions of the ground at single supports.
 
-use crate::series::{Path, Series};
+use crate::series::{Derivative, Integral, Path, Series};
 use std::sync::Arc;
 
 /// Displacement, velocity and acceleration of a support in time.
@@ -18,17 +18,19 @@ pub enum GroundMotion {
 }
 
 impl GroundMotion {
-    /// From series of displacement, velocity and acceleration. A series that is missing follows with steps of `dt`: integrals
-    /// by the trapezoidal rule, derivatives (with `derive`) by differences. `None` where no series is
-    /// given.
-    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64, derive: bool) -> Option<Self> {
+    /// From series of displacement, velocity and acceleration; `None` where no series is given. A series that is missing
+    /// follows with steps of `dt`: integrals by the trapezoidal rule, derivatives by differences. Those of a series without an
+    /// end are exact. With `compat` there are no derivatives, and integrals are OpenSees': from zero before the first value to
+    /// the last one.
+    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64, compat: bool) -> Option<Self> {
         let [mut disp, mut vel, mut accel] = series;
         if disp.is_none() && vel.is_none() && accel.is_none() {
             return None;
         }
-        vel = vel.or_else(|| accel.as_ref().map(|a| integral(a, dt)));
-        disp = disp.or_else(|| vel.as_ref().map(|v| integral(v, dt)));
-        if derive {
+        let integral = |series: &Series| if compat { integral_of_opensees(series, dt) } else { integral(series, dt) };
+        vel = vel.or_else(|| accel.as_ref().map(integral));
+        disp = disp.or_else(|| vel.as_ref().map(integral));
+        if !compat {
             vel = vel.or_else(|| disp.as_ref().map(|d| derivative(d, dt)));
             accel = accel.or_else(|| vel.as_ref().map(|v| derivative(v, dt)));
         }
@@ -58,6 +60,16 @@ impl GroundMotion {
     }
 }
 
+/// Acceleration of a motion that is given by its velocity, or else by its displacement. Derivatives of a formula are exact;
+/// those of a series of points are differences over its steps.
+pub fn acceleration_of(velocity: Option<&Series>, displacement: Option<&Series>) -> Option<Series> {
+    let rate = |series: &Series| match series.step() {
+        Some(dt) => derivative(series, dt),
+        None => Arc::new(Derivative::new(series.clone())),
+    };
+    velocity.map(rate).or_else(|| displacement.map(|series| rate(&rate(series))))
+}
+
 /// Values of a series at steps of `dt`.
 fn samples(series: &Series, dt: f64) -> Vec<f64> {
     /// Points of a series without an end, of which there must be some number.
@@ -67,14 +79,14 @@ fn samples(series: &Series, dt: f64) -> Vec<f64> {
     (0..n).map(|i| series.factor(start + dt * i as f64)).collect()
 }
 
-fn path(values: Vec<f64>, like: &Series, dt: f64) -> Series {
-    Arc::new(Path { values, dt, factor: 1.0, use_last: true, start: like.start() })
+fn path(values: Vec<f64>, like: &Series, dt: f64) -> Path {
+    Path { values, dt, factor: 1.0, use_last: true, start: like.start() }
 }
 
-/// Integral by the trapezoidal rule, from zero on.
-fn integral(series: &Series, dt: f64) -> Series {
-    let (mut sum, mut last) = (0.0, 0.0);
+/// Sums of the trapezoidal rule over the steps of `dt`, from a value one step before the first.
+fn sums(series: &Series, dt: f64, before: impl Fn(f64) -> f64) -> Path {
     let mut values = samples(series, dt);
+    let (mut sum, mut last) = (0.0, before(values[0]));
     for x in &mut values {
         sum += 0.5 * dt * (last + *x);
         last = *x;
@@ -83,14 +95,36 @@ fn integral(series: &Series, dt: f64) -> Series {
     path(values, series, dt)
 }
 
+/// Integral by the trapezoidal rule, zero at the start of the series: the values before it cancel the first one. It goes on where the series goes on with its last value.
+fn integral(series: &Series, dt: f64) -> Series {
+    series.integral().unwrap_or_else(|| {
+        let sums = sums(series, dt, |first| -first);
+        let [value, slope] = series.after_end();
+        if value == 0.0 && slope == 0.0 {
+            return Arc::new(sums);
+        }
+        let end = sums.start + sums.dt * (sums.values.len() as f64 - 1.0);
+        Arc::new(Integral { after: [series.factor(end), slope], sums })
+    })
+}
+
+/// OpenSees' integral: the series is zero one step before its first value, and the integral of a series without an end is zero.
+fn integral_of_opensees(series: &Series, dt: f64) -> Series {
+    let use_last = series.end().is_some();
+    Arc::new(Path { use_last, ..sums(series, dt, |_| 0.0) })
+}
+
 /// Derivative by central differences. The one whose trapezoidal integral gives the series back would alternate for ever
 /// about a motion that starts with a velocity.
 fn derivative(series: &Series, dt: f64) -> Series {
+    if series.end().is_none() {
+        return Arc::new(Derivative::new(series.clone()));
+    }
     let x = samples(series, dt);
     let last = x.len() - 1;
     let slope = |i: usize| {
         let (a, b) = (i.saturating_sub(1), (i + 1).min(last));
         (x[b] - x[a]) / (dt * (b - a).max(1) as f64)
     };
-    path((0..=last).map(slope).collect(), series, dt)
+    Arc::new(path((0..=last).map(slope).collect(), series, dt))
 }

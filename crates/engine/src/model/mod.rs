@@ -11,7 +11,7 @@ mod pattern;
 pub use constraint::{Fix, MultiPoint};
 pub use damping::Rayleigh;
 pub use definitions::{Definitions, Integration, Registry};
-pub use ground_motion::GroundMotion;
+pub use ground_motion::{GroundMotion, acceleration_of};
 pub use modal_damping::ModalDamping;
 pub use node::Node;
 pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};

@@ -95,6 +95,22 @@ impl Drive {
         }
     }
 
+    /// First and second derivative of the load factor at a time.
+    #[inline]
+    pub fn derivatives(&self, time: f64) -> [f64; 2] {
+        match self {
+            Self::Held(_) => [0.0; 2],
+            Self::Series(series, factor) => series.derivatives(time).map(|rate| factor * rate),
+            Self::Ground(accel) => {
+                if time < 0.0 {
+                    [0.0; 2]
+                } else {
+                    accel.derivatives(time)
+                }
+            }
+        }
+    }
+
     /// The load factor at a time.
     #[inline]
     pub fn factor(&self, time: f64) -> f64 {

@@ -1,7 +1,8 @@
 //! Series with a formula.
 
-use super::TimeSeries;
+use super::{Series, TimeSeries};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A constant.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,12 @@ pub struct Constant {
 impl TimeSeries for Constant {
     fn factor(&self, _: f64) -> f64 {
         self.factor
+    }
+    fn derivatives(&self, _: f64) -> [f64; 2] {
+        [0.0; 2]
+    }
+    fn integral(&self) -> Option<Series> {
+        Some(Arc::new(Linear { factor: self.factor }))
     }
 }
 
@@ -26,6 +33,36 @@ pub struct Linear {
 impl TimeSeries for Linear {
     fn factor(&self, time: f64) -> f64 {
         self.factor * time
+    }
+    fn derivatives(&self, _: f64) -> [f64; 2] {
+        [self.factor, 0.0]
+    }
+    fn integral(&self) -> Option<Series> {
+        Some(Arc::new(Power { factor: 0.5 * self.factor, exponent: 2 }))
+    }
+}
+
+/// Proportional to a power of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Power {
+    /// Value at time 1.
+    pub factor: f64,
+    /// Exponent, at least 2.
+    pub exponent: i32,
+}
+
+impl TimeSeries for Power {
+    fn factor(&self, time: f64) -> f64 {
+        self.factor * time.powi(self.exponent)
+    }
+    fn derivatives(&self, time: f64) -> [f64; 2] {
+        let n = f64::from(self.exponent);
+        let first = self.factor * n * time.powi(self.exponent - 1);
+        [first, self.factor * n * (n - 1.0) * time.powi(self.exponent - 2)]
+    }
+    fn integral(&self) -> Option<Series> {
+        let exponent = self.exponent + 1;
+        Some(Arc::new(Self { factor: self.factor / f64::from(exponent), exponent }))
     }
 }
 
@@ -81,6 +118,15 @@ impl TimeSeries for Trig {
         }
         w.factor * (TAU * (time - w.start) / w.period + self.phi).sin() + w.zero_shift
     }
+    fn derivatives(&self, time: f64) -> [f64; 2] {
+        let w = &self.wave;
+        if !w.covers(time) {
+            return [0.0; 2];
+        }
+        let omega = TAU / w.period;
+        let (sin, cos) = (TAU * (time - w.start) / w.period + self.phi).sin_cos();
+        [w.factor * omega * cos, -w.factor * omega * omega * sin]
+    }
     fn end(&self) -> Option<f64> {
         Some(self.wave.end)
     }
@@ -90,15 +136,23 @@ impl TimeSeries for Trig {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle(pub Wave);
 
+impl Triangle {
+    /// Slope of its rising pieces, and the fraction of the period that has passed.
+    fn slope_and_phase(&self, time: f64) -> (f64, f64) {
+        let w = &self.0;
+        let slope = w.factor / (0.25 * w.period);
+        let phi = w.shift - w.zero_shift / slope;
+        (slope, w.phase(time + phi))
+    }
+}
+
 impl TimeSeries for Triangle {
     fn factor(&self, time: f64) -> f64 {
         let w = &self.0;
         if !w.covers(time) {
             return 0.0;
         }
-        let slope = w.factor / (0.25 * w.period);
-        let phi = w.shift - w.zero_shift / slope;
-        let k = w.phase(time + phi);
+        let (slope, k) = self.slope_and_phase(time);
         let wave = if k < 0.25 {
             slope * k * w.period
         } else if k < 0.75 {
@@ -107,6 +161,14 @@ impl TimeSeries for Triangle {
             -w.factor + slope * (k - 0.75) * w.period
         };
         wave + w.zero_shift
+    }
+    fn derivatives(&self, time: f64) -> [f64; 2] {
+        if !self.0.covers(time) {
+            return [0.0; 2];
+        }
+        let (slope, k) = self.slope_and_phase(time);
+        let falls = (0.25..0.75).contains(&k);
+        [if falls { -slope } else { slope }, 0.0]
     }
     fn end(&self) -> Option<f64> {
         Some(self.0.end)
@@ -127,6 +189,9 @@ pub struct Rectangular {
 impl TimeSeries for Rectangular {
     fn factor(&self, time: f64) -> f64 {
         if time >= self.start && time <= self.end { self.factor } else { 0.0 }
+    }
+    fn derivatives(&self, _: f64) -> [f64; 2] {
+        [0.0; 2]
     }
     fn end(&self) -> Option<f64> {
         Some(self.end)
@@ -149,6 +214,9 @@ impl TimeSeries for Pulse {
             return 0.0;
         }
         if w.phase(time + w.shift) < self.width { w.factor + w.zero_shift } else { w.zero_shift }
+    }
+    fn derivatives(&self, _: f64) -> [f64; 2] {
+        [0.0; 2]
     }
     fn end(&self) -> Option<f64> {
         Some(self.wave.end)

@@ -7,6 +7,7 @@ use super::script_simulator::{EndedRun, RunMode, ScriptSimulator};
 use super::simulator::SimulationError;
 use hysteron_opensees::lockstep::Course;
 use hysteron_opensees::run::End;
+use hysteron_opensees::warn_of_speedless;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span, nearest};
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -109,7 +110,8 @@ impl ScriptSimulator {
                 let span = span.filter(|s| *interp.sources.name(s.source) == *study.model);
                 *value_span = span.map(|s| (s.start as usize, s.end as usize)).or(*value_span);
             }
-            for w in &interp.warnings {
+            let speedless = warn_of_speedless(&interp.host);
+            for w in interp.warnings.iter().chain(&speedless) {
                 let w = *with_sources_moved(&interp.sources, sources, w.clone(), &spec.name);
                 if !initial.warnings.iter().any(|o| o.message == w.message) {
                     initial.warnings.push(w);

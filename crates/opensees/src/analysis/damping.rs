@@ -17,7 +17,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("setElementRayleighFactors", FACTORS, element_factors),
 ];
 
-const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc";
+const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc <-ele $tag ...> <-node $tag ...>";
 const REGION: &str = "region $tag <-ele $tag ...> <-eleOnly $tag ...> <-eleRange $first $last> <-eleOnlyRange ...> \
                       <-node $tag ...> <-nodeOnly ...> <-nodeRange $first $last> <-nodeOnlyRange ...> \
                       <-rayleigh $alphaM $betaK $betaK0 $betaKc> <-damp $damping>";
@@ -39,22 +39,59 @@ fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
     Ok(r)
 }
 
-/// Nodes and elements that are there now: those that come later have no damping, as in OpenSees.
+/// Nodes and elements that are there now: those that come later have no damping, as in OpenSees. With `-ele` or `-node` the
+/// damping is given to these alone; all others keep theirs.
 fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RAYLEIGH);
-    set_rayleigh(interp, &mut a)?;
+    let r = factors(interp, &mut a)?;
+    if !a.at_option() {
+        damp_model(interp, r);
+        finish(interp, &a)?;
+        return Ok(Value::EMPTY);
+    }
+    let (mut elements, mut nodes): (Vec<ElementId>, Vec<NodeId>) = (vec![], vec![]);
+    while a.at_option() {
+        a.option();
+        let option = a.last_word().into_owned();
+        let tags = match option.as_str() {
+            "-ele" | "-element" | "-node" => a.placed_ints(),
+            _ => return Err(a.unknown_name("choice of what is damped", ["-ele", "-node"])),
+        };
+        if tags.is_empty() {
+            return Err(a.refuse(format!("there are no tags after {option}"), "expected at least one"));
+        }
+        let model = interp.host.engine.model();
+        for (tag, span) in tags {
+            let found = if option == "-node" {
+                model.node(tag).map(|id| nodes.push(id))
+            } else {
+                model.element(tag).map(|id| elements.push(id))
+            };
+            let what = if option == "-node" { "node" } else { "element" };
+            found
+                .ok_or_else(|| a.refuse_at(span, format!("there is no {what} {tag}"), "expected a tag of the model"))?;
+        }
+    }
     finish(interp, &a)?;
+    interp.host.engine.change_model(|m| {
+        elements.iter().for_each(|e| m.elements[e.0].rayleigh = r);
+        nodes.iter().for_each(|n| m.nodes[n.0].alpha_m = r.alpha_m);
+    });
     Ok(Value::EMPTY)
 }
 
 /// Take the four factors and give them to the whole model.
 pub(crate) fn set_rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
     let r = factors(interp, a)?;
+    damp_model(interp, r);
+    Ok(())
+}
+
+fn damp_model(interp: &mut Tcl, r: Rayleigh) {
     interp.host.engine.change_model(|m| {
         m.elements.iter_mut().for_each(|e| e.rayleigh = r);
         m.nodes.iter_mut().for_each(|n| n.alpha_m = r.alpha_m);
     });
-    Ok(())
 }
 
 fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

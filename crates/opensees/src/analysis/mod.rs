@@ -14,3 +14,4 @@ pub(crate) mod response_spectrum;
 pub(crate) mod single_degree;
 pub(crate) mod softening;
 pub(crate) mod solution;
+pub(crate) mod speeds;

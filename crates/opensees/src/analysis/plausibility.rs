@@ -22,6 +22,9 @@ const STABILITY_MARGIN: f64 = 1.001;
 /// Work beyond this that a step of the model may take for its highest frequency.
 const MAX_EQUATIONS: usize = 200_000;
 
+/// Key of the warning of a response beyond what the model can mean.
+const EXCESS: &str = "excess";
+
 /// Patterns and steps that have been looked at.
 #[derive(Debug, Default)]
 pub(crate) struct Looked {
@@ -61,6 +64,7 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
     if interp.host.mode == Mode::Check {
         return Ok(());
     }
+    excess(interp, span)?;
     loose_constraint(interp, span)?;
     buckled_beam(interp, span)?;
     match interp.host.output.recorders.isolator_damping.warning(span) {
@@ -71,7 +75,8 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 
 /// Returns true if [`after`] has nothing to look at more closely.
 pub(super) fn is_plausible(session: &mut Session) -> bool {
-    session.engine.loose_constraint(MAX_LOOSENESS).is_none()
+    (session.engine.excess.is_none() || is_reported(session, EXCESS))
+        && session.engine.loose_constraint(MAX_LOOSENESS).is_none()
         && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())
         && !session.output.recorders.isolator_damping.is_suspect()
 }
@@ -188,6 +193,16 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
         KEY,
         d.help(format!("the highest frequency of the model is {:.4e} rad per unit of time", lambda.sqrt())),
     )
+}
+
+/// A response beyond what the model can mean, which has not ended the analysis.
+fn excess(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let Some(excess) = interp.host.engine.excess.as_ref().filter(|_| !is_reported(&interp.host, EXCESS)) else {
+        return Ok(());
+    };
+    let message = format!("{} at time {}: {}", excess.element, excess.time, excess.message);
+    let d = Diagnostic::warning(message).at(span, "the results from there on mean little");
+    warn_once(interp, EXCESS, d.help("units, stiffness, and the scale of the excitation are the usual reasons"))
 }
 
 /// A penalty that does not hold its constraint.

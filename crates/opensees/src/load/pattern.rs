@@ -4,9 +4,12 @@ use super::ground_motion;
 use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::{need_model, node_of};
+use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::element::ElementLoad;
-use hysteron_engine::model::{ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag};
+use hysteron_engine::model::{
+    ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag, acceleration_of,
+};
 use hysteron_engine::series::Constant;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -36,7 +39,7 @@ const KINDS: &[Kind] = &[
     Kind { names: &["Plain", "LoadPattern"], usage: PLAIN, make: plain },
     Kind {
         names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
-        usage: "pattern UniformExcitation $tag $direction -accel $series <-vel0 $v> <-fact $factor>",
+        usage: "pattern UniformExcitation $tag $direction -accel $series | -vel $series | -disp $series <-vel0 $v> <-fact $factor>",
         make: uniform,
     },
     Kind {
@@ -100,24 +103,27 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     let direction = a.dof("direction", limit)?;
     let mut excitation =
         Excitation { direction, accel: Arc::new(Constant { factor: 0.0 }), influence: 1.0, initial_velocity: 0.0 };
-    let mut given = false;
+    let mut motion = [None, None, None];
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-accel" | "-acceleration" => {
-                excitation.accel = series_of(interp, &mut a)?;
-                given = true;
-            }
+            "-accel" | "-acceleration" => motion[0] = Some(series_of(interp, &mut a)?),
+            "-vel" | "-velocity" => motion[1] = Some(series_of(interp, &mut a)?),
+            "-disp" | "-displacement" => motion[2] = Some(series_of(interp, &mut a)?),
             "-vel0" | "-initialVel" => excitation.initial_velocity = a.float("initial velocity")?,
             "-fact" | "-factor" => excitation.influence = a.float("factor")?,
-            "-disp" | "-vel" => {
-                let message = format!("a uniform excitation by {option} is not supported: give the acceleration");
-                return Err(a.refuse(message, "expected -accel"));
-            }
-            _ => ignore_option(interp, &mut a, &["-accel", "-vel0", "-fact"])?,
+            _ => ignore_option(interp, &mut a, &["-accel", "-vel", "-disp", "-vel0", "-fact"])?,
         }
     }
-    if !given {
-        return Err(a.refuse("the uniform excitation has no acceleration", "expected -accel and a time series"));
+    let [accel, vel, disp] = motion;
+    let follows = accel.is_none() && interp.host.follows(&[slips::UNIFORM_RATES]);
+    let given = accel.or_else(|| acceleration_of(vel.as_ref(), disp.as_ref()));
+    let Some(accel) = given else {
+        return Err(
+            a.refuse("the uniform excitation has no motion", "expected -accel, -vel or -disp and a time series")
+        );
+    };
+    if !follows {
+        excitation.accel = accel;
     }
     let start = excitation.initial_velocity;
     let pattern = Pattern::new(PatternKind::Uniform(excitation));

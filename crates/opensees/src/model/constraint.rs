@@ -23,7 +23,8 @@ const FIX_LEVEL: &str = "fixX $coordinate $flag1 <$flag2 ...> <-tol $tolerance>"
 const EQUAL: &str = "equalDOF $retained $constrained $dof1 <$dof2 ...>";
 const EQUAL_MIXED: &str =
     "equalDOF_Mixed $retained $constrained $count $retainedDof1 $constrainedDof1 <$retainedDof2 $constrainedDof2 ...>";
-const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...>";
+const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...> (in a plane model the direction that \
+                         is made equal, or 3 for a rigid body)";
 const LINK: &str = "rigidLink beam|bar $retained $constrained";
 
 fn flags(a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {
@@ -143,16 +144,21 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ndm = interp.host.builder.ndm;
     let normal = a.dof("direction perpendicular to the diaphragm", 3)?;
     let retained = node_of(interp, &mut a, "tag of the retained node")?;
-    if ndm != 3 || interp.host.engine.model().nodes[retained.0].ndf != 6 {
-        let message = "rigidDiaphragm is ignored: it needs a model with 3 dimensions and 6 degrees of freedom a node";
-        warn(interp, Diagnostic::warning(message).at(call.span(0), "nothing is joined in this model"))?;
+    if a.left() == 0 {
+        node_of(interp, &mut a, "tag of a constrained node")?;
+    }
+    let ndf = interp.host.engine.model().nodes[retained.0].ndf;
+    if ndm == 2 {
+        return plane_diaphragm(interp, &mut a, normal, retained);
+    }
+    if ndm != 3 || ndf != 6 {
+        let message = format!("rigidDiaphragm is ignored: the node has {ndf} degrees of freedom in {ndm} dimensions");
+        let d = Diagnostic::warning(message).at(call.span(0), "nothing is joined in this model");
+        warn(interp, d.help("it needs 3 dimensions and 6 degrees of freedom a node, or a model in the plane"))?;
         return Ok(Value::EMPTY);
     }
     // The two directions in the plane, and the rotation about its normal.
     let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];
-    if a.left() == 0 {
-        node_of(interp, &mut a, "tag of a constrained node")?;
-    }
     while a.left() > 0 {
         let node = node_of(interp, &mut a, "tag of a constrained node")?;
         let nodes = &interp.host.engine.model().nodes;
@@ -171,6 +177,40 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let matrix = vec![1.0, 0.0, -arm[q], 0.0, 1.0, arm[p], 0.0, 0.0, 1.0];
         let dofs = vec![p, q, 3 + normal];
         add(interp, retained, node, (dofs.clone(), dofs), matrix);
+    }
+    Ok(Value::EMPTY)
+}
+
+/// `rigidDiaphragm` in a plane model: the direction itself is made equal; 3 makes the nodes one rigid body in the plane.
+fn plane_diaphragm(interp: &mut Tcl, a: &mut Args<'_>, direction: usize, retained: NodeId) -> Outcome {
+    let needed = if direction == 2 { 3 } else { direction + 1 };
+    while a.left() > 0 {
+        let node = node_of(interp, a, "tag of a constrained node")?;
+        if node == retained {
+            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
+        }
+        let nodes = &interp.host.engine.model().nodes;
+        if nodes[node.0].ndf.min(nodes[retained.0].ndf) < needed {
+            let message =
+                format!("rigidDiaphragm {}: a node has fewer than {needed} degrees of freedom", direction + 1);
+            return Err(a.refuse(message, "expected nodes that have them"));
+        }
+        let arm = nodes[node.0].place() - nodes[retained.0].place();
+        if direction == 2 {
+            let matrix = vec![1.0, 0.0, -arm.y, 0.0, 1.0, arm.x, 0.0, 0.0, 1.0];
+            add(interp, retained, node, (vec![0, 1, 2], vec![0, 1, 2]), matrix);
+            continue;
+        }
+        let apart = arm[1 - direction];
+        if apart.abs() > 1e-9 * arm.norm().max(1.0) {
+            let axis = ["y", "x"][direction];
+            let message =
+                format!("rigidDiaphragm: the {axis} of the node differs by {apart} from that of the retained one");
+            let d =
+                Diagnostic::warning(message).at(a.last_span(), "moves as far as it, without the turn of a rigid body");
+            warn(interp, d)?;
+        }
+        add(interp, retained, node, (vec![direction], vec![direction]), vec![1.0]);
     }
     Ok(Value::EMPTY)
 }

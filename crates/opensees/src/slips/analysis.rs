@@ -149,6 +149,26 @@ slips! {
     "Velocity and acceleration that are not given are zero.",
     "They are derivatives, by central differences.",
     "Damping proportional to the stiffness would resist the ground.";
+
+    GROUND_MOTION_INTEGRAL, Command, Test("tests/analysis/imposed_rates.rs", "integrals_of_opensees"),
+    "`groundMotion Plain` with `-accel` without `-vel`, or `-vel` without `-disp`",
+    "The trapezoidal rule begins at zero one step before the first value. The integral of a series without an end (`Constant`, `Linear`) is \
+     zero.",
+    "The integral is zero at the first value. That of a series without an end has no end either.",
+    "A support pushed at a constant velocity would stand still.";
+
+    UNIFORM_RATES, Command, Test("tests/analysis/imposed_rates.rs", "a_uniform_excitation_by_velocity"),
+    "`pattern UniformExcitation` with `-vel` or `-disp` without `-accel`",
+    "The ground rests.",
+    "The acceleration is the derivative: exact for a formula, by central differences for points.",
+    "The motion that is given would be left out.";
+
+    IMPOSED_RATES, Analysis, Test("tests/analysis/imposed_rates.rs", "an_sp_node_has_the_velocity_of_its_series"),
+    "`sp` in a load pattern: velocity and acceleration of the node",
+    "They are zero under `constraints Plain` and `Transformation`. Under `Penalty` and `Lagrange` the integrator makes them of the \
+     displacements, and the velocity of a motion that starts with one alternates between zero and twice its value.",
+    "They are the derivatives of the series under every handler. In a static analysis whose load factor is the time, so is the velocity.",
+    "Friction, dashpots and lead cores that depend on velocity would see none.";
 }
 
 /// Other differences.
@@ -201,7 +221,7 @@ pub(super) const OTHERS: &[Slip] = &[
     differs(
         "`groundMotion -accel` or `-vel` with a series of `-useLast`",
         "openseespy 3.7.1 has no integral. Integrals end at zero with the series.",
-        "They stay at the last value, as in later versions.",
+        "They go on with the last value of the series; under the switch they stay at their last value, as in later versions.",
     ),
     differs("`CentralDifferenceNoDamping`", "It reports no accelerations.", "It reports accelerations."),
     differs(

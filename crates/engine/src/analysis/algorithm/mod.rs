@@ -48,6 +48,7 @@ impl Iteration<'_, '_> {
         self.system.work.progress = (self.test.iteration + 1, self.test.max_iterations.max(1));
         let mut x = std::mem::take(&mut self.system.work.x);
         let result = self.integrator.update(self.system, &mut x);
+        self.system.impose_linked_rates();
         self.system.work.x = x;
         result
     }

@@ -9,7 +9,7 @@ use crate::analysis::opensees::Stage;
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::model::Model;
-use crate::numeric::{all_zero, largest};
+use crate::numeric::largest;
 use crate::solve::Use;
 
 impl Engine {
@@ -120,6 +120,9 @@ impl Engine {
         system.form_unbalance(true)?;
         system.form_tangent(TangentMix::CURRENT, Use::Often)?;
         system.work.loads.invalidate();
+        let (transient, elapses) = (system.dynamic, system.elapses);
+        let work = &*system.work;
+        self.speeds.note(&self.model, |i| work.may_move(&self.model, i, transient, elapses));
         let n = steps as f64;
         let old = &mut self.committed;
         old.time += n * if setup.kind == Kind::Static { self.trial.time - old.time } else { dt };
@@ -170,7 +173,7 @@ impl Engine {
         let (Some(setup), Some((_, _, work))) = (&mut self.setup, &mut self.prepared) else {
             unreachable!("prepared above")
         };
-        let still = setup.kind == Kind::Static && !work.loads.moves && all_zero(&self.committed.vel);
+        let still = setup.kind == Kind::Static && work.stands_still(&self.committed.vel);
         let mut system = System {
             dynamic: setup.kind == Kind::Transient,
             elapses: setup.integrator.elapses(),
@@ -181,6 +184,16 @@ impl Engine {
         setup.test.tightened = self.options.refine > 1;
         system.work.elements.keep_start();
         let result = advance(&mut system, setup, self.fresh, length);
+        let result = result.and_then(|iterations| {
+            let Some(excess) = system.work.excess(&self.model, system.new, system.dynamic) else {
+                return Ok(iterations);
+            };
+            if excess.is_refused && !self.options.compat {
+                return Err(excess.failure(system.new.time));
+            }
+            self.excess.get_or_insert(excess);
+            Ok(iterations)
+        });
         match result {
             Ok(iterations) => {
                 self.fresh = false;
@@ -188,10 +201,16 @@ impl Engine {
                 if setup.integrator.balances() {
                     note_imbalance(&system, &mut self.imbalance);
                 }
-                let still = system.still;
+                let keeps_rates = system.still && !system.work.loads.moves;
                 let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
                 self.step_start.keep(&mut self.committed, duration);
-                self.committed.commit(&self.trial, &self.model, still);
+                self.committed.commit(&self.trial, &self.model, keeps_rates);
+                match setup.kind {
+                    Kind::Static if work.loads.moves && self.led.is_empty() => self.led.clone_from(&work.led),
+                    Kind::Static => {}
+                    Kind::Transient => self.led.clear(),
+                }
+                self.speeds.note_step(&self.model, &self.committed);
                 work.renew_tangents(&self.model, &self.committed);
                 Ok(())
             }

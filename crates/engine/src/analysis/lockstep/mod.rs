@@ -116,6 +116,8 @@ struct Models {
     trial: Motion,
     work: Work,
     flags: Course,
+    /// Displacements beyond it may be more than a law bears, which an analysis by itself finds out.
+    safe_displacement: f64,
     /// Stops all of them.
     interrupt: Option<Arc<AtomicBool>>,
     failed: Flags,

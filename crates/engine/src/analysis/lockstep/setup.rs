@@ -2,6 +2,7 @@
 
 use super::{Course, Entry, ImposedTerm, LoadTerm, Models, Motion, Work};
 use crate::analysis::algorithm::Newton;
+use crate::analysis::bounds::Bounds;
 use crate::analysis::convergence::{Measure, Norm, Test};
 use crate::analysis::engine::{Engine, Kind};
 use crate::analysis::loads::Loads;
@@ -9,7 +10,6 @@ use crate::analysis::state::State;
 use crate::assembly::{Handler, Plan, Storage};
 use crate::element::{Element, MatrixMask, Rows};
 use crate::model::{Drive, Model};
-use crate::numeric::all_zero;
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::solve::DenseLu;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl<'a> Parts<'a> {
         let (plan, loads, state) = (&work.plan, &work.loads, engine.state());
         let map = &plan.map;
         let one_to_one = map.dependents.is_empty() && map.links.is_empty() && plan.pattern.storage == Storage::Dense;
-        let still = !loads.moves && all_zero(&state.vel) && loads.acts_on_nodes_only();
+        let still = work.stands_still(&state.vel) && loads.acts_on_nodes_only();
         let parts = Self {
             model: engine.model(),
             state,
@@ -173,6 +173,7 @@ impl Models {
                 balanced: 0,
                 expected: all.map(|p| p.newton.expected),
             },
+            safe_displacement: own.iter().map(|p| Bounds::safe_displacement(p.model)).fold(f64::INFINITY, f64::min),
             interrupt: first.interrupt.cloned(),
             failed: 0,
         })
@@ -189,8 +190,13 @@ impl Models {
             ] {
                 own.iter_mut().zip(all).for_each(|(own, all)| *own = all.0[lane]);
             }
+            for i in self.imposed.iter().filter(|i| !i.constant) {
+                let [vel, accel] = self.drives[i.pattern].derivatives(self.time);
+                (state.vel[i.dof], state.accel[i.dof]) = (i.value.0[lane] * vel, i.value.0[lane] * accel);
+            }
         });
         engine.forget_work();
+        engine.note_led();
         engine.steps += steps as u64;
     }
 }

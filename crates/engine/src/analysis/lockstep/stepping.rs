@@ -343,6 +343,12 @@ impl Models {
             sum += *f * 0.0;
         }
         self.failed |= sum.is_no_number();
+        if self.safe_displacement < f64::INFINITY {
+            let limit = Wide::all(self.safe_displacement);
+            for u in &self.trial.disp {
+                self.failed |= !u.abs().at_most(limit);
+            }
+        }
         self.committed.disp.copy_from_slice(&self.trial.disp);
         self.committed.history.copy_from_slice(&self.trial.history);
     }

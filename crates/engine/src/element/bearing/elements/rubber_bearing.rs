@@ -7,11 +7,11 @@ use crate::element::bearing::elements::shear_bearing::{
 use crate::element::bearing::elements::shear_bearings::Kept;
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::axial::{Axial, AxialLaw, AxialLockstep};
-use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput};
+use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput, shear_of_rubber};
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
-    Snapshot, alike, frame_force_labels, one_by_one,
+    Snapshot, Stretch, alike, frame_force_labels, one_by_one,
 };
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
@@ -84,7 +84,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
         let lateral = [u[1], u[2]];
-        let rate = if self.shear.is_viscous() || self.shear.depends_on_time() {
+        let rate = if self.shear.is_viscous() {
             let rate = self.link.deformation(motion.vel);
             [rate[1], rate[2]]
         } else {
@@ -169,6 +169,11 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
     fn overload(&self, history: &[f64]) -> Option<Overload> {
         let Axial { force, fcrn, .. } = Axial::read(history);
         (self.axial.buckles && force < fcrn).then_some(Overload { load: -force, critical: -fcrn })
+    }
+
+    fn stretch(&self, disp: &[f64]) -> Option<Stretch> {
+        let u = self.link.deformation(disp);
+        Some(shear_of_rubber(u[1].hypot(u[2]), self.axial.rubber.thickness))
     }
 
     fn basic_rows(&self) -> Vec<BasicRow> {

@@ -180,7 +180,7 @@ impl<R: Rules> RubberShear for RubberBoucWen<R> {
         if self.leaded { "LeadRubberX" } else { "ElastomericX" }
     }
     fn is_viscous(&self) -> bool {
-        self.cd > 0.0
+        self.cd > 0.0 || self.core.is_some()
     }
     fn depends_on_time(&self) -> bool {
         self.core.is_some()

@@ -1,5 +1,6 @@
 //! Shear laws of layered rubber bearings: input, response and trait.
 
+use crate::element::Stretch;
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::shear::{NoLockstep, Shear};
 use crate::numeric::wide::{WIDTH, Wide};
@@ -46,7 +47,7 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
 
     /// OpenSees' name of the bearing.
     fn class(&self) -> &'static str;
-    /// Returns true if the force depends on the velocity.
+    /// Returns true if the force or the state variables depend on the velocity.
     fn is_viscous(&self) -> bool {
         false
     }
@@ -76,6 +77,13 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     fn probe_names(&self) -> &'static [&'static str];
     /// Value of an own response; `tail` are the state variables after the memory.
     fn read(&self, id: u32, shear: &Shear<2>, memory: &Self::Memory, tail: &[f64], axial: &Axial, out: &mut [f64]);
+}
+
+/// The shear displacement of layered rubber against the thickness of its layers. The tests that laws are fitted to end at shear
+/// strains of about 4 (those of `KikuchiAikenLRB` at 4.1).
+pub(in crate::element::bearing) fn shear_of_rubber(deformation: f64, thickness: f64) -> Stretch {
+    let what = "the thickness of rubber";
+    Stretch { deformation, size: thickness, what, suspect: 6.0, refused: 12.0 }
 }
 
 /// First path number of the responses of a law; smaller ones are those of the bearing.
