@@ -10,7 +10,7 @@ use super::run::{self, RunArgs};
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
 use hysteron::measure::CycleDetection;
-use hysteron::opensees::files::table::Table as Columns;
+use hysteron::recordings::Table as Columns;
 use hysteron::opensees::{Mode, Tcl};
 use hysteron::protocol::{Bearing, Motion, Protocol};
 use hysteron::report::{Column, Record, Table};

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
-use hysteron::opensees::files::table::Table as Columns;
+use hysteron::recordings::Table as Columns;
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
 use hysteron::tcl::read_whole;
 use std::fs;

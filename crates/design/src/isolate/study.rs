@@ -1,11 +1,12 @@
 //! The file of an isolation study.
 
 use crate::codes::Code;
-use crate::motion::{Motion, Pair, ReadOptions, read};
+use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::{Collapse, Hunt, Intensity, LimitState, Performance, Stripes};
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
+use hysteron_recordings::read_file;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -107,18 +108,6 @@ pub struct Floor {
     pub height: f64,
 }
 
-/// One pair of records.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MotionEntry {
-    name: Option<String>,
-    files: Vec<String>,
-    #[serde(default = "one")]
-    factor: f64,
-    unit: Option<String>,
-    dt: Option<f64>,
-}
-
 fn one() -> f64 {
     1.0
 }
@@ -218,6 +207,8 @@ pub struct Study {
     pub performance: Performance,
     /// Damping of the structure above in modal analyses, as a share of critical.
     pub structure_damping: f64,
+    /// What is to be said about the files of the motions.
+    pub notes: Vec<String>,
 }
 
 /// Version of the results of an analysis: those of another one are made again.
@@ -237,10 +228,8 @@ fn positive(what: &str, x: f64) -> Result<(), String> {
 /// # Errors
 /// A file cannot be read or understood, or a value is out of its range. The message names it.
 pub fn load(path: &Path) -> Result<Study, String> {
-    let text_of = |p: &Path| {
-        let bytes = std::fs::read(p).map_err(|e| format!("cannot read \"{}\": {e}", p.display()))?;
-        Ok::<_, String>(String::from_utf8_lossy(&bytes).into_owned())
-    };
+    let bytes_of = |p: &Path| read_file(p).map_err(|e| format!("cannot read \"{}\": {e}", p.display()));
+    let text_of = |p: &Path| bytes_of(p).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let text = text_of(path)?;
     let file: StudyFile = toml::from_str(&text).map_err(|e| format!("\"{}\": {e}", path.display()))?;
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -248,16 +237,18 @@ pub fn load(path: &Path) -> Result<Study, String> {
     let script_text = text_of(&script)?;
     check(&file)?;
     let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
-    let mut motions = vec![];
+    let (mut motions, mut notes) = (vec![], vec![]);
     let mut texts = vec![FORMAT.to_owned(), script_text];
     for entry in &file.motion {
-        let options = ReadOptions { unit: entry.unit.clone(), dt: entry.dt };
+        let options = entry.options()?;
         let mut components: Vec<Motion> = vec![];
         for name in &entry.files {
-            let text = text_of(&folder.join(name))?;
+            let bytes = bytes_of(&folder.join(name))?;
             let short = name.rsplit('/').next().unwrap_or(name);
-            components.extend(read(short, &text, &options).map_err(|e| format!("\"{name}\": {e}"))?);
-            texts.push(text);
+            let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
+            components.append(&mut found.motions);
+            notes.append(&mut found.notes);
+            texts.push(String::from_utf8_lossy(&bytes).into_owned());
         }
         if components.len() == 1 {
             // One component alone: the other direction rests.
@@ -286,7 +277,7 @@ pub fn load(path: &Path) -> Result<Study, String> {
         "{gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {:?}",
         file.eccentricities
     ));
-    texts.extend(file.motion.iter().map(|m| format!("{m:?}")));
+    texts.extend(file.motion.iter().map(MotionEntry::identity));
     let types: Vec<&str> = file.bearing.iter().map(|b| b.name.as_str()).collect();
     let performance = Performance {
         intensity: file.intensity,
@@ -315,6 +306,7 @@ pub fn load(path: &Path) -> Result<Study, String> {
         factors,
         performance,
         structure_damping: file.structure_damping,
+        notes,
     })
 }
 

@@ -3,7 +3,7 @@
 use super::channel::read_channel;
 use super::checks;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
-use super::recording::Recording;
+use hysteron_recordings::Recording;
 use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;

@@ -6,7 +6,7 @@ mod text;
 use super::initial_run::RunLimits;
 use super::load::{CalibrationOptions, Study, StudyError};
 use super::parameter::ParameterSpace;
-use super::recording::Recording;
+use hysteron_recordings::Recording;
 use super::run::{Role, Run, Setting};
 use super::script_simulator::{RunMode, ScriptSimulator, UnobservedTraces};
 use super::study_file::StudySpans;
