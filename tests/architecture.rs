@@ -28,6 +28,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "check",
             "table",
             "recording",
+            "export",
         ],
     ),
     (

@@ -49,7 +49,7 @@ fn inflated(bytes: &[u8]) -> Result<Vec<u8>, String> {
 }
 
 /// Sum of RFC 1952, section 8.
-fn crc32(bytes: &[u8]) -> u32 {
+pub(crate) fn crc32(bytes: &[u8]) -> u32 {
     const POLYNOMIAL: u32 = 0xedb8_8320;
     let mut table = [0u32; 256];
     for (i, entry) in table.iter_mut().enumerate() {
@@ -93,9 +93,8 @@ impl<'a> Zip<'a> {
         let end = end.ok_or("it has no directory")?;
         let short = || "its directory is cut off".to_owned();
         let half = |at: usize| bytes.get(at..at + 2).map(|b| u16::from_le_bytes([b[0], b[1]])).ok_or_else(short);
-        let word = |at: usize| {
-            bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).ok_or_else(short)
-        };
+        let word =
+            |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).ok_or_else(short);
         let mut at = word(end + 16)? as usize;
         let mut entries = vec![];
         for _ in 0..half(end + 10)? {

@@ -66,9 +66,12 @@ mod tests {
 
     #[test]
     fn unusual_records_do() {
-        for (amplitude, dt, n, said) in
-            [(0.3, 10.0, 100, "the step"), (0.3, 0.1, 40_000, "takes"), (15.0, 0.01, 100, "as velocities"), (1e-6, 0.01, 100, "e-")]
-        {
+        for (amplitude, dt, n, said) in [
+            (0.3, 10.0, 100, "the step"),
+            (0.3, 0.1, 40_000, "takes"),
+            (15.0, 0.01, 100, "as velocities"),
+            (1e-6, 0.01, 100, "e-"),
+        ] {
             let found = doubts(&channel(amplitude, dt, n));
             assert!(found.iter().any(|d| d.contains(said)), "{found:?}");
         }

@@ -1,7 +1,7 @@
 //! The channels of a table: which column is the time, what the others are.
 
-use crate::fault::Fault;
 use crate::content::{Content, Layout, Told};
+use crate::fault::Fault;
 use crate::measured::Measured;
 use crate::series::{Clock, Origin, Series};
 use crate::sheet::{Column, Sheet, head};
@@ -52,7 +52,16 @@ fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fau
         let quantity = unit.map(|u| u.quantity).or_else(|| Quantity::of_head(&name));
         let direction = name.clone();
         let clock = clock.clone();
-        Series { name, direction, unit, unit_name, quantity, clock, origin: origin(Some(i + 1)), ..Series::new(c.values.clone()) }
+        Series {
+            name,
+            direction,
+            unit,
+            unit_name,
+            quantity,
+            clock,
+            origin: origin(Some(i + 1)),
+            ..Series::new(c.values.clone())
+        }
     };
     Ok(sheet.columns.iter().enumerate().filter(|(i, _)| !is_time(*i)).map(channel).collect())
 }
@@ -75,12 +84,14 @@ fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
     let n = sheet.columns.len();
     let at = |k: usize| sheet.columns[k % n].values[k / n];
     let total = n * sheet.rows();
-    let variation = |apart: usize| (apart..total).map(|k| (at(k) - at(k - apart)).abs()).filter(|x| x.is_finite()).sum::<f64>();
+    let variation =
+        |apart: usize| (apart..total).map(|k| (at(k) - at(k - apart)).abs()).filter(|x| x.is_finite()).sum::<f64>();
     if variation(1) <= variation(n) {
         return Ok(Layout::Wrapped);
     }
     let message = format!("the rows of {n} numbers have no names and look like {n} channels side by side");
-    Err(Fault::new(message).help("--layout columns takes them so, --layout wrapped as one channel in the order of reading"))
+    Err(Fault::new(message)
+        .help("--layout columns takes them so, --layout wrapped as one channel in the order of reading"))
 }
 
 /// The column of the time, or those of the date and of the time of day.
@@ -158,7 +169,11 @@ fn agreeing(sheet: &Sheet, times: &[f64], dt: f64) -> Result<Clock, Fault> {
     match times.iter().enumerate().position(error) {
         Some(i) => {
             let at = sheet.row_name(i);
-            let message = format!("the step {dt} s gives {at} the time {} s, the file says {} s", times[0] + i as f64 * dt, times[i]);
+            let message = format!(
+                "the step {dt} s gives {at} the time {} s, the file says {} s",
+                times[0] + i as f64 * dt,
+                times[i]
+            );
             Err(Fault::new(message).expected("expected the step of the file"))
         }
         None => Ok(Clock::Steps { start: times[0], dt }),

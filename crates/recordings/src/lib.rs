@@ -13,6 +13,7 @@ mod archive;
 pub mod check;
 mod content;
 pub mod convert;
+pub mod export;
 pub mod fault;
 mod format;
 mod interpret;

@@ -1,8 +1,8 @@
 //! A measured file: its format, its header, its channels.
 
 use crate::archive::{gunzip, is_gzip};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::format::{FORMATS, Format, Input};
 use crate::sheet::Sheet;
 use crate::text::decode;
@@ -92,10 +92,17 @@ impl Measured {
 
     /// The header as read, for a message; empty if there is none.
     pub fn shown_header(&self) -> String {
-        let names = self.sheet().filter(|s| s.named).map(|s| s.columns.iter().map(|c| c.cell.as_str()).collect::<Vec<_>>().join(", "));
+        let names = self
+            .sheet()
+            .filter(|s| s.named)
+            .map(|s| s.columns.iter().map(|c| c.cell.as_str()).collect::<Vec<_>>().join(", "));
         let lines: Vec<&str> = self.header.iter().map(|l| l.trim()).filter(|l| !l.is_empty()).collect();
         let text = names.unwrap_or_else(|| lines.iter().rev().take(3).rev().copied().collect::<Vec<_>>().join(" / "));
-        if text.is_empty() { "there is no header".into() } else { format!("the header is \"{}\"", crate::number::shown(&text)) }
+        if text.is_empty() {
+            "there is no header".into()
+        } else {
+            format!("the header is \"{}\"", crate::number::shown(&text))
+        }
     }
 }
 
@@ -115,7 +122,8 @@ fn locate(content: &mut Content, file: &str, text: &str, size: usize) {
             s.origin.bytes = 0..size;
             continue;
         }
-        let starts = starts.get_or_insert_with(|| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect());
+        let starts = starts
+            .get_or_insert_with(|| std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect());
         let at = |line: usize| starts.get(line.saturating_sub(1)).copied().unwrap_or(text.len());
         s.origin.bytes = at(s.origin.lines.start)..at(s.origin.lines.end);
     }

@@ -1,9 +1,9 @@
 //! Channels of one quantity in SI units: of what the file says, or the user.
 
+use crate::content::Told;
 use crate::convert::derivative;
 use crate::fault::Fault;
 use crate::interpret::uneven_fault;
-use crate::content::Told;
 use crate::measured::Measured;
 use crate::series::{Clock, Series};
 use crate::unit::{self, Quantity, Unit};
@@ -34,7 +34,10 @@ pub struct Channels {
 fn said(told: &Told, wanted: Quantity) -> Result<(Option<Unit>, Option<Quantity>), Fault> {
     let quantity = match &told.quantity {
         None => None,
-        Some(word) => Some(Quantity::named(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no quantity")).expected("expected acceleration, velocity, displacement, ..."))?),
+        Some(word) => Some(Quantity::named(word).ok_or_else(|| {
+            Fault::new(format!("\"{word}\" is no quantity"))
+                .expected("expected acceleration, velocity, displacement, ...")
+        })?),
     };
     let unit = match &told.unit {
         None => None,
@@ -105,7 +108,11 @@ impl Measured {
             }
             if times > 0 {
                 let what = if times == 1 { "differentiated once" } else { "differentiated twice" };
-                out.notes.push(format!("{} in {} {what} by central differences, without correction of the baseline", u.quantity.word(), u.name));
+                out.notes.push(format!(
+                    "{} in {} {what} by central differences, without correction of the baseline",
+                    u.quantity.word(),
+                    u.name
+                ));
             }
             out.channels.push(Channel { unit: u, dt, values, series: s });
         }
@@ -116,9 +123,16 @@ impl Measured {
         let what = s.quantity.map_or("accelerations".to_owned(), |q| format!("{}s", q.word()));
         let examples = "(g, m/s2, cm/s2, in/s2)";
         if s.unit_name.is_empty() {
-            return Fault::new(format!("the file gives no unit of its {what}: add --unit {examples}; {}", self.shown_header()));
+            return Fault::new(format!(
+                "the file gives no unit of its {what}: add --unit {examples}; {}",
+                self.shown_header()
+            ));
         }
-        Fault::new(format!("the unit \"{}\" of the {what} is not known: add --unit {examples}; {}", s.unit_name, self.shown_header()))
+        Fault::new(format!(
+            "the unit \"{}\" of the {what} is not known: add --unit {examples}; {}",
+            s.unit_name,
+            self.shown_header()
+        ))
     }
 
     /// All samples are there.
@@ -142,12 +156,20 @@ struct Chosen {
     notes: Vec<String>,
 }
 
-fn choose(m: &Measured, all: Vec<Series>, unit: Option<Unit>, quantity: Option<Quantity>, differentiate: bool) -> Result<Chosen, Fault> {
+fn choose(
+    m: &Measured,
+    all: Vec<Series>,
+    unit: Option<Unit>,
+    quantity: Option<Quantity>,
+    differentiate: bool,
+) -> Result<Chosen, Fault> {
     let told_quantity = quantity.or(unit.map(|u| u.quantity));
     let of = |s: &Series| s.quantity;
     let is_acceleration = |s: &Series| of(s) == Some(Quantity::Acceleration);
     let mut notes = vec![];
-    let names = |of: &[&Series]| of.iter().map(|s| if s.name.is_empty() { "one" } else { &s.name }).collect::<Vec<_>>().join(", ");
+    let names = |of: &[&Series]| {
+        of.iter().map(|s| if s.name.is_empty() { "one" } else { &s.name }).collect::<Vec<_>>().join(", ")
+    };
     let with_known_unit: Vec<bool> = all.iter().map(|s| is_acceleration(s) && s.unit.is_some()).collect();
     let accelerations: Vec<bool> =
         if with_known_unit.contains(&true) { with_known_unit } else { all.iter().map(is_acceleration).collect() };

@@ -107,8 +107,9 @@ impl NumberLines {
         let line = line.strip_suffix('\\').unwrap_or(line);
         if commas_may_be_decimal(line) {
             let message = format!("\"{}\" has commas between whole numbers", shown(line));
-            return Err(Fault::in_line(number_of_line, message)
-                .expected("expected decimals with a point, or cells with semicolons, if the commas are decimal signs"));
+            return Err(Fault::in_line(number_of_line, message).expected(
+                "expected decimals with a point, or cells with semicolons, if the commas are decimal signs",
+            ));
         }
         let before = self.values.len();
         let words = line.split(|c: char| c.is_whitespace() || c == ',' || c == ';').filter(|w| !w.is_empty());
@@ -127,8 +128,14 @@ impl NumberLines {
         let read = match self.width {
             Some(width) => values(width),
             None => {
-                // Of several widths that fit none is sure.
-                let mut fitting = WIDTHS.filter_map(|w| Some((w, values(w).filter(|v| v.len() > 1)?)));
+                // Numbers of one Fortran format have as many decimals; of several widths that fit none is sure.
+                let decimals =
+                    |c: &&str| c.split_once('.').map(|(_, d)| d.bytes().take_while(u8::is_ascii_digit).count());
+                let same = |w: usize| {
+                    let cells = fixed_cells(line, w).unwrap_or_default();
+                    cells.iter().map(decimals).all(|d| d.is_some() && d == cells.first().and_then(decimals))
+                };
+                let mut fitting = WIDTHS.filter_map(|w| Some((w, values(w).filter(|v| v.len() > 1 && same(w))?)));
                 fitting.next().filter(|_| fitting.next().is_none()).map(|(width, values)| {
                     self.width = Some(width);
                     values
@@ -148,7 +155,9 @@ impl NumberLines {
 /// Commas between digits, and no point: `0,25 0,5` may be two numbers or four.
 pub(crate) fn commas_may_be_decimal(line: &str) -> bool {
     let digit = |b: u8| b.is_ascii_digit();
-    line.contains(',') && !line.contains('.') && line.as_bytes().windows(3).any(|w| w[1] == b',' && digit(w[0]) && digit(w[2]))
+    line.contains(',')
+        && !line.contains('.')
+        && line.as_bytes().windows(3).any(|w| w[1] == b',' && digit(w[0]) && digit(w[2]))
 }
 
 /// The first numbers of a header text, whatever stands between them.

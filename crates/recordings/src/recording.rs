@@ -1,8 +1,8 @@
 //! Recordings of a study: measured channels over time, with faults that point into the file.
 
+use crate::content::Content;
 use crate::fault::Fault;
 use crate::interpret::time_unit_of;
-use crate::content::Content;
 use crate::measured::Measured;
 use crate::series::Series;
 use crate::sheet::{Column as SheetColumn, Form, Sheet, SheetError, head};
@@ -35,7 +35,9 @@ impl Recording {
     /// The bytes are none of a recording. The message about a text has the location.
     pub fn read(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
         let named = |fault: Fault| match (fault.line, fault.range) {
-            (None, None) if !fault.message.contains(name) => Fault { message: format!("{name} {}", fault.message), ..fault },
+            (None, None) if !fault.message.contains(name) => {
+                Fault { message: format!("{name} {}", fault.message), ..fault }
+            }
             _ => fault,
         };
         let measured = Measured::read_with_text(name, bytes)
@@ -84,7 +86,8 @@ fn whole_name(fault: Fault, name: &str) -> Fault {
 fn of_series(name: &str, series: Vec<Series>) -> Result<Recording, Fault> {
     let Some(first) = series.first().cloned() else { return Err(Fault::new(format!("{name} has no channel"))) };
     let times: Option<Vec<f64>> = (0..first.values.len()).map(|i| first.clock.time(i)).collect();
-    let times = times.ok_or_else(|| Fault::new(format!("{name} gives no step of time")).expected("expected a table with time[s]"))?;
+    let times = times
+        .ok_or_else(|| Fault::new(format!("{name} gives no step of time")).expected("expected a table with time[s]"))?;
     if let Some(other) = series.iter().find(|s| s.clock != first.clock || s.values.len() != times.len()) {
         let message = format!("the channels \"{}\" and \"{}\" of {name} have other times", first.name, other.name);
         return Err(Fault::new(message));
@@ -126,7 +129,8 @@ fn check_heads(name: &str, sheet: &Sheet, text: &str) -> Result<(), Fault> {
     let is_time = |c: &SheetColumn| time_unit_of(c).is_some() || c.is_clock;
     let first = &sheet.columns[0];
     if !is_time(first) {
-        let fault = Fault::new(format!("the first column of {name} is \"{}\"", first.cell)).expected("expected time[s]");
+        let fault =
+            Fault::new(format!("the first column of {name} is \"{}\"", first.cell)).expected("expected time[s]");
         let place = sheet.columns.iter().position(|c| is_time(c));
         let help = place.map_or(String::new(), |i| format!("the time is column {}: save it as the first", i + 1));
         return Err(at(fault, 0).help(help));
@@ -147,7 +151,8 @@ fn of_sheet(name: &str, sheet: Sheet, text: &str) -> Result<Recording, Fault> {
         return Err(Fault::new(format!("{name} is empty")).expected("expected a header row").at((0, 0)));
     }
     if !sheet.named {
-        return Err(headless(name, text).unwrap_or_else(|| Fault::new(format!("{name} has no header row")).expected("expected time[s]")));
+        return Err(headless(name, text)
+            .unwrap_or_else(|| Fault::new(format!("{name} has no header row")).expected("expected time[s]")));
     }
     check_heads(name, &sheet, text)?;
     let cell = |fault: Fault, row: usize, column: usize| {

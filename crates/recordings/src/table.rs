@@ -1,7 +1,7 @@
 //! Columns of any measured file, as they are written.
 
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::measured::Measured;
 use crate::sheet::{Form, Sheet};
 
@@ -14,6 +14,9 @@ pub struct Table {
     pub columns: Vec<Vec<f64>>,
     sheet: Sheet,
 }
+
+/// Name of the format of tables as text.
+const TEXT: &str = "table";
 
 impl Table {
     /// Read a table from text. Spaces, tabs, commas or semicolons separate the numbers.
@@ -35,6 +38,8 @@ impl Table {
         let measured = Measured::read(name, bytes)?;
         let series = match measured.content {
             Content::Table(sheet) => return Ok(Self::of(sheet)),
+            // A list is a table of one column; rows of other lengths are none.
+            Content::Series { .. } if measured.format.name == TEXT => return Self::parse(&measured.text),
             Content::Series { series, .. } => series,
         };
         let rows = series.first().map_or(0, |s| s.values.len());

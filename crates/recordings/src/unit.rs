@@ -308,9 +308,14 @@ mod tests {
 
     #[test]
     fn headers_name_units_in_capitals() {
-        for (word, name) in
-            [("G", "g"), ("CM/SEC/SEC", "cm/s2"), ("cm/s**2", "cm/s2"), ("GALS", "gal"), ("MSEC", "ms"), ("(CM/S)", "cm/s")]
-        {
+        for (word, name) in [
+            ("G", "g"),
+            ("CM/SEC/SEC", "cm/s2"),
+            ("cm/s**2", "cm/s2"),
+            ("GALS", "gal"),
+            ("MSEC", "ms"),
+            ("(CM/S)", "cm/s"),
+        ] {
             assert_eq!(header_unit(word).map(|u| u.name), Some(name), "{word}");
         }
         assert_eq!(header_unit("COUNTS"), None);

@@ -43,8 +43,9 @@ impl MotionEntry {
     /// The entry as text that identifies it. Keys with their defaults are left out.
     pub(crate) fn identity(&self) -> String {
         let Self { name, files, factor, unit, dt, quantity, layout, channels, differentiate } = self;
-        let mut text =
-            format!("MotionEntry {{ name: {name:?}, files: {files:?}, factor: {factor:?}, unit: {unit:?}, dt: {dt:?} }}");
+        let mut text = format!(
+            "MotionEntry {{ name: {name:?}, files: {files:?}, factor: {factor:?}, unit: {unit:?}, dt: {dt:?} }}"
+        );
         if quantity.is_some() || layout.is_some() || !channels.is_empty() || *differentiate {
             text += &format!("{quantity:?} {layout:?} {channels:?} {differentiate}");
         }

@@ -31,11 +31,11 @@ mod trace;
 mod worker_pool;
 
 pub use draft::draft_study;
+pub use hysteron_recordings::unit;
+pub use hysteron_recordings::{Column, Recording};
 pub use initial_run::{InitialRun, RunLimits};
 pub use load::{CalibrationOptions, Rig, Study, StudyError};
 pub use parameter::{OutOfRange, Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
-pub use hysteron_recordings::unit;
-pub use hysteron_recordings::{Column, Recording};
 pub use run::{ObservedChannel, Role, Run, Setting};
 pub use score::{Score, ScoredRun, objective, score, simulate_and_score, simulate_and_score_all};
 pub use script_simulator::{ScriptSimulator, SimulatorFactory};

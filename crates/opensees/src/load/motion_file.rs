@@ -34,7 +34,8 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-quantity" => {
                 let word = a.word("quantity")?.into_owned();
                 let expected = "expected acceleration, velocity, displacement, ...";
-                let of = Quantity::named(&word).ok_or_else(|| a.refuse(format!("\"{word}\" is no quantity"), expected))?;
+                let of =
+                    Quantity::named(&word).ok_or_else(|| a.refuse(format!("\"{word}\" is no quantity"), expected))?;
                 quantity = Some(of);
             }
             _ => ignore_option(interp, &mut a, OPTIONS)?,
@@ -45,9 +46,11 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let bytes = bytes.map_err(|e| a.refuse_at(span, format!("cannot read \"{name}\": {e}"), "expected a file"))?;
     let told = Told { dt: given, ..Told::default() };
     // A step beside that of the file replaces it; one beside rounded times explains them.
-    let of = |m: &Measured| m.series(&Told::default()).or_else(|e| if given.is_some() { m.series(&told) } else { Err(e) });
+    let of =
+        |m: &Measured| m.series(&Told::default()).or_else(|e| if given.is_some() { m.series(&told) } else { Err(e) });
     let read = Measured::read(&name, &bytes).and_then(|m| Ok((of(&m)?, m)));
-    let (all, measured) = read.map_err(|e| a.refuse_at(span, format!("\"{name}\": {e}"), "expected a measured file"))?;
+    let (all, measured) =
+        read.map_err(|e| a.refuse_at(span, format!("\"{name}\": {e}"), "expected a measured file"))?;
     let refuse = |a: &Args<'_>, e: String| a.refuse_at(span, format!("\"{name}\": {e}"), "expected one channel");
     let series = chosen(all, channel.as_deref(), quantity).map_err(|e| refuse(&a, e))?;
     let Some(dt) = given.or(series.clock.dt()) else {
@@ -63,7 +66,8 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let other = series.quantity.filter(|q| quantity.is_none() && matches!(q, Quantity::Velocity | Quantity::Length));
     if let Some(q) = other {
         let message = format!("\"{name}\" holds {}s and no accelerations", q.word());
-        let warning = Diagnostic::warning(message).at(Some(span), "").help(format!("-quantity {} says that it is meant", q.word()));
+        let warning =
+            Diagnostic::warning(message).at(span, "").help(format!("-quantity {} says that it is meant", q.word()));
         warn(interp, warning)?;
     }
     let count = series.values.len();

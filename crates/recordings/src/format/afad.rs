@@ -1,8 +1,8 @@
 //! Files of the strong-motion network of Turkey (AFAD, TR-NSMN): three components side by side.
 
 use super::{Format, Input, azimuth, has};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{number, shown};
 use crate::series::Series;
 use crate::unit::{self, Unit};
@@ -18,7 +18,8 @@ pub(super) const AFAD: Format = Format {
 
 /// Index of the line with the names of the components, and these.
 fn names<'a>(input: &Input<'a>) -> Option<(usize, Vec<&'a str>)> {
-    let is = |w: &&str| azimuth(w).is_some() || matches!(w.to_ascii_uppercase().as_str(), "U-D" | "UD" | "UP" | "Z" | "V");
+    let is =
+        |w: &&str| azimuth(w).is_some() || matches!(w.to_ascii_uppercase().as_str(), "U-D" | "UD" | "UP" | "Z" | "V");
     input.head.iter().enumerate().find_map(|(i, line)| {
         let words: Vec<&str> = line.split_whitespace().collect();
         (words.len() > 1 && words.iter().all(|w| is(w) && number(w).is_none())).then_some((i, words))
@@ -42,7 +43,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let dt = number(step).map(|x| x * factor).filter(|x| *x > 0.0);
     let dt = dt.ok_or_else(|| Fault::in_line(line, format!("the sampling interval is \"{}\"", shown(step))))?;
     let (line, count, _) = entry(input, "number of data").ok_or_else(|| missing("NUMBER OF DATA"))?;
-    let count: usize = count.parse().map_err(|_| Fault::in_line(line, format!("the number of data is \"{}\"", shown(count))))?;
+    let count: usize =
+        count.parse().map_err(|_| Fault::in_line(line, format!("the number of data is \"{}\"", shown(count))))?;
     let unit = entry(input, "pga").and_then(|(.., unit)| unit);
     let mut columns: Vec<Vec<f64>> = vec![vec![]; names.len()];
     let mut last = names_at;

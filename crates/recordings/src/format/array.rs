@@ -1,8 +1,8 @@
 //! NumPy's arrays: `.npy` of one or two dimensions.
 
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::sheet::{Column, Sheet};
 
 pub(super) const NPY: Format = Format {
@@ -57,7 +57,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let short = || Fault::new("the file ends in its header");
     let bytes = input.bytes;
     let (length, start) = match bytes.get(6).ok_or_else(short)? {
-        1 => (usize::from(u16::from_le_bytes([*bytes.get(8).ok_or_else(short)?, *bytes.get(9).ok_or_else(short)?])), 10),
+        1 => {
+            (usize::from(u16::from_le_bytes([*bytes.get(8).ok_or_else(short)?, *bytes.get(9).ok_or_else(short)?])), 10)
+        }
         _ => {
             let four: [u8; 4] = bytes.get(8..12).and_then(|b| b.try_into().ok()).ok_or_else(short)?;
             (u32::from_le_bytes(four) as usize, 12)
@@ -78,7 +80,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     };
     let fortran = after("fortran_order").is_some_and(|f| f.starts_with("True"));
     let shape = after("shape").and_then(|s| s.strip_prefix('(')?.split(')').next()).ok_or_else(short)?;
-    let shape: Option<Vec<usize>> = shape.split(',').map(str::trim).filter(|w| !w.is_empty()).map(|w| w.parse().ok()).collect();
+    let shape: Option<Vec<usize>> =
+        shape.split(',').map(str::trim).filter(|w| !w.is_empty()).map(|w| w.parse().ok()).collect();
     let (rows, columns) = match shape.as_deref() {
         Some([n]) => (*n, 1),
         Some([n, m]) => (*n, *m),
@@ -87,7 +90,10 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let data = &bytes[start + length..];
     let size = rows.checked_mul(columns).and_then(|n| n.checked_mul(element.size()));
     if size != Some(data.len()) {
-        return Err(Fault::new(format!("the header says {rows} by {columns} numbers, the file has {} bytes of them", data.len())));
+        return Err(Fault::new(format!(
+            "the header says {rows} by {columns} numbers, the file has {} bytes of them",
+            data.len()
+        )));
     }
     let cells: Vec<f64> = data.chunks_exact(element.size()).map(|b| element.value(b, order != ">")).collect();
     Ok(Content::Table(sheet(&cells, rows, columns, fortran)))

@@ -3,9 +3,9 @@
 //! A channel has a text header, integer and real headers with a line that gives their numbers, comments, and the data.
 //! Header lines and the line before the data describe themselves; the meaning of the entries is that of the published format.
 
-use super::{Format, Input, has};
-use crate::fault::Fault;
+use super::{Format, Input, has, note_surplus};
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::number;
 use crate::series::Series;
 use crate::unit::{self, Quantity};
@@ -38,9 +38,10 @@ fn width(line: &str) -> usize {
     after.split(|c: char| !c.is_ascii_digit()).next().and_then(|w| w.parse().ok()).unwrap_or(0)
 }
 
-/// `n` numbers of fixed width from the lines after `at`; the line after them.
-fn numbers(lines: &[&str], at: usize, n: usize, width: usize) -> Result<(Vec<f64>, usize), Fault> {
+/// `n` numbers of fixed width from the lines after `at`; the line after them, and cells that are left in their last line.
+fn numbers(lines: &[&str], at: usize, n: usize, width: usize) -> Result<(Vec<f64>, usize, usize), Fault> {
     let mut out = vec![];
+    let mut left = 0;
     let mut line = at;
     while out.len() < n {
         let ends = || Fault::new(format!("the file ends after {} of {n} numbers", out.len()));
@@ -53,13 +54,14 @@ fn numbers(lines: &[&str], at: usize, n: usize, width: usize) -> Result<(Vec<f64
         if cells.is_empty() {
             return Err(Fault::in_line(line + 1, format!("the line is empty after {} of {n} numbers", out.len())));
         }
+        left = cells.len().saturating_sub(n - out.len());
         for cell in cells.iter().take(n - out.len()) {
             let value = number(cell);
             out.push(value.ok_or_else(|| Fault::in_line(line + 1, format!("\"{cell}\" is not a number")))?);
         }
         line += 1;
     }
-    Ok((out, line))
+    Ok((out, line, left))
 }
 
 /// The quantity of the line before the data.
@@ -73,6 +75,7 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let mut series: Vec<Series> = vec![];
     let (mut event, mut station, mut whole, mut real) = (String::new(), String::new(), vec![], vec![]);
     let (mut at, mut accelerations) = (0, 0);
+    let mut notes = vec![];
     while at < lines.len() {
         let line = lines[at];
         if line.contains("(Format v") {
@@ -81,12 +84,13 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
         }
         let values = |n: usize| numbers(&lines, at + 1, n, width(line));
         if line.contains("Integer-header values follow") {
-            (whole, at) = values(count(line).unwrap_or(0))?;
+            (whole, at, _) = values(count(line).unwrap_or(0))?;
         } else if line.contains("Real-header values follow") {
-            (real, at) = values(count(line).unwrap_or(0))?;
+            (real, at, _) = values(count(line).unwrap_or(0))?;
         } else if line.contains(" pts, approx") {
             let n = count(line).ok_or_else(|| Fault::in_line(at + 1, "expected the number of values"))?;
-            let (data, next) = values(n)?;
+            let (data, next, left) = values(n)?;
+            note_surplus(&lines, next, left, &mut notes);
             let unit_name = line.split("units=").nth(1).and_then(|w| w.split(['(', ',']).next()).unwrap_or("").trim();
             let known = |entry: usize| real.get(entry - 1).copied().filter(|x: &f64| *x > 0.0);
             let dt = known(STEP_MS_ENTRY).map(|ms| ms / 1000.0).or_else(|| known(STEP_ENTRY));
@@ -116,5 +120,5 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     if series.is_empty() {
         return Err(Fault::new("there is no channel with values"));
     }
-    Ok(Content::series(series, input.head.iter().map(|l| (*l).to_owned()).collect(), vec![]))
+    Ok(Content::series(series, input.head.iter().map(|l| (*l).to_owned()).collect(), notes))
 }

@@ -1,8 +1,8 @@
 //! CSMIP's Volume 2: corrected accelerations, velocities and displacements of one channel after another.
 
-use super::{Format, Input, has};
-use crate::fault::Fault;
+use super::{Format, Input, has, note_surplus};
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{header_numbers, number, shown};
 use crate::series::Series;
 use crate::unit::{self, Quantity, Unit};
@@ -36,6 +36,7 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let channels = lines.iter().filter(|l| is_acceleration(l)).count();
     let (mut series, mut channel, mut from) = (vec![], 0, 0);
     let (mut title, mut azimuth) = (String::new(), None);
+    let mut notes = vec![];
     for (at, line) in lines.iter().enumerate() {
         let Some(unit) = kind(line) else { continue };
         if unit.quantity == Quantity::Acceleration {
@@ -45,14 +46,15 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
             title = first.unwrap_or_default().to_owned();
             from = at + 1;
         }
-        let (values, dt, last) = block(&lines, at)?;
+        let (values, dt, last, left) = block(&lines, at)?;
+        note_surplus(&lines, last + 1, left, &mut notes);
         let name = if channels > 1 { format!("channel {channel}") } else { String::new() };
         let mut s = Series { name, title: title.clone(), azimuth, ..Series::new(values) }.with_unit(unit).with_step(dt);
         s.origin.lines = at + 2..last + 2;
         series.push(s);
     }
     let end = lines.iter().position(|l| kind(l).is_some()).unwrap_or(0) + 1;
-    Ok(Content::series(series, lines[..end].iter().map(|l| (*l).to_owned()).collect(), vec![]))
+    Ok(Content::series(series, lines[..end].iter().map(|l| (*l).to_owned()).collect(), notes))
 }
 
 /// `CHAN  1:  360 DEG`.
@@ -62,8 +64,8 @@ fn degrees(line: &&str) -> Option<f64> {
     before.split_whitespace().last()?.trim_start_matches(':').parse::<f64>().ok()
 }
 
-/// The values after a line that says how many they are and their step; index of their last line.
-fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize), Fault> {
+/// The values after a line that says how many they are and their step; index of their last line, and cells left in it.
+fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize, usize), Fault> {
     let header = lines[at];
     let numbers = header_numbers(header);
     let spaced = header.to_ascii_lowercase().find("spaced at");
@@ -72,7 +74,7 @@ fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize), Fault> {
     };
     let dt = header_numbers(&header[place..]).first().copied().filter(|dt| *dt > 0.0);
     let dt = dt.ok_or_else(|| Fault::in_line(at + 1, format!("no step of time in \"{}\"", shown(header))))?;
-    let (mut values, mut last) = (vec![], at);
+    let (mut values, mut last, mut left) = (vec![], at, 0);
     for (i, line) in lines.iter().enumerate().skip(at + 1) {
         if values.len() as f64 >= count || !line.is_ascii() {
             break;
@@ -80,7 +82,8 @@ fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize), Fault> {
         last = i;
         for cell in line.trim_end().as_bytes().chunks(10) {
             if values.len() as f64 >= count {
-                break;
+                left += 1;
+                continue;
             }
             let cell = String::from_utf8_lossy(cell);
             let value = number(cell.trim());
@@ -90,5 +93,5 @@ fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize), Fault> {
     if (values.len() as f64) < count {
         return Err(Fault::in_line(at + 1, format!("the header says {count} values, but there are {}", values.len())));
     }
-    Ok((values, dt, last))
+    Ok((values, dt, last, left))
 }

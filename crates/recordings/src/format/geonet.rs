@@ -1,8 +1,8 @@
 //! GeoNet's V1A and V2A: accelerograms of New Zealand.
 
 use super::{Format, Input, azimuth, has};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::number;
 use crate::series::Series;
 use crate::unit;
@@ -21,12 +21,15 @@ const NUMBER_LINES: usize = 10;
 const WIDTH: usize = 8;
 
 /// `n` numbers after line `at`, and the line after them.
-fn numbers(lines: &[&str], at: usize, n: usize) -> Result<(Vec<f64>, usize), Fault> {
+fn numbers(lines: &[&str], at: usize, n: usize) -> Result<(Vec<f64>, usize, usize), Fault> {
     let mut out = vec![];
+    let mut left = 0;
     let mut line = at;
     while out.len() < n {
-        let text = lines.get(line).ok_or_else(|| Fault::new(format!("the file ends after {} of {n} values", out.len())))?;
+        let text =
+            lines.get(line).ok_or_else(|| Fault::new(format!("the file ends after {} of {n} values", out.len())))?;
         let before = out.len();
+        left = text.trim_end().len().div_ceil(WIDTH).saturating_sub(n - before);
         for cell in text.trim_end().as_bytes().chunks(WIDTH).take(n - out.len()) {
             let cell = String::from_utf8_lossy(cell);
             let value = number(cell.trim());
@@ -37,7 +40,7 @@ fn numbers(lines: &[&str], at: usize, n: usize) -> Result<(Vec<f64>, usize), Fau
         }
         line += 1;
     }
-    Ok((out, line))
+    Ok((out, line, left))
 }
 
 fn read(input: &Input<'_>) -> Result<Content, Fault> {
@@ -63,7 +66,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
             return Err(Fault::in_line(at + TEXT_LINES + 1, "the header gives no step of time"));
         }
         let component = lines[at + 12].split_whitespace().nth(1).unwrap_or_default();
-        let blocks: &[(usize, &str)] = if uncorrected { &[(0, "mm/s2")] } else { &[(3, "mm/s2"), (4, "mm/s"), (5, "mm")] };
+        let blocks: &[(usize, &str)] =
+            if uncorrected { &[(0, "mm/s2")] } else { &[(3, "mm/s2"), (4, "mm/s"), (5, "mm")] };
         let mut next = data;
         for (entry, unit) in blocks {
             let count = entries[3][*entry];
@@ -71,7 +75,10 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
                 return Err(Fault::in_line(at + TEXT_LINES + 4, "the header gives no number of values"));
             }
             let from = next;
-            let (values, after) = numbers(&lines, from, count as usize)?;
+            let (values, after, left) = numbers(&lines, from, count as usize)?;
+            if left > 0 {
+                return Err(Fault::in_line(after, format!("there are {left} more values than the header says")));
+            }
             next = after;
             let Some(unit) = unit::unit(unit).filter(|_| !values.is_empty()) else { continue };
             let mut s = Series {

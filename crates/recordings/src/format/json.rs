@@ -1,8 +1,8 @@
 //! JSON: an object of arrays, an array of objects, or channels with their units.
 
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::series::{Clock, Series};
 use crate::sheet::{Column, Sheet};
 use crate::unit::{self, Quantity};
@@ -27,7 +27,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     if input.text.len() > MAX_SIZE {
         return Err(Fault::new(format!("is JSON of more than {} MB", MAX_SIZE >> 20)).help("save it as CSV"));
     }
-    let value: Value = serde_json::from_str(input.text).map_err(|e| Fault::in_line(e.line(), format!("no JSON: {e}")))?;
+    let value: Value =
+        serde_json::from_str(input.text).map_err(|e| Fault::in_line(e.line(), format!("no JSON: {e}")))?;
     match value {
         Value::Array(rows) => objects(&rows),
         Value::Object(members) => object(&members),
@@ -144,5 +145,13 @@ fn channel(of: &Map<String, Value>, file: &Map<String, Value>) -> Result<Series,
     };
     let start = of.get("start").and_then(Value::as_f64).unwrap_or(0.0);
     let values = samples(if name.is_empty() { "values" } else { &name }, values)?;
-    Ok(Series { name, unit, unit_name, quantity, station: text("station"), clock: clock(dt, start), ..Series::new(values) })
+    Ok(Series {
+        name,
+        unit,
+        unit_name,
+        quantity,
+        station: text("station"),
+        clock: clock(dt, start),
+        ..Series::new(values)
+    })
 }

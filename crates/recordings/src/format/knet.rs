@@ -1,8 +1,8 @@
 //! K-NET and KiK-net of the National Research Institute for Earth Science and Disaster Resilience, Japan.
 
 use super::{Format, Input, azimuth, value_after};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{NumberLines, shown};
 use crate::series::Series;
 use crate::unit;
@@ -12,7 +12,9 @@ pub(super) const KNET: Format = Format {
     recognised_by: "lines \"Scale Factor\" and \"Sampling Freq(Hz)\" in the header",
     states: "accelerations in cm/s2 by the scale factor, step, duration, direction, station",
     description: "NIED, K-NET ASCII format: 17 lines of header, counts in rows of eight",
-    is: |input| value_after(&input.head, "Scale Factor").is_some() && value_after(&input.head, "Sampling Freq(Hz)").is_some(),
+    is: |input| {
+        value_after(&input.head, "Scale Factor").is_some() && value_after(&input.head, "Sampling Freq(Hz)").is_some()
+    },
     read,
 };
 
@@ -32,7 +34,10 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let line_of = |key: &str| head.iter().position(|l| value_after(&[l], key).is_some()).map_or(1, |i| i + 1);
     let wrong = |key: &str| Fault::in_line(line_of(key), format!("\"{key}\" is \"{}\"", shown(value(key))));
     let rate = value("Sampling Freq(Hz)").trim_end_matches(|c: char| c.is_alphabetic()).trim().parse::<f64>();
-    let rate = rate.ok().filter(|r| *r > 0.0 && r.is_finite()).ok_or_else(|| wrong("Sampling Freq(Hz)").expected("expected a frequency in Hz"))?;
+    let rate = rate
+        .ok()
+        .filter(|r| *r > 0.0 && r.is_finite())
+        .ok_or_else(|| wrong("Sampling Freq(Hz)").expected("expected a frequency in Hz"))?;
     // `3920(gal)/6182761`: so many gal are so many counts.
     let scale = || {
         let (full, counts) = value("Scale Factor").split_once('/')?;

@@ -1,8 +1,8 @@
 //! LabVIEW measurement files (LVM).
 
 use super::{Format, Input, value_after};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{number, shown};
 use crate::series::{Clock, Series};
 use crate::sheet::{Form, Separator, Sheet};
@@ -23,7 +23,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let ends: Vec<usize> = input.lines().filter(|(_, l)| l.trim_start().starts_with(END)).map(|(n, _)| n).collect();
     let Some(&last) = ends.last().filter(|_| ends.len() == 2) else {
         let message = format!("there are {} ends of headers", ends.len());
-        return Err(Fault::new(message).expected("expected one segment of data: a header of the file and one of the data"));
+        return Err(
+            Fault::new(message).expected("expected one segment of data: a header of the file and one of the data")
+        );
     };
     let separator = match value_after(&input.head, "Separator") {
         Some("Comma") => Separator::Char(','),

@@ -1,8 +1,8 @@
 //! Numbers alone: a list in the order of reading, in lines of any length.
 
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{NumberLines, number, resembles_number, shown, whole};
 use crate::series::Series;
 
@@ -23,7 +23,8 @@ fn counted_head(input: &Input<'_>) -> Option<(usize, f64)> {
     if words.next().is_some() || count < 3 || !(step > 0.0 && step < 1.0) || second == 2 {
         return None;
     }
-    let there = input.text.lines().skip(1).flat_map(str::split_whitespace).take(count + 1).filter(|w| number(w).is_some());
+    let there =
+        input.text.lines().skip(1).flat_map(str::split_whitespace).take(count + 1).filter(|w| number(w).is_some());
     (there.count() == count).then_some((count, step))
 }
 
@@ -56,7 +57,8 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
             continue;
         };
         // A misspelt number, or one beside a word, is no header.
-        let misspelt = text.split_whitespace().all(resembles_number) || text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        let misspelt =
+            text.split_whitespace().all(resembles_number) || text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
         if first > 0 || misspelt {
             return Err(fault);
         }

@@ -2,8 +2,8 @@
 
 use super::array::{Element, sheet};
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::{Content, MAX_UNPACKED};
+use crate::fault::Fault;
 use crate::series::Series;
 use crate::sheet::{Column, Sheet, head};
 use crate::unit::Quantity;
@@ -82,8 +82,12 @@ fn variable(data: &[u8], little: bool) -> Option<Variable> {
     let [rows, columns] = dims[..] else { return None };
     let values = of(tag, numbers)?;
     let (rows, columns) = (rows as usize, columns as usize);
-    (rows.checked_mul(columns)? == values.len())
-        .then(|| Variable { name: String::from_utf8_lossy(name).into_owned(), rows, columns, values })
+    (rows.checked_mul(columns)? == values.len()).then(|| Variable {
+        name: String::from_utf8_lossy(name).into_owned(),
+        rows,
+        columns,
+        values,
+    })
 }
 
 fn read(input: &Input<'_>) -> Result<Content, Fault> {

@@ -19,8 +19,9 @@ mod tcl;
 mod workbook;
 mod xml;
 
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
+use crate::number::number;
 
 /// A file that is to be recognised and read.
 pub(crate) struct Input<'a> {
@@ -159,13 +160,27 @@ fn counted(values: &mut Vec<f64>, count: usize, notes: &mut Vec<String>) -> Resu
     Ok(())
 }
 
+/// Say so if a block of values goes on after as many as its header says: in its last line, or in the line after it.
+fn note_surplus(lines: &[&str], next: usize, cells_left: usize, notes: &mut Vec<String>) {
+    let is_row = |l: &&str| {
+        let mut words = l.split_whitespace().peekable();
+        words.peek().is_some() && words.all(|w| number(w).is_some() || w.contains('.') && w.starts_with(['-', '+']))
+    };
+    if cells_left > 0 || lines.get(next).is_some_and(is_row) {
+        let line = if cells_left > 0 { next } else { next + 1 };
+        notes.push(format!("line {line}: there are more values than the header says: they are left out"));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{azimuth, value_after};
 
     #[test]
     fn azimuths_in_the_words_of_agencies() {
-        for (word, degrees) in [("N10E", 10.0), ("N80W", 280.0), ("S40E", 140.0), ("S72W", 252.0), ("E-W", 90.0), ("360", 360.0)] {
+        for (word, degrees) in
+            [("N10E", 10.0), ("N80W", 280.0), ("S40E", 140.0), ("S72W", 252.0), ("E-W", 90.0), ("360", 360.0)]
+        {
             assert_eq!(azimuth(word), Some(degrees), "{word}");
         }
         assert!(["UP", "U-D", "X", "", "400", "N100E", "ö1E"].iter().all(|w| azimuth(w).is_none()));

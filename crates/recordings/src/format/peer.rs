@@ -1,8 +1,8 @@
 //! PEER's AT2, VT2 and DT2, old and new.
 
 use super::{Format, Input, counted, has};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{NumberLines, number, shown};
 use crate::series::Series;
 use crate::unit::{self, Quantity, Unit};
@@ -32,7 +32,11 @@ fn header_lines(input: &Input<'_>) -> Option<(usize, usize)> {
 /// Numbers and words of a header line; signs between them separate.
 fn tokens(line: &str) -> Vec<String> {
     let upper = line.to_ascii_uppercase();
-    upper.split(|c: char| c.is_whitespace() || matches!(c, '=' | ',' | ':' | ';')).filter(|w| !w.is_empty()).map(str::to_owned).collect()
+    upper
+        .split(|c: char| c.is_whitespace() || matches!(c, '=' | ',' | ':' | ';'))
+        .filter(|w| !w.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The word after a key; else, where the keys follow their values, the word at the key's place among the numbers.
@@ -52,14 +56,22 @@ fn value_of(line: &str, key: &str, place: usize) -> Option<(String, String)> {
 }
 
 /// Quantity and unit that the header states, or the format by its extension.
-fn statement(input: &Input<'_>, end: usize, notes: &mut Vec<String>) -> Result<(Quantity, Option<Unit>, String), Fault> {
+fn statement(
+    input: &Input<'_>,
+    end: usize,
+    notes: &mut Vec<String>,
+) -> Result<(Quantity, Option<Unit>, String), Fault> {
     let by_extension = match () {
         () if input.has_extension("vt2") => Some(Quantity::Velocity),
         () if input.has_extension("dt2") => Some(Quantity::Length),
         () if input.has_extension("at2") => Some(Quantity::Acceleration),
         () => None,
     };
-    let kinds = [("acceleration", Quantity::Acceleration), ("velocity", Quantity::Velocity), ("displacement", Quantity::Length)];
+    let kinds = [
+        ("acceleration", Quantity::Acceleration),
+        ("velocity", Quantity::Velocity),
+        ("displacement", Quantity::Length),
+    ];
     let stated = input.head[..end].iter().enumerate().find_map(|(i, line)| {
         let is_statement = has(line, &["unit"]) || has(line, &["time series"]) || has(line, &["time history"]);
         let kind = kinds.iter().find(|(word, _)| is_statement && has(line, &[word]))?;
@@ -68,21 +80,35 @@ fn statement(input: &Input<'_>, end: usize, notes: &mut Vec<String>) -> Result<(
     let Some((number_of_line, quantity, line)) = stated else {
         let quantity = by_extension.unwrap_or(Quantity::Acceleration);
         let unit = unit::unit(if quantity == Quantity::Acceleration { "g" } else { cgs(quantity) });
-        notes.push(format!("the header states no unit: {} of PEER are in {}", quantity.word(), unit.map_or("", |u| u.name)));
+        notes.push(format!(
+            "the header states no unit: {} of PEER are in {}",
+            quantity.word(),
+            unit.map_or("", |u| u.name)
+        ));
         return Ok((quantity, unit, String::new()));
     };
     if by_extension.is_some_and(|q| q != quantity) {
-        let message = format!("the header says \"{}\", the extension of the name says {}", shown(line), by_extension.map_or("", Quantity::word));
+        let message = format!(
+            "the header says \"{}\", the extension of the name says {}",
+            shown(line),
+            by_extension.map_or("", Quantity::word)
+        );
         return Err(Fault::in_line(number_of_line, message).expected("expected one quantity"));
     }
     let upper = line.to_ascii_uppercase();
-    let after = ["UNITS OF", "UNIT OF", "UNITS:", "UNITS", "UNIT"].iter().find_map(|w| upper.find(w).map(|i| &line[i + w.len()..]));
+    let after = ["UNITS OF", "UNIT OF", "UNITS:", "UNITS", "UNIT"]
+        .iter()
+        .find_map(|w| upper.find(w).map(|i| &line[i + w.len()..]));
     let bracketed = || line.split_once('(').and_then(|(_, rest)| rest.split(')').next());
     let word = after.or_else(bracketed).unwrap_or("").trim().trim_start_matches([':', '=']).trim();
     let word = word.split([',', ';']).next().unwrap_or("").trim().trim_end_matches('.');
     if word.is_empty() {
         let unit = unit::unit(if quantity == Quantity::Acceleration { "g" } else { cgs(quantity) });
-        notes.push(format!("the header states no unit: {} of PEER are in {}", quantity.word(), unit.map_or("", |u| u.name)));
+        notes.push(format!(
+            "the header states no unit: {} of PEER are in {}",
+            quantity.word(),
+            unit.map_or("", |u| u.name)
+        ));
         return Ok((quantity, unit, String::new()));
     }
     let unit = unit::header_unit(word);
@@ -99,7 +125,9 @@ fn cgs(quantity: Quantity) -> &'static str {
 
 /// The step in s of `.0100 SEC`, `10.0 MSEC`, `1.0E-02`.
 fn step(value: &str, unit_word: &str, line: usize, header: &str) -> Result<f64, Fault> {
-    let fault = |what: &str| Fault::in_line(line, format!("{what}: \"{}\"", shown(header))).expected("expected a step of time in s");
+    let fault = |what: &str| {
+        Fault::in_line(line, format!("{what}: \"{}\"", shown(header))).expected("expected a step of time in s")
+    };
     let dt = number(value).ok_or_else(|| fault("the step of time is no number"))?;
     if dt <= 0.0 {
         return Err(fault("the step of time is not greater than 0"));
@@ -119,7 +147,13 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let (count_line, step_line) = (input.head[count_at], input.head[step_at]);
     let upper = count_line.to_ascii_uppercase();
     let npts_first = upper.find("NPTS") <= upper.find("DT") || count_at != step_at;
-    let places = if count_at != step_at { (0, 0) } else if npts_first { (0, 1) } else { (1, 0) };
+    let places = if count_at != step_at {
+        (0, 0)
+    } else if npts_first {
+        (0, 1)
+    } else {
+        (1, 0)
+    };
     let no = |what: &str, at: usize| Fault::in_line(at + 1, format!("no {what} in \"{}\"", shown(input.head[at])));
     let (count, _) = value_of(count_line, "NPTS", places.0).ok_or_else(|| no("count and no step of time", count_at))?;
     let count = number(&count).filter(|c| *c >= 0.0 && c.fract() == 0.0).ok_or_else(|| no("count", count_at))?;
@@ -137,7 +171,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let mut values = numbers.values;
     counted(&mut values, count as usize, &mut notes)?;
     let (title, azimuth) = title(&input.head);
-    let mut series = Series { title, azimuth, quantity: Some(quantity), unit, unit_name, ..Series::new(values) }.with_step(dt);
+    let mut series =
+        Series { title, azimuth, quantity: Some(quantity), unit, unit_name, ..Series::new(values) }.with_step(dt);
     series.origin.lines = first + 1..last + 1;
     let header = input.head[..first].iter().map(|l| (*l).to_owned()).collect();
     Ok(Content::series(vec![series], header, notes))

@@ -2,8 +2,8 @@
 
 use super::array::Element;
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::series::{Clock, Series};
 use crate::unit::Quantity;
 

@@ -1,8 +1,8 @@
 //! SMC files of the U.S. Geological Survey.
 
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::number;
 use crate::series::{Clock, Series};
 use crate::unit;
@@ -58,7 +58,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let real = fixed(&lines[reals_at..comments_at], reals_at + 1, REAL_WIDTH)?;
     // The first entry of either header is the value that stands for "not known".
     let known = |of: &[f64], i: usize| of.get(i).copied().filter(|x| Some(x) != of.first());
-    let count = known(&whole, 16).filter(|n| *n > 0.0).ok_or_else(|| Fault::in_line(14, "the header gives no number of values"))?;
+    let count = known(&whole, 16)
+        .filter(|n| *n > 0.0)
+        .ok_or_else(|| Fault::in_line(14, "the header gives no number of values"))?;
     let comments = known(&whole, 15).unwrap_or(0.0).max(0.0) as usize;
     let first = comments_at.saturating_add(comments);
     let values = fixed(lines.get(first..).unwrap_or_default(), first + 1, VALUE_WIDTH)?;
@@ -71,7 +73,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     }
     let mut notes = vec![];
     if values.len() as f64 > needed {
-        notes.push(format!("the header says {needed} numbers, but there are {}: the others are left out", values.len()));
+        notes
+            .push(format!("the header says {needed} numbers, but there are {}: the others are left out", values.len()));
     }
     let values = &values[..needed as usize];
     let (values, clock) = match rate {

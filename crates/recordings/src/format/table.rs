@@ -1,8 +1,8 @@
 //! Tables as text: spreadsheets, loggers, test machines, recorders; and lists of numbers alone.
 
 use super::{Format, Input, list};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::sheet::{Form, Sheet, SheetError};
 
 pub(super) const TABLE: Format = Format {
@@ -43,7 +43,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
         Ok(sheet) if sheet.named || sheet.columns.len() > 1 || sheet.rows() == 0 => Ok(Content::Table(sheet)),
         Ok(_) => list::read(input),
         // The list has its own fault; that of the table says more if the list is none either.
-        Err(SheetError::List(fault)) => list::read(input).map_err(|of_list| if of_list.line.is_some() { of_list } else { fault }),
+        Err(SheetError::List(fault)) => {
+            list::read(input).map_err(|of_list| if of_list.line.is_some() { of_list } else { fault })
+        }
         Err(SheetError::Fault(fault)) => Err(fault),
     }
 }

@@ -1,8 +1,8 @@
 //! Lists of numbers in a Tcl script: `set acc {...}`, `set dt 0.01`, `timeSeries Path 1 -dt 0.01 -values {...}`.
 
 use super::{Format, Input};
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::number::{NumberLines, number, shown};
 use crate::series::Series;
 
@@ -80,7 +80,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
 /// The name in front of a list, and the list as far as it is in this line, with the character that ends it.
 #[allow(clippy::type_complexity)]
 fn statement<'a>(n: usize, line: &'a str, dt: &mut Option<f64>) -> Result<(String, Option<(char, &'a str)>), Fault> {
-    let unknown = || Fault::in_line(n, format!("\"{}\" is no list of numbers", shown(line))).expected("expected set NAME {...}");
+    let unknown =
+        || Fault::in_line(n, format!("\"{}\" is no list of numbers", shown(line))).expected("expected set NAME {...}");
     let mut words = line.split_whitespace();
     let (command, name) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     let at = line.find(['{', '"']).or_else(|| line.find("[list ").map(|i| i + 5));

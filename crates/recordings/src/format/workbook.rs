@@ -3,8 +3,8 @@
 use super::xml::{Piece, Pieces, attribute, unescaped};
 use super::{Format, Input};
 use crate::archive::Zip;
-use crate::fault::Fault;
 use crate::content::Content;
+use crate::fault::Fault;
 use crate::sheet::{Form, Separator, Sheet};
 
 pub(super) const XLSX: Format = Format {
@@ -77,11 +77,17 @@ fn read_xlsx(input: &Input<'_>) -> Result<Content, Fault> {
     } else {
         vec![]
     };
-    let mut sheets: Vec<&str> = zip.names().filter(|n| n.starts_with("xl/worksheets/") && n.ends_with(".xml")).collect();
+    let dates = if zip.names().any(|n| n == "xl/styles.xml") {
+        date_styles(&part(&zip, "xl/styles.xml", "xlsx")?)
+    } else {
+        vec![]
+    };
+    let mut sheets: Vec<&str> =
+        zip.names().filter(|n| n.starts_with("xl/worksheets/") && n.ends_with(".xml")).collect();
     // sheet2 before sheet10.
     sheets.sort_by_key(|n| (n.len(), *n));
     for sheet in &sheets {
-        let rows = xlsx_rows(&part(&zip, sheet, "xlsx")?, &strings)?;
+        let rows = xlsx_rows(&part(&zip, sheet, "xlsx")?, &strings, &dates)?;
         if rows.iter().any(|r| !r.is_empty()) {
             let mut content = table(&rows, input.name)?;
             if sheets.len() > 1
@@ -116,6 +122,52 @@ fn shared_strings(xml: &str) -> Vec<String> {
     out
 }
 
+/// Which cell styles show dates or times of day.
+fn date_styles(xml: &str) -> Vec<bool> {
+    let (mut own, mut out, mut inside) = (vec![], vec![], false);
+    for piece in Pieces(xml) {
+        match piece {
+            Piece::Open("numFmt", attributes, _) => {
+                let code = attribute(attributes, "formatCode").map(unescaped).unwrap_or_default();
+                // Texts in quotes and brackets (but for [h]) are no parts of a date.
+                let parts = code.split('"').step_by(2).collect::<String>().to_lowercase();
+                let is_date = !parts.contains("general") && parts.contains(['y', 'd', 'h', 's']);
+                own.push((attribute(attributes, "numFmtId").map(str::to_owned), is_date));
+            }
+            Piece::Open("cellXfs", ..) => inside = true,
+            Piece::Close("cellXfs") => inside = false,
+            Piece::Open("xf", attributes, _) if inside => {
+                let id = attribute(attributes, "numFmtId").unwrap_or("0");
+                let built_in = id.parse::<u32>().is_ok_and(|n| (14..=22).contains(&n) || (45..=47).contains(&n));
+                out.push(built_in || own.iter().any(|(of, date)| of.as_deref() == Some(id) && *date));
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+/// A day number of a workbook as a date and a time, to ten microseconds, which is what its digits hold.
+fn stamp(serial: f64) -> Option<String> {
+    const TICKS: f64 = 8_640_000_000.0;
+    if !(0.0..=109_000.0).contains(&serial) {
+        return None;
+    }
+    let all = (serial * TICKS).round() as i64;
+    let (days, ticks) = (all.div_euclid(TICKS as i64), all.rem_euclid(TICKS as i64));
+    let seconds = ticks / 100_000;
+    let (h, m, s, f) = (seconds / 3600, seconds / 60 % 60, seconds % 60, ticks % 100_000);
+    let time = format!("{h:02}:{m:02}:{s:02}.{f:05}");
+    if days == 0 {
+        return Some(time);
+    }
+    let (year, month, day) = crate::sheet::clock::civil(days - EPOCH);
+    Some(format!("{year:04}-{month:02}-{day:02}T{time}"))
+}
+
+/// Day number of 1970-01-01 in workbooks, which count from 1899-12-30.
+const EPOCH: i64 = 25_569;
+
 /// Row and column from 0 of a reference such as `B3`.
 fn place(reference: &str) -> Option<(usize, usize)> {
     let letters = reference.bytes().take_while(u8::is_ascii_uppercase).count();
@@ -127,9 +179,10 @@ fn place(reference: &str) -> Option<(usize, usize)> {
     Some((row.checked_sub(1)?, column))
 }
 
-fn xlsx_rows(xml: &str, strings: &[String]) -> Result<Rows, Fault> {
+fn xlsx_rows(xml: &str, strings: &[String], dates: &[bool]) -> Result<Rows, Fault> {
     let mut rows: Rows = vec![];
     let (mut at, mut kind, mut value, mut inside) = ((0, 0), String::new(), String::new(), false);
+    let mut is_date = false;
     for piece in Pieces(xml) {
         match piece {
             Piece::Open("row", attributes, _) => {
@@ -139,6 +192,8 @@ fn xlsx_rows(xml: &str, strings: &[String]) -> Result<Rows, Fault> {
             Piece::Open("c", attributes, closed) => {
                 at = attribute(attributes, "r").and_then(place).unwrap_or(at);
                 kind = attribute(attributes, "t").unwrap_or("n").to_owned();
+                let style = attribute(attributes, "s").and_then(|s| s.parse::<usize>().ok());
+                is_date = style.and_then(|s| dates.get(s)).copied().unwrap_or(false);
                 value.clear();
                 if closed {
                     at.1 += 1;
@@ -150,7 +205,10 @@ fn xlsx_rows(xml: &str, strings: &[String]) -> Result<Rows, Fault> {
             Piece::Close("c") => {
                 let shared = |v: &str| v.trim().parse::<usize>().ok().and_then(|i| strings.get(i)).cloned();
                 let text = if kind == "s" {
-                    shared(&value).ok_or_else(|| Fault::new(format!("a cell refers to the text {value}, which is not there")))?
+                    shared(&value)
+                        .ok_or_else(|| Fault::new(format!("a cell refers to the text {value}, which is not there")))?
+                } else if is_date && kind == "n" {
+                    value.parse().ok().and_then(stamp).unwrap_or_else(|| value.clone())
                 } else {
                     value.clone()
                 };
@@ -186,7 +244,9 @@ fn read_ods(input: &Input<'_>) -> Result<Content, Fault> {
     let mut rows: Rows = vec![];
     let (mut row, mut column, mut repeat, mut row_repeat) = (0, 0, 1, 1);
     let (mut value, mut text, mut inside): (Option<String>, String, bool) = (None, String::new(), false);
-    let count = |attributes: &str, name: &str| attribute(attributes, name).and_then(|n| n.parse().ok()).unwrap_or(1usize).max(1);
+    let count = |attributes: &str, name: &str| {
+        attribute(attributes, name).and_then(|n| n.parse().ok()).unwrap_or(1usize).max(1)
+    };
     for piece in Pieces(&xml) {
         match piece {
             Piece::Open("table-row", attributes, closed) => {
@@ -207,7 +267,8 @@ fn read_ods(input: &Input<'_>) -> Result<Content, Fault> {
             }
             Piece::Open("table-cell" | "covered-table-cell", attributes, closed) => {
                 repeat = count(attributes, "number-columns-repeated");
-                let number = attribute(attributes, "value-type").filter(|t| matches!(*t, "float" | "percentage" | "currency"));
+                let number =
+                    attribute(attributes, "value-type").filter(|t| matches!(*t, "float" | "percentage" | "currency"));
                 let stamp = attribute(attributes, "date-value");
                 value = number.and(attribute(attributes, "value")).or(stamp).map(unescaped);
                 text.clear();

@@ -33,7 +33,11 @@ impl<'a> Iterator for Pieces<'a> {
                 return Some(Piece::Text(&text[..end]));
             };
             if rest.starts_with(['?', '!']) {
-                let end = if rest.starts_with("!--") { rest.find("-->").map(|i| i + 3) } else { rest.find('>').map(|i| i + 1) };
+                let end = if rest.starts_with("!--") {
+                    rest.find("-->").map(|i| i + 3)
+                } else {
+                    rest.find('>').map(|i| i + 1)
+                };
                 self.0 = &rest[end.unwrap_or(rest.len())..];
                 continue;
             }
@@ -83,7 +87,9 @@ pub(super) fn unescaped(text: &str) -> String {
             Some("gt") => Some('>'),
             Some("quot") => Some('"'),
             Some("apos") => Some('\''),
-            Some(e) => e.strip_prefix("#x").and_then(|d| code(d, 16)).or_else(|| e.strip_prefix('#').and_then(|d| code(d, 10))),
+            Some(e) => {
+                e.strip_prefix("#x").and_then(|d| code(d, 16)).or_else(|| e.strip_prefix('#').and_then(|d| code(d, 10)))
+            }
             None => None,
         };
         match (c, end) {
@@ -107,7 +113,12 @@ mod tests {
     #[test]
     fn tags_and_texts() {
         let pieces: Vec<Piece<'_>> = Pieces("<?xml?><x:a r='1' t=\"s\">5 &lt; 6<b/></x:a>").collect();
-        let expected = [Piece::Open("a", "r='1' t=\"s\"", false), Piece::Text("5 &lt; 6"), Piece::Open("b", "", true), Piece::Close("a")];
+        let expected = [
+            Piece::Open("a", "r='1' t=\"s\"", false),
+            Piece::Text("5 &lt; 6"),
+            Piece::Open("b", "", true),
+            Piece::Close("a"),
+        ];
         assert_eq!(pieces, expected);
         assert_eq!((attribute("r='1' t=\"s\"", "t"), attribute("r='1'", "t")), (Some("s"), None));
         assert_eq!(unescaped("a &amp; &#x41;&#66; & b"), "a & AB & b");

@@ -25,6 +25,19 @@ fn days(year: i64, month: i64, day: i64) -> Option<i64> {
     Some(era * 146_097 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year - 719_468)
 }
 
+/// Year, month and day of days since 1970-01-01. Source: Hinnant, `civil_from_days`.
+pub(crate) fn civil(days: i64) -> (i64, i64, i64) {
+    let z = days + 719_468;
+    let era = z.div_euclid(146_097);
+    let day_of_era = z - era * 146_097;
+    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let mp = (5 * day_of_year + 2) / 153;
+    let month = if mp < 10 { mp + 3 } else { mp - 9 };
+    let year = year_of_era + era * 400 + i64::from(month <= 2);
+    (year, month, day_of_year - (153 * mp + 2) / 5 + 1)
+}
+
 /// Nanoseconds of `h:m`, `h:m:s` or `h:m:s.f`, where the decimal sign may be a comma.
 fn time_of_day(text: &str) -> Option<i64> {
     let (text, noon) = match text.to_ascii_lowercase() {
@@ -112,7 +125,7 @@ pub(crate) fn between(from: &Stamp, to: &Stamp) -> Option<i64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{between, parse};
+    use super::{between, civil, parse};
 
     #[test]
     fn stamps_are_apart_by_exact_times() {
@@ -125,6 +138,10 @@ mod tests {
         ] {
             let stamp = |t| parse(t).expect(t);
             assert_eq!(between(&stamp(a), &stamp(b)), Some(apart), "{a} {b}");
+        }
+        for days in [-20_000, -1, 0, 59, 60, 19_782, 30_000] {
+            let (y, m, d) = civil(days);
+            assert_eq!(super::days(y, m, d), Some(days));
         }
         // Another date whose order of day and month is not sure.
         let stamp = |t| parse(t).expect(t);

@@ -3,7 +3,8 @@
 use crate::unit::{self, Quantity, Unit};
 
 /// Names of a column of times, in the languages of recorders.
-const TIME_NAMES: &[&str] = &["time", "t", "zeit", "temps", "tiempo", "tempo", "times", "x_value", "elapsed time", "running time"];
+const TIME_NAMES: &[&str] =
+    &["time", "t", "zeit", "temps", "tiempo", "tempo", "times", "x_value", "elapsed time", "running time"];
 
 /// Name and unit of `name[unit]` or `name(unit)`. Round brackets count as those of a unit only if it is known: they may
 /// be a part of the name.

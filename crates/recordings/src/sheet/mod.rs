@@ -113,7 +113,8 @@ impl Sheet {
         let by = |same: &dyn Fn(&str) -> bool| self.columns.iter().position(|c| !c.cell.is_empty() && same(&c.cell));
         let exact = by(&|cell| cell == which);
         let plain = || by(&|cell| head::known_unit(cell).0 == which);
-        let numbered = || which.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).filter(|n| *n < self.columns.len());
+        let numbered =
+            || which.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).filter(|n| *n < self.columns.len());
         let any_case = || by(&|cell| head::known_unit(cell).0.eq_ignore_ascii_case(which));
         exact.or_else(plain).or_else(numbered).or_else(any_case).ok_or_else(|| {
             let names = self.columns.iter().map(|c| c.cell.as_str()).collect::<Vec<_>>().join(", ");

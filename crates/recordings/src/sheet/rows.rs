@@ -73,7 +73,8 @@ struct Layout {
 
 /// A name of a column and not a number that is misspelt.
 fn is_name(cell: &str) -> bool {
-    let like_number = cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')) || cell.contains('.');
+    let like_number =
+        cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')) || cell.contains('.');
     !(is_number(cell, true) || (like_number && resembles_number(cell)))
 }
 
@@ -114,20 +115,22 @@ fn layout(sample: &[Line<'_>], separator: Separator, form: &Form<'_>) -> Option<
     let first = || kinds.iter().position(|k| k.is_data);
     let some = || kinds.iter().skip(1).position(|k| k.has_number).map(|i| i + 1);
     let start = pair.or_else(first).or_else(some)?;
-    let least = kinds[start..].iter().take(2).filter(|k| k.is_data).map(|k| k.filled).max().unwrap_or(kinds[start].filled);
+    let least =
+        kinds[start..].iter().take(2).filter(|k| k.is_data).map(|k| k.filled).max().unwrap_or(kinds[start].filled);
     let mut block = start;
     let mut fits = |i: usize| {
         split_names(separator, sample[i].text, least, &mut cells);
         let most = if form.short_rows { usize::MAX } else { kinds[start].full };
-        (least..=most).contains(&filled(&cells)) || (cells.len() >= least && !cells.iter().all(|c| is_name(c.text)))
-            && cells.len() == kinds[start].full
+        (least..=most).contains(&filled(&cells))
+            || (cells.len() >= least && !cells.iter().all(|c| is_name(c.text))) && cells.len() == kinds[start].full
     };
     while block > 0 && fits(block - 1) {
         block -= 1;
     }
     let (mut names, mut units, mut rows) = (None, None, block);
     split_names(separator, sample[block].text, least, &mut cells);
-    let heads = cells.iter().all(|c| is_name(c.text)) || cells.first().is_some_and(|c| head::time_head(c.text).is_some());
+    let heads =
+        cells.iter().all(|c| is_name(c.text)) || cells.first().is_some_and(|c| head::time_head(c.text).is_some());
     let has_stamp = cells.iter().any(|c| parse_stamp(c.text).is_some());
     if block < start && heads && filled(&cells) > 0 && !has_stamp {
         (names, rows) = (Some(block), block + 1);
@@ -227,7 +230,8 @@ pub(super) fn parse(text: &str, form: &Form<'_>) -> Result<Sheet, SheetError> {
             Err(SheetError::List(Fault::new("there are no rows of numbers")))
         };
     };
-    let decimals = form.decimal.map_or_else(|| Decimals::new(separator.char()), |d| Decimals::stated(separator.char(), d));
+    let decimals =
+        form.decimal.map_or_else(|| Decimals::new(separator.char()), |d| Decimals::stated(separator.char(), d));
     let line_of = |at: Option<usize>| at.map_or("", |i| sample[i].text);
     let mut reader = Reader {
         form,
@@ -265,7 +269,8 @@ impl<'a> Reader<'a> {
         };
         split_names(self.separator, sample[names].text, filled(&row), &mut cells);
         let filled = filled(&cells);
-        self.sheet.columns = cells[..filled].iter().map(|c| Column { cell: c.text.to_owned(), ..Column::default() }).collect();
+        self.sheet.columns =
+            cells[..filled].iter().map(|c| Column { cell: c.text.to_owned(), ..Column::default() }).collect();
         self.sheet.named = true;
         self.stamps.resize(filled, None);
         if let Some(line) = layout.units.map(|i| sample[i]) {
@@ -310,7 +315,8 @@ impl<'a> Reader<'a> {
                 } else if self.is_footer(&line, &cells, after_blank, Lines { ..lines }) {
                     let rest = lines.filter(|l| !l.text.trim().is_empty()).count();
                     let (from, to) = (line.number, line.number + rest);
-                    let which = if rest == 0 { format!("line {from}") } else { format!("lines {from} to {to} or later") };
+                    let which =
+                        if rest == 0 { format!("line {from}") } else { format!("lines {from} to {to} or later") };
                     self.sheet.notes.push(format!("{which} below the table: no samples: \"{}\"", shown(line.text)));
                     return Ok(());
                 } else {
@@ -390,7 +396,9 @@ impl<'a> Reader<'a> {
         if self.separator == Separator::Char(',') && bytes.len() > 1 && bytes[0] == b'0' && bytes[1].is_ascii_digit() {
             let whole = bytes.iter().all(u8::is_ascii_digit);
             if whole {
-                return Err("are the commas decimal signs too? Save decimals with a point, or cells with semicolons".into());
+                return Err(
+                    "are the commas decimal signs too? Save decimals with a point, or cells with semicolons".into()
+                );
             }
         }
         let error = match self.decimals.number(text) {
@@ -438,12 +446,14 @@ impl<'a> Reader<'a> {
             return Err(SheetError::List(Fault::new(message).at(whole_line)));
         }
         let message = format!("a row of {} has {} cells, its header {width}", self.form.name, cells.len());
-        let mut fault = Fault::in_line(line.number, message).expected("expected as many cells as columns").at(whole_line);
+        let mut fault =
+            Fault::in_line(line.number, message).expected("expected as many cells as columns").at(whole_line);
         let is_whole =
             |c: &str| c.trim_start_matches(['-', '+']).bytes().all(|b| b.is_ascii_digit() || b == b'e' || b == b'E');
         let twice = (width + 1..=2 * width).contains(&cells.len());
         if self.separator == Separator::Char(',') && twice && cells.iter().all(|c| is_whole(c.text)) {
-            fault = fault.help("are the commas decimal signs too? Save decimals with a point, or cells with semicolons");
+            fault =
+                fault.help("are the commas decimal signs too? Save decimals with a point, or cells with semicolons");
         }
         Err(SheetError::Fault(fault))
     }
