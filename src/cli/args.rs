@@ -9,6 +9,7 @@ use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
 use super::motions::MotionsArgs;
 use super::prototype::PrototypeArgs;
+use super::recording::RecordingArgs;
 use super::response_spectrum::ResponseSpectrumArgs;
 use super::view::ViewArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -58,6 +59,8 @@ pub(super) enum Command {
     Bearing(BearingArgs),
     /// Measure the cycles in a file: secant stiffness, dissipated energy, equivalent damping
     Loops(LoopsArgs),
+    /// Show what a measured file holds, convert it, and write it as CSV, as the file of a Path series or as NumPy's npz
+    Recording(RecordingArgs),
     /// Spectra, intensity, rotation and scaling of ground motions
     Motions(MotionsArgs),
     /// Run an isolation study: bounds, motions and eccentricities; bearing schedule and checks

@@ -2,12 +2,12 @@
 
 use super::files::write_atomically;
 use super::run::print;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
 use clap::Args;
 use hysteron::design::fragility::{Fit, Observation};
 use hysteron::design::incremental::{Ending, Summary, Trace, bounds, hunt, intensities, report, stripe, summary};
-use hysteron::design::isolate::{Study, load};
-use hysteron::opensees::files::table::Table as Columns;
+use hysteron::design::isolate::Study;
+use hysteron::recordings::Table as Columns;
 use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]

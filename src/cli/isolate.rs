@@ -3,10 +3,10 @@
 use super::args::CheckArgs;
 use super::calibrate::FAILURE;
 use super::files::write_atomically;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, load, report, script_text, summary};
+use hysteron::design::isolate::{self, report, script_text, summary};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;

@@ -3,15 +3,15 @@
 use clap::{Args, ValueEnum};
 use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
-use hysteron::opensees::files::table::Table as Columns;
+use hysteron::recordings::{Table as Columns, read_file};
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
-use hysteron::tcl::read_whole;
 use std::fs;
+use std::path::Path;
 
 /// Columns of the loops, and options of the report.
 #[derive(Args, Debug)]
 pub(super) struct LoopsArgs {
-    /// File of a recorder, or CSV with or without names
+    /// File of a recorder, CSV with or without names, or any other that `recording` shows
     file: String,
     /// Column of the displacement (or strain), by name or number from 1; two for an orbit
     #[arg(long, short = 'u', value_name = "COLUMN", required = true, num_args = 1..=2)]
@@ -131,16 +131,12 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
         let (u, f) = (a.displacement.len(), a.force.len());
         return Err(format!("there are {u} columns of displacements, but {f} of forces"));
     }
-    let bytes = fs::File::open(&a.file).and_then(read_whole).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
+    let bytes = read_file(Path::new(&a.file)).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
     let of_file = |e: String| format!("\"{}\": {e}", a.file);
-    let text = String::from_utf8(bytes).map_err(|_| of_file("it is no text".into()))?;
-    let columns = Columns::parse(&text).map_err(of_file)?;
+    let columns = Columns::read(&a.file, &bytes).map_err(of_file)?;
     let column = |which: &String, factor: f64| {
-        let values: Vec<f64> = columns.column(which).map_err(of_file)?.iter().map(|x| factor * x).collect();
-        match values.iter().position(|x| !x.is_finite()) {
-            Some(at) => Err(of_file(format!("row {} of column \"{which}\" is not finite", at + 1))),
-            None => Ok(values),
-        }
+        let values = columns.complete_column(which).map_err(of_file)?;
+        Ok::<Vec<f64>, String>(values.iter().map(|x| factor * x).collect())
     };
     let all = |which: &[String], factor: f64| which.iter().map(|w| column(w, factor)).collect::<Result<Vec<_>, _>>();
     let (u, f) = (all(&a.displacement, a.displacement_factor)?, all(&a.force, a.force_factor)?);

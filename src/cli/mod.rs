@@ -26,6 +26,7 @@ mod motions;
 mod preflight;
 mod progress;
 mod prototype;
+mod recording;
 mod response_spectrum;
 mod review;
 mod run;

@@ -1,30 +1,31 @@
 //! `hysteron motions`: spectra, intensities, rotation and scaling of ground motions.
 
 use super::files::write_atomically;
+use super::recording::ToldArgs;
 use clap::Args;
 use hysteron::design::codes::Code;
 use hysteron::design::motion::{ReadOptions, read};
 use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
 use hysteron::design::target::Target;
+use hysteron::recordings::read_file;
 use hysteron::study::unit::{self, Quantity};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Files, and what is done with their motions.
 #[derive(Args, Debug)]
 pub(super) struct MotionsArgs {
-    /// Files: PEER AT2, CSMIP V2, COSMOS V2c, CSV, or columns of numbers
+    /// Files of any format that `recording` shows
     #[arg(required = true)]
     files: Vec<String>,
     /// Take the components two by two as pairs
     #[arg(long)]
     pairs: bool,
-    /// Unit of accelerations of files that do not give one (g, m/s2, cm/s2, in/s2)
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<String>,
-    /// Step of time in s of files that do not give one
-    #[arg(long, value_name = "S")]
-    dt: Option<f64>,
+    #[command(flatten)]
+    told: ToldArgs,
+    /// Differentiate velocities and displacements of files without accelerations
+    #[arg(long)]
+    differentiate: bool,
     /// Azimuths of the components in degrees clockwise from north, in order, where files do not give them
     #[arg(long, value_name = "DEG", num_args = 1.., value_delimiter = ',')]
     azimuths: Vec<f64>,
@@ -68,16 +69,16 @@ pub(super) struct MotionsArgs {
 
 /// Run the command; the text for standard output.
 pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
-    let text = |file: &str| fs::read(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
-    let as_text = |file: &str| text(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let options = ReadOptions { unit: a.unit.clone(), dt: a.dt };
-    if a.dt.is_some_and(|dt| dt <= 0.0 || !dt.is_finite()) {
-        return Err("--dt: expected more than 0".into());
-    }
+    let bytes = |file: &str| read_file(Path::new(file)).map_err(|e| format!("cannot read \"{file}\": {e}"));
+    let as_text = |file: &str| bytes(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let options =
+        ReadOptions { told: a.told.told()?, channels: a.told.channels().to_vec(), differentiate: a.differentiate };
     let mut motions = vec![];
     for file in &a.files {
         let name = file.rsplit('/').next().unwrap_or(file);
-        motions.extend(read(name, &as_text(file)?, &options).map_err(|e| format!("\"{file}\": {e}"))?);
+        let found = read(name, &bytes(file)?, &options).map_err(|e| format!("\"{file}\": {e}"))?;
+        found.notes.iter().for_each(|note| eprintln!("warning: {note}"));
+        motions.extend(found.motions);
     }
     if !a.azimuths.is_empty() {
         if a.azimuths.len() != motions.len() {

@@ -8,17 +8,15 @@ use hysteron::design::prototype::{
     BoundFactors, Bounds, Factors, Nominal, PrototypeTest, Rubber, TestRecord, acceptance, cycle_table, report,
     script_lines, trends,
 };
-use hysteron::diagnostic::SourceMap;
 use hysteron::measure::CycleDetection;
-use hysteron::opensees::files::table::Table as Columns;
-use hysteron::study::Recording;
+use hysteron::recordings::{Table as Columns, read_file};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Tests, nominal values and factors.
 #[derive(Args, Debug)]
 pub(super) struct PrototypeArgs {
-    /// Files of tests in the order in which they were made: CSV, or columns of numbers
+    /// Files of tests in the order in which they were made: of any format that `recording` shows
     #[arg(required = true)]
     files: Vec<String>,
     /// Column of the displacement, by name or number from 1
@@ -85,32 +83,14 @@ struct Columnar {
     f: Vec<f64>,
 }
 
-/// The rows of a recording without missing samples.
-fn complete_rows(file: &str, text: &str) -> Option<Columns> {
-    let r = Recording::parse(file, text, &mut SourceMap::default()).ok()?;
-    let is_complete = |i: &usize| r.columns.iter().all(|c| c.values[*i].is_finite());
-    let rows: Vec<usize> = (0..r.times.len()).filter(is_complete).collect();
-    let of = |values: &[f64]| rows.iter().map(|i| values[*i]).collect::<Vec<f64>>();
-    let names = std::iter::once("time".to_owned()).chain(r.columns.iter().map(|c| c.name.clone())).collect();
-    let columns = std::iter::once(of(&r.times)).chain(r.columns.iter().map(|c| of(&c.values))).collect();
-    Some(Columns { names, columns })
-}
-
 fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
-    let text = fs::read_to_string(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let bytes = read_file(Path::new(file)).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
     let of_file = |e: String| format!("\"{file}\": {e}");
-    let table = match Columns::parse(&text) {
-        Ok(table) => table,
-        // Missing samples, units below the names, other separators.
-        Err(first) => complete_rows(file, &text).ok_or_else(|| of_file(first))?,
-    };
-    let column = |which: &str| {
-        let values = table.column(which).map_err(of_file)?;
-        match values.iter().position(|x| !x.is_finite()) {
-            Some(at) => Err(of_file(format!("row {} of column \"{which}\" is not finite", at + 1))),
-            None => Ok(values.to_vec()),
-        }
-    };
+    let (table, missing) = Columns::read(file, &bytes).map_err(of_file)?.without_missing();
+    if missing > 0 {
+        eprintln!("warning: \"{file}\": {missing} rows with missing samples are left out");
+    }
+    let column = |which: &str| table.complete_column(which).map(<[f64]>::to_vec).map_err(of_file);
     let time = a.time.as_deref().map(column).transpose()?;
     Ok(Columnar { time, u: column(&a.displacement)?, f: column(&a.force)? })
 }

@@ -1,9 +1,9 @@
 //! `hysteron response-spectrum`: the multimode method beside the time histories of an isolation study.
 
 use super::files::write_atomically;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
 use clap::Args;
-use hysteron::design::isolate::{self, load};
+use hysteron::design::isolate;
 use hysteron::design::multimode::{report, respond_at_bounds};
 use std::path::PathBuf;
 use std::sync::Arc;

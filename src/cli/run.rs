@@ -58,6 +58,7 @@ pub(crate) fn main() -> i32 {
         Command::Fragility(args) => super::fragility::fragility(&args),
         Command::ResponseSpectrum(args) => super::response_spectrum::response_spectrum(&args),
         Command::Batch(args) => super::batch::batch(&args),
+        Command::Recording(args) => print(super::recording::recording(&args)),
         Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
         Command::Completions { shell } => print(Ok(help::completions(shell))),

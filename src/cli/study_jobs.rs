@@ -3,7 +3,7 @@
 use super::files::write_atomically;
 use super::signals::on_interrupt;
 use clap::Args;
-use hysteron::design::isolate::{Job, JobOutcome, Study, is_current, run_job};
+use hysteron::design::isolate::{self, Job, JobOutcome, Study, is_current, run_job};
 use hysteron::study::WorkerPool;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fs;
@@ -26,6 +26,13 @@ pub(super) struct StudyJobsArgs {
     /// Print the results as JSON
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// Read a study and settle it with its script, and say what is to be said about its motions.
+pub(super) fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
+    let study = isolate::load(path, stop)?;
+    study.notes.iter().for_each(|note| eprintln!("warning: {note}"));
+    Ok(study)
 }
 
 /// Analyses of a study in a folder.

@@ -3,7 +3,7 @@
 use crate::codes::Code;
 use crate::motion::G;
 use crate::spectrum::interpolated;
-use hysteron_opensees::files::table::Table;
+use hysteron_recordings::Table;
 use hysteron_tcl::diagnostic::nearest;
 use std::collections::BTreeMap;
 

@@ -65,6 +65,7 @@ pub(super) fn batch(a: &BatchArgs) -> i32 {
 /// Do what is asked for; the number of cases that failed.
 fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     let plan = load(&a.plan)?;
+    plan.notes.iter().for_each(|note| eprintln!("warning: {note}"));
     if plan.repeated > 0 {
         eprintln!("warning: {} cases have the inputs of another one: they are run once", plan.repeated);
     }

@@ -24,6 +24,8 @@ pub struct Plan {
     pub cases: Vec<Case>,
     /// Number of cases that were left out because another has the same inputs.
     pub repeated: usize,
+    /// What is to be said about the files of the motions.
+    pub notes: Vec<String>,
 }
 
 /// Bytes as hexadecimal digits.

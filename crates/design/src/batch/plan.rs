@@ -2,7 +2,7 @@
 
 use super::rows::{GridValues, LatinHypercube, Rows, grid, latin_hypercube, list, table};
 use super::{Plan, hexadecimal};
-use crate::motion::{ReadOptions, read};
+use crate::motion::{MotionEntry, read};
 use serde::Deserialize;
 use sha2::{Digest as _, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,21 +26,6 @@ struct PlanFile {
     latin_hypercube: Option<LatinHypercube>,
     #[serde(default)]
     motion: Vec<MotionEntry>,
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MotionEntry {
-    name: Option<String>,
-    files: Vec<String>,
-    #[serde(default = "one")]
-    factor: f64,
-    unit: Option<String>,
-    dt: Option<f64>,
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 /// A motion of a plan.
@@ -104,13 +89,15 @@ fn sourced(script: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) -> Result<(), 
     Ok(())
 }
 
-fn motion(entry: &MotionEntry, folder: &Path) -> Result<PlanMotion, String> {
-    let options = ReadOptions { unit: entry.unit.clone(), dt: entry.dt };
+fn motion(entry: &MotionEntry, folder: &Path, notes: &mut Vec<String>) -> Result<PlanMotion, String> {
+    let options = entry.options()?;
     let mut motions = vec![];
     for name in &entry.files {
-        let text = text_of(&folder.join(name))?;
+        let bytes = bytes_of(&folder.join(name))?;
         let short = name.rsplit('/').next().unwrap_or(name);
-        motions.extend(read(short, &text, &options).map_err(|e| format!("\"{name}\": {e}"))?);
+        let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
+        motions.append(&mut found.motions);
+        notes.append(&mut found.notes);
     }
     let Some(first) = motions.first() else { return Err("a [[motion]] has no files".into()) };
     let name = entry.name.clone().unwrap_or_else(|| first.name.clone());
@@ -167,7 +154,9 @@ pub fn load(path: &Path) -> Result<Plan, String> {
         rows = rows.times(&latin_hypercube(sample)?)?;
     }
     check_columns(&file.results, &rows)?;
-    let motions: Vec<PlanMotion> = file.motion.iter().map(|m| motion(m, folder)).collect::<Result<_, _>>()?;
+    let mut notes = vec![];
+    let read = |m| motion(m, folder, &mut notes);
+    let motions: Vec<PlanMotion> = file.motion.iter().map(read).collect::<Result<_, _>>()?;
     let choices: Vec<Option<usize>> =
         if motions.is_empty() { vec![None] } else { (0..motions.len()).map(Some).collect() };
     let (mut cases, mut hashes, mut repeated) = (vec![], BTreeSet::new(), 0);
@@ -200,7 +189,7 @@ pub fn load(path: &Path) -> Result<Plan, String> {
             }
         }
     }
-    Ok(Plan { parameters: rows.names, results: file.results, motions, cases, repeated })
+    Ok(Plan { parameters: rows.names, results: file.results, motions, cases, repeated, notes })
 }
 
 /// Columns of the table of results that are not the plan's.

@@ -1,13 +1,14 @@
 //! A study that has been read with its motions and settled with its script.
 
 use super::agreement::{Agreement, StatedValues, settle};
-use super::study_file::{BearingEntry, Causes, MotionEntry, Stated, StudyFile, Transition};
+use super::study_file::{BearingEntry, Causes, Stated, StudyFile, Transition};
 use crate::codes::Code;
-use crate::motion::{Motion, Pair, ReadOptions, read};
+use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
+use hysteron_recordings::read_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -115,6 +116,8 @@ pub struct Study {
     pub weight: f64,
     /// Values of the study beside those of the script.
     pub agreement: Agreement,
+    /// What is to be said about the files of the motions.
+    pub notes: Vec<String>,
 }
 
 /// Version of the results of an analysis: those of another one are made again.
@@ -138,20 +141,25 @@ fn mirrored(eccentricities: &[[f64; 2]]) -> Vec<[f64; 2]> {
     all
 }
 
-fn text_of(path: &Path) -> Result<String, String> {
-    let bytes = std::fs::read(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
+    read_file(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))
 }
 
-/// The pair of an entry, with the texts of its files added to `texts`.
-fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>) -> Result<Pair, String> {
-    let options = ReadOptions { unit: entry.unit.clone(), dt: entry.dt };
+fn text_of(path: &Path) -> Result<String, String> {
+    bytes_of(path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The pair of an entry, with the texts of its files added to `texts` and what is to be said about them to `notes`.
+fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut Vec<String>) -> Result<Pair, String> {
+    let options = entry.options()?;
     let mut components: Vec<Motion> = vec![];
     for name in &entry.files {
-        let text = text_of(&folder.join(name))?;
+        let bytes = bytes_of(&folder.join(name))?;
         let short = name.rsplit('/').next().unwrap_or(name);
-        components.extend(read(short, &text, &options).map_err(|e| format!("\"{name}\": {e}"))?);
-        texts.push(text);
+        let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
+        components.append(&mut found.motions);
+        notes.append(&mut found.notes);
+        texts.push(String::from_utf8_lossy(&bytes).into_owned());
     }
     if components.len() == 1 {
         // One component alone: the other direction rests.
@@ -211,8 +219,10 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     let script = folder.join(&file.script);
     texts.push(text_of(&script)?);
     let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
-    let mut motions = file.motion.iter().map(|m| pair(m, folder, texts)).collect::<Result<Vec<_>, _>>()?;
-    texts.extend(file.motion.iter().map(|m| format!("{m:?}")));
+    let mut notes = vec![];
+    let read = |m| pair(m, folder, texts, &mut notes);
+    let mut motions = file.motion.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    texts.extend(file.motion.iter().map(MotionEntry::identity));
     let factors = match file.scale {
         Some([from, to]) => factors(&motions, &target, [from, to])?,
         None => vec![1.0; motions.len()],
@@ -253,6 +263,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         structure_damping: file.structure_damping,
         weight: f64::NAN,
         agreement: Agreement::default(),
+        notes,
     })
 }
 

@@ -1,5 +1,6 @@
 //! The file of an isolation study: its keys, and what can be said of them without the script.
 
+use crate::motion::MotionEntry;
 use crate::performance::{Collapse, Hunt, Intensity, LimitState, Stripes};
 use serde::Deserialize;
 use toml::Spanned;
@@ -97,18 +98,6 @@ pub(super) struct FloorEntry {
     pub(super) weight: Option<Spanned<f64>>,
     #[serde(default)]
     pub(super) height: f64,
-}
-
-/// One pair of records.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct MotionEntry {
-    pub(super) name: Option<String>,
-    pub(super) files: Vec<String>,
-    #[serde(default = "one")]
-    pub(super) factor: f64,
-    pub(super) unit: Option<String>,
-    pub(super) dt: Option<f64>,
 }
 
 fn one() -> f64 {

@@ -2,12 +2,13 @@
 //!
 //! Accelerations are in m/s², times in s, directions in degrees clockwise from north.
 
-mod cosmos;
+mod entry;
 mod intensity;
 mod read;
 
+pub(crate) use entry::MotionEntry;
 pub use intensity::{Baseline, Intensity};
-pub use read::{ReadOptions, read};
+pub use read::{ReadMotions, ReadOptions, read};
 
 /// Standard acceleration of gravity in m/s².
 pub const G: f64 = 9.80665;

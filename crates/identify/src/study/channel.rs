@@ -1,10 +1,10 @@
 //! Reading `[[run.observe]]`: a recorded channel, brought to the unit and the clock of the model.
 
 use super::load::StudyError;
-use super::recording::{Column, Recording};
 use super::run::ObservedChannel;
 use super::study_file::{ObserveTable, SourceSpans};
-use super::unit::{self, Unit};
+use hysteron_recordings::unit::{self, Unit};
+use hysteron_recordings::{Column, Recording};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use toml::Spanned;
 

@@ -3,10 +3,10 @@
 use super::channel::read_channel;
 use super::checks;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
-use super::recording::Recording;
 use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;
+use hysteron_recordings::Recording;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use hysteron_tcl::read_whole;
 use std::fs;

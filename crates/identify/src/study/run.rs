@@ -1,6 +1,6 @@
 //! A recorded run of a study.
 
-use super::recording::Recording;
+use hysteron_recordings::Recording;
 
 /// Use of a run in the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,10 @@
-//! Files of numbers: tables, ground motions.
+//! Files that scripts read and write.
 
 pub mod guard;
-pub mod motion;
 pub(crate) mod number_files;
 pub mod output_folder;
 pub(crate) mod outputs;
 pub(crate) mod series;
-pub mod table;
 pub mod vtu;
 
 use std::fs::OpenOptions;

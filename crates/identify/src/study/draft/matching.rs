@@ -1,9 +1,9 @@
 //! Columns of recordings matched with columns of recorders, by their names, their units and the correlation.
 
 use super::ScriptOutline;
-use crate::study::recording::{Column, Recording};
 use crate::study::trace::Trace;
-use crate::study::unit::{self, Quantity};
+use hysteron_recordings::unit::{self, Quantity};
+use hysteron_recordings::{Column, Recording};
 
 /// Correlation above which a column is taken to be the imposed motion itself.
 const IMPOSED_CORRELATION: f64 = 0.999_999;
@@ -146,8 +146,8 @@ fn correlation(recorded: &[f64], simulated: &[f64]) -> (f64, f64) {
 mod tests {
     use super::{Candidate, match_columns};
     use crate::study::draft::ScriptOutline;
-    use crate::study::recording::Recording;
     use crate::study::trace::Trace;
+    use hysteron_recordings::Recording;
     use hysteron_tcl::diagnostic::SourceMap;
 
     #[test]

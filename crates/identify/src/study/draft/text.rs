@@ -2,7 +2,7 @@
 
 use super::matching::Match;
 use super::{Draft, DraftRun};
-use crate::study::recording::Column;
+use hysteron_recordings::Column;
 use std::fmt::Write as _;
 
 /// Bounds of a parameter over its value in the script.

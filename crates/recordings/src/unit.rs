@@ -53,6 +53,65 @@ impl fmt::Display for Quantity {
     }
 }
 
+/// Words for the quantities that a user names, and that heads of columns begin with.
+const WORDS: &[(&str, Quantity)] = &[
+    ("acceleration", Quantity::Acceleration),
+    ("acc", Quantity::Acceleration),
+    ("accel", Quantity::Acceleration),
+    ("beschleunigung", Quantity::Acceleration),
+    ("velocity", Quantity::Velocity),
+    ("vel", Quantity::Velocity),
+    ("veloc", Quantity::Velocity),
+    ("displacement", Quantity::Length),
+    ("disp", Quantity::Length),
+    ("displ", Quantity::Length),
+    ("length", Quantity::Length),
+    ("stroke", Quantity::Length),
+    ("weg", Quantity::Length),
+    ("force", Quantity::Force),
+    ("load", Quantity::Force),
+    ("kraft", Quantity::Force),
+    ("stress", Quantity::Stress),
+    ("moment", Quantity::Moment),
+    ("angle", Quantity::Angle),
+    ("temperature", Quantity::Temperature),
+    ("temp", Quantity::Temperature),
+    ("strain", Quantity::Ratio),
+    ("time", Quantity::Time),
+    ("zeit", Quantity::Time),
+];
+
+impl Quantity {
+    /// The quantity of a word such as `velocity` or `disp`, in any case.
+    pub fn named(word: &str) -> Option<Self> {
+        let word = word.trim().to_lowercase();
+        WORDS.iter().find(|(w, _)| *w == word).map(|(_, q)| *q)
+    }
+
+    /// The quantity that the name of a column begins with: `Acc X`, `vel_2`, `Weg Lager 1`.
+    pub fn of_head(name: &str) -> Option<Self> {
+        let first = name.trim().split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
+        Self::named(first)
+    }
+
+    /// The word that names it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ratio => "ratio",
+            Self::AngularVelocity => "angular velocity",
+            Self::AngularAcceleration => "angular acceleration",
+            _ if self == Self::Length => "displacement",
+            _ => WORDS.iter().find(|(_, q)| *q == self).map_or("ratio", |(w, _)| w),
+        }
+    }
+
+    /// Units of this quantity, for messages.
+    pub fn examples(self) -> String {
+        let names: Vec<&str> = UNITS.iter().filter(|u| u.quantity == self).map(|u| u.name).collect();
+        names.join(", ")
+    }
+}
+
 /// A unit: a value x in it is `factor` x + `offset` in the SI unit of its quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
@@ -181,6 +240,22 @@ pub fn unit(name: &str) -> Option<Unit> {
     find(&|n| n == plain).or_else(|| if plain.len() > 1 { find(&same_letters) } else { None })
 }
 
+/// The unit of a header in capitals, in the words of agencies: `CM/SEC/SEC`, `G`, `GALS`, `cm/s**2`.
+pub fn header_unit(name: &str) -> Option<Unit> {
+    let name = name.trim().trim_matches(|c: char| matches!(c, '(' | ')' | '[' | ']' | ',' | ';' | ':'));
+    let lower = name.to_lowercase();
+    let plain = match lower.as_str() {
+        "gals" => "gal",
+        "g's" | "gs" => "g",
+        "seconds" | "second" => "s",
+        "msec" | "millisec" | "milliseconds" => "ms",
+        "minutes" => "min",
+        "inches" => "in",
+        other => other,
+    };
+    unit(name).or_else(|| unit(plain))
+}
+
 /// The name without superscripts, spaces and signs of multiplication.
 fn normalized(name: &str) -> String {
     let name = name.trim();
@@ -202,7 +277,7 @@ pub fn nearest_name(name: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Quantity, all, nearest_name, unit};
+    use super::{Quantity, all, header_unit, nearest_name, unit};
 
     fn convert(x: f64, from: &str, to: &str) -> f64 {
         let (factor, offset) = unit(from).expect(from).conversion(&unit(to).expect(to)).expect("one quantity");
@@ -229,6 +304,23 @@ mod tests {
             assert!((got - expected).abs() < 1e-12 * expected.abs().max(1.0), "{x} {from} in {to}: {got}");
         }
         assert!(unit("kN").expect("kN").conversion(&unit("mm").expect("mm")).is_none());
+    }
+
+    #[test]
+    fn headers_name_units_in_capitals() {
+        for (word, name) in [
+            ("G", "g"),
+            ("CM/SEC/SEC", "cm/s2"),
+            ("cm/s**2", "cm/s2"),
+            ("GALS", "gal"),
+            ("MSEC", "ms"),
+            ("(CM/S)", "cm/s"),
+        ] {
+            assert_eq!(header_unit(word).map(|u| u.name), Some(name), "{word}");
+        }
+        assert_eq!(header_unit("COUNTS"), None);
+        assert_eq!(Quantity::of_head("Vel_X"), Some(Quantity::Velocity));
+        assert_eq!(Quantity::of_head("velvet"), None);
     }
 
     #[test]

@@ -1,0 +1,208 @@
+//! The channels of a table: which column is the time, what the others are.
+
+use crate::content::{Content, Layout, Told};
+use crate::fault::Fault;
+use crate::measured::Measured;
+use crate::series::{Clock, Origin, Series};
+use crate::sheet::{Column, Sheet, head};
+use crate::unit::{self, Quantity, Unit};
+
+/// Steps that differ by more than this share of the mean are not equal.
+const STEP_TOLERANCE: f64 = 0.02;
+
+impl Measured {
+    /// The channels, with what the file and the user say about them.
+    ///
+    /// # Errors
+    /// The times are none, or do not increase, or rows of numbers may be one channel or several.
+    pub fn series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
+        match &self.content {
+            Content::Series { series, .. } => {
+                let with_step = |s: &Series| match (&s.clock, told.dt) {
+                    (Clock::Unknown, Some(dt)) => s.clone().with_step(dt),
+                    _ => s.clone(),
+                };
+                Ok(series.iter().map(with_step).collect())
+            }
+            Content::Table(sheet) => of_sheet(self, sheet, told),
+        }
+    }
+}
+
+fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fault> {
+    let time = TimeColumn::find(sheet);
+    let clock = match &time {
+        Some(t) => t.clock(sheet, told)?,
+        None => told.dt.map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }),
+    };
+    let is_time = |i: usize| time.as_ref().is_some_and(|t| t.columns.contains(&i));
+    let lines = sheet.lines.first().map_or(0, |l| *l as usize)..sheet.lines.last().map_or(0, |l| *l as usize + 1);
+    let origin = |column| Origin { file: m.file.clone(), lines: lines.clone(), bytes: 0..m.size, column };
+    if time.is_none() && !sheet.named && sheet.columns.len() > 1 {
+        match told.layout.map_or_else(|| side_by_side(sheet), Ok)? {
+            Layout::Columns => {}
+            Layout::Wrapped => {
+                let values = (0..sheet.rows()).flat_map(|i| sheet.columns.iter().map(move |c| c.values[i])).collect();
+                return Ok(vec![Series { clock, origin: origin(None), ..Series::new(values) }]);
+            }
+        }
+    }
+    let channel = |(i, c): (usize, &Column)| {
+        let (name, unit, unit_name) = meaning(c);
+        let quantity = unit.map(|u| u.quantity).or_else(|| Quantity::of_head(&name));
+        let direction = name.clone();
+        let clock = clock.clone();
+        Series {
+            name,
+            direction,
+            unit,
+            unit_name,
+            quantity,
+            clock,
+            origin: origin(Some(i + 1)),
+            ..Series::new(c.values.clone())
+        }
+    };
+    Ok(sheet.columns.iter().enumerate().filter(|(i, _)| !is_time(*i)).map(channel).collect())
+}
+
+/// Name, unit and unit as written of a column.
+pub(crate) fn meaning(c: &Column) -> (String, Option<Unit>, String) {
+    let (name, unit) = head::known_unit(&c.cell);
+    let written = head::name_and_unit(&c.cell).1;
+    if unit.is_some() || c.unit.is_empty() {
+        let unit_name = if written.is_empty() { unit.map_or("", |u| u.name).to_owned() } else { written };
+        return (name, unit, unit_name);
+    }
+    (name, unit::header_unit(&c.unit), c.unit.clone())
+}
+
+/// The numbers in the rows of a table without names are one channel, or several channels side by side.
+///
+/// One channel varies less in the order of reading than down the columns, since samples are near those before them.
+fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
+    let n = sheet.columns.len();
+    let at = |k: usize| sheet.columns[k % n].values[k / n];
+    let total = n * sheet.rows();
+    let variation =
+        |apart: usize| (apart..total).map(|k| (at(k) - at(k - apart)).abs()).filter(|x| x.is_finite()).sum::<f64>();
+    if variation(1) <= variation(n) {
+        return Ok(Layout::Wrapped);
+    }
+    let message = format!("the rows of {n} numbers have no names and look like {n} channels side by side");
+    Err(Fault::new(message)
+        .help("--layout columns takes them so, --layout wrapped as one channel in the order of reading"))
+}
+
+/// The column of the time, or those of the date and of the time of day.
+struct TimeColumn {
+    columns: Vec<usize>,
+    unit: Option<Unit>,
+}
+
+impl TimeColumn {
+    fn find(sheet: &Sheet) -> Option<Self> {
+        let clocks: Vec<usize> = (0..sheet.columns.len()).filter(|i| sheet.columns[*i].is_clock).collect();
+        if !clocks.is_empty() {
+            return Some(Self { columns: clocks, unit: None });
+        }
+        let named = sheet.columns.iter().enumerate().find_map(|(i, c)| Some((i, time_unit_of(c)?)));
+        if let Some((i, unit)) = named {
+            return Some(Self { columns: vec![i], unit: Some(unit) });
+        }
+        let increasing = |v: &[f64]| v.len() > 1 && v.windows(2).all(|w| w[1] > w[0]);
+        let first = sheet.columns.first().filter(|_| !sheet.named && sheet.columns.len() > 1)?;
+        // Of two columns without names the first is the time; of more, if its steps are equal.
+        let is_time = increasing(&first.values) && (sheet.columns.len() == 2 || uneven(&first.values).is_none());
+        is_time.then(|| Self { columns: vec![0], unit: head::time_unit("") })
+    }
+
+    /// Times in s.
+    fn times(&self, sheet: &Sheet) -> Vec<f64> {
+        let seconds = |i: usize, k: usize| {
+            let x = sheet.columns[i].values[k];
+            self.unit.as_ref().map_or(x, |u| head::seconds(x, u))
+        };
+        (0..sheet.rows()).map(|k| self.columns.iter().map(|i| seconds(*i, k)).sum()).collect()
+    }
+
+    fn clock(&self, sheet: &Sheet, told: &Told) -> Result<Clock, Fault> {
+        let times = self.times(sheet);
+        if let Some(i) = times.iter().position(|t| !t.is_finite()) {
+            return Err(Fault::new(format!("{} has no time", sheet.row_name(i))));
+        }
+        if times.len() < 2 {
+            return Ok(Clock::Times(times.into()));
+        }
+        if let Some(dt) = told.dt {
+            return agreeing(sheet, &times, dt);
+        }
+        if let Some(i) = times.windows(2).position(|w| w[1] <= w[0]) {
+            let (a, b) = (times[i], times[i + 1]);
+            let message = match b == a {
+                true => format!("{} repeats the time {b} s of the row before", sheet.row_name(i + 1)),
+                false => format!("the time goes back from {a} s to {b} s in {}", sheet.row_name(i + 1)),
+            };
+            return Err(Fault::new(message).help("if the times are rounded or out of order, say the step: --dt"));
+        }
+        Ok(match uneven(&times) {
+            Some(_) => Clock::Times(times.into()),
+            None => Clock::Steps { start: times[0], dt: mean_step(&times) },
+        })
+    }
+}
+
+/// The unit of a column of times.
+pub(crate) fn time_unit_of(c: &Column) -> Option<Unit> {
+    if c.unit.is_empty() {
+        return head::time_head(&c.cell);
+    }
+    let is_time = head::time_head(&c.cell).is_some();
+    head::time_unit(&c.unit).filter(|_| is_time)
+}
+
+/// Times that are rounded, or start later, fit a step that the user says.
+fn agreeing(sheet: &Sheet, times: &[f64], dt: f64) -> Result<Clock, Fault> {
+    let rounding = times.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
+    let allowed = 0.51 * rounding.max(dt);
+    let error = |(i, t): (usize, &f64)| (t - times[0] - i as f64 * dt).abs() > allowed;
+    match times.iter().enumerate().position(error) {
+        Some(i) => {
+            let at = sheet.row_name(i);
+            let message = format!(
+                "the step {dt} s gives {at} the time {} s, the file says {} s",
+                times[0] + i as f64 * dt,
+                times[i]
+            );
+            Err(Fault::new(message).expected("expected the step of the file"))
+        }
+        None => Ok(Clock::Steps { start: times[0], dt }),
+    }
+}
+
+pub(crate) fn mean_step(times: &[f64]) -> f64 {
+    (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
+}
+
+/// The first row that does not follow after the mean step.
+pub(crate) fn uneven(times: &[f64]) -> Option<usize> {
+    let dt = mean_step(times);
+    times.windows(2).position(|w| (w[1] - w[0] - dt).abs() > STEP_TOLERANCE * dt.abs()).map(|i| i + 1)
+}
+
+/// The fault of times that are not at equal steps: the row that differs most from the usual step.
+pub(crate) fn uneven_fault(m: &Measured, times: &[f64]) -> Fault {
+    let mut steps: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
+    let of_row = steps.clone();
+    steps.sort_by(f64::total_cmp);
+    let usual = steps[steps.len() / 2];
+    let farthest = (0..of_row.len()).max_by(|a, b| (of_row[*a] - usual).abs().total_cmp(&(of_row[*b] - usual).abs()));
+    let i = farthest.unwrap_or(0);
+    let row = m.sheet().map_or_else(|| format!("sample {}", i + 2), |s| s.row_name(i + 1));
+    let shown = |x: f64| format!("{x:.6}").trim_end_matches('0').trim_end_matches('.').to_owned();
+    Fault::new(format!(
+        "the times of the first column are not at equal steps: {row} follows after {} s, the step is {} s",
+        shown(of_row[i]),
+        shown(usual)
+    ))
+}

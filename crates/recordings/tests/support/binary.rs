@@ -1,0 +1,211 @@
+//! Binary formats and archives.
+
+use super::{File, Known, Random};
+
+fn file(name: &str, bytes: Vec<u8>, data: usize) -> Option<File> {
+    Some(File { name: name.to_owned(), bytes, data })
+}
+
+/// An array has no unit and no step: the test says them.
+pub fn npy(k: &Known, r: &mut Random) -> Option<File> {
+    let single = r.below(2) == 0;
+    let big = r.below(2) == 0;
+    let descr = format!("{}{}", if big { '>' } else { '<' }, if single { "f4" } else { "f8" });
+    let head = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({},), }}", k.values.len());
+    let length = (10 + head.len() + 1).div_ceil(64) * 64 - 10;
+    let mut out = b"\x93NUMPY\x01\x00".to_vec();
+    out.extend_from_slice(&(length as u16).to_le_bytes());
+    out.extend_from_slice(format!("{head:<width$}\n", width = length - 1).as_bytes());
+    let data = out.len();
+    for x in &k.values {
+        let mut bytes = if single { (*x as f32).to_le_bytes().to_vec() } else { x.to_le_bytes().to_vec() };
+        if big {
+            bytes.reverse();
+        }
+        out.extend(bytes);
+    }
+    file("a.npy", out, data)
+}
+
+fn mat_element(kind: u32, data: &[u8]) -> Vec<u8> {
+    let mut out = kind.to_le_bytes().to_vec();
+    out.extend_from_slice(&(data.len() as u32).to_le_bytes());
+    out.extend_from_slice(data);
+    out.resize(out.len().div_ceil(8) * 8, 0);
+    out
+}
+
+fn mat_matrix(name: &str, values: &[f64]) -> Vec<u8> {
+    let mut inner = mat_element(6, &[6, 0, 0, 0, 0, 0, 0, 0]);
+    let dims: Vec<u8> = [values.len() as i32, 1].iter().flat_map(|n| n.to_le_bytes()).collect();
+    inner.extend(mat_element(5, &dims));
+    inner.extend(mat_element(1, name.as_bytes()));
+    inner.extend(mat_element(9, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()));
+    mat_element(14, &inner)
+}
+
+pub fn mat(k: &Known, r: &mut Random) -> Option<File> {
+    let mut out = format!("{:<124}", "MATLAB 5.0 MAT-file, Platform: GLNXA64").into_bytes();
+    out.extend_from_slice(&[0, 1, b'I', b'M']);
+    let name = match k.word() {
+        "velocity" => "vel",
+        "displacement" => "disp",
+        _ => "acc",
+    };
+    for matrix in [mat_matrix("dt", &[k.dt]), mat_matrix(name, &k.values)] {
+        if r.below(2) == 0 {
+            let packed = miniz_oxide::deflate::compress_to_vec_zlib(&matrix, 6);
+            out.extend_from_slice(&15u32.to_le_bytes());
+            out.extend_from_slice(&(packed.len() as u32).to_le_bytes());
+            out.extend(packed);
+        } else {
+            out.extend(matrix);
+        }
+    }
+    file("a.mat", out, 128)
+}
+
+pub fn sac(k: &Known, r: &mut Random) -> Option<File> {
+    let little = r.below(2) == 0;
+    let mut real = [-12345.0f32; 70];
+    (real[0], real[5], real[57]) = (k.dt as f32, 0.0, 90.0);
+    let mut whole = [-12345i32; 40];
+    (whole[6], whole[9], whole[15], whole[35]) = (6, k.values.len() as i32, 1, 1);
+    whole[16] = match k.word() {
+        "velocity" => 7,
+        "displacement" => 6,
+        _ => 8,
+    };
+    let words = real.iter().map(|x| x.to_bits()).chain(whole.iter().map(|i| *i as u32));
+    let ordered = |w: u32| if little { w.to_le_bytes() } else { w.to_be_bytes() };
+    let mut out: Vec<u8> = words.flat_map(ordered).collect();
+    out.extend_from_slice(format!("{:<8}{:<16}", "ABC", "-12345").as_bytes());
+    (0..21).for_each(|_| out.extend_from_slice(b"-12345  "));
+    let data = out.len();
+    out.extend(k.values.iter().flat_map(|x| ordered((*x as f32).to_bits())));
+    file("a.sac", out, data)
+}
+
+fn crc32(bytes: &[u8]) -> u32 {
+    let bit = |c: u32| if c & 1 != 0 { 0xedb8_8320 ^ (c >> 1) } else { c >> 1 };
+    !bytes.iter().fold(!0u32, |c, b| (0..8).fold(c ^ u32::from(*b), |c, _| bit(c)))
+}
+
+/// An archive of files, some of them compressed.
+fn zip(files: &[(&str, Vec<u8>, bool)]) -> Vec<u8> {
+    let (mut out, mut directory) = (vec![], vec![]);
+    for (name, content, packed) in files {
+        let data = if *packed { miniz_oxide::deflate::compress_to_vec(content, 6) } else { content.clone() };
+        let offset = out.len() as u32;
+        let mut fields = vec![];
+        for half in [20u16, 0, if *packed { 8 } else { 0 }, 0, 0x21] {
+            fields.extend_from_slice(&half.to_le_bytes());
+        }
+        for word in [crc32(content), data.len() as u32, content.len() as u32] {
+            fields.extend_from_slice(&word.to_le_bytes());
+        }
+        fields.extend_from_slice(&(name.len() as u16).to_le_bytes());
+        fields.extend_from_slice(&[0, 0]);
+        out.extend_from_slice(b"PK\x03\x04");
+        out.extend_from_slice(&fields);
+        out.extend_from_slice(name.as_bytes());
+        out.extend_from_slice(&data);
+        directory.extend_from_slice(b"PK\x01\x02\x14\x00");
+        directory.extend_from_slice(&fields);
+        directory.extend_from_slice(&[0; 10]);
+        directory.extend_from_slice(&offset.to_le_bytes());
+        directory.extend_from_slice(name.as_bytes());
+    }
+    let (start, n) = (out.len() as u32, files.len() as u16);
+    out.extend_from_slice(&directory);
+    out.extend_from_slice(b"PK\x05\x06\0\0\0\0");
+    out.extend_from_slice(&n.to_le_bytes());
+    out.extend_from_slice(&n.to_le_bytes());
+    out.extend_from_slice(&(directory.len() as u32).to_le_bytes());
+    out.extend_from_slice(&start.to_le_bytes());
+    out.extend_from_slice(&[0, 0]);
+    out
+}
+
+fn column_name(k: &Known) -> String {
+    let name = match k.word() {
+        "velocity" => "vel",
+        "displacement" => "disp",
+        _ => "acc",
+    };
+    format!("{name}[{}]", k.unit)
+}
+
+pub fn xlsx(k: &Known, r: &mut Random) -> Option<File> {
+    let shared = r.below(2) == 0;
+    let stamps = r.below(2) == 0;
+    let title = r.below(2) == 0;
+    let cell = |place: &str, text: &str, index: usize| {
+        if shared {
+            format!("<c r=\"{place}\" t=\"s\"><v>{index}</v></c>")
+        } else {
+            format!("<c r=\"{place}\" t=\"inlineStr\"><is><t>{text}</t></is></c>")
+        }
+    };
+    let head = column_name(k);
+    let first = if title { 3 } else { 1 };
+    let mut rows = String::new();
+    if title {
+        rows += &format!("<row r=\"1\">{}</row>", cell("A1", "A &amp; B", 2));
+    }
+    let names = cell(&format!("A{first}"), "time[s]", 0) + &cell(&format!("B{first}"), &head, 1);
+    rows += &format!("<row r=\"{first}\">{names}</row>");
+    for (i, x) in k.values.iter().enumerate() {
+        let (row, t) = (first + i + 1, i as f64 * k.dt);
+        // A time of day of a date: days since 30 December 1899, in the style of a date.
+        let time = if stamps {
+            format!("<c r=\"A{row}\" s=\"1\"><v>{:.13}</v></c>", 45292.5 + t / 86400.0)
+        } else {
+            format!("<c r=\"A{row}\"><v>{t:.4}</v></c>")
+        };
+        rows += &format!("<row r=\"{row}\">{time}<c r=\"B{row}\"><v>{x:.10}</v></c></row>");
+    }
+    let sheet = format!("<?xml version=\"1.0\"?><worksheet><sheetData>{rows}</sheetData></worksheet>");
+    let strings = format!(
+        "<sst><si><t>time[s]</t></si><si><r><t>{}</t></r><r><t>{}</t></r></si><si><t>A &amp; B</t></si></sst>",
+        &head[..2],
+        &head[2..]
+    );
+    let styles = "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"yyyy\\-mm\\-dd\\ hh:mm:ss.000\"/></numFmts>\
+                  <cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"164\"/></cellXfs></styleSheet>";
+    let mut files = vec![
+        ("[Content_Types].xml", b"<Types/>".to_vec(), false),
+        ("xl/workbook.xml", b"<workbook/>".to_vec(), true),
+        ("xl/styles.xml", styles.as_bytes().to_vec(), true),
+        ("xl/worksheets/sheet1.xml", sheet.into_bytes(), true),
+    ];
+    if shared {
+        files.push(("xl/sharedStrings.xml", strings.into_bytes(), true));
+    }
+    file("a.xlsx", zip(&files), 0)
+}
+
+pub fn ods(k: &Known, _: &mut Random) -> Option<File> {
+    let text =
+        |t: &str| format!("<table:table-cell office:value-type=\"string\"><text:p>{t}</text:p></table:table-cell>");
+    let number = |x: String| {
+        format!(
+            "<table:table-cell office:value-type=\"float\" office:value=\"{x}\"><text:p>{x}</text:p></table:table-cell>"
+        )
+    };
+    let mut rows = format!(
+        "<table:table-row>{}{}<table:table-cell table:number-columns-repeated=\"1000\"/></table:table-row>",
+        text("time[s]"),
+        text(&column_name(k))
+    );
+    for (i, x) in k.values.iter().enumerate() {
+        let cells = number(format!("{:.4}", i as f64 * k.dt)) + &number(format!("{x:.10}"));
+        rows += &format!("<table:table-row>{cells}</table:table-row>");
+    }
+    rows += "<table:table-row table:number-rows-repeated=\"1048000\"><table:table-cell/></table:table-row>";
+    let content = format!(
+        "<office:document-content><table:table table:name=\"a\">{rows}</table:table></office:document-content>"
+    );
+    let kind = b"application/vnd.oasis.opendocument.spreadsheet".to_vec();
+    file("a.ods", zip(&[("mimetype", kind, false), ("content.xml", content.into_bytes(), true)]), 0)
+}

@@ -1,0 +1,372 @@
+//! `hysteron recording`: what a measured file holds; conversions and other forms of it.
+
+use super::files::write_atomically;
+use clap::Args;
+use hysteron::opensees::files::write_whole;
+use hysteron::recordings::convert::{derivative, integral, turned, without_line, without_mean};
+use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
+use hysteron::recordings::unit::{self, Quantity, Unit};
+use hysteron::recordings::{Clock, Layout, Measured, Series, Told, read_file};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// What the user says about files that do not say it.
+#[derive(Args, Clone, Debug)]
+pub(super) struct ToldArgs {
+    /// Unit of the values of files that do not give one (g, m/s2, cm/s2, in/s2)
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<String>,
+    /// Step of time in s of files that do not give one
+    #[arg(long, value_name = "S")]
+    dt: Option<f64>,
+    /// Quantity of files that do not give one: acceleration, velocity, displacement, force
+    #[arg(long, value_name = "NAME")]
+    quantity: Option<String>,
+    /// What the numbers in a row without names are: columns for channels, wrapped for one channel
+    #[arg(long, value_name = "WORD")]
+    layout: Option<String>,
+    /// Take these channels alone, by name, direction or number from 1
+    #[arg(long = "channel", value_name = "NAME", num_args = 1.., value_delimiter = ',')]
+    channels: Vec<String>,
+}
+
+impl ToldArgs {
+    /// What is said.
+    pub(super) fn told(&self) -> Result<Told, String> {
+        if self.dt.is_some_and(|dt| dt <= 0.0 || !dt.is_finite()) {
+            return Err("--dt: expected more than 0".into());
+        }
+        let layout = self.layout.as_deref().map(Layout::named).transpose()?;
+        Ok(Told { unit: self.unit.clone(), dt: self.dt, quantity: self.quantity.clone(), layout })
+    }
+
+    /// Channels that are wanted; empty for all.
+    pub(super) fn channels(&self) -> &[String] {
+        &self.channels
+    }
+}
+
+/// A file, and what becomes of it.
+#[derive(Args, Debug)]
+pub(super) struct RecordingArgs {
+    /// The file: ground motions, tests, sensors, tables; compressed by gzip or not
+    #[arg(required_unless_present = "formats")]
+    file: Option<PathBuf>,
+    #[command(flatten)]
+    told: ToldArgs,
+    /// Remove this from each channel before other conversions: mean, or line (of least squares)
+    #[arg(long, value_name = "WORD")]
+    baseline: Option<String>,
+    /// Differentiate by central differences
+    #[arg(long, conflicts_with = "integrate")]
+    differentiate: bool,
+    /// Integrate from 0 by the trapezoidal rule
+    #[arg(long)]
+    integrate: bool,
+    /// Change the sign of the values
+    #[arg(long)]
+    reverse: bool,
+    /// Turn two channels by this angle in degrees from the first towards the second
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    turn: Option<f64>,
+    /// Unit of what is shown and written
+    #[arg(long, value_name = "UNIT")]
+    to: Option<String>,
+    /// Write the channels: .csv, .npz, or any other name for the values of one channel alone, as timeSeries Path reads them
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// List the formats instead, with how they are recognised and what they state
+    #[arg(long)]
+    formats: bool,
+}
+
+/// Run the command; the text for standard output.
+pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
+    let Some(file) = a.file.as_ref().filter(|_| !a.formats) else { return Ok(formats()) };
+    let shown = file.display();
+    let bytes = read_file(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
+    let of_file = |e: String| format!("\"{shown}\": {e}");
+    let measured = Measured::read(&file.to_string_lossy(), &bytes).map_err(|e| of_file(e.to_string()))?;
+    let told = a.told.told()?;
+    let all = measured.series(&told).map_err(|e| of_file(e.to_string()))?;
+    measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
+    let mut series = chosen(all, a.told.channels()).map_err(of_file)?;
+    for s in &mut series {
+        say(s, &told).map_err(of_file)?;
+    }
+    let series = converted(a, series).map_err(of_file)?;
+    let mut out = header(&measured);
+    for (i, s) in series.iter().enumerate() {
+        out += &describe(s, i);
+    }
+    if let Some(path) = &a.out {
+        out += &write(path, &series)?;
+    }
+    Ok(out)
+}
+
+/// The formats as a list.
+fn formats() -> String {
+    hysteron::recordings::FORMATS.iter().fold(String::new(), |mut out, f| {
+        let _ = write!(out, "{}\n  recognised by  {}\n  states         {}\n", f.name, f.recognised_by, f.states);
+        let _ = writeln!(out, "  description    {}", f.description);
+        out
+    })
+}
+
+/// The channels of these names, directions or numbers.
+fn chosen(all: Vec<Series>, which: &[String]) -> Result<Vec<Series>, String> {
+    if which.is_empty() {
+        return Ok(all);
+    }
+    let find = |word: &String| {
+        let named = all.iter().find(|s| s.name == *word || s.direction == *word);
+        let numbered = || word.parse::<usize>().ok().and_then(|n| all.get(n.checked_sub(1)?));
+        named.or_else(numbered).cloned().ok_or_else(|| {
+            let label = |(i, s): (usize, &Series)| if s.name.is_empty() { (i + 1).to_string() } else { s.name.clone() };
+            let names = all.iter().enumerate().map(label).collect::<Vec<_>>().join(", ");
+            format!("there is no channel \"{word}\": they are {names}")
+        })
+    };
+    which.iter().map(find).collect()
+}
+
+/// Give a channel the unit and the quantity that the user says, where the file has none.
+fn say(s: &mut Series, told: &Told) -> Result<(), String> {
+    if let Some(word) = &told.quantity {
+        let q = Quantity::named(word).ok_or_else(|| format!("\"{word}\" is no quantity"))?;
+        if s.quantity.is_some_and(|of| of != q) {
+            return Err(format!(
+                "the file says {}, and is told to be {}",
+                s.quantity.map_or("", Quantity::word),
+                q.word()
+            ));
+        }
+        s.quantity = Some(q);
+    }
+    if let Some(word) = &told.unit
+        && s.unit.is_none()
+    {
+        let u = unit::unit(word).ok_or_else(|| format!("\"{word}\" is no unit"))?;
+        if s.quantity.is_some_and(|of| of != u.quantity) {
+            return Err(format!(
+                "{word} is {}, the channel {} is {}",
+                u.quantity,
+                s.name,
+                s.quantity.map_or("", Quantity::word)
+            ));
+        }
+        *s = s.clone().with_unit(u);
+    }
+    Ok(())
+}
+
+/// The quantity after a derivative or an integral.
+fn next(q: Quantity, differentiate: bool) -> Option<Quantity> {
+    let order = [Quantity::Length, Quantity::Velocity, Quantity::Acceleration];
+    let at = order.iter().position(|x| *x == q)?;
+    let to = if differentiate { at + 1 } else { at.checked_sub(1)? };
+    order.get(to).copied()
+}
+
+fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, String> {
+    let remove: Option<fn(&[f64]) -> Vec<f64>> = match a.baseline.as_deref() {
+        None => None,
+        Some("mean") => Some(without_mean),
+        Some("line") => Some(without_line),
+        Some(word) => return Err(format!("--baseline {word}: expected mean or line")),
+    };
+    let sums = a.differentiate || a.integrate || a.turn.is_some() || remove.is_some();
+    for s in &mut series {
+        if let Some(i) = s.values.iter().position(|x| !x.is_finite()).filter(|_| sums) {
+            return Err(format!("value {} of {} is missing or not finite: a conversion needs all", i + 1, s.name));
+        }
+        if let Some(remove) = remove {
+            s.values = remove(&s.values);
+        }
+        if a.reverse {
+            s.values.iter_mut().for_each(|x| *x = -*x);
+        }
+        if a.differentiate || a.integrate {
+            let dt = s.clock.dt().ok_or("a derivative or an integral needs equal steps of time: add --dt")?;
+            let u = s.unit.ok_or("a derivative or an integral needs the unit: add --unit")?;
+            let to = next(u.quantity, a.differentiate);
+            let to =
+                to.and_then(si).ok_or_else(|| format!("{} has no such derivative or integral here", u.quantity))?;
+            let values: Vec<f64> = s.values.iter().map(|x| u.factor * x).collect();
+            s.values = if a.differentiate { derivative(&values, dt) } else { integral(&values, dt) };
+            *s = s.clone().with_unit(to);
+        }
+        if let Some(word) = &a.to {
+            let to = unit::unit(word).ok_or_else(|| format!("\"{word}\" is no unit"))?;
+            let from = s.unit.ok_or_else(|| format!("{} has no unit to convert from: add --unit", s.name))?;
+            let both = from.conversion(&to);
+            let (factor, offset) =
+                both.ok_or_else(|| format!("{} is {}, {word} is {}", from.name, from.quantity, to.quantity))?;
+            s.values.iter_mut().for_each(|x| *x = factor * *x + offset);
+            *s = s.clone().with_unit(to);
+        }
+    }
+    if let Some(angle) = a.turn {
+        let [x, y] = &mut series[..] else {
+            return Err(format!("--turn needs two channels, and there are {}: add --channel", series.len()));
+        };
+        if x.clock != y.clock || x.unit != y.unit || x.values.len() != y.values.len() {
+            return Err("--turn needs two channels of one unit and of the same times".into());
+        }
+        [x.values, y.values] = turned(&x.values, &y.values, angle);
+        for s in [x, y] {
+            s.azimuth = None;
+            s.direction = format!("turned by {angle}°");
+        }
+    }
+    Ok(series)
+}
+
+/// The SI unit of a quantity of motion.
+fn si(q: Quantity) -> Option<Unit> {
+    unit::all().iter().copied().find(|u| u.quantity == q && u.factor == 1.0)
+}
+
+/// Lines of a header that are shown.
+const SHOWN_LINES: usize = 20;
+
+fn header(m: &Measured) -> String {
+    let mut out = format!("format    {}: {}\n", m.format.name, m.format.recognised_by);
+    for line in m.header.iter().map(|l| l.trim_end()).filter(|l| !l.trim().is_empty()).take(SHOWN_LINES) {
+        let _ = writeln!(out, "header  | {line}");
+    }
+    if m.header.len() > SHOWN_LINES {
+        let _ = writeln!(out, "header  | ... ({} lines)", m.header.len());
+    }
+    out
+}
+
+fn describe(s: &Series, i: usize) -> String {
+    let name = if s.name.is_empty() { format!("channel {}", i + 1) } else { format!("channel {}: {}", i + 1, s.name) };
+    let mut out = format!("\n{name}\n");
+    let mut line = |key: &str, value: String| {
+        if !value.is_empty() {
+            let _ = writeln!(out, "  {key:<10}{value}");
+        }
+    };
+    line("event", s.event.clone());
+    line("station", s.station.clone());
+    let azimuth = s.azimuth.map_or(String::new(), |a| format!("azimuth {a}°"));
+    line(
+        "direction",
+        [s.direction.clone(), azimuth].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(", "),
+    );
+    line("quantity", s.quantity.map_or("not stated: --quantity or --unit says it".into(), |q| q.word().to_owned()));
+    let unit = match (s.unit, s.unit_name.as_str()) {
+        (Some(u), _) => u.name.to_owned(),
+        (None, "") => "not stated: --unit says it".into(),
+        (None, word) => format!("\"{word}\", which is not known: --unit says it"),
+    };
+    line("unit", unit);
+    let clock = match &s.clock {
+        Clock::Unknown => "not stated: --dt says the step".into(),
+        Clock::Steps { start, dt } => format!("from {start} s in steps of {dt} s"),
+        Clock::Times(t) => {
+            format!("from {} s to {} s, in steps that differ", t.first().unwrap_or(&0.0), t.last().unwrap_or(&0.0))
+        }
+    };
+    line("times", clock);
+    let missing = s.values.iter().filter(|x| x.is_nan()).count();
+    let missing = if missing > 0 { format!(", {missing} of them missing") } else { String::new() };
+    line("samples", format!("{}{missing}", s.values.len()));
+    let lines = &s.origin.lines;
+    if !lines.is_empty() {
+        let bytes = &s.origin.bytes;
+        line("origin", format!("lines {} to {}, bytes {} to {}", lines.start, lines.end - 1, bytes.start, bytes.end));
+    }
+    let peak = s.peak();
+    let at = s.values.iter().position(|x| x.abs() == peak).unwrap_or(0);
+    let time = s.clock.time(at).map_or(format!("value {}", at + 1), |t| format!("{t} s"));
+    let unit = s.unit.map_or("", |u| u.name);
+    line("peak", format!("{} {unit} at {time}", s.values.get(at).copied().unwrap_or(0.0)));
+    out + &sketch(&s.values)
+}
+
+/// Columns and rows of a sketch.
+const WIDTH: usize = 72;
+const HEIGHT: usize = 9;
+
+/// A plot of a series in characters.
+fn sketch(values: &[f64]) -> String {
+    let finite = |v: &[f64]| {
+        let all = v.iter().filter(|x| x.is_finite());
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)))
+    };
+    let (low, high) = finite(values);
+    if values.is_empty() || !(high - low).is_finite() || high <= low {
+        return String::new();
+    }
+    let row = |x: f64| (((high - x) / (high - low)) * (HEIGHT - 1) as f64).round() as usize;
+    let mut grid = vec![vec![' '; WIDTH.min(values.len())]; HEIGHT];
+    let columns = grid[0].len();
+    for c in 0..columns {
+        let part =
+            &values[c * values.len() / columns..((c + 1) * values.len() / columns).max(c * values.len() / columns + 1)];
+        let (a, b) = finite(part);
+        if a <= b {
+            (row(b)..=row(a)).for_each(|r| grid[r][c] = '*');
+        }
+    }
+    grid.iter().fold(String::new(), |mut out, line| {
+        let _ = writeln!(out, "  |{}", line.iter().collect::<String>().trim_end());
+        out
+    })
+}
+
+fn write(path: &Path, series: &[Series]) -> Result<String, String> {
+    let shown = path.display();
+    let first = series.first().ok_or("there is no channel to write")?;
+    let n = first.values.len();
+    if series.iter().any(|s| s.values.len() != n || s.clock != first.clock) {
+        return Err("the channels have other times: choose some with --channel".into());
+    }
+    let times: Option<Vec<f64>> = (0..n).map(|i| first.clock.time(i)).collect();
+    let names: Vec<String> = series.iter().enumerate().map(|(i, s)| label(s, i, series.len())).collect();
+    let mut columns: Vec<NamedColumn<'_>> =
+        times.iter().map(|values| NamedColumn { name: "time", unit: "s", values }).collect();
+    columns.extend(series.iter().zip(&names).map(|(s, name)| NamedColumn {
+        name,
+        unit: s.unit.map_or(s.unit_name.as_str(), |u| u.name),
+        values: &s.values,
+    }));
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("csv") => {
+            if times.is_none() {
+                return Err("the file gives no step of time: add --dt".into());
+            }
+            write_atomically(path, &csv(&columns))?;
+        }
+        Some("npz") => write_whole(path, &npz(&columns)).map_err(|e| format!("cannot write {shown}: {e}"))?,
+        _ => {
+            let [one] = series else {
+                return Err(format!(
+                    "a file of a Path series has one channel, and there are {}: add --channel",
+                    series.len()
+                ));
+            };
+            if let Some(i) = one.values.iter().position(|x| !x.is_finite()) {
+                return Err(format!("value {} is missing: a Path series has no gaps", i + 1));
+            }
+            write_atomically(path, &path_file(&one.values))?;
+            let dt = one.clock.dt().map_or("$dt".to_owned(), |dt| dt.to_string());
+            return Ok(format!("\nwritten: timeSeries Path $tag -dt {dt} -filePath {shown}\n"));
+        }
+    }
+    Ok(format!("\nwritten: {shown}\n"))
+}
+
+/// The name of a channel in a file.
+fn label(s: &Series, i: usize, count: usize) -> String {
+    match (s.name.is_empty(), s.quantity) {
+        (false, Some(q)) if s.origin.column.is_none() => format!("{} {}", s.name, q.word()),
+        (false, _) => s.name.clone(),
+        (true, Some(q)) if count == 1 => q.word().to_owned(),
+        (true, _) => format!("channel {}", i + 1),
+    }
+}
