@@ -6,6 +6,8 @@
 mod algorithms;
 #[path = "analysis/amended.rs"]
 mod amended;
+#[path = "analysis/calls.rs"]
+mod calls;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]

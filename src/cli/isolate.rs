@@ -1,8 +1,8 @@
 //! `hysteron isolate`: an isolation study.
 
 use super::calibrate::FAILURE;
-use super::files::write_atomically;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, stop_flag};
+use super::files::{make_folder, write_atomically};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
 use hysteron::design::isolate::{self, load, report, script_text, summary};
@@ -24,7 +24,7 @@ pub(super) struct IsolateArgs {
 
 /// Run the command; the exit status.
 pub(super) fn isolate(a: &IsolateArgs) -> i32 {
-    let stop = stop_flag();
+    let stop = a.jobs.stop_flag();
     finish(study(a, &stop), &stop)
 }
 
@@ -33,7 +33,7 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
-        std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         for job in &all {
             write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
         }

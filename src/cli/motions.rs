@@ -1,13 +1,12 @@
 //! `hysteron motions`: spectra, intensities, rotation and scaling of ground motions.
 
-use super::files::write_atomically;
+use super::files::{make_folder, write_atomically};
 use clap::Args;
 use hysteron::design::codes::Code;
 use hysteron::design::motion::{ReadOptions, read};
 use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
 use hysteron::design::target::Target;
 use hysteron::study::unit::{self, Quantity};
-use std::fs;
 use std::path::PathBuf;
 
 /// Files, and what is done with their motions.
@@ -68,8 +67,7 @@ pub(super) struct MotionsArgs {
 
 /// Run the command; the text for standard output.
 pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
-    let text = |file: &str| fs::read(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
-    let as_text = |file: &str| text(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let as_text = |file: &str| hysteron_files::read_lossy(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
     let options = ReadOptions { unit: a.unit.clone(), dt: a.dt };
     if a.dt.is_some_and(|dt| dt <= 0.0 || !dt.is_finite()) {
         return Err("--dt: expected more than 0".into());
@@ -118,7 +116,7 @@ pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
         eprintln!("note: {}", Code::named(name)?.remark());
     }
     if let Some(folder) = &a.out {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         for (name, text) in suite.files(&out_unit)? {
             write_atomically(&folder.join(name), &text)?;
         }

@@ -1,6 +1,6 @@
 //! `hysteron prototype`: measures, acceptance and bounds of prototype tests.
 
-use super::files::write_atomically;
+use super::files::{make_folder, write_atomically};
 use clap::Args;
 use hysteron::design::check::check_table;
 use hysteron::design::codes::Code;
@@ -12,7 +12,6 @@ use hysteron::diagnostic::SourceMap;
 use hysteron::measure::CycleDetection;
 use hysteron::opensees::files::table::Table as Columns;
 use hysteron::study::Recording;
-use std::fs;
 use std::path::PathBuf;
 
 /// Tests, nominal values and factors.
@@ -97,7 +96,7 @@ fn complete_rows(file: &str, text: &str) -> Option<Columns> {
 }
 
 fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
-    let text = fs::read_to_string(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let text = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
     let of_file = |e: String| format!("\"{file}\": {e}");
     let table = match Columns::parse(&text) {
         Ok(table) => table,
@@ -159,7 +158,7 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
     let seen = trends(&tests);
     let json = report::json(&tests, &nominal, &seen, &bounds, &checks, &code);
     if let Some(folder) = &a.out {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         let loops: Vec<_> =
             tests.iter().zip(&records).map(|(t, r)| (t.name.as_str(), r.u.as_slice(), r.f.as_slice())).collect();
         let page = report::html(&loops, &table, &seen, &bounds, &checks, &code, units);

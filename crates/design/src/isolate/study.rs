@@ -237,10 +237,7 @@ fn positive(what: &str, x: f64) -> Result<(), String> {
 /// # Errors
 /// A file cannot be read or understood, or a value is out of its range. The message names it.
 pub fn load(path: &Path) -> Result<Study, String> {
-    let text_of = |p: &Path| {
-        let bytes = std::fs::read(p).map_err(|e| format!("cannot read \"{}\": {e}", p.display()))?;
-        Ok::<_, String>(String::from_utf8_lossy(&bytes).into_owned())
-    };
+    let text_of = |p: &Path| hysteron_files::read_lossy(p).map_err(|e| format!("cannot read \"{}\": {e}", p.display()));
     let text = text_of(path)?;
     let file: StudyFile = toml::from_str(&text).map_err(|e| format!("\"{}\": {e}", path.display()))?;
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
