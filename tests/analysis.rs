@@ -8,6 +8,8 @@ mod algorithms;
 mod amended;
 #[path = "analysis/bounds.rs"]
 mod bounds;
+#[path = "analysis/calls.rs"]
+mod calls;
 #[path = "analysis/columns.rs"]
 mod columns;
 #[path = "analysis/constraints.rs"]

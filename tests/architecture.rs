@@ -163,6 +163,11 @@ const LAYERS: &[Layers] = &[
         ],
     },
     Layers {
+        krate: "files",
+        modules: &["system", "read", "scratch", "write", "folder", "lock", "result_file"],
+        upward: &[],
+    },
+    Layers {
         krate: "identify",
         modules: &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"],
         upward: &[],
@@ -330,7 +335,7 @@ fn arrows_are_found_in_every_way_of_writing() {
 fn libraries_neither_print_nor_exit_nor_panic() {
     let banned = ["println!", "eprintln!", "print!(", "process::exit", "panic!(", "todo!(", "unimplemented!(", "dbg!("];
     let mut wrong = vec![];
-    for name in ["tcl", "recordings", "engine", "opensees", "identify", "diagnose", "design", "view"] {
+    for name in ["files", "tcl", "recordings", "engine", "opensees", "identify", "diagnose", "design", "view"] {
         for (path, text) in sources(&format!("crates/{name}/src")) {
             let code = text.split("#[cfg(test)]").next().unwrap_or("");
             for (i, line) in code.lines().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
@@ -341,6 +346,27 @@ fn libraries_neither_print_nor_exit_nor_panic() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The crates and the command line touch files through `crates/files` alone, which bounds what is read and follows no link where
+/// it writes. Tests, examples and build scripts may use the standard library.
+#[test]
+fn files_are_touched_through_one_crate() {
+    let mut wrong = vec![];
+    for (path, text) in ["src", "crates", "bindings"].into_iter().flat_map(sources) {
+        let parts: Vec<&str> = path.iter().filter_map(|p| p.to_str()).collect();
+        let is_test = |p: &&str| ["tests", "tests.rs", "examples", "benches", "build.rs", "target"].contains(p);
+        if parts.iter().any(is_test) || path.starts_with(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/files")) {
+            continue;
+        }
+        let code = text.split("#[cfg(test)]").next().unwrap_or("");
+        for (i, line) in code.lines().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
+            if ["std::fs", "use std::{fs", "File::open(", "File::create("].iter().any(|w| line.contains(w)) {
+                wrong.push(format!("{}:{}: {}", path.display(), i + 1, line.trim()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "use hysteron_files:\n{}", wrong.join("\n"));
 }
 
 /// An element around another one forwards every method of the trait, defaulted ones too: the lint names those that are missing.

@@ -23,6 +23,8 @@ mod isolation;
 mod kikuchi;
 #[path = "cli/limits.rs"]
 mod limits;
+#[path = "cli/live.rs"]
+mod live;
 #[path = "cli/loops.rs"]
 mod loops;
 #[path = "cli/mistakes.rs"]

@@ -16,7 +16,6 @@ use hysteron::recordings::Table as Columns;
 use hysteron::report::{Column, Record, Table};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{OsFiles, OverlayFiles, Value};
-use std::fs;
 use std::path::Path;
 
 /// Arguments of a bearing test.
@@ -245,9 +244,9 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     let folder = args.folder();
     let in_folder = |name: &str| format!("{folder}/{name}");
     let cannot = |e: std::io::Error| format!("cannot write into \"{folder}\": {e}");
-    fs::create_dir_all(&folder).map_err(cannot)?;
+    hysteron_files::make_folders(&folder).map_err(cannot)?;
     let script = in_folder("test.tcl");
-    fs::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;
+    hysteron_files::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;
     if args.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }
@@ -265,7 +264,7 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     };
     let status = run::run(&run_args, &script, &[]);
     let read = |name: &str| -> Result<Columns, String> {
-        let text = fs::read_to_string(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
+        let text = hysteron_files::read_text(in_folder(name)).map_err(|e| format!("there are no results: {e}"))?;
         Columns::parse(&text)
     };
     let (displacement, force) = (read("displacement.out")?, read("force.out")?);
@@ -278,10 +277,10 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     if columns.len() != names.len() {
         return Err(TestError::Message("there are no results: the test ended at once".into()));
     }
-    fs::write(in_folder("loops.csv"), csv(names, &columns)).map_err(cannot)?;
+    hysteron_files::write(in_folder("loops.csv"), csv(names, &columns)).map_err(cannot)?;
     let (u, f) = (&columns[1..=bearing.ndm], &columns[bearing.ndm + 1..]);
     let table = measure(args, columns[0], u, f)?;
-    fs::write(in_folder("cycles.csv"), table.csv()).map_err(cannot)?;
+    hysteron_files::write(in_folder("cycles.csv"), table.csv()).map_err(cannot)?;
     run::print(Ok(args.report.format(&table)));
     Ok(status)
 }

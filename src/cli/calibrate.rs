@@ -2,7 +2,9 @@
 
 use super::args::{CalibrateArgs, Compat};
 use super::calibration_summary::{plan, replaced, summary};
-use super::files::{CHECKPOINT_INTERVAL, write_atomically, write_channels, write_report};
+use super::files::{
+    CHECKPOINT_INTERVAL, lock_folder, read_checkpoint, write_atomically, write_channels, write_checkpoint, write_report,
+};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::signals::{on_interrupt, stopped_status};
@@ -15,7 +17,6 @@ use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::study::{InitialRun, ScriptSimulator, Study, standalone_script};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -120,8 +121,8 @@ fn studies(paths: &[PathBuf]) -> Result<Vec<PathBuf>, String> {
         let before = out.len();
         let mut folders = vec![path.clone()];
         while let Some(folder) = folders.pop() {
-            let entries = fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
-            for entry in entries.flatten().map(|e| e.path()) {
+            let names = hysteron_files::list(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
+            for entry in names.iter().map(|name| folder.join(name)) {
                 if entry.is_dir() {
                     folders.push(entry);
                 } else if entry.file_name().is_some_and(|n| n == "study.toml") {
@@ -176,7 +177,7 @@ fn calibrate_study(
     for note in replaced(dir, &study) {
         eprintln!("note: {note}");
     }
-    fs::create_dir_all(dir).map_err(|e| failed(format!("cannot make {}: {e}", dir.display())))?;
+    let _lock = lock_folder(dir).map_err(&failed)?;
     let threads = threads(args.threads);
     let checked = check_channels(&simulator, &initial_run, threads, false, &sources);
     let checked = checked.map_err(|e| failed(e.to_string()))?;
@@ -186,7 +187,7 @@ fn calibrate_study(
     let initial_unit_point = study.space.unit_point(&initial_run.values);
     let start = Checkpoint::new(settings.clone(), initial_unit_point);
     let identity = identity(&simulator);
-    let at = if args.resume { read_checkpoint(&checkpoint_path, &start, identity) } else { Ok(start) };
+    let at = if args.resume { earlier_checkpoint(&checkpoint_path, start, identity) } else { Ok(start) };
     let at = at.map_err(|message| {
         eprintln!("error: {message}");
         INPUT_ERROR
@@ -204,7 +205,7 @@ fn calibrate_study(
         eprintln!("interrupted: the best so far is kept; --resume goes on");
     } else {
         estimate_uncertainty(args, &problem, &mut result);
-        let _ = fs::remove_file(&checkpoint_path);
+        let _ = hysteron_files::remove(&checkpoint_path);
     }
     let runs = 0..study.runs.len();
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
@@ -305,12 +306,10 @@ fn identity(simulator: &ScriptSimulator) -> u64 {
     hasher.finish()
 }
 
-/// The checkpoint of an interrupted calibration that began at `start`.
-fn read_checkpoint(path: &Path, start: &Checkpoint, identity: u64) -> Result<Checkpoint, String> {
+/// The checkpoint of an interrupted calibration that began at `start`; that one itself if there is none.
+fn earlier_checkpoint(path: &Path, start: Checkpoint, identity: u64) -> Result<Checkpoint, String> {
     let shown = path.display();
-    let text = fs::read_to_string(path).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
-    let old: SavedCheckpoint = serde_json::from_str(&text).map_err(|e| format!("cannot go on: {shown}: {e}"))?;
-    let SavedCheckpoint { identity: of, checkpoint: old } = old;
+    let Some(SavedCheckpoint { identity: of, checkpoint: old }) = read_checkpoint(path)? else { return Ok(start) };
     if old.settings != start.settings || old.initial_unit_point != start.initial_unit_point {
         return Err(format!("{shown} is of another study, or of another method or seed"));
     }
@@ -331,7 +330,7 @@ fn write(
     view: bool,
 ) -> Result<(), String> {
     let study = &result.study;
-    let text = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
+    let text = hysteron_files::read_text(study.folder.join(&study.model)).map_err(|e| e.to_string())?;
     let (script, missing) = result.script(&text, initial_run);
     // The numbers first: what follows can be made from them.
     write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)?;
@@ -401,10 +400,7 @@ impl SearchObserver for CalibrationProgress {
     fn checkpoint(&mut self, c: &Checkpoint) {
         self.last_checkpoint = Instant::now();
         let saved = SavedCheckpoint { identity: self.identity, checkpoint: c.clone() };
-        let written = serde_json::to_string(&saved)
-            .map_err(|e| e.to_string())
-            .and_then(|t| write_atomically(&self.checkpoint_path, &t));
-        if let Err(e) = written {
+        if let Err(e) = write_checkpoint(&self.checkpoint_path, &saved) {
             eprintln!("warning: no checkpoint: {e}");
         }
     }

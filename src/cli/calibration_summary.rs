@@ -39,7 +39,7 @@ pub(super) fn plan(studies: &[(PathBuf, PathBuf)]) -> String {
 /// Notes about results in a folder that another study, or a diagnosis, has left there and that are replaced.
 pub(super) fn replaced(dir: &Path, study: &Study) -> Vec<String> {
     let read =
-        |name: &str| -> Option<Value> { serde_json::from_str(&std::fs::read_to_string(dir.join(name)).ok()?).ok() };
+        |name: &str| -> Option<Value> { serde_json::from_str(&hysteron_files::read_text(dir.join(name)).ok()?).ok() };
     let mut notes = vec![];
     if let Some(old) = read("calibration.json") {
         let mut parameters: Vec<&str> = study.space.parameters.iter().map(|p| p.name.as_str()).collect();

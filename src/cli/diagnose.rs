@@ -1,7 +1,10 @@
 //! `hysteron diagnose`.
 
 use super::args::DiagnoseArgs;
-use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_channels, write_report};
+use super::files::{
+    CHECKPOINT_INTERVAL, lock_folder, note_replaced, read_checkpoint, write_atomically, write_channels,
+    write_checkpoint, write_report,
+};
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
@@ -13,7 +16,6 @@ use hysteron::diagnose::{
 use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, nearest};
 use hysteron::study::{InitialRun, ScriptSimulator, Study, standalone_script};
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -68,10 +70,17 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     }
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT_FILE);
-    let found = fs::read_to_string(study.folder.join(&study.model)).map_err(|e| e.to_string()).and_then(|text| {
+    let _lock = match lock_folder(&dir) {
+        Ok(lock) => lock,
+        Err(message) => {
+            eprintln!("error: {message}");
+            return FAILED_STATUS;
+        }
+    };
+    let read = hysteron_files::read_text(study.folder.join(&study.model)).map_err(|e| e.to_string());
+    let found = read.and_then(|text| {
         let identity = identity(&simulator, &initial_run, &text, &args.without);
-        let checkpoint = if args.resume { read_checkpoint(&saved, identity)? } else { vec![] };
-        fs::create_dir_all(&dir).map_err(|e| format!("cannot make {}: {e}", dir.display()))?;
+        let checkpoint = if args.resume { earlier_entries(&saved, identity)? } else { vec![] };
         let settings = Settings {
             excluded_causes: args.without.clone(),
             counted_times_are_seconds: args.clock,
@@ -88,7 +97,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     });
     match found.and_then(|(report, d)| write(&dir, &simulator, &d, &report, args.view).map(|()| d)) {
         Ok(d) => {
-            let _ = fs::remove_file(&saved);
+            let _ = hysteron_files::remove(&saved);
             print_verdict(&d, args);
             eprintln!("report.html, corrected.tcl and diagnosis.json are in {}", dir.display());
             0
@@ -130,16 +139,14 @@ struct Checkpoint {
     entries: Vec<CheckpointEntry>,
 }
 
-/// Entries of an interrupted diagnosis with this identity.
-fn read_checkpoint(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, String> {
-    let cannot = |e: String| format!("cannot go on: {}: {e}", saved.display());
-    let text = fs::read_to_string(saved).map_err(|e| cannot(e.to_string()))?;
-    let old: Checkpoint = serde_json::from_str(&text).map_err(|e| cannot(e.to_string()))?;
+/// Entries of an interrupted diagnosis with this identity; none if there is no such diagnosis.
+fn earlier_entries(saved: &Path, identity: u64) -> Result<Vec<CheckpointEntry>, String> {
+    let Some(old) = read_checkpoint::<Checkpoint>(saved)? else { return Ok(vec![]) };
     if old.identity == identity {
-        Ok(old.entries)
-    } else {
-        Err(cannot("it is of another study, or of another version of hysteron".into()))
+        return Ok(old.entries);
     }
+    let why = "it is of another study, or of another version of hysteron";
+    Err(format!("cannot go on from {}: {why}", saved.display()))
 }
 
 /// Writes the files of a diagnosis.
@@ -150,7 +157,7 @@ fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str, v
     match &d.opensees_script {
         Some(text) => write_atomically(&opensees, &standalone_script(simulator, dir, text))?,
         // That of an earlier diagnosis would be another model's.
-        None => drop(fs::remove_file(&opensees)),
+        None => drop(hysteron_files::remove(&opensees)),
     }
     let models = [("simulated", &d.baseline_fits), ("repaired", &d.repaired_fits)];
     let models = models.map(|(name, runs)| (name, runs.iter().map(Option::as_ref).collect()));
@@ -246,8 +253,7 @@ impl ProgressMonitor for ConsoleMonitor {
         }
         self.last_save = Instant::now();
         let checkpoint = Checkpoint { identity: self.identity, entries: entries.to_vec() };
-        let text = serde_json::to_string(&checkpoint).map_err(|e| e.to_string());
-        if let Err(message) = text.and_then(|text| write_atomically(&self.saved, &text)) {
+        if let Err(message) = write_checkpoint(&self.saved, &checkpoint) {
             self.progress.suspend(|| eprintln!("warning: no checkpoint: {message}"));
         }
     }

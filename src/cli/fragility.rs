@@ -2,7 +2,7 @@
 
 use super::files::write_atomically;
 use super::run::print;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::fragility::{Fit, Observation};
 use hysteron::design::incremental::{Ending, Summary, Trace, bounds, hunt, intensities, report, stripe, summary};
@@ -31,7 +31,7 @@ pub(super) struct FragilityArgs {
 
 /// Run `hysteron ida`; the exit status.
 pub(super) fn ida(a: &IdaArgs) -> i32 {
-    let stop = stop_flag();
+    let stop = a.jobs.stop_flag();
     let result = load(&a.jobs.study, &stop).and_then(|study| {
         let runs =
             study.performance.hunt.as_ref().ok_or("the study has no [ida] with first, step, highest and runs")?.runs;
@@ -53,7 +53,7 @@ pub(super) fn fragility(a: &FragilityArgs) -> i32 {
     if a.jobs.study.extension().is_some_and(|e| e == "csv") {
         return print(counts(&a.jobs.study, a.jobs.json));
     }
-    let stop = stop_flag();
+    let stop = a.jobs.stop_flag();
     let result = load(&a.jobs.study, &stop).and_then(|study| {
         let levels = study.performance.stripes.as_ref().ok_or("the study has no [stripes] with levels")?.levels.clone();
         wanted(&study)?;
@@ -118,7 +118,7 @@ fn written(study: &Study, s: &Summary, out: &Path, as_json: bool) -> Result<(Str
 /// A fit of counts from a table.
 fn counts(path: &Path, as_json: bool) -> Result<String, String> {
     let named = |e: String| format!("\"{}\": {e}", path.display());
-    let text = std::fs::read_to_string(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))?;
+    let text = hysteron_files::read_text(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))?;
     let table = Columns::parse(&text).map_err(named)?;
     let [levels, numbers, reached] = &table.columns[..] else {
         let n = table.columns.len();

@@ -111,7 +111,7 @@ pub(super) fn completions(shell: Shell) -> String {
 /// A message if a file cannot be written.
 pub(super) fn man(folder: &Path) -> Result<String, String> {
     let failed = |e: std::io::Error| format!("{}: {e}", folder.display());
-    std::fs::create_dir_all(folder).map_err(failed)?;
+    hysteron_files::make_folders(folder).map_err(failed)?;
     let command = command().disable_help_subcommand(true);
     clap_mangen::generate_to(command, folder).map_err(failed)?;
     Ok(String::new())

@@ -2,8 +2,9 @@
 
 use super::args::CheckArgs;
 use super::calibrate::FAILURE;
-use super::files::write_atomically;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
+use super::files::{make_folder, write_atomically};
+use super::signals::on_interrupt;
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
 use hysteron::design::isolate::{self, report, script_text, summary};
@@ -25,13 +26,14 @@ pub(super) struct IsolateArgs {
 
 /// Run the command; the exit status.
 pub(super) fn isolate(a: &IsolateArgs) -> i32 {
-    let stop = stop_flag();
+    let stop = a.jobs.stop_flag();
     finish(study(a, &stop), &stop)
 }
 
 /// Check an isolation study: its keys, and its values beside those of the script; the exit status.
 pub(super) fn check(args: &CheckArgs) -> i32 {
-    let stop = stop_flag();
+    let stop = Arc::new(AtomicBool::new(false));
+    on_interrupt(&stop);
     args.limits.enforce(&stop);
     let result = load(Path::new(&args.model), &stop).map(|study| {
         let table = study.agreement.table();
@@ -50,7 +52,7 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
-        std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         for job in &all {
             write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
         }

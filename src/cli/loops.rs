@@ -3,10 +3,8 @@
 use clap::{Args, ValueEnum};
 use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
-use hysteron::recordings::{Table as Columns, read_file};
+use hysteron::recordings::Table as Columns;
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
-use std::fs;
-use std::path::Path;
 
 /// Columns of the loops, and options of the report.
 #[derive(Args, Debug)]
@@ -110,7 +108,7 @@ impl ReportArgs {
         };
         if let Some(file) = svg {
             let svg = sheet(&charts, 2).map_err(|e| e.to_string())?;
-            fs::write(file, svg).map_err(|e| format!("cannot write \"{file}\": {e}"))?;
+            hysteron_files::write(file, svg).map_err(|e| format!("cannot write \"{file}\": {e}"))?;
         }
         Ok(table)
     }
@@ -131,7 +129,7 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
         let (u, f) = (a.displacement.len(), a.force.len());
         return Err(format!("there are {u} columns of displacements, but {f} of forces"));
     }
-    let bytes = read_file(Path::new(&a.file)).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
+    let bytes = hysteron_files::read_input(&a.file).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
     let of_file = |e: String| format!("\"{}\": {e}", a.file);
     let columns = Columns::read(&a.file, &bytes).map_err(of_file)?;
     let column = |which: &String, factor: f64| {

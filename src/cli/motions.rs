@@ -1,16 +1,14 @@
 //! `hysteron motions`: spectra, intensities, rotation and scaling of ground motions.
 
-use super::files::write_atomically;
+use super::files::{make_folder, write_atomically};
 use super::recording::ToldArgs;
 use clap::Args;
 use hysteron::design::codes::Code;
 use hysteron::design::motion::{ReadOptions, read};
 use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
 use hysteron::design::target::Target;
-use hysteron::recordings::read_file;
 use hysteron::study::unit::{self, Quantity};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Files, and what is done with their motions.
 #[derive(Args, Debug)]
@@ -69,7 +67,7 @@ pub(super) struct MotionsArgs {
 
 /// Run the command; the text for standard output.
 pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
-    let bytes = |file: &str| read_file(Path::new(file)).map_err(|e| format!("cannot read \"{file}\": {e}"));
+    let bytes = |file: &str| hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
     let as_text = |file: &str| bytes(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let options =
         ReadOptions { told: a.told.told()?, channels: a.told.channels().to_vec(), differentiate: a.differentiate };
@@ -119,7 +117,7 @@ pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
         eprintln!("note: {}", Code::named(name)?.remark());
     }
     if let Some(folder) = &a.out {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         for (name, text) in suite.files(&out_unit)? {
             write_atomically(&folder.join(name), &text)?;
         }

@@ -1,6 +1,6 @@
 //! `hysteron prototype`: measures, acceptance and bounds of prototype tests.
 
-use super::files::write_atomically;
+use super::files::{make_folder, write_atomically};
 use clap::Args;
 use hysteron::design::check::check_table;
 use hysteron::design::codes::Code;
@@ -9,9 +9,8 @@ use hysteron::design::prototype::{
     script_lines, trends,
 };
 use hysteron::measure::CycleDetection;
-use hysteron::recordings::{Table as Columns, read_file};
-use std::fs;
-use std::path::{Path, PathBuf};
+use hysteron::recordings::Table as Columns;
+use std::path::PathBuf;
 
 /// Tests, nominal values and factors.
 #[derive(Args, Debug)]
@@ -84,7 +83,7 @@ struct Columnar {
 }
 
 fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
-    let bytes = read_file(Path::new(file)).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
     let of_file = |e: String| format!("\"{file}\": {e}");
     let (table, missing) = Columns::read(file, &bytes).map_err(of_file)?.without_missing();
     if missing > 0 {
@@ -139,7 +138,7 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
     let seen = trends(&tests);
     let json = report::json(&tests, &nominal, &seen, &bounds, &checks, &code);
     if let Some(folder) = &a.out {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        make_folder(folder)?;
         let loops: Vec<_> =
             tests.iter().zip(&records).map(|(t, r)| (t.name.as_str(), r.u.as_slice(), r.f.as_slice())).collect();
         let page = report::html(&loops, &table, &seen, &bounds, &checks, &code, units);

@@ -6,7 +6,7 @@ use hysteron::opensees::files::write_whole;
 use hysteron::recordings::convert::{derivative, integral, turned, without_line, without_mean};
 use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
 use hysteron::recordings::unit::{self, Quantity, Unit};
-use hysteron::recordings::{Clock, Layout, Measured, Series, Told, read_file};
+use hysteron::recordings::{Clock, Layout, Measured, Series, Told};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -84,7 +84,7 @@ pub(super) struct RecordingArgs {
 pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let Some(file) = a.file.as_ref().filter(|_| !a.formats) else { return Ok(formats()) };
     let shown = file.display();
-    let bytes = read_file(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
+    let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
     let of_file = |e: String| format!("\"{shown}\": {e}");
     let measured = Measured::read(&file.to_string_lossy(), &bytes).map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;

@@ -1,7 +1,7 @@
 //! `hysteron response-spectrum`: the multimode method beside the time histories of an isolation study.
 
-use super::files::write_atomically;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load, stop_flag};
+use super::files::{make_folder, write_atomically};
+use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::isolate;
 use hysteron::design::multimode::{report, respond_at_bounds};
@@ -26,7 +26,7 @@ pub(super) struct ResponseSpectrumArgs {
 
 /// Run the command; the exit status.
 pub(super) fn response_spectrum(a: &ResponseSpectrumArgs) -> i32 {
-    let stop = stop_flag();
+    let stop = a.jobs.stop_flag();
     finish(multimode(a, &stop), &stop)
 }
 
@@ -39,7 +39,7 @@ fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Result<(String
         let all: Vec<_> = isolate::jobs(&study).into_iter().filter(|j| j.eccentricity == 0).collect();
         outcomes = jobs.all(&all, all.len(), |job| jobs.one(job))?;
     }
-    std::fs::create_dir_all(&a.out).map_err(|e| format!("cannot make {}: {e}", a.out.display()))?;
+    make_folder(&a.out)?;
     let table = report::response_table(&study, &responses, &outcomes);
     let (bearings, modes) = (report::bearing_table(&study, &responses), report::mode_table(&responses));
     let json = report::json(&study, &responses, &outcomes);

@@ -16,6 +16,7 @@ use super::signals::on_interrupt;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run};
 use hysteron::tcl::Files;
+use hysteron_files::Scratch;
 pub(super) use inputs::Inputs;
 use inputs::ReadFiles;
 use page::Page;
@@ -69,8 +70,9 @@ pub(super) fn write(path: &Path, args: &RunArgs<'_>, observed: &Observed, run: &
 
 /// Peaks of the recorders with half the steps, from a run in a folder of its own; `None` if it does not come to its end.
 fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BTreeMap<String, Vec<Peak>>> {
-    let scratch = std::env::temp_dir().join(format!("hysteron-review-{}", std::process::id()));
-    let folders = FolderArgs { out: Some(scratch.clone()), sandbox: args.folders.sandbox, ..FolderArgs::default() };
+    let scratch = Scratch::new("review").ok()?;
+    let out = Some(scratch.path().to_owned());
+    let folders = FolderArgs { out, sandbox: args.folders.sandbox, ..FolderArgs::default() };
     let (files, outputs) = guarded(&folders, model).ok()?;
     let observed = Observed::default();
     let (files, outputs) = observed.around(files, outputs);
@@ -81,7 +83,6 @@ fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BT
     on_interrupt(&run.interp.interrupt);
     let end = run.script(model, words);
     progress.clear();
-    let _ = std::fs::remove_dir_all(&scratch);
     if matches!(end, End::Done | End::Exit(0)) {
         return Some(observed.peaks.take());
     }

@@ -183,7 +183,7 @@ pub(super) fn guarded(folders: &FolderArgs, model: &str) -> Result<FilesAndOutpu
     let (files, outputs): FilesAndOutputs = match &folders.out {
         None => (Box::new(OsFiles), Box::new(SystemFiles)),
         Some(out) => {
-            let folder = OutputFolder::new(out).map_err(|e| cannot("make", out, e))?;
+            let folder = OutputFolder::new(out).map_err(|e| e.to_string())?;
             (Box::new(folder.clone()), Box::new(folder))
         }
     };

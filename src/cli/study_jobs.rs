@@ -1,12 +1,13 @@
 //! Analyses of an isolation study on all cores: kept in a folder, resumable, with progress.
 
-use super::files::write_atomically;
-use super::signals::on_interrupt;
+use super::files::{lock_folder, make_inner_folder, write_atomically};
+use super::limits::LimitArgs;
+use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::design::isolate::{self, Job, JobOutcome, Study, is_current, run_job};
 use hysteron::study::WorkerPool;
+use hysteron_files::FolderLock;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::fs;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,6 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Options of commands that run the analyses of a study.
 #[derive(Args, Debug)]
 pub(super) struct StudyJobsArgs {
+    #[command(flatten)]
+    limits: LimitArgs,
     /// The study (.toml); `fragility` takes a table of counts (.csv) too
     pub(super) study: PathBuf,
     /// Number of threads; all cores if it is not given. The result does not depend on it
@@ -35,6 +38,16 @@ pub(super) fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String>
     Ok(study)
 }
 
+impl StudyJobsArgs {
+    /// A flag that Ctrl-C, SIGTERM and the limits set.
+    pub(super) fn stop_flag(&self) -> Arc<AtomicBool> {
+        let stop = Arc::new(AtomicBool::new(false));
+        on_interrupt(&stop);
+        self.limits.enforce(&stop);
+        stop
+    }
+}
+
 /// Analyses of a study in a folder.
 pub(super) struct StudyJobs<'a> {
     study: &'a Study,
@@ -43,6 +56,8 @@ pub(super) struct StudyJobs<'a> {
     stop: Arc<AtomicBool>,
     pool: WorkerPool,
     bar: Option<ProgressBar>,
+    /// No other run writes into the folder of the results.
+    _lock: FolderLock,
 }
 
 /// Description of an analysis that was stopped.
@@ -51,8 +66,8 @@ const STOPPED: &str = "interrupted";
 impl<'a> StudyJobs<'a> {
     /// Make the folder and the threads. `stop` is set by Ctrl-C and SIGTERM.
     pub(super) fn new(a: &StudyJobsArgs, study: &'a Study, out: &Path, stop: &Arc<AtomicBool>) -> Result<Self, String> {
-        let folder = out.join("analyses");
-        fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        let (lock, folder) = (lock_folder(out)?, out.join("analyses"));
+        make_inner_folder(&folder)?;
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
         let bar = std::io::stderr().is_terminal().then(|| {
@@ -61,12 +76,12 @@ impl<'a> StudyJobs<'a> {
                 ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} analyses, left {eta}");
             style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
         });
-        Ok(Self { study, folder, resume: a.resume, stop: stop.clone(), pool, bar })
+        Ok(Self { study, folder, resume: a.resume, stop: stop.clone(), pool, bar, _lock: lock })
     }
 
     /// An analysis that has been made before for the same study.
     fn earlier(&self, path: &Path) -> Option<JobOutcome> {
-        let outcome: JobOutcome = serde_json::from_str(&fs::read_to_string(path).ok()?).ok()?;
+        let outcome: JobOutcome = serde_json::from_str(&hysteron_files::read_text(path).ok()?).ok()?;
         let same = outcome.fingerprint == self.study.fingerprint && outcome.failure != STOPPED;
         (same && is_current(&outcome.inputs)).then_some(outcome)
     }
@@ -125,20 +140,13 @@ impl<'a> StudyJobs<'a> {
     }
 }
 
-/// A flag that Ctrl-C and SIGTERM set.
-pub(super) fn stop_flag() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    on_interrupt(&stop);
-    stop
-}
-
 /// Write results and print their text; the exit status.
 pub(super) fn finish(result: Result<(String, i32), String>, stop: &AtomicBool) -> i32 {
     match result {
         Ok((text, status)) => super::run::print(Ok(text)).max(status),
         Err(message) => {
             eprintln!("error: {message}");
-            if stop.load(Ordering::Relaxed) { super::signals::INTERRUPTED } else { super::calibrate::INPUT_ERROR }
+            stopped_status(stop).unwrap_or(super::calibrate::INPUT_ERROR)
         }
     }
 }

@@ -9,6 +9,7 @@ use clap::Args;
 use hysteron::run::Run;
 use hysteron::view::vtk::{Both, Writer};
 use hysteron::view::{Observer, Units, page};
+use hysteron_files::Scratch;
 use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]
@@ -41,21 +42,17 @@ pub(super) struct ViewArgs {
     args: Vec<String>,
 }
 
-/// A folder that is removed in the end.
-struct Scratch(PathBuf);
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // What is left behind lies among other temporary files.
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
 /// Run a script and write the page. What the script itself writes goes to a folder that is removed, since it may read it
 /// again; the exit status is that of a run.
 pub(super) fn view(args: &ViewArgs) -> i32 {
-    let scratch = Scratch(std::env::temp_dir().join(format!("hysteron-view-{}", std::process::id())));
-    let folders = FolderArgs { out: Some(scratch.0.clone()), ..FolderArgs::default() };
+    let scratch = match Scratch::new("view") {
+        Ok(scratch) => scratch,
+        Err(e) => {
+            eprintln!("error: cannot make a temporary folder: {e}");
+            return INPUT_ERROR;
+        }
+    };
+    let folders = FolderArgs { out: Some(scratch.path().to_owned()), ..FolderArgs::default() };
     let (script, steps, limits, evidence) = (&args.script, &args.steps, &args.limits, &EvidenceArgs::default());
     let run_args = RunArgs {
         script,

@@ -147,3 +147,66 @@ fn full_output_is_an_error() {
     let status = command.args(["run", "bad.tcl"]).current_dir(&place.0).stderr(full()).status().unwrap();
     assert_eq!(status.code(), Some(2));
 }
+
+/// Files that another program has planted in the place of results lead nowhere.
+#[test]
+fn planted_links_are_replaced() {
+    let place = place();
+    let kept = place.0.join("outside/kept.txt");
+    let plant = |name: &str| {
+        let path = place.0.join("inside").join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        symlink(&kept, path).unwrap();
+    };
+    for name in ["p.pvd", "p/000000.vtu", "d.out", ".d.out.part"] {
+        plant(name);
+    }
+    let recorders = "recorder PVD p disp\nrecorder Node -file d.out -node 2 -dof 1 disp\n";
+    let (status, said) = inside(&place, &[], &format!("{MODEL}{STATIC}{recorders}analyze 2\n"));
+    assert_eq!(status, Some(0), "{said}");
+    assert_eq!(fs::read_to_string(place.0.join("inside/p.pvd")).unwrap().matches("DataSet").count(), 2);
+    // A folder that leads elsewhere is refused.
+    symlink(place.0.join("outside"), place.0.join("inside/q")).unwrap();
+    let (status, said) = inside(&place, &[], &format!("{MODEL}{STATIC}recorder PVD q disp\nanalyze 1\n"));
+    assert!(status == Some(2) && said.contains("below the current folder only"), "{said}");
+    let device = "proc pad {tag i j} { uniaxialMaterial Elastic 91 1e6\nelement elastomericBearingBoucWen $tag $i $j 1000. 10. 0.1 0. \
+        2. 2. 0.5 0.5 -P 91 -T 91 -My 91 -Mz 91 -orient 0 0 1 1 0 0 }\n";
+    place.write("inside/pad.tcl", device);
+    for name in ["out/test.tcl", "out/loops.csv", "out/cycles.csv", "out/loops.svg", "out/force.out"] {
+        plant(name);
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));
+    let words = ["bearing", "pad.tcl", "-o", "out", "--strains", "0.1", "--thickness", "1", "-P", "50"];
+    let output = command.args(words).current_dir(place.0.join("inside")).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(fs::read(&kept).unwrap(), b"kept");
+    assert_eq!(fs::read_dir(place.0.join("outside")).unwrap().count(), 1);
+}
+
+/// A backslash is a letter of a name here: what is judged is what is written.
+#[test]
+fn a_backslash_is_no_folder() {
+    let place = place();
+    fs::create_dir_all(place.0.join("inside/a")).unwrap();
+    symlink(place.0.join("outside/new.txt"), place.0.join("inside/a\\b")).unwrap();
+    let (status, said) = inside(&place, &[], "set f [open {a\\b} w]; puts $f x; close $f\n");
+    assert!(status == Some(2) && !place.0.join("outside/new.txt").exists(), "{said}");
+    let recorder = "recorder Node -file {a\\b} -node 2 -dof 1 disp\n";
+    let (status, said) = inside(&place, &[], &format!("{MODEL}{STATIC}{recorder}analyze 2\n"));
+    assert_eq!(status, Some(0), "{said}");
+    assert!(!place.0.join("outside/new.txt").exists() && !place.0.join("inside/a/b").exists());
+    assert_eq!(fs::read_to_string(place.0.join("inside/a\\b")).unwrap().lines().count(), 2);
+}
+
+/// The files of checkpoints replace no other files.
+#[test]
+fn a_script_is_no_journal() {
+    for name in ["w.journal", "w.checkpoint"] {
+        let place = Place::new();
+        let script = format!("{MODEL}{STATIC}analyze 1\n");
+        place.write(name, &script);
+        let (status, _, err) = place.run(&["run", "--checkpoint", "1s", name]);
+        assert!(status == Some(2) && err.contains(&format!("{name} is no file of checkpoints")), "{err}");
+        assert_eq!(fs::read_to_string(place.0.join(name)).unwrap(), script);
+    }
+}

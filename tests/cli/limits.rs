@@ -101,3 +101,44 @@ fn memory_limit() {
     let (status, _, err) = place.run(&["run", "--max-memory", "many", "m.tcl"]);
     assert!(status == Some(2) && err.contains("500M or 4G"), "{err}");
 }
+
+/// Limits hold for commands that run many analyses too.
+#[test]
+fn limits_of_studies_and_batches() {
+    let place = Place::new();
+    place.write("model.tcl", "pset k 1.0\nset sum 0\nwhile 1 {}\n");
+    place.write("plan.toml", "scripts = [\"model.tcl\"]\nresults = [\"sum\"]\n[grid]\nk = [1.0, 2.0]\n");
+    let (status, _, err) = place.run(&["batch", "plan.toml", "--out", "b", "--time-limit", "0.5"]);
+    assert!(status == Some(1) && err.contains("the time limit of 0.5 s is over"), "{err}");
+    let study = concat!(env!("CARGO_MANIFEST_DIR"), "/tcl-like-inputs/isolation_study/study.toml");
+    for command in ["isolate", "ida", "fragility"] {
+        let (status, _, err) = place.run(&[command, study, "--out", command, "--time-limit", "0.05"]);
+        assert!(status == Some(1) && err.contains("the time limit of 0.05 s is over"), "{command}: {err}");
+        assert!(!place.0.join(command).join("report.html").exists(), "{command}");
+    }
+    let (status, _, err) = place.run(&["response-spectrum", study, "--max-memory", "many"]);
+    assert!(status == Some(2) && err.contains("500M or 4G"), "{err}");
+}
+
+/// A device without an end is refused as a study, a plan, a table or a recording, without taking its bytes.
+#[test]
+fn inputs_without_an_end_are_refused() {
+    let place = Place::new();
+    let recording = "model = \"m.tcl\"\n[[parameter]]\nname = \"k\"\nlower = 1\nupper = 4\n[[run]]\nname = \"a\"\n\
+        recording = \"/dev/zero\"\n[[run.observe]]\nchannel = \"u\"\noutput = \"d.out\"\n";
+    place.write("study.toml", recording);
+    place.write("m.tcl", "pset k 2.0\n");
+    for words in [
+        &["calibrate", "/dev/zero", "--max-memory", "400M"][..],
+        &["calibrate", "study.toml", "--max-memory", "400M"],
+        &["batch", "/dev/zero", "--max-memory", "400M"],
+        &["isolate", "/dev/zero", "--max-memory", "400M"],
+        &["fragility", "/dev/zero", "--max-memory", "400M"],
+        &["loops", "/dev/zero", "-u", "1", "-f", "2"],
+        &["motions", "/dev/zero", "--dt", "0.01", "--unit", "g"],
+        &["prototype", "/dev/zero", "-u", "1", "-f", "2"],
+    ] {
+        let (status, _, err) = place.run(words);
+        assert!(status == Some(2) && err.contains("it has more than 64 MB"), "{words:?}: {status:?} {err}");
+    }
+}

@@ -369,11 +369,22 @@ fn calibration_of_changed_files_is_not_resumed() {
     // Slow enough to be interrupted.
     edit(&place, "model.tcl", "if {[analyze 20]", "for {set i 0} {$i < 200000} {incr i} {}\nif {[analyze 20]");
     edit(&place, "study.toml", "[[parameter]]", "[calibration]\nmethod = \"l-shade\"\n\n[[parameter]]");
-    let (status, _, said) = place.run(&["calibrate", "--time-limit", "3", "study.toml"]);
+    // There is nothing to go on from yet.
+    let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "3", "study.toml"]);
     assert!(status == Some(1) && said.contains("the time limit of 3 s is over"), "{status:?} {said}");
+    assert!(said.contains("the search begins at its beginning"), "{said}");
     assert!(place.0.join("results/checkpoint.json").exists(), "{said}");
     let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
     assert!(status == Some(1) && !said.contains("cannot go on"), "{said}");
+    // A checkpoint whose numbers were edited is not believed.
+    let checkpoint = "results/checkpoint.json";
+    let before = std::fs::read_to_string(place.0.join(checkpoint)).unwrap();
+    let at = before.rfind(|c: char| ('1'..='8').contains(&c)).unwrap();
+    let other = char::from(before.as_bytes()[at] + 1);
+    place.write(checkpoint, format!("{}{other}{}", &before[..at], &before[at + 1..]));
+    let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
+    assert!(status == Some(2) && said.contains("it is damaged"), "{status:?} {said}");
+    place.write(checkpoint, before);
     for (file, old, new) in [("model.tcl", "analyze 20", "analyze 19"), ("test.dat", "5", "6"), ("test.csv", "5", "6")]
     {
         let before = std::fs::read(place.0.join(file)).unwrap();

@@ -61,7 +61,7 @@ impl Plan {
         let stop: Arc<AtomicBool> = Arc::default();
         let raised: Shared<Option<PyErr>> = Shared::default();
         let outcome = py.detach(|| -> Result<(), String> {
-            std::fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+            hysteron_files::make_folders(&folder).map_err(|e| e.to_string())?;
             let pool = WorkerPool::new(threads.max(1)).map_err(|e| e.to_string())?;
             let one = |i: &usize| run_case(&self.plan, &self.plan.cases[*i], &folder, resume, &stop);
             std::thread::scope(|scope| {

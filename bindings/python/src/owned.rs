@@ -72,8 +72,11 @@ impl Owned {
 }
 
 // SAFETY: The values of an interpreter count their references without locks, so that all references to one must stay
-// with one thread at a time. `Run::for_calls` makes an interpreter that shares none with the thread's other interpreters.
-// The observer and its copy in the run are used under the same lock.
-// Words are made, and answers taken apart, while the lock of `Domain` is held; none is kept outside. The lock orders the
-// threads. No file is run as a script, so that the thread's store of parsed files has no part in it.
+// with one thread at a time. `Run::for_calls` makes an interpreter that shares no value with the thread's other interpreters:
+// - Variables that the host sets or reads by name have texts of their own (`VarName::of_host` of the crate `hysteron-tcl`). Names in
+//   scripts are shared by a thread, but no text is run as a script here: a command that has a body in Tcl refuses one from a host.
+// - For the same reason the thread's store of parsed files has no part in it.
+// - The list of the recorders' files is shared by the session and the files of this interpreter alone.
+// The observer and its copy in the run are used under the same lock. Words are made, and answers taken apart, while the lock of
+// `Domain` is held; none is kept outside. The lock orders the threads.
 unsafe impl Send for Owned {}

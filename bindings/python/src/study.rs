@@ -341,7 +341,7 @@ impl Study {
         let mut watch = Watch { raised: raised.clone(), stop: self.stop.clone() };
         let diagnosis = py.detach(|| {
             let path = self.study.folder.join(&self.study.model);
-            let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+            let text = hysteron_files::read_text(&path).map_err(|e| format!("{}: {e}", path.display()))?;
             let settings = Settings { threads: threads.max(1), excluded_causes: without, ..Settings::default() };
             diagnose(&self.factory.simulator(), &self.initial_run, &text, &settings, &mut watch)
         });

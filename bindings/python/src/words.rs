@@ -63,11 +63,11 @@ fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<
         words.extend(view.as_array().iter().map(|x| Value::from(*x)));
     } else if arg.cast::<PyUntypedArray>().is_ok() {
         push(words, &arg.call_method0("tolist")?, depth + 1)?;
-    } else if let Ok(index) = arg.call_method0("__index__") {
+    } else if let Some(index) = special(arg, "__index__")? {
         words.push(integer(&index)?);
-    } else if let Ok(x) = arg.call_method0("__float__") {
+    } else if let Some(x) = special(arg, "__float__")? {
         words.push(Value::from(x.extract::<f64>()?));
-    } else if let Ok(path) = arg.call_method0("__fspath__") {
+    } else if let Some(path) = special(arg, "__fspath__")? {
         words.push(Value::from(path.extract::<String>()?));
     } else if !arg.is_instance_of::<pyo3::types::PyDict>()
         && !arg.is_instance_of::<pyo3::types::PyBytes>()
@@ -81,6 +81,12 @@ fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<
         return Err(Refused::Kind(kind));
     }
     Ok(())
+}
+
+/// The answer of a special method; `None` where the type has none. An exception that the method raises is the caller's.
+fn special<'py>(arg: &Bound<'py, PyAny>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
+    // As Python itself looks for it: in the type.
+    if arg.get_type().hasattr(name)? { arg.call_method0(name).map(Some) } else { Ok(None) }
 }
 
 fn integer(arg: &Bound<'_, PyAny>) -> Result<Value, Refused> {

@@ -381,3 +381,28 @@ def test_nodes_that_come_after_the_modes_take_no_part_in_them(frame):
     frame.node(3, 1.0, 1.0)
     assert frame.nodeEigenvector(3, 1) == [0.0, 0.0, 0.0] and frame.nodeEigenvector(2, 1, 1) != 0.0
     assert frame.modalProperties("-return")["eigenLambda"] == pytest.approx(lam)
+
+
+def test_an_exception_of_a_number_is_the_callers():
+    class Broken:
+        def __float__(self):
+            raise ZeroDivisionError("no number")
+
+    class Counted:
+        def __index__(self):
+            return 1
+
+    model = Model(1, 1)
+    with pytest.raises(ZeroDivisionError, match="no number"):
+        model.node(1, Broken())
+    model.node(Counted(), 0.5)
+    assert model.nodeCoord(1, 1) == 0.5
+
+
+def test_texts_are_not_run_as_scripts(tmp_path):
+    model = Model(2, 2)
+    model.timeSeries("Linear", 1)
+    made = tmp_path / "made"
+    with pytest.raises(OpenSeesError, match="not run as a script"):
+        model.pattern("Plain", 1, 1, f"close [open {made} w]")
+    assert not made.exists()

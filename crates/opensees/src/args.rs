@@ -101,6 +101,18 @@ impl<'a> Args<'a> {
         Exception::diagnosed(Diagnostic::error(message).at(span, label).help(self.usage_line()))
     }
 
+    /// Refuse the body of a command that a host calls: its text would be run as Tcl, with all that Tcl may do.
+    ///
+    /// # Errors
+    /// A host calls the command.
+    pub(crate) fn refuse_body(&self, interp: &Tcl, command: &str) -> Result<(), Exception> {
+        if !interp.host.called_by_host {
+            return Ok(());
+        }
+        let message = format!("a text is not run as a script here: \"{command}\" comes as a command of its own");
+        Err(self.refuse(message, "not read"))
+    }
+
     fn usage_line(&self) -> String {
         format!("usage: {}", crate::usage_as(&self.call.name(), self.usage))
     }

@@ -23,6 +23,7 @@
 //! assert_eq!(call(&["nodeCoord", "1", "1"]).unwrap().to_f64().unwrap(), 0.5);
 //! ```
 
+use crate::files::live::RecordedFiles;
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
 use crate::slips;
@@ -88,7 +89,8 @@ impl Run {
         outputs: Box<dyn Outputs>,
     ) -> Self {
         let session = Session::new(settings.options, Mode::Run, settings.strict, outputs);
-        let mut interp = Interp::new(session, console, files);
+        let files = RecordedFiles::new(files, session.output.recorders.live.clone());
+        let mut interp = Interp::new(session, console, Box::new(files));
         crate::install(&mut interp);
         interp.elsewhere = elsewhere::command;
         interp.core.follow_current_dir();

@@ -2,6 +2,7 @@
 
 use crate::course::{self, Course};
 use crate::elsewhere;
+use crate::files::live::RecordedFiles;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
@@ -43,12 +44,12 @@ pub enum End {
 
 impl End {
     /// Exit status: 0 done, 1 the analysis failed or the script raised an error of its own, 2 the input is wrong,
-    /// 130 interrupted.
+    /// 130 interrupted. Of the status that a script ends itself with, the system keeps the last byte: 255 of -1.
     pub fn status(&self) -> i32 {
         match self {
             Self::Done | Self::Enough(_) => 0,
             Self::Failed(_) | Self::Ignored(_) | Self::Raised(_) => 1,
-            Self::Exit(n) => *n,
+            Self::Exit(n) => n.rem_euclid(256),
             Self::Rejected(_) => 2,
             Self::Interrupted => 130,
         }
@@ -93,7 +94,9 @@ impl Run {
         let Settings { mode, strict, options } = settings;
         let mut session = Session::new(options, mode, strict, outputs);
         session.course = course;
-        let fresh = |session, console, files| {
+        let live = session.output.recorders.live.clone();
+        let files = Box::new(RecordedFiles::new(files, live.clone()));
+        let fresh = |session, console, files: Box<RecordedFiles>| {
             let mut interp = Interp::new(session, console, files);
             crate::install(&mut interp);
             interp
@@ -108,6 +111,8 @@ impl Run {
             (Mode::Check, _) => fresh(session, console, files),
         });
         interp.elsewhere = elsewhere::command;
+        // Where a file cannot be written, the script is told at its next command that looks.
+        interp.on_pause = Some(Box::new(move || drop(live.sync())));
         interp.before_command = course.is_some().then_some(course::before_command);
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);

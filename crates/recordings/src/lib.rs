@@ -30,7 +30,7 @@ pub mod unit;
 pub use content::{Layout, MAX_UNPACKED, Told};
 pub use fault::Fault;
 pub use format::{FORMATS, Format};
-pub use measured::{MAX_FILE, Measured, read_file};
+pub use measured::Measured;
 pub use motion::{Channel, Channels};
 pub use recording::{Column, Recording};
 pub use series::{Clock, Origin, Series};

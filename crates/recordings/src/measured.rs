@@ -7,12 +7,6 @@ use crate::format::{FORMATS, Format, Input};
 use crate::sheet::Sheet;
 use crate::text::decode;
 use std::borrow::Cow;
-use std::fs;
-use std::io::{self, Read};
-use std::path::Path;
-
-/// Largest file that is read, in bytes.
-pub const MAX_FILE: u64 = 1 << 30;
 
 /// A file that has been read.
 #[derive(Clone, Debug)]
@@ -30,19 +24,6 @@ pub struct Measured {
     pub(crate) size: usize,
     /// Its text, for the places of faults; empty for binary files.
     pub(crate) text: String,
-}
-
-/// The bytes of a file of at most [`MAX_FILE`] bytes.
-///
-/// # Errors
-/// It cannot be read, or is larger.
-pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
-    let mut content = vec![];
-    if fs::File::open(path)?.take(MAX_FILE + 1).read_to_end(&mut content)? as u64 > MAX_FILE {
-        let message = format!("it has more than {} MB", MAX_FILE >> 20);
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
-    }
-    Ok(content)
 }
 
 impl Measured {

@@ -63,6 +63,8 @@ pub struct Core {
     pub console: Box<dyn Console>,
     /// The files that a script sees.
     pub files: Box<dyn Files>,
+    /// Is called where others may look at what the script has done: before it waits, and where it flushes its output.
+    pub on_pause: Option<Box<dyn FnMut()>>,
     /// The texts read so far, to locate messages in.
     pub sources: SourceMap,
     /// Warnings in the order in which they came up.
@@ -200,6 +202,13 @@ fn fresh_epoch() -> u32 {
 }
 
 impl Core {
+    /// Let the host show others what the script has done.
+    pub(crate) fn pause(&mut self) {
+        if let Some(on_pause) = &mut self.on_pause {
+            on_pause();
+        }
+    }
+
     /// A name may mean another command from now on.
     pub(crate) fn renew_epoch(&mut self) {
         self.table.epoch = fresh_epoch();
@@ -212,6 +221,7 @@ impl Core {
             files,
             sources: SourceMap::default(),
             warnings: vec![],
+            on_pause: None,
             elsewhere: |_| None,
             interrupt: Arc::default(),
             budget: None,

@@ -1,11 +1,12 @@
 //! The files that a script sees: those of the system, or some in memory.
 
-use std::fs;
 use std::io::{self, Read, Seek, Write};
-use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 use super::error::Exception;
+use hysteron_files::{self as system, Access, File};
+
+pub use hysteron_files::{MAX_FILE_SIZE, read_whole};
 
 /// An open file.
 pub trait Stream: Read + Write + Seek {
@@ -13,9 +14,9 @@ pub trait Stream: Read + Write + Seek {
     fn set_len(&mut self, length: u64) -> io::Result<()>;
 }
 
-impl Stream for fs::File {
+impl Stream for File {
     fn set_len(&mut self, length: u64) -> io::Result<()> {
-        fs::File::set_len(self, length)
+        File::set_len(self, length)
     }
 }
 
@@ -92,48 +93,22 @@ pub trait Files {
     }
 }
 
-/// Largest file that is read as a whole, in bytes. A device such as `/dev/zero` has no end.
-pub const MAX_FILE_SIZE: u64 = 1 << 30;
-
-/// The whole content of a file.
-///
-/// # Errors
-/// It cannot be read, or has more than [`MAX_FILE_SIZE`] bytes.
-pub fn read_whole(file: impl Read) -> io::Result<Vec<u8>> {
-    let mut content = vec![];
-    if file.take(MAX_FILE_SIZE + 1).read_to_end(&mut content)? as u64 > MAX_FILE_SIZE {
-        return Err(io::ErrorKind::FileTooLarge.into());
-    }
-    Ok(content)
-}
-
 /// The files of the system.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OsFiles;
 
 impl Files for OsFiles {
     fn current_dir(&self) -> String {
-        std::env::current_dir().map_or_else(|_| "/".to_owned(), |d| d.to_string_lossy().replace('\\', "/"))
+        std::env::current_dir().map_or_else(|_| "/".to_owned(), system::portable)
     }
 
     fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>> {
-        // Opening a folder for reading succeeds on some systems; Tcl refuses it.
-        if Path::new(path).is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
-        }
-        let file = fs::OpenOptions::new()
-            .read(mode.read)
-            .write(mode.write && !mode.append)
-            .append(mode.append)
-            .truncate(mode.truncate)
-            .create(mode.create && !mode.exclusive)
-            .create_new(mode.exclusive)
-            .open(path)?;
-        Ok(Box::new(file))
+        let OpenMode { read, write, append, create, exclusive, truncate } = mode;
+        Ok(Box::new(system::open(path, Access { read, write, append, create, exclusive, truncate })?))
     }
 
     fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
-        let meta = if follow { fs::metadata(path)? } else { fs::symlink_metadata(path)? };
+        let meta = if follow { system::info(path)? } else { system::link_info(path)? };
         let since = |t: io::Result<SystemTime>| {
             t.ok().and_then(|t| t.duration_since(SystemTime::UNIX_EPOCH).ok()).unwrap_or_default()
         };
@@ -148,41 +123,33 @@ impl Files for OsFiles {
             size: meta.len(),
             modified: since(meta.modified()),
             accessed: since(meta.accessed()),
-            mode: mode_of(&meta),
+            mode: system::permissions(&meta),
         })
     }
 
     fn list(&self, path: &str) -> io::Result<Vec<String>> {
-        fs::read_dir(path)?.map(|e| Ok(e?.file_name().to_string_lossy().into_owned())).collect()
+        system::list(path)
     }
 
     fn make_dir(&mut self, path: &str) -> io::Result<()> {
-        fs::create_dir(path)
+        system::make_folder(path)
     }
 
     fn remove(&mut self, path: &str) -> io::Result<()> {
-        if fs::symlink_metadata(path)?.is_dir() { fs::remove_dir(path) } else { fs::remove_file(path) }
+        system::remove(path)
     }
 
     fn rename(&mut self, from: &str, to: &str) -> io::Result<()> {
-        fs::rename(from, to)
+        system::rename(from, to)
     }
 
     fn set_modified(&mut self, path: &str, time: Duration) -> io::Result<()> {
-        fs::OpenOptions::new().append(true).open(path)?.set_modified(SystemTime::UNIX_EPOCH + time)
+        system::set_modified(path, time)
     }
-}
 
-#[cfg(unix)]
-fn mode_of(meta: &fs::Metadata) -> u32 {
-    use std::os::unix::fs::PermissionsExt as _;
-    meta.permissions().mode() & 0o7777
-}
-
-#[cfg(not(unix))]
-fn mode_of(meta: &fs::Metadata) -> u32 {
-    let write = if meta.permissions().readonly() { 0 } else { 0o222 };
-    0o444 | write | if meta.is_dir() { 0o111 } else { 0 }
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        system::read(path)
+    }
 }
 
 /// The error for a file, its message made from the reason.

@@ -297,7 +297,7 @@ impl Core {
     /// # Errors
     /// There is no such variable, or it is an array.
     pub fn get_var(&self, name: &str) -> Result<Value, Exception> {
-        let name = VarName::parse(name);
+        let name = VarName::of_host(name);
         self.value_of(&name)
     }
 
@@ -306,14 +306,14 @@ impl Core {
     /// # Errors
     /// A scalar under the name of an array, an array under the name of a scalar, or a namespace that does not exist.
     pub fn set_var(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
-        let name = VarName::parse(name);
+        let name = VarName::of_host(name);
         self.assign(&name, value.into())
     }
 
     /// Note the first use of a scalar that is there: setting it before it is read becomes an error. `None` if there is no
     /// such scalar.
     pub fn watch_var(&mut self, name: &str) -> Option<Watch> {
-        let name = VarName::parse(name);
+        let name = VarName::of_host(name);
         let slot = self.slot_mut(&name).filter(|_| name.element.is_none())?;
         slot.with_mut(|slot| {
             let watch = Watch::default();

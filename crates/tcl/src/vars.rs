@@ -51,15 +51,15 @@ pub(crate) fn split_qualified(name: &str) -> Option<(&str, &str)> {
 impl VarName {
     /// A name without an index.
     pub(crate) fn simple(name: &str) -> Rc<VarName> {
-        Self::new(name, None)
+        Self::new(name, None, Text::name)
     }
 
-    fn new(name: &str, element: Option<&str>) -> Rc<VarName> {
-        let text = Text::name(name);
+    fn new(name: &str, element: Option<&str>, shared: fn(&str) -> Text) -> Rc<VarName> {
+        let text = shared(name);
         let (scope, tail) = match split_qualified(name) {
             None => (Scope::Here, text.clone()),
-            Some(("", tail)) if name.starts_with("::") => (Scope::Global, Text::name(tail)),
-            Some((path, tail)) => (Scope::Qualified(path.into()), Text::name(tail)),
+            Some(("", tail)) if name.starts_with("::") => (Scope::Global, shared(tail)),
+            Some((path, tail)) => (Scope::Qualified(path.into()), shared(tail)),
         };
         let hash = table::hash(&tail);
         let is_precision = &*tail == "tcl_precision";
@@ -70,9 +70,19 @@ impl VarName {
 
     /// A name that may have an index.
     pub(crate) fn parse(name: &str) -> Rc<VarName> {
+        Self::parsed(name, Text::name)
+    }
+
+    /// The same for a host, which shares no text with the other interpreters of the thread: an interpreter that runs no script
+    /// may go to another thread.
+    pub(crate) fn of_host(name: &str) -> Rc<VarName> {
+        Self::parsed(name, |name: &str| Text::from(name))
+    }
+
+    fn parsed(name: &str, shared: fn(&str) -> Text) -> Rc<VarName> {
         match name.strip_suffix(')').and_then(|n| n.split_once('(')) {
-            Some((base, element)) => Self::new(base, Some(element)),
-            None => Self::new(name, None),
+            Some((base, element)) => Self::new(base, Some(element), shared),
+            None => Self::new(name, None, shared),
         }
     }
 

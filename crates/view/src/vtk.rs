@@ -4,7 +4,6 @@ use hysteron_engine::analysis::Engine;
 use hysteron_opensees::MotionObserver;
 use hysteron_opensees::files::vtu::{PointField, collection, end_forces, grid};
 use std::cell::RefCell;
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -33,7 +32,7 @@ impl Writer {
     /// # Errors
     /// The folder cannot be made.
     pub fn new(folder: &Path, every: usize) -> io::Result<Self> {
-        fs::create_dir_all(folder.join(STEPS))?;
+        hysteron_files::make_inner_folder(folder.join(STEPS))?;
         let series = Series { folder: folder.into(), every: every.max(1), steps: 0, files: vec![], failure: None };
         Ok(Self(Rc::new(RefCell::new(series))))
     }
@@ -51,7 +50,7 @@ impl Writer {
         if let Some(e) = series.failure.take() {
             return Err(e);
         }
-        fs::write(series.folder.join(LIST), collection(&series.files))?;
+        hysteron_files::write(series.folder.join(LIST), collection(&series.files))?;
         Ok(series.files.len())
     }
 }
@@ -60,7 +59,7 @@ impl Series {
     fn write(&mut self, engine: &Engine) {
         let fields = [PointField::displacement, PointField::velocity, PointField::acceleration].map(|f| f(engine));
         let name = format!("{STEPS}/{:06}.vtu", self.files.len());
-        match fs::write(self.folder.join(&name), grid(engine, &fields, &end_forces(engine))) {
+        match hysteron_files::write(self.folder.join(&name), grid(engine, &fields, &end_forces(engine))) {
             Ok(()) => self.files.push((engine.state().time, name)),
             Err(e) => self.failure = self.failure.take().or(Some(e)),
         }

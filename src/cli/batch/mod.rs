@@ -3,14 +3,14 @@
 mod jobs;
 
 use super::calibrate::{FAILURE, INPUT_ERROR};
-use super::files::write_atomically;
-use super::signals::{INTERRUPTED, on_interrupt};
+use super::files::{make_folder, make_inner_folder, write_atomically};
+use super::limits::LimitArgs;
+use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::design::batch::{Case, Plan, load, run_case, table};
 use hysteron::study::WorkerPool;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jobs::{Scheduler, scheduled, write_jobs};
-use std::fs;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,6 +18,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 #[derive(Args, Debug)]
 pub(super) struct BatchArgs {
+    #[command(flatten)]
+    limits: LimitArgs,
     /// The plan
     plan: PathBuf,
     /// Where the results go
@@ -52,12 +54,13 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
 pub(super) fn batch(a: &BatchArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
+    a.limits.enforce(&stop);
     match run(a, &stop) {
         Ok(0) => 0,
         Ok(_) => FAILURE,
         Err(message) => {
             eprintln!("error: {message}");
-            if stop.load(Ordering::Relaxed) { INTERRUPTED } else { INPUT_ERROR }
+            stopped_status(&stop).unwrap_or(INPUT_ERROR)
         }
     }
 }
@@ -69,13 +72,13 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     if plan.repeated > 0 {
         eprintln!("warning: {} cases have the inputs of another one: they are run once", plan.repeated);
     }
-    fs::create_dir_all(&a.out).map_err(|e| format!("cannot make {}: {e}", a.out.display()))?;
+    make_folder(&a.out)?;
     if let Some(scheduler) = a.emit {
         write_jobs(scheduler, &a.plan, &a.out, a.jobs)?;
         return Ok(0);
     }
     let folder = a.out.join("cases");
-    fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    make_inner_folder(&folder)?;
     if a.merge {
         return write_table(a, &plan, &folder);
     }

@@ -63,6 +63,7 @@ impl ReadFiles {
     }
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Files for ReadFiles {
     fn current_dir(&self) -> String {
         self.files.current_dir()
@@ -99,5 +100,12 @@ impl Files for ReadFiles {
 
     fn set_modified(&mut self, path: &str, time: Duration) -> io::Result<()> {
         self.files.set_modified(path, time)
+    }
+
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        if self.files.info(path, true).is_ok_and(|i| i.kind == FileKind::File) {
+            self.note(path);
+        }
+        self.files.read(path)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::inputs::Inputs;
 use hysteron::opensees::{FileFormat, FileSeries, Outputs};
-use hysteron::record::{Group, Output, RecordError};
+use hysteron::record::{Group, LiveFile, Output, RecordError};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -39,6 +39,7 @@ impl WithPeaks {
     }
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Outputs for WithPeaks {
     fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         let output = self.outputs.create(name, path, format)?;
@@ -59,6 +60,7 @@ struct PeakOutput {
     peaks: Peaks,
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Output for PeakOutput {
     fn begin(&mut self, labels: &[String]) -> Result<(), RecordError> {
         let columns = labels.iter().map(|l| Peak { column: l.clone(), value: 0.0 }).collect();
@@ -77,6 +79,18 @@ impl Output for PeakOutput {
         self.output.row(row)
     }
 
+    fn columns(&self) -> Option<&[usize]> {
+        None
+    }
+
+    fn rows(&mut self, times: &[f64], rows: &[f64]) -> Result<(), RecordError> {
+        let width = rows.len() / times.len().max(1);
+        times.iter().zip(rows.chunks(width.max(1))).try_for_each(|(time, row)| {
+            self.at(*time);
+            self.row(row)
+        })
+    }
+
     fn wants_start(&self, time: f64) -> bool {
         self.output.wants_start(time)
     }
@@ -90,7 +104,15 @@ impl Output for PeakOutput {
     }
 
     fn restart(&mut self) -> Result<(), RecordError> {
+        // What an envelope had before is written anew.
+        if let Some(peaks) = self.peaks.0.lock().unwrap_or_else(PoisonError::into_inner).get_mut(&self.name) {
+            peaks.iter_mut().for_each(|peak| peak.value = 0.0);
+        }
         self.output.restart()
+    }
+
+    fn live(&self) -> Option<Arc<dyn LiveFile>> {
+        self.output.live()
     }
 
     fn wants_every_row(&self) -> bool {

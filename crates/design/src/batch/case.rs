@@ -3,12 +3,12 @@
 use super::{Case, Plan};
 use crate::isolate::{HashedFiles, InputHashes, is_current};
 use hysteron_engine::analysis::Options;
+use hysteron_files::FolderLock;
 use hysteron_opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron_opensees::files::output_folder::OutputFolder;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Outputs};
 use hysteron_tcl::{Console, Files, Value};
-use std::fs;
 use std::io;
 use std::path::Path;
 use std::rc::Rc;
@@ -51,7 +51,7 @@ pub fn table(plan: &Plan, folder: &Path) -> Result<Table, usize> {
     let mut table = Table { csv: header(plan), failed: 0 };
     let mut missing = 0;
     for case in &plan.cases {
-        match fs::read_to_string(folder.join(&case.hash).join(ROW)) {
+        match hysteron_files::read_text(folder.join(&case.hash).join(ROW)) {
             Ok(row) => {
                 table.failed += usize::from(!is_done(&row));
                 table.csv += &row;
@@ -73,7 +73,7 @@ fn line(words: impl Iterator<Item = String>) -> String {
 /// Returns true if an earlier run has completed the case below `folder`, and no file that it read has changed.
 pub fn is_complete(case: &Case, folder: &Path) -> bool {
     let place = folder.join(&case.hash);
-    let inputs = fs::read_to_string(place.join(INPUTS)).ok();
+    let inputs = hysteron_files::read_text(place.join(INPUTS)).ok();
     let inputs: Option<Vec<(String, u64)>> = inputs.and_then(|text| serde_json::from_str(&text).ok());
     place.join(ROW).is_file() && inputs.is_some_and(|inputs| is_current(&inputs))
 }
@@ -106,7 +106,9 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     if stop.load(Ordering::Relaxed) || (resume && is_complete(case, folder)) {
         return Ok(());
     }
-    let _ = fs::remove_dir_all(&part);
+    let locked = hysteron_files::make_inner_folder(&part).and_then(|()| FolderLock::take(&part));
+    let lock = locked.map_err(|e| e.to_string())?;
+    lock.clear().map_err(|e| format!("cannot clear {}: {e}", part.display()))?;
     let script = case.script.to_string_lossy();
     let (files, outputs) = guarded(&part).map_err(|e| format!("cannot make {}: {e}", part.display()))?;
     let inputs = InputHashes::default();
@@ -119,7 +121,8 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     give_motion(plan, case, &mut run)?;
     let end = run.script(&script, &[]);
     if stop.load(Ordering::Relaxed) {
-        let _ = fs::remove_dir_all(&part);
+        drop(lock);
+        let _ = hysteron_files::remove_folder(&part);
         return Ok(());
     }
     let row = row(plan, case, &mut run, &end);
@@ -129,12 +132,13 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     let read = serde_json::to_string(&read).map_err(|e| e.to_string())?;
     let write = |name: &str, text: &str| {
         let path = part.join(name);
-        fs::write(&path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
+        hysteron_files::write(&path, text).map_err(|e| format!("cannot write {}: {e}", path.display()))
     };
     write(INPUTS, &read)?;
     write(ROW, &row)?;
-    let _ = fs::remove_dir_all(&place);
-    fs::rename(&part, &place).map_err(|e| format!("cannot write {}: {e}", place.display()))
+    drop(lock);
+    let moved = hysteron_files::remove_folder(&place).and_then(|()| hysteron_files::rename(&part, &place));
+    moved.map_err(|e| format!("cannot write {}: {e}", place.display()))
 }
 
 /// Put the motion of a case into the array `motion` of its script.

@@ -56,7 +56,7 @@ pub struct Case {
 const HASH_BYTES: usize = 10;
 
 fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
-    std::fs::read(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))
+    hysteron_files::read_input(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))
 }
 
 fn text_of(path: &Path) -> Result<String, String> {

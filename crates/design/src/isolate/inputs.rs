@@ -34,19 +34,27 @@ impl HashedFiles {
     pub fn new(files: Box<dyn Files>, inputs: InputHashes) -> Self {
         Self { files, inputs }
     }
+
+    /// Note the content of a file that is read for the first time.
+    fn note(&mut self, path: &str) -> io::Result<()> {
+        let is_new = || !self.inputs.0.borrow().contains_key(path);
+        if self.files.info(path, true).is_ok_and(|i| i.kind == FileKind::File) && is_new() {
+            let content = self.files.read(path)?;
+            self.inputs.0.borrow_mut().insert(path.to_owned(), hash(content.into_iter()));
+        }
+        Ok(())
+    }
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Files for HashedFiles {
     fn current_dir(&self) -> String {
         self.files.current_dir()
     }
 
     fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>> {
-        let reads = mode.read && !mode.write && !mode.append;
-        let is_new = || !self.inputs.0.borrow().contains_key(path);
-        if reads && self.files.info(path, true).is_ok_and(|i| i.kind == FileKind::File) && is_new() {
-            let content = self.files.read(path)?;
-            self.inputs.0.borrow_mut().insert(path.to_owned(), hash(content.into_iter()));
+        if mode.read && !mode.write && !mode.append {
+            self.note(path)?;
         }
         self.files.open(path, mode)
     }
@@ -74,10 +82,16 @@ impl Files for HashedFiles {
     fn set_modified(&mut self, path: &str, time: Duration) -> io::Result<()> {
         self.files.set_modified(path, time)
     }
+
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        self.note(path)?;
+        self.files.read(path)
+    }
 }
 
 /// Returns true if no file that an analysis has read has changed since.
 pub fn is_current(inputs: &[(String, u64)]) -> bool {
-    let same = |(path, h): &(String, u64)| std::fs::read(path).is_ok_and(|content| hash(content.into_iter()) == *h);
+    let same =
+        |(path, h): &(String, u64)| hysteron_files::read(path).is_ok_and(|content| hash(content.into_iter()) == *h);
     inputs.iter().all(same)
 }

@@ -8,7 +8,6 @@ use crate::performance::Performance;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
-use hysteron_recordings::read_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -141,12 +140,8 @@ fn mirrored(eccentricities: &[[f64; 2]]) -> Vec<[f64; 2]> {
     all
 }
 
-fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
-    read_file(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))
-}
-
 fn text_of(path: &Path) -> Result<String, String> {
-    bytes_of(path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+    hysteron_files::read_lossy(path).map_err(|e| format!("cannot read \"{}\": {e}", path.display()))
 }
 
 /// The pair of an entry, with the texts of its files added to `texts` and what is to be said about them to `notes`.
@@ -154,7 +149,8 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
     let options = entry.options()?;
     let mut components: Vec<Motion> = vec![];
     for name in &entry.files {
-        let bytes = bytes_of(&folder.join(name))?;
+        let bytes =
+            hysteron_files::read_input(folder.join(name)).map_err(|e| format!("cannot read \"{name}\": {e}"))?;
         let short = name.rsplit('/').next().unwrap_or(name);
         let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
         components.append(&mut found.motions);

@@ -10,7 +10,6 @@ use crate::prior::EFFECTIVE_SAMPLES;
 use crate::series::power;
 use hysteron_identify::study::{Rig, Role, Run, Setting, Simulator, SimulatorFactory, Study};
 use std::fmt::Write as _;
-use std::path::Path;
 use std::sync::Arc;
 
 /// A recommended test.
@@ -252,7 +251,7 @@ fn file_content(values: &[f64]) -> String {
 fn motions(study: &Study, run: &Run) -> Motions {
     let read = |(name, value): &(String, Setting)| {
         let Setting::Text(file) = value else { return None };
-        let text = std::fs::read_to_string(Path::new(&study.absolute(file))).ok()?;
+        let text = hysteron_files::read_text(study.absolute(file)).ok()?;
         let values: Option<Vec<f64>> = text.split_whitespace().map(|w| w.parse().ok()).collect();
         Some((name.clone(), values.filter(|v| v.len() >= MIN_MOTION_SAMPLES)?))
     };

@@ -58,7 +58,7 @@ impl Norm {
     #[inline]
     fn of(self, v: &[f64]) -> f64 {
         match self {
-            Self::Max => v.iter().fold(0.0, |m, x| if x.abs() <= m { m } else { x.abs() }),
+            Self::Max => v.iter().fold(0.0, |m: f64, x| if x.abs() <= m || m.is_nan() { m } else { x.abs() }),
             Self::P(1) => v.iter().map(|x| x.abs()).sum(),
             Self::P(2) => norm(v),
             Self::P(p) => v.iter().map(|x| x.abs().powi(p as i32)).sum::<f64>().powf(1.0 / f64::from(p)),
@@ -226,5 +226,23 @@ impl Test {
             };
         }
         TestOutcome::Continue
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Norm;
+
+    /// A norm passes no test where one of its numbers is none, at whatever place.
+    #[test]
+    fn a_norm_with_a_nan_is_none() {
+        for norm in [Norm::Max, Norm::P(1), Norm::P(2)] {
+            for at in 0..3 {
+                let mut v = [1.0, -2.0, 0.5];
+                v[at] = f64::NAN;
+                assert!(norm.of(&v).is_nan(), "{norm:?} {at}");
+            }
+        }
+        assert_eq!(Norm::Max.of(&[1.0, -2.0, 0.5]), 2.0);
     }
 }

@@ -86,12 +86,12 @@ impl Wide {
         Self(out)
     }
 
-    /// The larger of two numbers; the other one where one is no number.
+    /// The larger of two numbers; no number where one is none.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         let mut out = self.0;
         for (x, y) in out.iter_mut().zip(other.0) {
-            *x = if *x > y { *x } else { y };
+            *x = if *x > y || x.is_nan() { *x } else { y };
         }
         Self(out)
     }
@@ -220,5 +220,20 @@ impl Neg for Wide {
             self.0[i] = -self.0[i];
         }
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WIDTH, Wide};
+
+    #[test]
+    fn the_larger_of_two_is_no_number_where_one_is_none() {
+        let (one, nan) = (Wide::all(1.0), Wide::all(f64::NAN));
+        for max in [one.max(nan), nan.max(one)] {
+            assert!((0..WIDTH).all(|i| max.0[i].is_nan()));
+        }
+        assert_eq!(one.max(Wide::all(2.0)).0, [2.0; WIDTH]);
+        assert_eq!(Wide::all(3.0).max(one).0, [3.0; WIDTH]);
     }
 }

@@ -1,12 +1,13 @@
 //! Files of rows, whatever their form.
 
 use super::RecordError;
-use super::output::{Group, Layout, Output};
-use super::place::PlacedFile;
+use super::output::{Group, Layout, LiveFile, Output};
 use super::{binary::Binary, text::Text, xml::Xml};
 use crate::number_format::Style;
+use hysteron_files::ResultFile;
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Format of the rows of a file.
 pub(super) trait Form: fmt::Debug + Send {
@@ -27,29 +28,52 @@ pub(super) trait Form: fmt::Debug + Send {
 /// A file of rows in one of OpenSees' forms.
 #[derive(Debug)]
 pub struct RowFile {
-    file: PlacedFile,
+    file: Arc<SharedFile>,
     form: Box<dyn Form>,
     /// The head has been written.
     begun: bool,
-    bytes: Vec<u8>,
+    /// Every row goes to its place at once.
+    at_once: bool,
+}
+
+/// The file itself, which whoever reads it may have written out meanwhile.
+#[derive(Debug)]
+struct SharedFile {
+    place: PathBuf,
+    file: Mutex<ResultFile>,
+}
+
+impl SharedFile {
+    fn with<R>(&self, act: impl FnOnce(&mut ResultFile) -> std::io::Result<R>) -> Result<R, RecordError> {
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        act(&mut file).map_err(|e| failed(&self.place, &e))
+    }
+}
+
+impl LiveFile for SharedFile {
+    fn sync(&self) -> Result<(), RecordError> {
+        self.with(ResultFile::sync)
+    }
+}
+
+fn failed(place: &Path, e: &std::io::Error) -> RecordError {
+    RecordError(format!("cannot write {}: {e}", place.display()))
 }
 
 impl RowFile {
     /// Begin a file. With `close_on_write` every row goes to its place at once.
     ///
     /// # Errors
-    /// It cannot be made.
+    /// It cannot be made, or another run writes it.
     pub fn create(place: &Path, layout: Layout, style: Style, close_on_write: bool) -> Result<Self, RecordError> {
         let form: Box<dyn Form> = match layout {
             Layout::Text(separator) => Box::new(Text::new(style, separator)),
             Layout::Xml => Box::new(Xml::new(style)),
             Layout::Binary => Box::new(Binary),
         };
-        Ok(Self { file: PlacedFile::create(place, close_on_write)?, form, begun: false, bytes: vec![] })
-    }
-
-    fn begin_rows(&mut self) -> Result<(), RecordError> {
-        if std::mem::replace(&mut self.begun, true) { Ok(()) } else { self.file.write(self.form.head()) }
+        let file = ResultFile::create(place, close_on_write).map_err(|e| failed(place, &e))?;
+        let file = Arc::new(SharedFile { place: place.to_owned(), file: Mutex::new(file) });
+        Ok(Self { file, form, begun: false, at_once: close_on_write })
     }
 }
 
@@ -63,31 +87,49 @@ impl Output for RowFile {
     }
 
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
-        self.begin_rows()?;
-        self.bytes.clear();
-        self.form.row(row, &mut self.bytes);
-        self.file.write_row(&self.bytes)
+        let Self { file, form, begun, at_once } = self;
+        let is_first = !std::mem::replace(begun, true);
+        file.with(|file| {
+            file.append(|bytes| {
+                if is_first {
+                    bytes.extend_from_slice(form.head());
+                }
+                form.row(row, bytes);
+            })?;
+            if *at_once { file.sync() } else { Ok(()) }
+        })
     }
 
     fn restart(&mut self) -> Result<(), RecordError> {
         self.begun = false;
-        self.file.restart()
+        self.file.with(|file| {
+            file.begin_anew();
+            Ok(())
+        })
     }
 
     fn wants_every_row(&self) -> bool {
-        self.file.at_once()
+        self.at_once
+    }
+
+    fn live(&self) -> Option<Arc<dyn LiveFile>> {
+        Some(self.file.clone())
     }
 
     fn flush(&mut self) -> Result<(), RecordError> {
-        self.file.flush()
+        self.file.sync()
     }
 
     fn finish(&mut self) -> Result<(), RecordError> {
-        if self.file.is_open() {
-            self.begin_rows()?;
-            self.file.write(self.form.tail())?;
-        }
-        self.file.finish()
+        let Self { file, form, begun, .. } = self;
+        file.with(|file| {
+            let head = if *begun { &b""[..] } else { form.head() };
+            file.append(|bytes| {
+                bytes.extend_from_slice(head);
+                bytes.extend_from_slice(form.tail());
+            })?;
+            file.finish()
+        })
     }
 }
 

@@ -10,7 +10,6 @@ mod file;
 mod node;
 mod opensees;
 mod output;
-mod place;
 mod rms;
 mod text;
 mod xml;
@@ -19,13 +18,14 @@ use crate::analysis::{Engine, LockstepRows, Recorded};
 use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 pub use drift::Drift;
 pub use element::{ElementResponse, Known};
 pub use envelope::Envelope;
 pub use file::RowFile;
 pub use node::{NodeQuantity, NodeResponse};
-pub use output::{Group, Layout, Memory, Output, Separator};
+pub use output::{Group, Layout, LiveFile, Memory, Output, Separator};
 pub use rms::RootMeanSquare;
 
 /// Reason why a recorder cannot go on.
@@ -117,6 +117,8 @@ pub struct Recorder {
     row: Vec<f64>,
     /// Times of several rows at once.
     due: Vec<f64>,
+    /// An envelope is another one than the output has.
+    changed: bool,
     /// Responses that are not in the model.
     pub missing: Vec<String>,
 }
@@ -133,6 +135,7 @@ impl Recorder {
             found: None,
             row: vec![],
             due: vec![],
+            changed: false,
             missing: vec![],
         }
     }
@@ -158,6 +161,7 @@ impl Recorder {
         if !self.is_due(time) {
             if let Keep::RootMeanSquare(mean) = &mut self.keep {
                 mean.take(&self.row);
+                self.changed = true;
             }
             return Ok(false);
         }
@@ -267,13 +271,17 @@ impl Recorder {
                 self.output.row(&self.row)
             }
             Keep::Envelope(envelope) => {
-                if envelope.take(time, &self.row) && self.output.wants_every_row() {
-                    envelope.write(self.cadence.time, self.output.as_mut())?;
+                if envelope.take(time, &self.row) {
+                    self.changed = true;
+                    if self.output.wants_every_row() {
+                        envelope.write(self.cadence.time, self.output.as_mut())?;
+                    }
                 }
                 Ok(())
             }
             Keep::RootMeanSquare(mean) => {
                 mean.take(&self.row);
+                self.changed = true;
                 Ok(())
             }
         }
@@ -358,6 +366,26 @@ impl Recorder {
             Keep::RootMeanSquare(mean) => mean.write(self.output.as_mut())?,
         }
         self.output.finish()
+    }
+
+    /// An analysis has ended: pass an envelope so far to an output that others read meanwhile.
+    ///
+    /// # Errors
+    /// An output that cannot be written.
+    pub fn pause(&mut self) -> Result<(), RecordError> {
+        if self.output.live().is_none() || !std::mem::take(&mut self.changed) {
+            return Ok(());
+        }
+        match &self.keep {
+            Keep::History => Ok(()),
+            Keep::Envelope(envelope) => envelope.write(self.cadence.time, self.output.as_mut()),
+            Keep::RootMeanSquare(mean) => mean.write(self.output.as_mut()),
+        }
+    }
+
+    /// The file of the output, if it is one that others read while it is written.
+    pub fn live(&self) -> Option<Arc<dyn LiveFile>> {
+        self.output.live()
     }
 
     /// Write out what is buffered.

@@ -4,6 +4,15 @@ use super::RecordError;
 use std::fmt;
 use std::sync::{Arc, Mutex};
 
+/// A file that others read while an output writes it.
+pub trait LiveFile: fmt::Debug + Send + Sync {
+    /// Show others all rows so far.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    fn sync(&self) -> Result<(), RecordError>;
+}
+
 /// Takes rows of numbers.
 pub trait Output: fmt::Debug + Send {
     /// Names of the columns of the rows that follow; called again when they change.
@@ -58,6 +67,10 @@ pub trait Output: fmt::Debug + Send {
     /// Rows must be visible to others at once (`-closeOnWrite`).
     fn wants_every_row(&self) -> bool {
         false
+    }
+    /// The file of the rows, if others read it while it is written. A wrapper has that of the output inside.
+    fn live(&self) -> Option<Arc<dyn LiveFile>> {
+        None
     }
     /// Write out what is buffered.
     ///

@@ -28,6 +28,7 @@ impl RootMeanSquare {
         if self.sums.is_empty() {
             return Ok(());
         }
+        output.restart()?;
         let row: Vec<f64> = self.sums.iter().map(|sum| (sum / f64::from(self.steps)).sqrt()).collect();
         output.row(&row)
     }

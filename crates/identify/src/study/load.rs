@@ -8,8 +8,6 @@ use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudyS
 use exmex::Express as _;
 use hysteron_recordings::Recording;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
-use hysteron_tcl::read_whole;
-use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -87,7 +85,7 @@ impl Study {
     pub fn load(file: &Path, sources: &mut SourceMap) -> Result<Self, StudyError> {
         let shown = file.display();
         let unreadable = |e: std::io::Error| Box::new(Diagnostic::error(format!("cannot read {shown}: {e}")));
-        let text = fs::read_to_string(file).map_err(unreadable)?;
+        let text = hysteron_files::read_text(file).map_err(unreadable)?;
         let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let folder = folder.canonicalize().map_err(unreadable)?;
         let source = sources.add(&shown.to_string(), &text);
@@ -278,8 +276,7 @@ fn read_run(
         set.push((key.get_ref().clone(), read_setting(spans, value)?));
     }
     let path = t.recording.get_ref();
-    let bytes = fs::File::open(folder.join(path))
-        .and_then(read_whole)
+    let bytes = hysteron_files::read_input(folder.join(path))
         .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let recording = Recording::read(path, &bytes, sources).map_err(|mut d| {
         if d.span.is_none() {

@@ -190,6 +190,8 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
     };
     collapse::note_removed(interp, call)?;
+    let shown = interp.host.output.recorders.pause();
+    shown.map_err(|e| call.error_at(0, e.to_string(), ""))?;
     conclude(interp, call, done)
 }
 

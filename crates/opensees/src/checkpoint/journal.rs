@@ -1,14 +1,13 @@
 //! The file of a run's events, and that of its last checkpoint.
 
-use super::format::{Event, Kept, Row, Steps, checkpoint, head, journal, read_checkpoint};
-use crate::files::{remove, write_whole};
+use super::format::{CHECKPOINT, Event, JOURNAL, Kept, Row, Steps, checkpoint, head, journal, read_checkpoint};
 use crate::output::recorders::PlacedRecorder;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::bytes::Writer;
 use hysteron_engine::model::Tag;
 use hysteron_engine::record::RecordError;
+use hysteron_files::{Access, File};
 use std::collections::{BTreeMap, VecDeque};
-use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -32,7 +31,7 @@ impl Paths {
     pub fn remove(&self) {
         for path in [&self.checkpoint, &self.journal] {
             // A file that stays is refused by a run with other arguments, and used up by the same.
-            let _ = std::fs::remove_file(path);
+            let _ = hysteron_files::remove(path);
         }
     }
 }
@@ -85,9 +84,15 @@ impl Journal {
     pub fn create(keeping: Keeping) -> Result<Self, String> {
         let path = &keeping.paths.journal;
         let cannot = |e: std::io::Error| format!("cannot write {}: {e}", path.display());
-        // Made anew, so that no link under these names is followed.
-        remove(&keeping.paths.checkpoint).and_then(|()| remove(path)).map_err(cannot)?;
-        let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(cannot)?;
+        check_own(path, JOURNAL)?;
+        check_own(&keeping.paths.checkpoint, CHECKPOINT)?;
+        // Locked before the files of another run that is at work are touched.
+        let mut file = hysteron_files::open_alone(path).map_err(cannot)?;
+        match hysteron_files::remove(&keeping.paths.checkpoint) {
+            Err(e) if e.kind() != ErrorKind::NotFound => return Err(cannot_write(&keeping.paths.checkpoint, &e)),
+            _ => {}
+        }
+        file.set_len(0).map_err(cannot)?;
         let head = head(keeping.run);
         file.write_all(&head).and_then(|()| file.sync_data()).map_err(cannot)?;
         Ok(Self::new(keeping, file, head.len() as u64, VecDeque::new()))
@@ -100,13 +105,14 @@ impl Journal {
     pub fn resume(keeping: Keeping) -> Result<Option<Self>, String> {
         let Paths { journal: path, checkpoint } = &keeping.paths;
         let refused = |path: &Path, why: &str| format!("cannot resume from {}: {why}", path.display());
-        let bytes = match std::fs::read(checkpoint) {
+        let bytes = match hysteron_files::read(checkpoint) {
             Err(e) if e.kind() == ErrorKind::NotFound => return Ok(None),
             other => other.map_err(|e| refused(checkpoint, &e.to_string()))?,
         };
         let (length, kept) = read_checkpoint(&bytes, keeping.run).map_err(|why| refused(checkpoint, why))?;
         let cannot = |e: std::io::Error| refused(path, &e.to_string());
-        let mut file = OpenOptions::new().read(true).write(true).open(path).map_err(cannot)?;
+        hysteron_files::link_info(path).map_err(cannot)?;
+        let mut file = hysteron_files::open_alone(path).map_err(cannot)?;
         let mut bytes = vec![];
         (&mut file).take(length.min(MAX_SIZE)).read_to_end(&mut bytes).map_err(cannot)?;
         let mut events = journal(&bytes, keeping.run).map_err(|why| refused(path, why))?;
@@ -209,7 +215,7 @@ impl Journal {
         self.file.sync_data().map_err(|e| cannot_write(&self.paths.journal, &e))?;
         let path = &self.paths.checkpoint;
         let bytes = checkpoint(self.run, self.size, kept);
-        write_whole(path, &bytes).map_err(|e| cannot_write(path, &e))?;
+        hysteron_files::write_durably(path, &bytes).map_err(|e| cannot_write(path, &e))?;
         self.last = Instant::now();
         Ok(())
     }
@@ -218,6 +224,25 @@ impl Journal {
     pub(crate) fn is_full(&self) -> bool {
         self.is_full
     }
+}
+
+/// Refuse to replace a file that is no file of checkpoints: it may be the script.
+///
+/// # Errors
+/// There is such a file.
+fn check_own(path: &Path, magic: &[u8]) -> Result<(), String> {
+    let Ok(info) = hysteron_files::link_info(path) else { return Ok(()) };
+    let mut first = vec![];
+    if info.is_file() {
+        let file = hysteron_files::open(path, Access { read: true, ..Access::default() });
+        let read = file.and_then(|file| file.take(magic.len() as u64).read_to_end(&mut first));
+        read.map_err(|e| cannot_write(path, &e))?;
+    }
+    // A link is replaced and not followed; a run that was killed at once has left an empty file.
+    if info.file_type().is_symlink() || info.is_file() && magic.starts_with(&first) {
+        return Ok(());
+    }
+    Err(format!("{} is no file of checkpoints, and would be replaced by one: give it another name", path.display()))
 }
 
 fn cannot_write(path: &Path, e: &std::io::Error) -> String {

@@ -96,6 +96,7 @@ pub struct GuardedFiles {
     pub guard: Rc<Guard>,
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Files for GuardedFiles {
     fn current_dir(&self) -> String {
         self.files.current_dir()
@@ -141,6 +142,11 @@ impl Files for GuardedFiles {
         self.guard.check_write(path, true)?;
         self.files.set_modified(path, time)
     }
+
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        self.guard.check_read(path, true)?;
+        self.files.read(path)
+    }
 }
 
 /// Outputs of recorders that a guard is asked about first.
@@ -151,10 +157,11 @@ pub struct GuardedOutputs {
     pub guard: Rc<Guard>,
 }
 
+#[deny(clippy::missing_trait_methods)]
 impl Outputs for GuardedOutputs {
     fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError> {
         // A recorder replaces its file and follows no link under its name.
-        let text = path.to_string_lossy().replace('\\', "/");
+        let text = hysteron_files::portable(path);
         let allowed = self.guard.check_write(&text, false);
         allowed.map_err(|e| RecordError(format!("cannot write {name}: {e}")))?;
         self.outputs.create(name, path, format)
@@ -162,7 +169,7 @@ impl Outputs for GuardedOutputs {
 
     fn series(&mut self, name: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
         for place in [path, &path.with_extension("")] {
-            let text = place.to_string_lossy().replace('\\', "/");
+            let text = hysteron_files::portable(place);
             // Files go into the folder, so that it must not be a link to elsewhere.
             let allowed = self.guard.check_write(&text, true);
             allowed.map_err(|e| RecordError(format!("cannot write {name}: {e}")))?;

@@ -45,9 +45,9 @@ impl OutputFolder {
     /// # Errors
     /// The folder cannot be made.
     pub fn new(folder: &Path) -> io::Result<Self> {
-        std::fs::create_dir_all(folder)?;
+        hysteron_files::make_folders(folder)?;
         let base = OsFiles.current_dir();
-        let out = std::path::absolute(folder)?.to_string_lossy().replace('\\', "/");
+        let out = hysteron_files::portable(std::path::absolute(folder)?);
         Ok(Self { base, out, changes: Rc::default() })
     }
 
@@ -76,7 +76,7 @@ impl OutputFolder {
         if self.info(parent(path), true)?.kind != FileKind::Directory {
             return Err(io::ErrorKind::NotADirectory.into());
         }
-        std::fs::create_dir_all(parent(&moved))?;
+        hysteron_files::make_folders(parent(&moved))?;
         if !self.is_written(path) {
             self.make_room(&moved)?;
         }
@@ -89,14 +89,13 @@ impl OutputFolder {
     /// Make sure that a file of the folder is made anew: a link in its place is removed and a link to another folder refused,
     /// so that nothing is written to where they point.
     fn make_room(&self, moved: &str) -> io::Result<()> {
-        let is_link = |p: &str| std::fs::symlink_metadata(p).is_ok_and(|m| m.file_type().is_symlink());
         let below = self.out.len() + 1;
         let ends = moved.match_indices('/').map(|(at, _)| at).filter(|at| *at >= below);
-        if let Some(link) = ends.map(|at| &moved[..at]).find(|folder| is_link(folder)) {
+        if let Some(link) = ends.map(|at| &moved[..at]).find(|folder| hysteron_files::is_link(folder)) {
             let why = format!("{link} is a link to another folder, which is not followed");
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, why));
         }
-        if is_link(moved) { std::fs::remove_file(moved) } else { Ok(()) }
+        if hysteron_files::is_link(moved) { hysteron_files::remove(moved) } else { Ok(()) }
     }
 
     fn forget(&self, path: &str) {
@@ -127,8 +126,8 @@ impl Files for OutputFolder {
         // A file of an earlier run must not be continued.
         if !was_written {
             match known {
-                Some(_) if !mode.truncate => std::fs::copy(source?, &target).map(|_| ())?,
-                _ => std::fs::write(&target, "")?,
+                Some(_) if !mode.truncate => hysteron_files::copy(source?, &target)?,
+                _ => hysteron_files::write(&target, "")?,
             }
         }
         OsFiles.open(&target, OpenMode { exclusive: false, create: true, ..mode })
@@ -156,7 +155,7 @@ impl Files for OutputFolder {
         if self.info(path, true).is_ok() {
             return Err(io::ErrorKind::AlreadyExists.into());
         }
-        std::fs::create_dir_all(self.target(path)?)
+        hysteron_files::make_folders(self.target(path)?)
     }
 
     fn remove(&mut self, path: &str) -> io::Result<()> {
@@ -185,7 +184,7 @@ impl Files for OutputFolder {
         if was_written || self.moved(from).is_none() {
             OsFiles.rename(&source, &target)?;
         } else {
-            std::fs::copy(&source, &target)?;
+            hysteron_files::copy(&source, &target)?;
         }
         self.forget(from);
         Ok(())
@@ -201,13 +200,13 @@ impl Files for OutputFolder {
 
 impl Outputs for OutputFolder {
     fn create(&mut self, _: &str, path: &Path, f: FileFormat) -> Result<Box<dyn Output>, RecordError> {
-        let path = path.to_string_lossy().replace('\\', "/");
+        let path = hysteron_files::portable(path);
         let target = self.target(&path).map_err(|e| RecordError(format!("cannot write {path}: {e}")))?;
         Ok(Box::new(RowFile::create(target.as_ref(), f.layout, f.style, f.close_on_write)?))
     }
 
     fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
-        let path = path.to_string_lossy().replace('\\', "/");
+        let path = hysteron_files::portable(path);
         let cannot = |e: io::Error| RecordError(format!("cannot write {path}: {e}"));
         let target = self.target(&path).map_err(cannot)?;
         // A link in place of the folder is removed.

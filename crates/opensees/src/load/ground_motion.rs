@@ -28,6 +28,7 @@ pub(crate) fn multiple_support(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> O
     if a.left() > 0 {
         let body = a.value("motions")?;
         finish(interp, &a)?;
+        a.refuse_body(interp, "groundMotion")?;
         let done = interp.eval_value(&body);
         interp.host.builder.pattern = before;
         done?;

@@ -90,6 +90,7 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
             }
         }
         finish(interp, &a)?;
+        a.refuse_body(interp, "load")?;
         let before = interp.host.builder.pattern.replace(tag);
         let done = interp.eval_value(&body);
         interp.host.builder.pattern = before;

@@ -100,10 +100,22 @@ fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         for i in 0..nx {
             let corners = [tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)].map(|t| t.to_string()).join(" ");
             let number = i64::from(element) + (i + j * nx) as i64;
-            interp.eval_value(&Value::from(format!("element {kind} {number} {corners} {arguments}")))?;
+            make_element(interp, &kind, number, &corners, &arguments)?;
         }
     }
     Ok(Value::EMPTY)
+}
+
+/// Make an element of a block. The arguments of a script are read as Tcl, as in OpenSees; those of a host are words.
+fn make_element(interp: &mut Tcl, kind: &str, number: i64, nodes: &str, arguments: &str) -> Outcome {
+    if !interp.host.called_by_host {
+        return interp.eval_value(&Value::from(format!("element {kind} {number} {nodes} {arguments}")));
+    }
+    let mut words = vec![Value::from("element"), Value::from(kind), Value::from(number)];
+    for list in [nodes, arguments] {
+        words.extend(Value::from(list).to_list()?.iter().cloned());
+    }
+    interp.eval_value(&Value::list(words))
 }
 
 /// The corners of a block in space.
@@ -160,7 +172,7 @@ fn block3d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     for (number, [i, j, k]) in grid(count).enumerate() {
         let nodes = CORNERS.map(|c| tag(i + c[0] as usize, j + c[1] as usize, k + c[2] as usize).to_string()).join(" ");
         let number = i64::from(element) + number as i64;
-        interp.eval_value(&Value::from(format!("element {kind} {number} {nodes} {arguments}")))?;
+        make_element(interp, &kind, number, &nodes, &arguments)?;
     }
     Ok(Value::EMPTY)
 }

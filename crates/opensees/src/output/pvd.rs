@@ -7,7 +7,9 @@ use crate::files::vtu::{CellField, PointField, collection, grid};
 use crate::{Outcome, Tcl, warn};
 use hysteron_engine::analysis::{Engine, ReactionKind};
 use hysteron_engine::model::Model;
-use hysteron_engine::record::{Cadence, ElementResponse, Group, Known, Output, RecordError, Recorder, Source};
+use hysteron_engine::record::{
+    Cadence, ElementResponse, Group, Known, LiveFile, Output, RecordError, Recorder, Source,
+};
 use hysteron_tcl::Call;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::collections::BTreeMap;
@@ -45,12 +47,16 @@ struct Grids {
     known: Known,
 }
 
-/// The list of the files, which comes when the recorder ends.
+/// The list of the files, which is written where others may look.
 #[derive(Debug)]
-struct List {
+struct List(Arc<SharedList>);
+
+#[derive(Debug)]
+struct SharedList {
     files: Arc<Mutex<Box<dyn FileSeries>>>,
     folder: String,
-    times: Vec<f64>,
+    /// Times of the files, and the number of those in the list that is written.
+    times: Mutex<(Vec<f64>, usize)>,
 }
 
 fn file_name(number: usize) -> String {
@@ -152,16 +158,38 @@ impl Source for Grids {
     }
 }
 
+impl SharedList {
+    fn write(&self) -> Result<(), RecordError> {
+        let mut times = self.times.lock().unwrap_or_else(PoisonError::into_inner);
+        let name = |(i, time): (usize, &f64)| (*time, format!("{}/{}", self.folder, file_name(i)));
+        let listed: Vec<_> = times.0.iter().enumerate().map(name).collect();
+        times.1 = listed.len();
+        write(&self.files, None, &collection(&listed))
+    }
+}
+
+impl LiveFile for SharedList {
+    fn sync(&self) -> Result<(), RecordError> {
+        let is_new = {
+            let times = self.times.lock().unwrap_or_else(PoisonError::into_inner);
+            times.0.len() > times.1
+        };
+        if is_new { self.write() } else { Ok(()) }
+    }
+}
+
 impl Output for List {
     fn row(&mut self, row: &[f64]) -> Result<(), RecordError> {
-        self.times.extend(row);
+        self.0.times.lock().unwrap_or_else(PoisonError::into_inner).0.extend(row);
         Ok(())
     }
 
+    fn live(&self) -> Option<Arc<dyn LiveFile>> {
+        Some(self.0.clone())
+    }
+
     fn finish(&mut self) -> Result<(), RecordError> {
-        let name = |(i, time): (usize, &f64)| (*time, format!("{}/{}", self.folder, file_name(i)));
-        let listed: Vec<_> = self.times.iter().enumerate().map(name).collect();
-        write(&self.files, None, &collection(&listed))
+        self.0.write()
     }
 }
 
@@ -223,7 +251,7 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
     let files = made.map_err(|e| a.refuse_at(span, e.to_string(), "cannot write here"))?;
     let files = Arc::new(Mutex::new(files));
     let folder = Path::new(&path).file_stem().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
-    let list = List { files: files.clone(), folder, times: vec![] };
+    let list = List(Arc::new(SharedList { files: files.clone(), folder, times: Mutex::default() }));
     let grids = Grids { files, fields, response, written: 0, before: vec![], known: Known::default() };
     let recorder = Recorder::history(Box::new(grids), Box::new(list), cadence);
     Ok(add(interp, call, recorder, Some((name, path)), BTreeMap::new()))

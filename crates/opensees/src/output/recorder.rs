@@ -185,6 +185,9 @@ pub(super) fn add(
     tags: BTreeMap<String, Span>,
 ) -> Value {
     let (file, path) = file.unzip();
+    if let Some(path) = &path {
+        interp.host.output.recorders.live.add(path, recorder.live().as_ref());
+    }
     let (span, words) = (call.whole_span(), words(call));
     let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false };
     Value::from(i64::from(interp.host.output.recorders.add(placed)))
@@ -488,6 +491,7 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outc
 
 fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let session = &mut interp.host;
+    session.output.recorders.live.mark();
     let done = session.output.recorders.record(&mut session.engine);
     done.map_err(|e| call.error_at(0, e.to_string(), ""))?;
     Ok(Value::EMPTY)

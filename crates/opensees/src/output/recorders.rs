@@ -5,6 +5,7 @@ use super::collapse::Collapses;
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::softening::BackboneWatch;
 use crate::checkpoint::Journal;
+use crate::files::live::LiveFiles;
 use crate::host::{MotionObserver, Progress};
 use hysteron_engine::analysis::{Engine, Observer};
 use hysteron_engine::model::Tag;
@@ -34,6 +35,8 @@ pub(crate) struct PlacedRecorder {
 pub(crate) struct Recorders {
     pub(crate) by_tag: BTreeMap<Tag, PlacedRecorder>,
     next: Tag,
+    /// Their files, as the script finds them.
+    pub(crate) live: LiveFiles,
     pub(crate) interrupt: Option<Arc<AtomicBool>>,
     pub(crate) progress: Option<Box<dyn Progress>>,
     pub(crate) end: Option<f64>,
@@ -99,8 +102,15 @@ impl Recorders {
         self.by_tag.values_mut().try_for_each(|r| r.recorder.record(engine).map(drop))
     }
 
+    /// An analysis has ended, and others may look at the files.
+    pub(crate) fn pause(&mut self) -> Result<(), RecordError> {
+        self.by_tag.values_mut().try_for_each(|r| r.recorder.pause())?;
+        self.live.sync_if_due()
+    }
+
     /// An analysis starts from the committed state.
     pub(crate) fn start(&mut self, engine: &mut Engine) {
+        self.live.mark();
         if let Some(balances) = &mut self.balances {
             balances.start(engine);
         }

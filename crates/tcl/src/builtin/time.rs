@@ -48,6 +48,7 @@ fn after<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
     if call.len() > 2 {
         return Err(no_events(call));
     }
+    interp.core.pause();
     let end = Instant::now() + Duration::from_millis(millis.clamp(0, 1 << 40) as u64);
     // In short pieces, so that the script can be interrupted.
     while let Some(left) = end.checked_duration_since(Instant::now()).filter(|d| !d.is_zero()) {

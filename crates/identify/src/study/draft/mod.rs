@@ -13,10 +13,9 @@ use super::trace::Trace;
 use hysteron_engine::analysis::Options;
 use hysteron_recordings::Recording;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
-use hysteron_tcl::{read_whole, top_level};
+use hysteron_tcl::top_level;
 use matching::{Candidate, Match};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -72,14 +71,14 @@ pub fn draft_study(
         let shown = whole.strip_prefix(&folder).unwrap_or(&whole);
         Ok(shown.to_string_lossy().replace('\\', "/"))
     };
-    let bytes = fs::File::open(model).and_then(read_whole).map_err(|e| unreadable(model, e))?;
+    let bytes = hysteron_files::read_input(model).map_err(|e| unreadable(model, e))?;
     let text = String::from_utf8(bytes).map_err(|_| unreadable(model, std::io::ErrorKind::InvalidData.into()))?;
     let outline = ScriptOutline::of(&text);
     let model = relative(model)?;
     let mut runs: Vec<DraftRun> = vec![];
     for path in recordings {
         let shown = path.display().to_string();
-        let bytes = fs::File::open(path).and_then(read_whole).map_err(|e| unreadable(path, e))?;
+        let bytes = hysteron_files::read_input(path).map_err(|e| unreadable(path, e))?;
         let recording = Recording::read(&shown, &bytes, sources)?;
         let stem = path.file_stem().map_or("run".into(), |s| s.to_string_lossy().into_owned());
         let taken = |name: &str| runs.iter().any(|r| r.name == name);
@@ -150,7 +149,7 @@ impl Draft {
             // Times with jitter are of a round step.
             format!("{:?}", format!("{:.1e}", steps[steps.len() / 2]).parse::<f64>().ok()?)
         } else if ["npts", "nsteps", "nstep", "steps", "n"].contains(&lower.as_str()) {
-            let numbers = motion.and_then(|m| fs::read_to_string(self.folder.join(m)).ok());
+            let numbers = motion.and_then(|m| hysteron_files::read_text(self.folder.join(m)).ok());
             numbers.map_or(times.len(), |text| text.split_whitespace().count()).to_string()
         } else {
             return None;
