@@ -14,7 +14,7 @@ pub(super) struct FiberPlace {
 pub(super) fn select<'a, 'b>(
     words: &'a [&'b str],
     biaxial: bool,
-    mut fibers: impl ExactSizeIterator<Item = FiberPlace>,
+    fibers: impl ExactSizeIterator<Item = FiberPlace>,
 ) -> Option<(usize, &'a [&'b str])> {
     let number = |w: &str| w.parse::<f64>().ok();
     let y = number(words.first()?)?;
@@ -26,7 +26,7 @@ pub(super) fn select<'a, 'b>(
         None => (None, &words[2..]),
     };
     let square = |f: FiberPlace| (f.y - y).powi(2) + if biaxial { (f.z - z).powi(2) } else { 0.0 };
-    let chosen = fibers.by_ref().enumerate().filter(|(_, f)| tag.is_none_or(|t| f.tag == t));
+    let chosen = fibers.enumerate().filter(|(_, f)| tag.is_none_or(|t| f.tag == t));
     let nearest = chosen.map(|(i, f)| (i, square(f))).min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((nearest.0, rest))
 }
