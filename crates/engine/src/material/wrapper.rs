@@ -13,7 +13,7 @@ pub trait Wrapper: fmt::Debug + Clone + Send + Sync + 'static {
     const NAME: &'static str;
     /// Number of state variables in front of those of the laws inside.
     const HEADER: usize;
-    /// Words in front of the number of a law inside; none for a wrapper of one law, whose responses need no number.
+    /// The laws inside are named by their numbers. Without it the wrapper holds one law, and passes on what it does not know.
     const NUMBERED: bool;
 
     /// Writes the virgin state variables in front of those of the laws inside.

@@ -9,12 +9,12 @@ pub(super) struct FiberPlace {
 }
 
 /// Index of the fiber that the words select, and the words after them: an index, or coordinates with an optional tag of a
-/// material. Of fibers that are as near the first one is taken. The z coordinate counts in a section that is bent about both
-/// axes. Distances are rounded as in OpenSees, which takes roots where there is no tag.
+/// material. Of fibers that are as near the first one is taken, as in OpenSees. The z coordinate counts in a section that is
+/// bent about both axes.
 pub(super) fn select<'a, 'b>(
     words: &'a [&'b str],
     biaxial: bool,
-    mut fibers: impl ExactSizeIterator<Item = FiberPlace>,
+    fibers: impl ExactSizeIterator<Item = FiberPlace>,
 ) -> Option<(usize, &'a [&'b str])> {
     let number = |w: &str| w.parse::<f64>().ok();
     let y = number(words.first()?)?;
@@ -25,11 +25,8 @@ pub(super) fn select<'a, 'b>(
         Some(tag) => (Some(tag), &words[3..]),
         None => (None, &words[2..]),
     };
-    let distance = |f: FiberPlace| {
-        let square = (f.y - y).powi(2) + if biaxial { (f.z - z).powi(2) } else { 0.0 };
-        if tag.is_none() { square.sqrt() } else { square }
-    };
-    let chosen = fibers.by_ref().enumerate().filter(|(_, f)| tag.is_none_or(|t| f.tag == t));
-    let nearest = chosen.map(|(i, f)| (i, distance(f))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let square = |f: FiberPlace| (f.y - y).powi(2) + if biaxial { (f.z - z).powi(2) } else { 0.0 };
+    let chosen = fibers.enumerate().filter(|(_, f)| tag.is_none_or(|t| f.tag == t));
+    let nearest = chosen.map(|(i, f)| (i, square(f))).min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((nearest.0, rest))
 }
