@@ -1,6 +1,7 @@
 //! The equations of a step: unbalance, tangent, correction, for a trial state.
 
 mod evaluation;
+mod plateau;
 
 pub(super) use evaluation::ROUND_OFF;
 
@@ -397,8 +398,10 @@ impl System<'_> {
             return Ok(());
         }
         work.matrix.factored.copy_from_slice(&work.matrix.values);
+        work.matrix.plateau = false;
         let result = work.solver.prepare(&work.plan.pattern, &work.matrix.values, how);
         let result = if work.opensees.is_some() { self.past_mechanisms(result) } else { result };
+        let result = self.past_plateau(result);
         self.check(result)
     }
 
@@ -465,7 +468,19 @@ impl System<'_> {
     /// Solve with the tangent for another right-hand side, in place.
     pub fn solve_for(&mut self, x: &mut [f64]) -> Result<(), Failure> {
         let work = &mut *self.work;
-        let result = work.solver.solve(&work.plan.pattern, &work.matrix.values, x);
+        // Factors that are made on the way may turn out singular when the right-hand side is gone.
+        let may_end = !self.elapses && work.solver.is_outdated();
+        if may_end {
+            work.matrix.right_side.copy_from_slice(x);
+        }
+        let mut result = work.solver.solve(&work.plan.pattern, &work.matrix.values, x);
+        if may_end && self.is_singular(&result) {
+            result = self.past_plateau(result);
+            if !self.is_singular(&result) {
+                x.copy_from_slice(&self.work.matrix.right_side);
+                self.work.solver.back_substitute(x);
+            }
+        }
         self.check(result)?;
         match x.iter().position(|x| !x.is_finite()) {
             Some(at) => Err(self.failure_at(Cause::NotFinite, at)),

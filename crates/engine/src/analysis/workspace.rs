@@ -142,6 +142,10 @@ pub(super) struct EquationMatrix {
     pub mix: TangentMix,
     /// Smallest pivot so far, where it was nearly zero.
     pub weak_pivot: Option<Pivots>,
+    /// The last tangent was singular: its factors have a share of the initial stiffness.
+    pub plateau: bool,
+    /// Right-hand side, where the solution may have to be repeated.
+    pub right_side: Vec<f64>,
     /// Entries of mass, constraints and linear elements, which stay from iteration to iteration.
     base: Vec<f64>,
     /// Shares that `base` belongs to.
@@ -149,8 +153,10 @@ pub(super) struct EquationMatrix {
 }
 
 impl EquationMatrix {
-    fn new(entries: usize) -> Self {
+    fn new(entries: usize, equations: usize) -> Self {
         Self {
+            plateau: false,
+            right_side: vec![0.0; equations],
             values: vec![0.0; entries],
             factored: vec![0.0; entries],
             coefficients: None,
@@ -357,7 +363,7 @@ impl Workspace {
             x: vec![0.0; n],
             spread: vec![0.0; model.dofs()],
             full: vec![0.0; model.dofs()],
-            matrix: EquationMatrix::new(len),
+            matrix: EquationMatrix::new(len, n),
             small_beams,
             elements,
             evaluated: EvaluatedMotion { elements: vec![0.0; motions], disp: vec![0.0; model.dofs()], calls: 0 },

@@ -167,6 +167,11 @@ impl Solver {
         self.factors != Factors::None
     }
 
+    /// Returns true if the factors are those of a matrix before the last.
+    pub fn is_outdated(&self) -> bool {
+        self.factors == Factors::Old
+    }
+
     /// Forget the factors.
     pub fn forget(&mut self) {
         self.factors = Factors::None;
