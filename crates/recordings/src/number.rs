@@ -81,7 +81,7 @@ const WIDTHS: std::ops::RangeInclusive<usize> = 5..=25;
 /// The cells of a line of numbers of one width, right-aligned. `None` if the line is no such line.
 pub(crate) fn fixed_cells(line: &str, width: usize) -> Option<Vec<&str>> {
     let line = line.trim_end();
-    if !line.is_ascii() || line.is_empty() || width == 0 || line.len() % width != 0 {
+    if !line.is_ascii() || line.is_empty() || width == 0 || !line.len().is_multiple_of(width) {
         return None;
     }
     let cells = (0..line.len() / width).map(|i| &line[i * width..(i + 1) * width]);
