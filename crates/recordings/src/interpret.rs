@@ -84,6 +84,9 @@ fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
     let n = sheet.columns.len();
     let at = |k: usize| sheet.columns[k % n].values[k / n];
     let total = n * sheet.rows();
+    if sheet.rows() < 2 {
+        return Ok(Layout::Wrapped);
+    }
     let variation =
         |apart: usize| (apart..total).map(|k| (at(k) - at(k - apart)).abs()).filter(|x| x.is_finite()).sum::<f64>();
     if variation(1) <= variation(n) {

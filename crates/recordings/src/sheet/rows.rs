@@ -151,6 +151,14 @@ fn layout(sample: &[Line<'_>], separator: Separator, form: &Form<'_>) -> Option<
     Some(Layout { names, units, rows })
 }
 
+/// A line of which half of the cells or more are numbers.
+fn has_numbers(line: &str, separator: Separator) -> bool {
+    let mut cells = vec![];
+    separator.cells(line, &mut cells);
+    let numbers = cells.iter().filter(|c| is_number(c.text, separator != Separator::Char(','))).count();
+    numbers > 0 && 2 * numbers >= cells.len()
+}
+
 /// The names in a header: between blanks a unit in brackets belongs to the word before it.
 fn split_names<'a>(separator: Separator, line: &'a str, width: usize, cells: &mut Vec<Cell<'a>>) {
     separator.cells(line, cells);
@@ -233,6 +241,13 @@ pub(super) fn parse(text: &str, form: &Form<'_>) -> Result<Sheet, SheetError> {
     let decimals =
         form.decimal.map_or_else(|| Decimals::new(separator.char()), |d| Decimals::stated(separator.char(), d));
     let line_of = |at: Option<usize>| at.map_or("", |i| sample[i].text);
+    if layout.names.is_none()
+        && let Some(line) = sample[..layout.rows].iter().find(|l| has_numbers(l.text, separator))
+    {
+        // Numbers above a table without names would be lost.
+        let message = format!("line {} is no row of the table below it: \"{}\"", line.number, shown(line.text));
+        return Err(SheetError::List(Fault::new(message).expected("expected rows of as many numbers")));
+    }
     let mut reader = Reader {
         form,
         separator,
