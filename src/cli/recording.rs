@@ -169,8 +169,11 @@ fn next(q: Quantity, differentiate: bool) -> Option<Quantity> {
     order.get(to).copied()
 }
 
+/// A correction of the baseline.
+type Baseline = fn(&[f64]) -> Vec<f64>;
+
 fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, String> {
-    let remove: Option<fn(&[f64]) -> Vec<f64>> = match a.baseline.as_deref() {
+    let remove: Option<Baseline> = match a.baseline.as_deref() {
         None => None,
         Some("mean") => Some(without_mean),
         Some("line") => Some(without_line),

@@ -47,7 +47,7 @@ fn refused() {
     place.write("b.out", "0 1\n1 nan\n");
     for (args, message) in [
         (&["a.csv", "-u", "v", "-f", "F"][..], "there is no column \"v\": they are time, u, F"),
-        (&["b.out", "-u", "1", "-f", "2"], "row 2 of column \"2\" is not finite"),
+        (&["b.out", "-u", "1", "-f", "2"], "row 2 (line 2) of column \"2\" is not finite"),
         (&["c.out", "-u", "1", "-f", "2"], "cannot read \"c.out\""),
         (&["a.csv", "-u", "1", "2", "-f", "2"], "2 columns of displacements, but 1 of forces"),
         (&["a.csv", "-u", "u", "-f", "F", "--area", "1", "--thickness", "0"], "the thickness is 0"),

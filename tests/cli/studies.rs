@@ -228,7 +228,7 @@ fn mistakes_in_recordings_have_their_place() {
     whole(b"time[s],force[kN]\n1,\"1,5\"\n2,\"2,5\"\n", "test.csv:2:3", &["a comma separates the cells"]);
     whole(b"time[s];force[kN]\n1,0;1.234,5\n", "test.csv:2:5", &["without separators of thousands"]);
     whole(b"time[s];force[kN]\n1,0;1.5\n", "test.csv:2:5", &["one decimal sign"]);
-    whole(b"PK\x03\x04rest", "study.toml:15:13", &["is an Excel workbook", "save it as CSV UTF-8"]);
+    whole(b"PK\x03\x04rest", "study.toml:15:13", &["the xlsx workbook is damaged"]);
     whole(b"\xd0\xcf\x11\xe0\xa1\xb1", "study.toml:15:13", &["is an Excel workbook (xls)"]);
     whole(b"\x00\x01\x02\x00\x00", "study.toml:15:13", &["is a binary file"]);
 }

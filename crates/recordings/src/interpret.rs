@@ -84,6 +84,9 @@ fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
     let n = sheet.columns.len();
     let at = |k: usize| sheet.columns[k % n].values[k / n];
     let total = n * sheet.rows();
+    if sheet.rows() < 2 {
+        return Ok(Layout::Wrapped);
+    }
     let variation =
         |apart: usize| (apart..total).map(|k| (at(k) - at(k - apart)).abs()).filter(|x| x.is_finite()).sum::<f64>();
     if variation(1) <= variation(n) {
@@ -134,7 +137,9 @@ impl TimeColumn {
         if times.len() < 2 {
             return Ok(Clock::Times(times.into()));
         }
-        if let Some(dt) = told.dt {
+        // A step that the user says is for files without one: here, for times that are rounded.
+        let increasing = times.windows(2).all(|w| w[1] > w[0]);
+        if let Some(dt) = told.dt.filter(|_| !increasing || uneven(&times).is_some()) {
             return agreeing(sheet, &times, dt);
         }
         if let Some(i) = times.windows(2).position(|w| w[1] <= w[0]) {

@@ -32,13 +32,13 @@ impl Measured {
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
-        Self::read_with_text(name, bytes).map_err(|(fault, _)| fault)
+        Self::read_with_text(name, bytes).map_err(|e| e.0)
     }
 
     /// As [`Measured::read`]; a fault comes with the text that its place is in.
-    pub(crate) fn read_with_text(name: &str, bytes: &[u8]) -> Result<Self, (Fault, String)> {
+    pub(crate) fn read_with_text(name: &str, bytes: &[u8]) -> Result<Self, Box<(Fault, String)>> {
         let short = name.rsplit(['/', '\\']).next().unwrap_or(name);
-        let bare = |f: Fault| (f, String::new());
+        let bare = |f: Fault| Box::new((f, String::new()));
         let unpacked;
         let (short, bytes) = if is_gzip(bytes) {
             unpacked = gunzip(bytes).map_err(|e| bare(Fault::new(e)))?;
@@ -56,7 +56,7 @@ impl Measured {
         };
         let input = Input::new(short, bytes, &text);
         let format = of_bytes.or_else(|| find(&input)).ok_or_else(|| bare(Fault::new("is of no known format")))?;
-        let mut content = format.read(&input).map_err(|f| (f, text.clone().into_owned()))?;
+        let mut content = format.read(&input).map_err(|f| Box::new((f, text.clone().into_owned())))?;
         locate(&mut content, short, &text, bytes.len());
         let (header, notes) = match &mut content {
             Content::Table(sheet) => (sheet.header.clone(), std::mem::take(&mut sheet.notes)),

@@ -46,7 +46,7 @@ fn said(told: &Told, wanted: Quantity) -> Result<(Option<Unit>, Option<Quantity>
             let unit = unit::unit(word).filter(|u| u.quantity == of || (quantity.is_none() && is_motion(u.quantity)));
             Some(unit.ok_or_else(|| {
                 let near = unit::nearest_name(word).map_or(String::new(), |n| format!("; did you mean {n}?"));
-                Fault::new(format!("\"{word}\" is no unit of {}s{near}", of.word()))
+                Fault::new(format!("\"{word}\" is no unit of {}{near}", of.words()))
             })?)
         }
     };
@@ -120,7 +120,7 @@ impl Measured {
     }
 
     fn no_unit(&self, s: &Series) -> Fault {
-        let what = s.quantity.map_or("accelerations".to_owned(), |q| format!("{}s", q.word()));
+        let what = s.quantity.map_or("accelerations".to_owned(), Quantity::words);
         let examples = "(g, m/s2, cm/s2, in/s2)";
         if s.unit_name.is_empty() {
             return Fault::new(format!(
@@ -223,6 +223,6 @@ fn choose(
 
 fn not_accelerations(q: Quantity, unit: Option<Unit>) -> Fault {
     let unit = unit.map_or(String::new(), |u| format!(" in {}", u.name));
-    Fault::new(format!("the file holds {}s{unit}, and a motion needs accelerations", q.word()))
+    Fault::new(format!("the file holds {}{unit}, and a motion needs accelerations", q.words()))
         .help("take the file of the accelerations, or differentiate with --differentiate")
 }

@@ -81,11 +81,33 @@ const WIDTHS: std::ops::RangeInclusive<usize> = 5..=25;
 /// The cells of a line of numbers of one width, right-aligned. `None` if the line is no such line.
 pub(crate) fn fixed_cells(line: &str, width: usize) -> Option<Vec<&str>> {
     let line = line.trim_end();
-    if !line.is_ascii() || line.is_empty() || width == 0 || line.len() % width != 0 {
+    if !line.is_ascii() || line.is_empty() || width == 0 || !line.len().is_multiple_of(width) {
         return None;
     }
     let cells = (0..line.len() / width).map(|i| &line[i * width..(i + 1) * width]);
     cells.map(|c| Some(c.trim_start()).filter(|c| !c.is_empty() && !c.ends_with(' '))).collect()
+}
+
+/// The numbers of a line that only their signs separate, as in `-70.445491-100.472561`. They have as many decimals.
+fn signed_pieces(line: &str) -> Option<Vec<f64>> {
+    let (mut out, mut decimals) = (vec![], None);
+    for word in line.split_whitespace() {
+        let mut start = 0;
+        let signs = word
+            .match_indices(['-', '+'])
+            .map(|(i, _)| i)
+            .filter(|i| word[..*i].ends_with(|c: char| c.is_ascii_digit()));
+        for end in signs.chain([word.len()]).collect::<Vec<_>>() {
+            let piece = &word[start..end];
+            let digits = piece.split_once('.')?.1;
+            if !digits.bytes().all(|b| b.is_ascii_digit()) || *decimals.get_or_insert(digits.len()) != digits.len() {
+                return None;
+            }
+            out.push(number(piece)?);
+            start = end;
+        }
+    }
+    Some(out)
 }
 
 /// Numbers of lines in the order of reading, between blanks or commas, or of a fixed width without blanks.
@@ -142,7 +164,7 @@ impl NumberLines {
                 })
             }
         };
-        let values = read.ok_or_else(|| {
+        let values = read.or_else(|| signed_pieces(line)).ok_or_else(|| {
             let comma = number(&wrong.replacen(',', ".", 1)).is_some();
             let help = if comma { "save decimals with a point" } else { "" };
             Fault::in_line(number_of_line, format!("\"{wrong}\" is not a number")).help(help)
@@ -205,8 +227,11 @@ mod tests {
         lines.push(1, "  0.750222-10.261010").expect("numbers");
         lines.push(2, "-10.750222-10.261010 12.500000 \\").expect("numbers");
         assert_eq!(lines.values, [0.750222, -10.26101, -10.750222, -10.26101, 12.5]);
-        // A character is missing: the columns are not whole.
+        // A character is missing: neither the columns nor the decimals are whole.
         assert!(lines.push(3, "-10.75022-10.261010").is_err());
+        lines.push(4, "-70.445491-100.472561 1.000000").expect("numbers");
+        assert_eq!(lines.values[5..], [-70.445491, -100.472561, 1.0]);
+        assert!(lines.push(5, "0.1234567-100").is_err());
         assert!(lines.push(4, "1.2.3 4.5").is_err());
     }
 }

@@ -41,7 +41,7 @@ impl Recording {
             _ => fault,
         };
         let measured = Measured::read_with_text(name, bytes)
-            .map_err(|(fault, text)| named(whole_name(fault, name)).diagnostic(name, &text, sources))?;
+            .map_err(|e| named(whole_name(e.0, name)).diagnostic(name, &e.1, sources))?;
         let text = measured.text;
         let read = match measured.content {
             Content::Table(sheet) => of_sheet(name, sheet, &text),
@@ -131,7 +131,7 @@ fn check_heads(name: &str, sheet: &Sheet, text: &str) -> Result<(), Fault> {
     if !is_time(first) {
         let fault =
             Fault::new(format!("the first column of {name} is \"{}\"", first.cell)).expected("expected time[s]");
-        let place = sheet.columns.iter().position(|c| is_time(c));
+        let place = sheet.columns.iter().position(is_time);
         let help = place.map_or(String::new(), |i| format!("the time is column {}: save it as the first", i + 1));
         return Err(at(fault, 0).help(help));
     }

@@ -23,7 +23,7 @@ pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, Fault> {
     }
     let utf16 = |body: &[u8], unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = body.chunks_exact(2).map(|pair| unit([pair[0], pair[1]])).collect();
-        let text = String::from_utf16(&units).ok().filter(|_| body.len() % 2 == 0);
+        let text = String::from_utf16(&units).ok().filter(|_| body.len().is_multiple_of(2));
         text.map(Cow::Owned).ok_or_else(|| Fault::new("is no valid UTF-16").help(CSV))
     };
     match bytes {

@@ -105,10 +105,10 @@ impl Quantity {
         }
     }
 
-    /// Units of this quantity, for messages.
-    pub fn examples(self) -> String {
-        let names: Vec<&str> = UNITS.iter().filter(|u| u.quantity == self).map(|u| u.name).collect();
-        names.join(", ")
+    /// The word for several of them.
+    pub fn words(self) -> String {
+        let word = self.word();
+        word.strip_suffix('y').map_or_else(|| format!("{word}s"), |stem| format!("{stem}ies"))
     }
 }
 

@@ -65,7 +65,7 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let other = series.quantity.filter(|q| quantity.is_none() && matches!(q, Quantity::Velocity | Quantity::Length));
     if let Some(q) = other {
-        let message = format!("\"{name}\" holds {}s and no accelerations", q.word());
+        let message = format!("\"{name}\" holds {} and no accelerations", q.words());
         let warning =
             Diagnostic::warning(message).at(span, "").help(format!("-quantity {} says that it is meant", q.word()));
         warn(interp, warning)?;

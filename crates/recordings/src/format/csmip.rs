@@ -41,7 +41,7 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
         let Some(unit) = kind(line) else { continue };
         if unit.quantity == Quantity::Acceleration {
             channel += 1;
-            azimuth = lines[from..at].iter().find_map(|l| degrees(l)).filter(|a| (0.0..=360.0).contains(a));
+            azimuth = lines[from..at].iter().find_map(degrees).filter(|a| (0.0..=360.0).contains(a));
             let first = lines[from..at].iter().map(|l| l.trim()).find(|l| !l.is_empty());
             title = first.unwrap_or_default().to_owned();
             from = at + 1;

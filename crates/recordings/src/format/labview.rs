@@ -49,12 +49,10 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     }
     let units = entries("Y_Unit_Label");
     let is_x = |cell: &str| cell.starts_with("X_Value");
-    let mut channel = 0;
-    for column in sheet.columns.iter_mut().filter(|c| !is_x(&c.cell)) {
+    for (channel, column) in sheet.columns.iter_mut().filter(|c| !is_x(&c.cell)).enumerate() {
         if let Some(unit) = units.get(channel).filter(|u| !u.is_empty()) {
             column.unit = (*unit).to_owned();
         }
-        channel += 1;
     }
     if value_after(&input.head, "X_Columns") != Some("No") {
         return Ok(Content::Table(sheet));

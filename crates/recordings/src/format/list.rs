@@ -46,12 +46,15 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let mut numbers = NumberLines::default();
     let (mut header, mut notes): (Vec<String>, Vec<String>) = (vec![], vec![]);
     let (mut first, mut last) = (0, 0);
+    let mut counts = vec![];
     for (n, line) in input.lines() {
         let text = line.trim();
         if text.is_empty() || text.starts_with(['#', '%']) {
             continue;
         }
+        let before = numbers.values.len();
         let Err(fault) = numbers.push(n, line) else {
+            counts.push(numbers.values.len() - before);
             first = if first == 0 { n } else { first };
             last = n;
             continue;
@@ -66,6 +69,16 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
     }
     if numbers.values.is_empty() {
         return Err(Fault::new("there are no numbers"));
+    }
+    // A first line of another length than all others is a header rather than a part of the list.
+    if let [one, others @ .., end] = &counts[..]
+        && let Some(width) = others.first().filter(|w| **w > 1 && *w != one)
+        && others.len() > 2
+        && others.iter().all(|w| w == width)
+        && end <= width
+    {
+        let message = format!("there are {one} numbers in the line, and {width} in those after it");
+        return Err(Fault::in_line(first, message).expected("expected numbers alone: remove a header of numbers"));
     }
     if let Some(line) = header.last() {
         notes.push(format!("{} before the numbers is taken for a header: \"{}\"", lines(header.len()), shown(line)));

@@ -24,7 +24,7 @@ fn header_lines(input: &Input<'_>) -> Option<(usize, usize)> {
     }
     let begins = |key: &str| {
         let is = |l: &&str| l.trim_start().get(..key.len()).is_some_and(|k| k.eq_ignore_ascii_case(key));
-        head.iter().take(12).position(|l| is(l))
+        head.iter().take(12).position(is)
     };
     Some((begins("npts")?, begins("dt")?))
 }
@@ -82,7 +82,7 @@ fn statement(
         let unit = unit::unit(if quantity == Quantity::Acceleration { "g" } else { cgs(quantity) });
         notes.push(format!(
             "the header states no unit: {} of PEER are in {}",
-            quantity.word(),
+            quantity.words(),
             unit.map_or("", |u| u.name)
         ));
         return Ok((quantity, unit, String::new()));
@@ -106,7 +106,7 @@ fn statement(
         let unit = unit::unit(if quantity == Quantity::Acceleration { "g" } else { cgs(quantity) });
         notes.push(format!(
             "the header states no unit: {} of PEER are in {}",
-            quantity.word(),
+            quantity.words(),
             unit.map_or("", |u| u.name)
         ));
         return Ok((quantity, unit, String::new()));

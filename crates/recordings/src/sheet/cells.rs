@@ -99,7 +99,7 @@ pub(crate) fn is_number(text: &str, comma_allowed: bool) -> bool {
 
 /// A cell that stands for a missing sample.
 pub(crate) fn is_missing(text: &str) -> bool {
-    matches!(text, "" | "nan" | "NaN" | "NAN")
+    text.is_empty() || (text.ends_with(['n', 'N']) && text.parse::<f64>().is_ok_and(f64::is_nan))
 }
 
 /// An infinity in the words of programs.

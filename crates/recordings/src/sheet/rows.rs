@@ -141,6 +141,9 @@ fn layout(sample: &[Line<'_>], separator: Separator, form: &Form<'_>) -> Option<
         if below {
             (units, rows) = (Some(block + 1), block + 2);
         }
+    } else if let Some(at) = names_above_numbers(sample, separator, least) {
+        // A row of another width stands between the names and the rows: it is the fault.
+        (names, rows) = (Some(at), at + 1);
     } else if block == start && start == 1 && separator != Separator::Blanks && kinds[0].full > 1 {
         // One line before rows of another width: a header that does not fit.
         separator.cells(sample[0].text, &mut cells);
@@ -149,6 +152,23 @@ fn layout(sample: &[Line<'_>], separator: Separator, form: &Form<'_>) -> Option<
         }
     }
     Some(Layout { names, units, rows })
+}
+
+/// The line of names, of the width of the rows, right above the first line of numbers.
+fn names_above_numbers(sample: &[Line<'_>], separator: Separator, width: usize) -> Option<usize> {
+    let first = sample.iter().position(|l| has_numbers(l.text, separator))?.checked_sub(1)?;
+    let mut cells = vec![];
+    split_names(separator, sample[first].text, width, &mut cells);
+    let is_head = width > 1 && filled(&cells) == width && cells.iter().all(|c| is_name(c.text));
+    is_head.then_some(first)
+}
+
+/// A line of which half of the cells or more are numbers.
+fn has_numbers(line: &str, separator: Separator) -> bool {
+    let mut cells = vec![];
+    separator.cells(line, &mut cells);
+    let numbers = cells.iter().filter(|c| is_number(c.text, separator != Separator::Char(','))).count();
+    numbers > 0 && 2 * numbers >= cells.len()
 }
 
 /// The names in a header: between blanks a unit in brackets belongs to the word before it.
@@ -233,6 +253,13 @@ pub(super) fn parse(text: &str, form: &Form<'_>) -> Result<Sheet, SheetError> {
     let decimals =
         form.decimal.map_or_else(|| Decimals::new(separator.char()), |d| Decimals::stated(separator.char(), d));
     let line_of = |at: Option<usize>| at.map_or("", |i| sample[i].text);
+    if layout.names.is_none()
+        && let Some(line) = sample[..layout.rows].iter().find(|l| has_numbers(l.text, separator))
+    {
+        // Numbers above a table without names would be lost.
+        let message = format!("line {} is no row of the table below it: \"{}\"", line.number, shown(line.text));
+        return Err(SheetError::List(Fault::new(message).expected("expected rows of as many numbers")));
+    }
     let mut reader = Reader {
         form,
         separator,
