@@ -1,6 +1,6 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
-use crate::elsewhere;
+use crate::{Tcl, elsewhere};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
