@@ -5,7 +5,7 @@ use super::files::{CHECKPOINT_INTERVAL, note_replaced, write_atomically, write_c
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
-use super::signals::{on_interrupt, stopped_status};
+use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -43,6 +43,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let mut sources = SourceMap::default();
     let show = |d: &Diagnostic, sources: &SourceMap| eprintln!("{}\n", Messages::new().render(d, sources));
     let (simulator, initial_run) = match prepare(args, &stop, &mut sources) {
+        Ok((_, initial_run)) if initial_run.is_interrupted() => return stopped_status(&stop).unwrap_or(INTERRUPTED),
         Ok(prepared) => prepared,
         Err(d) => {
             show(&d, &sources);
