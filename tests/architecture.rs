@@ -29,7 +29,21 @@ const LAYERS: &[(&str, &[&str])] = &[
             "record",
         ],
     ),
-    ("identify", &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
+    (
+        "identify",
+        &[
+            "autoregressive",
+            "fourier",
+            "halton",
+            "measure",
+            "protocol",
+            "study",
+            "noise",
+            "report",
+            "preflight",
+            "calibrate",
+        ],
+    ),
     (
         "design",
         &[
