@@ -169,7 +169,18 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         krate: "identify",
-        modules: &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"],
+        modules: &[
+            "autoregressive",
+            "fourier",
+            "halton",
+            "measure",
+            "protocol",
+            "study",
+            "noise",
+            "report",
+            "preflight",
+            "calibrate",
+        ],
         upward: &[],
     },
     Layers {

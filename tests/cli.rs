@@ -89,6 +89,13 @@ impl Place {
         self.run_with(&[], args)
     }
 
+    /// Start with arguments, and go on.
+    pub fn spawn(&self, args: &[&str]) -> std::process::Child {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));
+        let quiet = command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
+        quiet.args(args).current_dir(&self.0).spawn().unwrap()
+    }
+
     /// The same with variables of the environment.
     pub fn run_with(&self, variables: &[(&str, &str)], args: &[&str]) -> (Option<i32>, String, String) {
         let mut command = Command::new(env!("CARGO_BIN_EXE_hysteron"));

@@ -7,7 +7,7 @@ use super::files::{
 };
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
-use super::signals::{on_interrupt, stopped_status};
+use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::calibrate::{
     CalibrationResult, Checkpoint, Displacements, SearchObserver, SearchSettings, SearchStatus, StudyProblem, page,
@@ -47,19 +47,24 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
     let studies = with_folders(args, studies);
     eprint!("{}", plan(&studies));
     let mut worst = 0;
+    let mut is_stopped = false;
     let mut results = vec![];
     for (file, dir) in &studies {
-        if stop.load(Ordering::Relaxed) {
+        is_stopped |= stop.load(Ordering::Relaxed);
+        if is_stopped {
             break;
         }
-        match calibrate_study(args, file, dir, &stop) {
-            Ok(result) => {
+        let end = calibrate_study(args, file, dir, &stop);
+        is_stopped = matches!(end, StudyEnd::Stopped(_));
+        match end {
+            StudyEnd::Failed(status) => worst = worst.max(status),
+            StudyEnd::Finished(result) | StudyEnd::Stopped(Some(result)) => {
                 if !args.json {
                     print!("{}", summary(&result, dir));
                 }
-                results.push(result);
+                results.push(*result);
             }
-            Err(status) => worst = worst.max(status),
+            StudyEnd::Stopped(None) => {}
         }
     }
     if args.json {
@@ -76,7 +81,17 @@ pub(super) fn calibrate(args: &CalibrateArgs) -> i32 {
             worst = worst.max(FAILURE);
         }
     }
-    stopped_status(&stop).unwrap_or(worst)
+    if is_stopped { stopped_status(&stop).unwrap_or(INTERRUPTED) } else { worst }
+}
+
+/// End of the calibration of a study. It is decided where it comes about: an interrupt or a limit that comes later does not
+/// change it.
+enum StudyEnd {
+    Finished(Box<CalibrationResult>),
+    /// Stopped by the user or a limit, with a result so far or without one.
+    Stopped(Option<Box<CalibrationResult>>),
+    /// Exit status without a result.
+    Failed(i32),
 }
 
 /// Print the results as JSON: that of a single study, or a list. Returns the exit status.
@@ -160,29 +175,32 @@ pub(super) fn print_diagnostic(d: &Diagnostic, sources: &SourceMap) {
     eprintln!("{}\n", Messages::new().render(d, sources));
 }
 
-/// Calibrate a study; the exit status if there is no result.
-fn calibrate_study(
+/// Calibrate a study.
+fn calibrate_study(args: &CalibrateArgs, file: &Path, dir: &Path, stop: &Arc<AtomicBool>) -> StudyEnd {
+    let mut sources = SourceMap::default();
+    match prepare_with_args(args, file, stop, &mut sources) {
+        Ok(prepared) if prepared.initial_run.is_interrupted() => StudyEnd::Stopped(None),
+        Ok(prepared) => {
+            calibrate_prepared(args, file, dir, (prepared, &sources), stop).unwrap_or_else(StudyEnd::Failed)
+        }
+        Err(status) => StudyEnd::Failed(status),
+    }
+}
+
+/// Calibrate a study that has made its initial run; the exit status if there is no result and nothing stopped it.
+fn calibrate_prepared(
     args: &CalibrateArgs,
     file: &Path,
     dir: &Path,
+    (prepared, sources): (PreparedStudy, &SourceMap),
     stop: &Arc<AtomicBool>,
-) -> Result<CalibrationResult, i32> {
-    let mut sources = SourceMap::default();
-    let PreparedStudy { simulator, initial_run, settings } = prepare_with_args(args, file, stop, &mut sources)?;
+) -> Result<StudyEnd, i32> {
+    let PreparedStudy { simulator, initial_run, settings } = prepared;
     let study = simulator.study().clone();
     let failed = |message: String| {
         eprintln!("error: {}: {message}", file.display());
         FAILURE
     };
-    for note in replaced(dir, &study) {
-        eprintln!("note: {note}");
-    }
-    let _lock = lock_folder(dir).map_err(&failed)?;
-    let threads = threads(args.threads);
-    let checked = check_channels(&simulator, &initial_run, threads, false, &sources);
-    let checked = checked.map_err(|e| failed(e.to_string()))?;
-    let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
-    let begun = Instant::now();
     let checkpoint_path = dir.join("checkpoint.json");
     let initial_unit_point = study.space.unit_point(&initial_run.values);
     let start = Checkpoint::new(settings.clone(), initial_unit_point);
@@ -192,6 +210,15 @@ fn calibrate_study(
         eprintln!("error: {message}");
         INPUT_ERROR
     })?;
+    for note in replaced(dir, &study) {
+        eprintln!("note: {note}");
+    }
+    let _lock = lock_folder(dir).map_err(&failed)?;
+    let threads = threads(args.threads);
+    let checked = check_channels(&simulator, &initial_run, threads, false, sources);
+    let checked = checked.map_err(|e| failed(e.to_string()))?;
+    let problem = StudyProblem::of_script(&simulator, threads).map_err(|e| failed(e.to_string()))?;
+    let begun = Instant::now();
     let mut progress = CalibrationProgress::new(&study, (checkpoint_path.clone(), identity), stop.clone());
     let found = search(&problem, at, &mut progress);
     progress.finish();
@@ -199,7 +226,14 @@ fn calibrate_study(
     // The result so far is still evaluated. Another interrupt stops that as well.
     stop.store(false, Ordering::Relaxed);
     let wall_time = begun.elapsed().as_secs_f64();
-    let mut result = CalibrationResult::new(&problem, &settings, found, wall_time).map_err(&failed)?;
+    let mut result = match CalibrationResult::new(&problem, &settings, found, wall_time) {
+        Ok(result) => result,
+        Err(_) if stopped => {
+            stop.store(true, Ordering::Relaxed);
+            return Ok(StudyEnd::Stopped(None));
+        }
+        Err(message) => return Err(failed(message)),
+    };
     result.preflight = Some(checked);
     if stopped {
         eprintln!("interrupted: the best so far is kept; --resume goes on");
@@ -211,10 +245,11 @@ fn calibrate_study(
     let displacements = runs.map(|r| simulator.displacement(r, &result.values)).collect();
     result.add_amplitudes(&displacements);
     write(dir, &simulator, &result, &initial_run, &displacements, args.view).map_err(&failed)?;
-    if stopped {
+    if stopped || stop.load(Ordering::Relaxed) {
         stop.store(true, Ordering::Relaxed);
+        return Ok(StudyEnd::Stopped(Some(Box::new(result))));
     }
-    Ok(result)
+    Ok(StudyEnd::Finished(Box::new(result)))
 }
 
 /// Prepare a study with the settings of the arguments, and print its warnings; the exit status if it has errors.

@@ -127,7 +127,8 @@ fn parameters(out: &mut String, result: &CalibrationResult) {
             None => writeln!(out, "  {} = {}", p.name, significant(*v, 6)),
         };
     }
-    for name in result.at_bounds() {
+    // The judgement names them as well.
+    for name in result.at_bounds().into_iter().filter(|_| result.uncertainty.is_none()) {
         let _ = writeln!(out, "  note: {name} is at a bound of its range");
     }
     for line in result.uncertainty.iter().flat_map(Uncertainty::notes) {

@@ -8,7 +8,7 @@ use super::files::{
 use super::messages::Messages;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
-use super::signals::{on_interrupt, stopped_status};
+use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
 use hysteron::analysis::Options;
 use hysteron::diagnose::{
     CheckpointEntry, Diagnosis, ProgressMonitor, Settings, diagnose, hypothesis, identity, report,
@@ -45,6 +45,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
     let mut sources = SourceMap::default();
     let show = |d: &Diagnostic, sources: &SourceMap| eprintln!("{}\n", Messages::new().render(d, sources));
     let (simulator, initial_run) = match prepare(args, &stop, &mut sources) {
+        Ok((_, initial_run)) if initial_run.is_interrupted() => return stopped_status(&stop).unwrap_or(INTERRUPTED),
         Ok(prepared) => prepared,
         Err(d) => {
             show(&d, &sources);

@@ -4,7 +4,7 @@ use super::args::CheckArgs;
 use super::calibrate::{FAILURE, INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
 use super::preflight::{check_channels, threads};
 use super::script_check::MessageTable;
-use super::signals::{on_interrupt, stopped_status};
+use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
 use hysteron::diagnostic::{Severity, SourceMap};
 use hysteron::preflight::{Preflight, section};
 use serde::Serialize;
@@ -36,13 +36,16 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     let mut sources = SourceMap::default();
     let prepared = prepare(file, compat, &stop, &mut sources);
     let PreparedStudy { simulator, initial_run, .. } = match prepared {
+        Ok(prepared) if prepared.initial_run.is_interrupted() => {
+            return stopped_status(&stop).unwrap_or(INTERRUPTED);
+        }
         Ok(prepared) => prepared,
         Err(d) => {
             print_diagnostic(&d, &sources);
             if json {
                 print_json(&serde_json::json!({ "study": file, "messages": [MessageTable::new(&d, &sources)] }));
             }
-            return stopped_status(&stop).unwrap_or(INPUT_ERROR);
+            return INPUT_ERROR;
         }
     };
     let study = simulator.study().clone();

@@ -248,6 +248,48 @@ fn complete_model_is_judged_sound() {
     assert!(found["uncertainty"]["intervals"][0].get("from_noise").is_none());
 }
 
+/// The number is printed within which a model explains its recordings.
+#[test]
+fn a_sound_model_is_sound_within_the_noise_of_its_recordings() {
+    let folder = StudyFolder::new();
+    let (status, out, err) = streams(&folder, &["study.toml", "--out", "out"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("nothing speaks against the model within an NMSE of 0.00012"), "{out}");
+    let noise = json(&folder, "out/calibration.json")["judgement"]["noise"].clone();
+    let ratio = noise["nmse"].as_f64().unwrap() / noise["noise"].as_f64().unwrap();
+    assert!((0.5..2.0).contains(&ratio), "{noise}");
+}
+
+/// A parameter at a bound, and held-out runs that are worse: neither model is said to be sound.
+#[test]
+fn poor_fits_are_not_judged_sound() {
+    let folder = StudyFolder::new();
+    let study = fs::read_to_string(folder.0.join("study.toml")).unwrap();
+    fs::write(folder.0.join("narrow.toml"), study.replacen("upper = 5.0", "upper = 2.3", 1)).unwrap();
+    let (status, out, err) = streams(&folder, &["narrow.toml", "--out", "narrow"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("k0 is at a bound of its range: a better fit may lie beyond"), "{out}");
+    assert!(!out.contains("nothing speaks against"), "{out}");
+    let found = json(&folder, "narrow/calibration.json");
+    assert_eq!(found["judgement"]["at_bounds"], serde_json::json!(["k0"]));
+    assert_eq!(found["judgement"]["explained"], false);
+
+    let text = fs::read_to_string(folder.0.join("random.csv")).unwrap();
+    let larger = text.lines().map(|line| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if let Ok(force) = cells[1].parse::<f64>() {
+            cells[1] = (1.4 * force).to_string();
+        }
+        cells.join(",")
+    });
+    let larger: Vec<String> = larger.collect();
+    fs::write(folder.0.join("random.csv"), larger.join("\n") + "\n").unwrap();
+    let (status, out, err) = streams(&folder, &["study.toml", "--out", "worse"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert!(out.contains("held-out runs are predicted worse") && !out.contains("nothing speaks against"), "{out}");
+    assert_eq!(json(&folder, "worse/calibration.json")["judgement"]["explained"], false);
+}
+
 /// A force that the model lacks: it is said, and the intervals reach the truth.
 #[test]
 fn missing_physics_widens_the_intervals() {

@@ -366,31 +366,75 @@ fn finding_has_a_place() {
 #[test]
 fn calibration_of_changed_files_is_not_resumed() {
     let place = place();
-    // Slow enough to be interrupted.
+    // Slow enough to be killed before it ends.
     edit(&place, "model.tcl", "if {[analyze 20]", "for {set i 0} {$i < 200000} {incr i} {}\nif {[analyze 20]");
     edit(&place, "study.toml", "[[parameter]]", "[calibration]\nmethod = \"l-shade\"\n\n[[parameter]]");
+    let checkpoint = place.0.join("results/checkpoint.json");
     // There is nothing to go on from yet.
-    let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "3", "study.toml"]);
-    assert!(status == Some(1) && said.contains("the time limit of 3 s is over"), "{status:?} {said}");
-    assert!(said.contains("the search begins at its beginning"), "{said}");
-    assert!(place.0.join("results/checkpoint.json").exists(), "{said}");
+    let mut killed = place.spawn(&["calibrate", "--resume", "study.toml"]);
+    while !checkpoint.exists() {
+        assert_eq!(killed.try_wait().unwrap(), None, "it ended before its first checkpoint");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    // Whether the limit ends the initial run or the search, the end is that of the limit.
     let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
-    assert!(status == Some(1) && !said.contains("cannot go on"), "{said}");
+    assert!(status == Some(1) && said.contains("the time limit of 1 s is over"), "{status:?} {said}");
+    assert!(!said.contains("cannot go on") && checkpoint.exists(), "{said}");
     // A checkpoint whose numbers were edited is not believed.
-    let checkpoint = "results/checkpoint.json";
-    let before = std::fs::read_to_string(place.0.join(checkpoint)).unwrap();
+    let before = std::fs::read_to_string(&checkpoint).unwrap();
     let at = before.rfind(|c: char| ('1'..='8').contains(&c)).unwrap();
     let other = char::from(before.as_bytes()[at] + 1);
-    place.write(checkpoint, format!("{}{other}{}", &before[..at], &before[at + 1..]));
+    place.write("results/checkpoint.json", format!("{}{other}{}", &before[..at], &before[at + 1..]));
     let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
     assert!(status == Some(2) && said.contains("it is damaged"), "{status:?} {said}");
-    place.write(checkpoint, before);
+    place.write("results/checkpoint.json", before);
     for (file, old, new) in [("model.tcl", "analyze 20", "analyze 19"), ("test.dat", "5", "6"), ("test.csv", "5", "6")]
     {
         let before = std::fs::read(place.0.join(file)).unwrap();
         edit(&place, file, old, new);
-        let (status, _, said) = place.run(&["calibrate", "--resume", "--time-limit", "1", "study.toml"]);
+        let (status, _, said) = place.run(&["calibrate", "--resume", "study.toml"]);
         assert!(status == Some(2) && said.contains("has changed since"), "{file}: {status:?} {said}");
         place.write(file, before);
     }
+}
+
+/// The table with its forces multiplied.
+fn with_force_times(factor: f64) -> String {
+    let scaled = rows().into_iter().map(|[t, f, u]| format!("{t},{:.4},{u}\n", factor * f.parse::<f64>().unwrap()));
+    scaled.fold("time[s],force[kN],disp[mm]\n".to_owned(), |text, row| text + &row)
+}
+
+/// A factor is that of a unit unless the parameters of the study can make it.
+#[test]
+fn a_factor_that_the_parameters_can_make_is_no_unit() {
+    let place = place();
+    place.write("test.csv", with_force_times(9.80665));
+    expect(&place, 2, "", "", &["force in all runs", "kN for tonf?"]);
+    edit(&place, "study.toml", "upper = 4.0", "upper = 60.0");
+    let wide = std::fs::read_to_string(place.0.join("study.toml")).unwrap().replace("upper = 4.0", "upper = 60.0");
+    place.write("study.toml", wide);
+    let (_, said) = check(&place);
+    assert!(!said.contains("for tonf") && !said.contains("another unit"), "{said}");
+}
+
+/// Two runs with one motion by mistake: their sign is no fault of the sensor.
+#[test]
+fn opposite_recordings_of_one_motion_are_a_mistake_of_the_motion() {
+    let place = place();
+    place.write("turned.csv", with_force_times(-1.0));
+    let text = std::fs::read_to_string(place.0.join("study.toml")).unwrap();
+    let held =
+        text.replace("role = \"holdout\"\nrecording = \"test.csv\"", "role = \"holdout\"\nrecording = \"turned.csv\"");
+    assert_ne!(held, text);
+    place.write("study.toml", held);
+    let (status, said) = check(&place);
+    assert!(status == Some(2) && said.contains("have both runs one motion by mistake?"), "{status:?} {said}");
+    assert!(!said.contains("is the sign turned?"), "{said}");
+    // With a sign that is turned everywhere the runs agree.
+    place.write("study.toml", text);
+    place.write("test.csv", with_force_times(-1.0));
+    let (_, said) = check(&place);
+    assert!(said.contains("force in all runs") && !said.contains("one motion by mistake"), "{said}");
 }

@@ -266,6 +266,27 @@ prior! {
     /// Standard deviation over mean up to which an axial force is constant. In trials 0.002 where it is.
     MAX_CONSTANT_AXIAL_FORCE: f64 = 0.02, "ratio";
 
+    /// Share of a residual that follows the motion, comes again or moves other channels, from which its loudness counts as
+    /// physics. Independent noise of several channels shares less.
+    MIN_SHARED_STRUCTURE: f64 = 0.05, "share";
+
+    // ---- gates ----
+
+    /// Largest probability of a cause whose repair drives a user's parameter to a bound: the bound, not the recordings, then
+    /// decides its size. A choice.
+    BOUND_PROBABILITY: f64 = 0.5, "share";
+    /// Move of a unit coordinate away from its bound, and of one whose influence is sought. A choice.
+    BOUND_STEP: f64 = 0.02, "share";
+    /// Rise of the error by that move from which the bound matters. A choice.
+    MIN_BOUND_EFFECT: f64 = 0.01, "share";
+    /// Largest probability of a fault of a sensor beside which no other channel shows the same quantity. A choice.
+    SINGLE_SENSOR_PROBABILITY: f64 = 0.85, "share";
+    /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
+    /// much. A choice.
+    PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";
+    /// Squared correlation of a wandering zero with what the motion leaves behind from which it is no drift. A choice.
+    FOLLOWED_HISTORY_SHARE: f64 = 0.6, "share";
+
     // ---- error of the time steps ----
 
     /// Share of a residual's power that halved steps may move without consequence. A choice.

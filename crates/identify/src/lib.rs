@@ -2,10 +2,12 @@
 
 #![forbid(unsafe_code)]
 
+pub mod autoregressive;
 pub mod calibrate;
 pub mod fourier;
 pub mod halton;
 pub mod measure;
+pub mod noise;
 pub mod preflight;
 pub mod protocol;
 pub mod report;

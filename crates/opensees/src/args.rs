@@ -305,6 +305,17 @@ impl<'a> Args<'a> {
         }
     }
 
+    /// The same with a sign: the degree of freedom from 0, and true for a negative number.
+    pub(crate) fn signed_dof(&mut self, what: &str, limit: usize) -> Result<(usize, bool), Exception> {
+        match self.int(what)? {
+            i if i != 0 && i.unsigned_abs() as usize <= limit => Ok((i.unsigned_abs() as usize - 1, i < 0)),
+            i => {
+                Err(self
+                    .refuse(format!("{what} is {i}"), format!("expected the {what}, 1 to {limit} or -1 to -{limit}")))
+            }
+        }
+    }
+
     /// A thing by its tag.
     pub(crate) fn of<T: Clone>(&mut self, registry: &Registry<T>) -> Result<(T, Tag), Exception> {
         let kind = registry.kind;

@@ -101,6 +101,12 @@ impl Variant {
         coordinates.filter(|(_, (index, _))| unread.contains(index)).map(|(coordinate, _)| coordinate).collect()
     }
 
+    /// Names of the user's parameters that the model no longer depends on.
+    pub(crate) fn unread_names(&self) -> Vec<String> {
+        let unread = self.proposal.as_ref().map_or(&[][..], |p| &p.unread);
+        unread.iter().map(|i| self.study.space.parameters[*i].name.clone()).collect()
+    }
+
     /// Start of a search in the unit cube: the first parameters at the given values, the others at their proposed start.
     pub(crate) fn start(&self, given: &[f64]) -> Vec<f64> {
         self.study.space.unit_point(&self.start_values(given))

@@ -100,6 +100,53 @@ pub(crate) fn judge(study: &Study, repair: &Repair<'_>) -> HoldoutJudgement {
     }
 }
 
+/// A channel that a repair makes worse in most of the runs held out.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WorsenedChannel {
+    /// Its name.
+    pub(crate) channel: String,
+    /// Number of the runs held out in which it gets worse, and of those with the channel.
+    pub(crate) runs: (usize, usize),
+}
+
+impl WorsenedChannel {
+    /// The finding in words.
+    pub(crate) fn description(&self) -> String {
+        let (worse, all) = self.runs;
+        format!("{} gets worse in {worse} of {all} runs held out", self.channel)
+    }
+}
+
+/// Error over the noise below which a channel is predicted.
+pub(crate) const NOISE_MARGIN: f64 = 2.0;
+/// Error after over that before from which a channel is worse. Smaller changes are those of the noise.
+const WORSE_CHANNEL_RATIO: f64 = 1.1;
+
+/// The first channel that gets worse in most of the runs held out, beyond the noise. The mean over channels must not hide it.
+pub(crate) fn worsened_channel(study: &Study, repair: &Repair<'_>) -> Option<WorsenedChannel> {
+    let noise = expected_noise(study, repair);
+    let mut channels: Vec<(&str, usize, usize)> = vec![];
+    for (i, run) in study.runs_of(Role::Holdout) {
+        let (Some(before), Some(after)) = (&repair.before[i], &repair.after[i]) else { continue };
+        for (o, (b, a)) in run.observe.iter().zip(before.scores.iter().zip(&after.scores)) {
+            let is_worse = a.nmse > WORSE_CHANNEL_RATIO * b.nmse && a.nmse > NOISE_MARGIN * noise(o);
+            match channels.iter_mut().find(|(name, ..)| *name == o.channel) {
+                Some((_, worse, all)) => (*worse, *all) = (*worse + usize::from(is_worse), *all + 1),
+                None => channels.push((&o.channel, usize::from(is_worse), 1)),
+            }
+        }
+    }
+    let (channel, worse, all) = channels.into_iter().find(|(_, worse, all)| 2 * worse > *all)?;
+    Some(WorsenedChannel { channel: channel.into(), runs: (worse, all) })
+}
+
+/// NMSE of a channel held out that the noise of the fitted runs would leave.
+pub(crate) fn expected_noise<'a>(study: &'a Study, repair: &Repair<'a>) -> impl Fn(&ObservedChannel) -> f64 + use<'a> {
+    let expected = expected_nmse(study, repair.after);
+    let noise = 1.0 - repair.structured_share;
+    move |o| noise * expected(o)
+}
+
 /// Mean NMSE of the runs held out; none if there are none, or if one has no result.
 pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> Option<f64> {
     let held: Vec<f64> =
@@ -123,6 +170,16 @@ struct FittedError {
 /// Each channel has the same share of its variance or the same error in its unit, whichever is larger. Sensors have noise of
 /// one size; machines have more noise under more load.
 fn expected_holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
+    let expected = expected_nmse(study, fits);
+    let held: Vec<f64> = study
+        .runs_of(Role::Holdout)
+        .map(|(_, r)| r.observe.iter().map(|o| o.weight * expected(o)).sum::<f64>() / r.observe.len() as f64)
+        .collect();
+    held.iter().sum::<f64>() / held.len().max(1) as f64
+}
+
+/// NMSE of a channel held out with the error of the fitted runs.
+fn expected_nmse<'a>(study: &'a Study, fits: &[Option<ScoredRun>]) -> impl Fn(&ObservedChannel) -> f64 + use<'a> {
     let mut of_channel: BTreeMap<&str, FittedError> = BTreeMap::new();
     for (i, run) in study.runs_of(Role::Fit) {
         let Some(fit) = &fits[i] else { continue };
@@ -134,23 +191,18 @@ fn expected_holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> f64 {
         }
     }
     let (sum, runs) = of_channel.values().fold((0.0, 0.0), |(sum, runs), e| (sum + e.nmse, runs + e.runs));
-    let expected = |o: &ObservedChannel| {
+    move |o: &ObservedChannel| {
         let fitted = of_channel.get(o.channel.as_str());
         let own = fitted.map(|e| (e.nmse / e.runs).max(e.square / e.runs / o.variance));
-        o.weight * own.unwrap_or(sum / f64::max(runs, 1.0))
-    };
-    let held: Vec<f64> = study
-        .runs_of(Role::Holdout)
-        .map(|(_, r)| r.observe.iter().map(expected).sum::<f64>() / r.observe.len() as f64)
-        .collect();
-    held.iter().sum::<f64>() / held.len().max(1) as f64
+        own.unwrap_or(sum / f64::max(runs, 1.0))
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{HoldoutJudgement, Repair, judge};
+    use super::{HoldoutJudgement, Repair, judge, worsened_channel};
     use crate::test_support::pad_study;
-    use hysteron_identify::study::{Role, Score, ScoredRun, Study};
+    use hysteron_identify::study::{ObservedChannel, Role, Score, ScoredRun, Study};
 
     /// Fits with a NMSE of the fitted runs and of those held out; none without a result.
     fn with_nmse(study: &Study, fit: f64, held: Option<f64>) -> Vec<Option<ScoredRun>> {
@@ -181,6 +233,33 @@ mod tests {
         let half = judged(0.5, Some(0.25), true, false);
         assert!(matches!(half, HoldoutJudgement::PartlyPredicted(share) if (share - 0.5).abs() < 0.01), "{half:?}");
         assert!(half.description().contains("50 %"), "{}", half.description());
+    }
+
+    /// A channel that gets worse refuses a repair although the mean falls; one within the noise does not.
+    #[test]
+    fn a_mean_does_not_hide_a_worse_channel() {
+        let mut s = pad_study();
+        let held = s.runs.iter().position(|r| r.role == Role::Holdout).expect("a run held out");
+        let second = ObservedChannel { channel: "second".into(), ..s.runs[held].observe[0].clone() };
+        s.runs.iter_mut().for_each(|r| r.observe.push(second.clone()));
+        let worsened = |after: f64| {
+            let before = with_nmse(&s, 0.5, Some(0.5));
+            let mut repaired = with_nmse(&s, 1e-3, Some(1e-3));
+            repaired[held].as_mut().expect("a fit").scores[1].nmse = after;
+            let repair = Repair {
+                before: &before,
+                after: &repaired,
+                structured_share: 0.0,
+                affects_holdout: true,
+                visible_in_recording: false,
+            };
+            (worsened_channel(&s, &repair), judge(&s, &repair))
+        };
+        let (worse, judgement) = worsened(0.6);
+        assert_eq!(worse.map(|w| w.description()), Some("second gets worse in 1 of 1 runs held out".into()));
+        assert_ne!(judgement, HoldoutJudgement::Worsened, "the mean alone hides it");
+        assert_eq!(worsened(0.52).0, None, "within ten per cent");
+        assert_eq!(worsened(1.5e-3).0, None, "better");
     }
 
     /// A fault of one run may not worsen others. A visible effect need not improve them. The noise hides small effects.

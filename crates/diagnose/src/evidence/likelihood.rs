@@ -16,8 +16,8 @@
 
 use crate::fit::job::ChannelResiduals;
 use crate::prior::{EFFECTIVE_SAMPLES, LIKELIHOOD_NOISE_ORDER, LIKELIHOOD_POINTS, MAX_NOISE_ROOT};
-use crate::residual::autoregressive::{burg, whiten};
 use crate::series::{averaged, power};
+use hysteron_identify::autoregressive::{burg, whiten};
 
 /// Autoregressive noise of each channel.
 pub(crate) struct NoiseModel(Vec<Vec<f64>>);

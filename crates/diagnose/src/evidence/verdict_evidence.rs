@@ -40,6 +40,20 @@ pub struct VerdictEvidence {
     pub left_out: Vec<String>,
     /// Repairs that the runs held out have judged.
     pub judged: Vec<RepairEvidence>,
+    /// Limits of the probabilities of causes, by physics, bounds and channels of their repairs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<ProbabilityLimit>,
+}
+
+/// Limit of the probability of a cause.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ProbabilityLimit {
+    /// The cause.
+    pub cause: String,
+    /// Largest probability; 0 for what cannot be.
+    pub most: f64,
+    /// What speaks against the cause, in words.
+    pub reason: String,
 }
 
 /// Evidence for one hypothesis.
@@ -133,6 +147,7 @@ impl VerdictEvidence {
             channels: fits.iter().map(|f| f.channels.len()).sum(),
             left_out: of.left_out.iter().map(|c| (*c).to_owned()).collect(),
             judged: vec![],
+            limits: vec![],
         };
         (evidence, after)
     }

@@ -240,7 +240,26 @@ pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     let all = candidates(evidence);
     let equal = LAPSE_SHARE / all.len() as f64;
     let p = probabilities(&all, &fitted_weights()).into_iter().map(|p| (1.0 - LAPSE_SHARE) * p + equal);
-    sorted(all.iter().map(|c| known_cause(&c.cause)).zip(p).collect())
+    let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
+    limit_probabilities(evidence, &mut all);
+    sorted(all)
+}
+
+/// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion.
+fn limit_probabilities(evidence: &VerdictEvidence, all: &mut CauseProbabilities) {
+    let most = |cause: &str| {
+        let of_cause = evidence.limits.iter().filter(|l| l.cause == cause);
+        of_cause.map(|l| l.most).fold(1.0, f64::min)
+    };
+    let is_limited = |(cause, p): &(&'static str, f64)| *p > most(cause);
+    let held: f64 = all.iter().filter(|x| is_limited(x)).map(|(cause, _)| most(cause)).sum();
+    let free: f64 = all.iter().filter(|x| !is_limited(x)).map(|(_, p)| p).sum();
+    if free <= 0.0 {
+        return;
+    }
+    for x in all {
+        x.1 = if is_limited(x) { most(x.0) } else { x.1 * (1.0 - held) / free };
+    }
 }
 
 /// Probabilities of the causes and of `none` by Bayes' rule from log evidences alone, the most probable first.
@@ -304,7 +323,7 @@ fn known_cause(name: &str) -> &'static str {
 mod tests {
     use super::{FEATURES, bayes_probabilities, candidates, cause_probabilities, effect_probabilities, pair_gain};
     use crate::evidence::holdout::HeldOutErrors;
-    use crate::evidence::verdict_evidence::{HypothesisEvidence, RepairEvidence, VerdictEvidence};
+    use crate::evidence::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, RepairEvidence, VerdictEvidence};
 
     fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
         HypothesisEvidence {
@@ -339,6 +358,7 @@ mod tests {
             channels: 1,
             left_out: vec![],
             judged: vec![],
+            limits: vec![],
         }
     }
 
@@ -367,6 +387,25 @@ mod tests {
             "friction",
         );
         assert!(judged(1e-3) > before && before > judged(0.15), "{} {before} {}", judged(1e-3), judged(0.15));
+    }
+
+    /// A cause that cannot be is none, and one with a limit stays within it; the others share what it loses.
+    #[test]
+    fn limits_hold() {
+        let mut e = evidence(&[("friction", None, 60.0), ("damping", None, 50.0)]);
+        let before = cause_probabilities(&e);
+        let limit = |most: f64| ProbabilityLimit { cause: "friction".into(), most, reason: String::new() };
+        e.limits = vec![limit(0.5)];
+        let half = cause_probabilities(&e);
+        assert_eq!(probability(&half, "friction"), 0.5);
+        let ratio = |p: &[(&'static str, f64)]| probability(p, "damping") / probability(p, "unknown");
+        assert!((ratio(&half) / ratio(&before) - 1.0).abs() < 1e-9);
+        e.limits.push(limit(0.0));
+        let none = cause_probabilities(&e);
+        assert!(probability(&none, "friction") == 0.0 && none[0].0 == "damping", "{none:?}");
+        assert!((none.iter().map(|(_, p)| p).sum::<f64>() - 1.0).abs() < 1e-12);
+        e.limits = vec![limit(1.0)];
+        assert_eq!(cause_probabilities(&e), before);
     }
 
     /// Structure that a complete model leaves speaks for `unknown`, and none of it for `none`.

@@ -15,7 +15,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 /// Axial force of a group, with the option of the amendment for it: that of the model, or the variable `axial` of the runs.
 pub(super) fn axial_force(s: &ProposalContext<'_>, m: &super::MovingGroup<'_>) -> Option<(f64, String)> {
-    let carried = m.axial_direction.and_then(|axial| s.responses.of(&m.devices, axial)).map_or(0.0, |x| x.force);
+    let carried = m.axial_range(s).map_or(0.0, |x| x.force);
     if carried > 0.0 {
         return Some((carried, m.axial_option()));
     }

@@ -1,6 +1,8 @@
 //! Cavitation of rubber in tension.
 
-use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext, element_names, element_tags};
+use crate::inspect::device_axes::{AxialDirection, device_axes};
+use crate::inspect::inventory::{Device, grouped};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "cavitation",
@@ -11,44 +13,69 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
+/// Relative difference of axial stiffnesses below which devices can share the parameters of a form.
+const EQUAL_STIFFNESS: f64 = 1e-6;
+
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
+    let axis = |d: &Device| device_axes(&[d], s.inventory, s.responses).axial;
+    let stiffness = |d: &Device, number: usize| d.directions.iter().find(|x| x.number == number).map(|x| x.stiffness);
+    let alike = |a: &&Device, b: &&Device| {
+        let (first, second) = (axis(a), axis(b));
+        let stiffnesses = first.and_then(|x| stiffness(a, x.number).zip(stiffness(b, x.number)));
+        first == second && stiffnesses.is_some_and(|(a, b)| (a - b).abs() <= EQUAL_STIFFNESS * a.abs())
+    };
     let mut out = vec![];
-    for group in s.inventory.devices.iter().map(|d| vec![d]) {
-        // The axis of a bearing, or the single direction of a spring, whose sense of tension is not known.
-        let single = group[0].directions.len() == 1;
-        let Some(axis) = group[0].directions.iter().find(|d| single || d.number == 1) else { continue };
-        let Some(x) = s.responses.of(&group, axis.number) else { continue };
-        for sign in if single { &[1.0, -1.0][..] } else { &[1.0][..] } {
+    // Each device alone, and all that are alike together.
+    let mut groups: Vec<Vec<&Device>> = vec![];
+    for kind in s.inventory.groups_of_one_kind() {
+        let together = grouped(&kind, alike).into_iter().map(|g| g.into_iter().copied().collect::<Vec<_>>());
+        groups.extend(kind.iter().map(|d| vec![*d]));
+        groups.extend(together.filter(|g| g.len() > 1));
+    }
+    for group in groups {
+        let Some(AxialDirection { number, tension }) = device_axes(&group, s.inventory, s.responses).axial else {
+            continue;
+        };
+        let Some(x) = s.responses.of(&group, number) else { continue };
+        let Some(k) = stiffness(group[0], number) else { continue };
+        for sign in tension.as_ref().map_or(&[1.0, -1.0][..], std::slice::from_ref) {
             let extension = if *sign > 0.0 { x.deformation_bounds[1] } else { -x.deformation_bounds[0] };
-            if extension <= 0.05 * x.deformation {
-                continue;
+            if extension > MIN_EXTENSION * x.deformation {
+                out.extend(forms(&group, (number, *sign), (k, extension)));
             }
-            let force = axis.stiffness * extension;
-            let k = axis.stiffness;
-            let mut form = |form: &str, tension_stiffness: &str, rise: &str, more: &[AddedParameter]| {
-                let line = format!(
-                    "amend element {} cavitation -strength $hy_strength -extension [expr {{$hy_strength/{tension_stiffness}}}] \
-                     -damage $hy_damage{rise} -sign {sign} -dir {}",
-                    group[0].tag, axis.number
-                );
-                let mut added = vec![
-                    AddedParameter::log("strength", 0.02 * force, force, 0.4 * force),
-                    AddedParameter::linear("damage", 0.0, 0.99, 0.5),
-                ];
-                added.extend_from_slice(more);
-                let at = super::element_names(&group);
-                out.push(Proposal::script_edit("cavitation", form, at, vec![line], added));
-            };
-            let own = format!("{k:.6e}");
-            form("limit of tension", &own, "", &[]);
-            let rise = || AddedParameter::linear("rise", 0.0, 3.0, 0.3);
-            let reach = || AddedParameter::log("reach", 0.02 * extension, 5.0 * extension, 0.5 * extension);
-            form("limit of tension that rises", &own, " -rise $hy_rise -reach $hy_reach", &[rise(), reach()]);
-            // A dashpot beside the rubber keeps its force in tension.
-            let part = AddedParameter::linear("k", 0.5 * k, 1.5 * k, k);
-            let line = " -rise $hy_rise -reach $hy_reach -share $hy_k 0";
-            form("limit of the elastic tension", "$hy_k", line, &[rise(), reach(), part]);
         }
     }
+    out
+}
+
+/// Least extension over the largest deformation of a device that may cavitate. A choice.
+const MIN_EXTENSION: f64 = 0.05;
+
+/// Forms for devices with a direction and its sign of tension, an axial stiffness and a largest extension.
+fn forms(group: &[&Device], (direction, sign): (usize, f64), (k, extension): (f64, f64)) -> Vec<Proposal> {
+    let mut out = vec![];
+    let force = k * extension;
+    let mut form = |form: &str, tension_stiffness: &str, rise: &str, more: &[AddedParameter]| {
+        let line = format!(
+            "amend element {} cavitation -strength $hy_strength -extension [expr {{$hy_strength/{tension_stiffness}}}] \
+             -damage $hy_damage{rise} -sign {sign} -dir {direction}",
+            element_tags(group)
+        );
+        let mut added = vec![
+            AddedParameter::log("strength", 0.02 * force, force, 0.4 * force),
+            AddedParameter::linear("damage", 0.0, 0.99, 0.5),
+        ];
+        added.extend_from_slice(more);
+        out.push(Proposal::script_edit("cavitation", form, element_names(group), vec![line], added));
+    };
+    let own = format!("{k:.6e}");
+    form("limit of tension", &own, "", &[]);
+    let rise = || AddedParameter::linear("rise", 0.0, 3.0, 0.3);
+    let reach = || AddedParameter::log("reach", 0.02 * extension, 5.0 * extension, 0.5 * extension);
+    form("limit of tension that rises", &own, " -rise $hy_rise -reach $hy_reach", &[rise(), reach()]);
+    // A dashpot beside the rubber keeps its force in tension.
+    let part = AddedParameter::linear("k", 0.5 * k, 1.5 * k, k);
+    let line = " -rise $hy_rise -reach $hy_reach -share $hy_k 0";
+    form("limit of the elastic tension", "$hy_k", line, &[rise(), reach(), part]);
     out
 }

@@ -2,7 +2,8 @@
 
 use super::AddedParameter;
 use crate::inspect::auxiliary_channels::axial_force_slope;
-use crate::inspect::inventory::{Device, Direction, ModelInventory};
+use crate::inspect::device_axes::{AxialDirection, device_axes};
+use crate::inspect::inventory::{Device, ModelInventory};
 use crate::inspect::response::{ResponseRange, ResponseRanges};
 use hysteron_identify::study::{Role, ScoredRun, Study};
 
@@ -44,7 +45,7 @@ pub(super) struct MovingGroup<'a> {
     pub(super) dir_option: String,
     pub(super) directions: Vec<usize>,
     /// Direction that carries the axial force.
-    pub(super) axial_direction: Option<usize>,
+    pub(super) axial: Option<AxialDirection>,
     /// Largest absolute deformation.
     pub(super) deformation: f64,
     /// Largest absolute force.
@@ -89,9 +90,18 @@ impl MovingGroup<'_> {
         s.study.runs_of(Role::Fit).find_map(|(n, run)| axial_force_slope(run, deformation(n)?))
     }
 
-    /// Option that names the direction of the axial force if it is not the first.
+    /// Option that names the direction of the axial force, with the sign of tension, if it is not the first.
     pub(super) fn axial_option(&self) -> String {
-        self.axial_direction.filter(|d| *d != 1).map_or_else(String::new, |d| format!(" -axial {d}"))
+        match self.axial {
+            Some(a) if a.tension == Some(-1.0) => format!(" -axial -{}", a.number),
+            Some(a) if a.number != 1 => format!(" -axial {}", a.number),
+            _ => String::new(),
+        }
+    }
+
+    /// Range of the response along the axis; none without one.
+    pub(super) fn axial_range(&self, s: &ProposalContext<'_>) -> Option<ResponseRange> {
+        s.responses.of(&self.devices, self.axial?.number)
     }
 }
 
@@ -103,8 +113,6 @@ pub(super) const HYSTERETIC_PART: &str = "of the hysteretic part";
 /// Name of the strength of that part.
 pub(super) const STRENGTH: &str = "of the strength";
 
-/// Least initial force over the largest force of a direction that carries an axial load.
-const MIN_INITIAL_FORCE_SHARE: f64 = 0.1;
 /// Deformation of a direction over the largest one below which it counts as unmoved.
 const MIN_DEFORMATION_SHARE: f64 = 0.02;
 /// Directions of a group that are considered at most.
@@ -150,18 +158,9 @@ impl ProposalContext<'_> {
     }
 
     fn moving_group<'a>(&self, devices: Vec<&'a Device>) -> Option<MovingGroup<'a>> {
-        let first = devices[0];
-        // The first direction of a bearing is axial; that of a horizontal spring or damper is lateral.
-        let lateral = |d: &Direction| {
-            let single = first.class == "ZeroLength" || first.directions.len() == 1;
-            d.number <= 3 && (d.number > 1 || !d.vertical || single)
-        };
-        let all: Vec<(usize, ResponseRange)> = first
-            .directions
-            .iter()
-            .filter(|d| lateral(d))
-            .filter_map(|d| Some((d.number, self.responses.of(&devices, d.number)?)))
-            .collect();
+        let axes = device_axes(&devices, self.inventory, self.responses);
+        let all: Vec<(usize, ResponseRange)> =
+            axes.lateral.iter().filter_map(|d| Some((*d, self.responses.of(&devices, *d)?))).collect();
         let most = all.iter().map(|(_, x)| x.deformation).fold(0.0, f64::max);
         let moves = |x: &ResponseRange| x.deformation > MIN_DEFORMATION_SHARE * most && x.force > 0.0;
         let moving: Vec<_> = all.into_iter().filter(|(_, x)| moves(x)).take(MAX_DIRECTIONS).collect();
@@ -171,17 +170,8 @@ impl ProposalContext<'_> {
         }
         let largest = |f: fn(&ResponseRange) -> f64| moving.iter().map(|(_, x)| f(x)).fold(0.0, f64::max);
         let words: Vec<String> = directions.iter().map(usize::to_string).collect();
-        // The first direction of a bearing carries the axial force; of global springs, a vertical one that is loaded at rest.
-        let loaded = |d: usize| {
-            self.responses.of(&devices, d).is_some_and(|x| x.initial_force > MIN_INITIAL_FORCE_SHARE * x.force)
-        };
-        let carries = |d: &&Direction| {
-            let free = d.number <= 3 && !directions.contains(&d.number);
-            free && (d.number == 1 && !lateral(d) || d.vertical && loaded(d.number))
-        };
-        let axial_direction = first.directions.iter().find(carries).map(|d| d.number);
         Some(MovingGroup {
-            axial_direction,
+            axial: axes.axial.filter(|_| !axes.is_single),
             dir_option: format!("-dir {}", words.join(" ")),
             directions,
             deformation: largest(|x| x.deformation),

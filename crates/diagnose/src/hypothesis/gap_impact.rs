@@ -2,6 +2,7 @@
 
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::adjacent_structures::AdjacentNodes;
+use crate::inspect::device_axes::device_axes;
 use crate::inspect::inventory::{Device, TagPurpose};
 use crate::inspect::response::ResponseRange;
 
@@ -114,9 +115,10 @@ const JOINT_STARTS: [f64; 4] = [0.05, 0.1, 0.4, 0.8];
 
 /// A joint between adjacent structures that closes. Nodes at one place give a proposal for either order of the structures.
 fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -> Vec<Proposal> {
-    let lateral =
-        |d: &Device| d.directions.iter().filter(|d| d.number <= 3 && !d.vertical).map(|d| d.number).collect::<Vec<_>>();
-    let of = |d| lateral(d).into_iter().filter_map(|n| s.responses.of(&[d], n));
+    let of = |d: &Device| {
+        let lateral = device_axes(&[d], s.inventory, s.responses).lateral;
+        lateral.into_iter().filter_map(|n| s.responses.of(&[d], n)).collect::<Vec<_>>()
+    };
     let extents: Vec<ResponseRange> = s.inventory.devices.iter().flat_map(of).collect();
     let reach: f64 = extents.iter().map(|x| x.deformation).sum();
     let Some(most) = extents

@@ -24,7 +24,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     for m in s.moving_groups(false) {
         let k = m.stiffness();
         let elastic = AddedParameter::linear("k", 0.0, 1.2 * k, 0.5 * k);
-        let x = m.axial_direction.and_then(|axial| s.responses.of(&m.devices, axial)).filter(|x| x.force > 0.0);
+        let x = m.axial_range(s).filter(|x| x.force > 0.0);
         if let Some(x) = x.filter(|x| x.force_bounds[1] - x.force_bounds[0] > MIN_AXIAL_VARIATION * x.force) {
             let line = format!(
                 "{} -reference $hy_reference -power $hy_power -share $hy_k 0 {}{}",

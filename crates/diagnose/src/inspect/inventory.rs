@@ -25,16 +25,16 @@ pub(crate) struct Device {
 }
 
 /// A direction of a device.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Direction {
     /// Number, 1 to 6.
     pub(crate) number: usize,
-    /// Column of the responses `deformation` and `basicForce`.
-    pub(crate) column: usize,
+    /// Columns of the response `basicForce` whose sum is the force. The first is that of the response `deformation`.
+    pub(crate) columns: Vec<usize>,
     /// Initial stiffness.
     pub(crate) stiffness: f64,
     /// True if the direction is along the last axis of the model, which is vertical except in plan.
-    pub(crate) vertical: bool,
+    pub(crate) along_last_axis: bool,
     /// Components along the global axes of a unit deformation; 0 for rotations.
     pub(crate) axis: [f64; 3],
 }
@@ -201,7 +201,22 @@ impl ModelInventory {
         out
     }
 
-    /// Devices on supports, grouped by class and number of directions.
+    /// Index of the vertical axis: the last one. None for a plan, in which supports reach as far as the free nodes.
+    pub(crate) fn vertical_axis(&self) -> Option<usize> {
+        let axis = self.ndm.checked_sub(1).filter(|n| *n > 0)?;
+        if axis == 2 {
+            return Some(axis);
+        }
+        let heights = |fixed: bool| {
+            let of = move |tag: &i32| self.supports.iter().any(|s| s.node == *tag && s.fixed.len() >= 2) == fixed;
+            self.coordinates.iter().filter(move |(tag, _)| of(tag)).map(move |(_, x)| x[axis])
+        };
+        let (supports, free) =
+            (heights(true).fold(f64::NEG_INFINITY, f64::max), heights(false).fold(f64::NEG_INFINITY, f64::max));
+        (supports < free).then_some(axis)
+    }
+
+    /// Devices on supports, grouped by kind.
     pub(crate) fn ground_supported_groups(&self) -> Vec<Vec<&Device>> {
         let on_support = |d: &&Device| {
             !d.directions.is_empty()
@@ -210,15 +225,22 @@ impl ModelInventory {
         grouped(self.devices.iter().filter(on_support), of_one_kind)
     }
 
-    /// Devices with a linear law, or those without, grouped by class and number of directions.
+    /// All devices, grouped by kind.
+    pub(crate) fn groups_of_one_kind(&self) -> Vec<Vec<&Device>> {
+        grouped(self.devices.iter().filter(|d| !d.directions.is_empty()), of_one_kind)
+    }
+
+    /// Devices with a linear law, or those without, grouped by kind.
     pub(crate) fn device_groups(&self, linear: bool) -> Vec<Vec<&Device>> {
         let devices = self.devices.iter().filter(|d| d.linear == linear && !d.directions.is_empty());
         grouped(devices, of_one_kind)
     }
 }
 
+/// Returns true for devices of one class with the same directions, of which the same are along the last axis.
 fn of_one_kind(a: &Device, b: &Device) -> bool {
-    a.class == b.class && a.directions.len() == b.directions.len()
+    let alike = |(a, b): (&Direction, &Direction)| a.number == b.number && a.along_last_axis == b.along_last_axis;
+    a.class == b.class && a.directions.len() == b.directions.len() && a.directions.iter().zip(&b.directions).all(alike)
 }
 
 /// Groups whose members are alike to their first member, in the order of the input.
@@ -268,11 +290,12 @@ fn direction(row: &BasicRow, tangent: &[f64], ndm: usize) -> Direction {
     let product = |k: &[f64]| k.iter().zip(unit).map(|(a, b)| a * b).sum::<f64>();
     let stiffness = tangent.chunks_exact(n).zip(unit).map(|(k, u)| u * product(k)).sum();
     // A chain along one axis has no height.
-    let vertical = ndm > 1 && unit.get(n / 2 + ndm - 1).is_some_and(|u| u.abs() > MIN_VERTICAL_COMPONENT);
+    let along_last_axis = ndm > 1 && unit.get(n / 2 + ndm - 1).is_some_and(|u| u.abs() > MIN_VERTICAL_COMPONENT);
     let component =
         |i: usize| if i < ndm && row.direction <= 3 { unit.get(n / 2 + i).copied().unwrap_or(0.0) } else { 0.0 };
     let axis = [0, 1, 2].map(component);
-    Direction { number: row.direction, column: row.column, stiffness, vertical, axis }
+    let columns = [&[row.column], &row.further_columns[..]].concat();
+    Direction { number: row.direction, columns, stiffness, along_last_axis, axis }
 }
 
 /// Component along the last axis from which a direction is vertical.

@@ -1,6 +1,7 @@
 //! Inspection of a model and its recordings before anything is fitted.
 //!
 //! - [`inventory`]: devices, supports, masses and frame members of the model
+//! - [`device_axes`]: axial and lateral directions of devices
 //! - [`frame_members`]: columns and girders
 //! - [`adjacent_structures`]: structures and spans that could collide
 //! - [`response`]: motion and force of devices, and their ranges
@@ -13,6 +14,7 @@
 pub(crate) mod adjacent_structures;
 pub(crate) mod auxiliary_channels;
 pub(crate) mod conditions;
+pub(crate) mod device_axes;
 pub(crate) mod frame_members;
 pub(crate) mod insertion;
 pub(crate) mod inventory;

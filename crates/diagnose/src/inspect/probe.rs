@@ -86,9 +86,8 @@ pub(crate) fn record_responses(
     let moments = if inventory.ndm == 2 { &[3, 6][..] } else { &[5, 6, 11, 12] };
     let mut recorders = Recorders { commands: vec![], observed: vec![] };
     for d in devices {
-        for response in ["deformation", "basicForce"] {
-            recorders.add(d.tag, response, d.directions.iter().map(|direction| direction.column + 1));
-        }
+        recorders.add(d.tag, "deformation", d.directions.iter().map(|direction| direction.columns[0] + 1));
+        recorders.add(d.tag, "basicForce", d.directions.iter().flat_map(|d| &d.columns).map(|column| column + 1));
     }
     for beam in &beams {
         recorders.add(beam.tag, "localForce", moments.iter().copied());
@@ -104,8 +103,8 @@ pub(crate) fn record_responses(
         let mut channels = channels.into_iter();
         for d in devices {
             let deformations: Vec<Vec<f64>> = channels.by_ref().take(d.directions.len()).collect();
-            let forces: Vec<Vec<f64>> = channels.by_ref().take(d.directions.len()).collect();
-            for ((direction, deformation), force) in d.directions.iter().zip(deformations).zip(forces) {
+            for (direction, deformation) in d.directions.iter().zip(deformations) {
+                let force = summed(channels.by_ref().take(direction.columns.len()));
                 let history = ResponseHistory { times: run.recording.times.clone(), deformation, force };
                 ranges.histories.insert((number, d.tag, direction.number), history);
             }
@@ -117,6 +116,12 @@ pub(crate) fn record_responses(
         }
     }
     ranges
+}
+
+/// Sum of series of one length.
+fn summed(series: impl Iterator<Item = Vec<f64>>) -> Vec<f64> {
+    let add = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).map(|(a, b)| a + b).collect();
+    series.reduce(add).unwrap_or_default()
 }
 
 #[cfg(test)]

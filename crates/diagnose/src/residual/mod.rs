@@ -1,6 +1,5 @@
 //! Structure of residuals: the part that no steady sensor noise has.
 //!
-//! - [`autoregressive`]: noise coefficients and whitening
 //! - [`spectral_lines`]: lines of a spectrum
 //! - [`bursts`]: stretches of excess power
 //! - [`surrogates`]: comparison with steady noise of the same spectrum
@@ -10,7 +9,6 @@
 //! - [`unmodelled_structure`]: all of these for the fitted runs
 //! - [`drift`]: drift of a channel against slow noise
 
-pub(crate) mod autoregressive;
 pub(crate) mod bursts;
 pub(crate) mod drift;
 pub(crate) mod motion_regressors;

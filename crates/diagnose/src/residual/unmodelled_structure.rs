@@ -1,6 +1,5 @@
 //! Structure that a fit leaves in the residuals of all channels.
 
-use super::autoregressive::{burg, whiten};
 use super::bursts::burst_share;
 use super::motion_regressors::motion_regressors;
 use super::recurrence::StrokeCells;
@@ -9,11 +8,12 @@ use super::spectral_lines::line_share;
 use super::surrogates::{follows_motion, recurs_along, silent_share, unsteady_share};
 use crate::inspect::response::ResponseRanges;
 use crate::prior::{
-    BURST_NOISE_ORDER, CHANNEL_SHIFTS, MIN_CONSTANT_VARIANCE, NEGLIGIBLE_RESIDUAL, REGRESSION_DEVICES, RESIDUAL_SHIFTS,
-    SAMPLES_PER_REGRESSOR, SINGULAR_VARIANCE_FIT, STRUCTURE_BLOCKS, STRUCTURE_NOISE_ORDER, STRUCTURE_POINTS,
-    VARIANCE_FIT_STEPS,
+    BURST_NOISE_ORDER, CHANNEL_SHIFTS, MIN_CONSTANT_VARIANCE, MIN_SHARED_STRUCTURE, NEGLIGIBLE_RESIDUAL,
+    REGRESSION_DEVICES, RESIDUAL_SHIFTS, SAMPLES_PER_REGRESSOR, SINGULAR_VARIANCE_FIT, STRUCTURE_BLOCKS,
+    STRUCTURE_NOISE_ORDER, STRUCTURE_POINTS, VARIANCE_FIT_STEPS,
 };
 use crate::series::{averaged, power};
+use hysteron_identify::autoregressive::{burg, whiten};
 use hysteron_identify::study::{ObservedChannel, Role, Run, ScoredRun, Study};
 use std::collections::BTreeMap;
 
@@ -26,6 +26,9 @@ pub(crate) struct UnmodelledStructure {
     pub(crate) description: String,
     /// Largest share of each kind over the channels; kinds without structure are left out.
     pub(crate) by_kind: BTreeMap<&'static str, f64>,
+    /// Channels whose residual is louder at some times than at others, and neither follows the motion, nor comes again, nor is
+    /// shared by other channels. That is noise of the sensor, and no physics.
+    pub(crate) unsteady_channels: Vec<String>,
 }
 
 impl UnmodelledStructure {
@@ -34,6 +37,9 @@ impl UnmodelledStructure {
         for (kind, share) in other.by_kind {
             self.consider(kind, share, other.description.clone());
         }
+        let new =
+            other.unsteady_channels.into_iter().filter(|c| !self.unsteady_channels.contains(c)).collect::<Vec<_>>();
+        self.unsteady_channels.extend(new);
     }
 
     /// Keeps the larger share; of equal ones the first.
@@ -48,6 +54,9 @@ impl UnmodelledStructure {
         }
     }
 }
+
+/// Kinds of structure that are loudness alone.
+const LOUDNESS_KINDS: [&str; 3] = ["silence", "bursts", "unsteady"];
 
 /// A run with its residuals and the motion of its devices.
 struct RunResiduals<'a> {
@@ -93,15 +102,23 @@ impl RunResiduals<'_> {
         let noise = burg(points, STRUCTURE_NOISE_ORDER);
         let weight = significance(residual, observe);
         let name = &observe.channel;
-        let mut consider = |kind, share: f64, description: String| found.consider(kind, weight * share, description);
-        consider(
-            "motion",
-            self.motion_share(&simulated, points, &noise),
-            format!("part of the residual of {name} follows the motion"),
-        );
+        let motion = self.motion_share(&simulated, points, &noise);
         let recurrence =
             if complete_model { StrokeCells::recurrence_along_stroke } else { StrokeCells::recurrence_within_stroke };
-        consider("recurrence", recurs_along(points, &self.strokes, recurrence), recurrence_description(observe));
+        let recurrence = recurs_along(points, &self.strokes, recurrence);
+        let common = common_share(&self.averaged, channel, &noise);
+        // The loudness of a residual alone is no physics: a machine nearby or a bad plug has it too.
+        let is_physics = motion.max(recurrence).max(common) > MIN_SHARED_STRUCTURE;
+        let mut is_unsteady = false;
+        let mut consider = |kind, share: f64, description: String| {
+            let of_loudness = LOUDNESS_KINDS.contains(&kind);
+            is_unsteady |= of_loudness && !is_physics && weight * share > MIN_SHARED_STRUCTURE;
+            if is_physics || !of_loudness {
+                found.consider(kind, weight * share, description);
+            }
+        };
+        consider("motion", motion, format!("part of the residual of {name} follows the motion"));
+        consider("recurrence", recurrence, recurrence_description(observe));
         // Sensor noise may grow with the reading, which is neither silence nor unsteadiness.
         let steady = if complete_model {
             variance_normalised(points, &averaged(&simulated, STRUCTURE_POINTS))
@@ -126,8 +143,10 @@ impl RunResiduals<'_> {
             unsteady_share(&steady),
             format!("the residual of {name} is louder at some times than steady noise"),
         );
-        let common = common_share(&self.averaged, channel, &noise);
         consider("common", common, format!("the residual of {name} moves with those of other channels"));
+        if is_unsteady && !found.unsteady_channels.contains(name) {
+            found.unsteady_channels.push(name.clone());
+        }
     }
 
     /// Share of a residual that the motion and the channel itself predict, in innovations or beyond surrogates.
@@ -255,8 +274,37 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{common_share, silent_share, unsteady_share, variance_normalised};
-    use crate::test_support::white_noise;
+    use super::{common_share, silent_share, unmodelled_structure, unsteady_share, variance_normalised};
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::{pad_study, white_noise};
+    use hysteron_identify::study::{Role, Score, ScoredRun};
+
+    /// Bursts of one sensor are its noise; bursts that move two channels are not.
+    #[test]
+    fn bursts_of_one_channel_are_noise_of_its_sensor() {
+        let mut study = pad_study();
+        study.runs.retain(|r| r.role == Role::Fit);
+        study.runs.truncate(1);
+        let second = study.runs[0].observe[0].clone();
+        study.runs[0].observe.push(second);
+        study.runs[0].observe[1].channel = "second".into();
+        let n = study.runs[0].observe[0].values.len();
+        let loud = |t: usize| if t % 150 > 110 { 12.0 } else { 1.0 };
+        let bursts = |seed: u64| white_noise(seed, n).iter().enumerate().map(|(t, x)| x * loud(t)).collect::<Vec<_>>();
+        let structure = |residuals: [Vec<f64>; 2]| {
+            let size = 0.02 * study.runs[0].observe[0].variance.sqrt();
+            let channels = study.runs[0].observe.iter().zip(&residuals);
+            let channels = channels.map(|(o, r)| o.values.iter().zip(r).map(|(v, r)| v + size * r).collect()).collect();
+            let scores = vec![Score { nmse: 0.01, samples: n, dropped: 0 }; 2];
+            unmodelled_structure(&study, &ResponseRanges::default(), &[ScoredRun { channels, scores }], true)
+        };
+        let alone = structure([bursts(3), white_noise(5, n)]);
+        assert_eq!(alone.unsteady_channels, ["force"], "{alone:?}");
+        assert!(alone.share < 0.2, "{alone:?}");
+        let shared = bursts(3);
+        let both = structure([shared.clone(), shared]);
+        assert!(both.share > 0.3 && both.unsteady_channels.is_empty(), "{both:?}");
+    }
 
     #[test]
     fn independent_sensor_noise_has_no_common_share() {

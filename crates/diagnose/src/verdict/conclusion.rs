@@ -2,9 +2,10 @@
 
 use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::discriminating_test;
-use super::explanation::{explanation, observation};
-use super::mismatch::{find_windows, regime};
-use super::result_file::{Baseline, Candidate, Mismatch, Outcome, RepairedModel, UnmovedChannel, Verdict};
+use super::explanation::{explanation, observation, unsteady_in_words};
+use super::gates::GatedRepair;
+use super::mismatch::mismatches;
+use super::result_file::{Baseline, Candidate, Outcome, RepairedModel, UnmovedChannel, Verdict};
 use super::structure_drawing::StructureDrawing;
 use super::summary::{Summary, SummaryContext, summary};
 use super::unmoved::unmoved_in_words;
@@ -15,7 +16,7 @@ use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::ranking::equal_forms;
-use crate::evidence::verdict_evidence::{RankedStudy, RepairEvidence, VerdictEvidence};
+use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
 use crate::evidence::verdict_model::{
     self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities,
 };
@@ -32,6 +33,7 @@ use crate::inspect::response::ResponseRanges;
 use crate::prior::{
     self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR,
 };
+use crate::residual::unmodelled_structure::UnmodelledStructure;
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
     InitialRun, ObservedChannel, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -84,9 +86,16 @@ struct Repair {
     judgement: HoldoutJudgement,
     /// Errors of the runs held out.
     errors: Option<HeldOutErrors>,
+    /// Limits of the probability of its cause.
+    limits: Vec<ProbabilityLimit>,
 }
 
 impl Repair {
+    /// Returns true if the runs held out or a gate refuse it.
+    fn is_refused(&self) -> bool {
+        self.judgement.refutes() || self.limits.iter().any(|l| l.most == 0.0)
+    }
+
     /// Its cause, or that of a faulty channel beside it, which bends to anything.
     fn most_flexible_cause(&self) -> &'static str {
         let second = self.hypothesis.second_cause().filter(|c| c.starts_with("sensor_"));
@@ -164,22 +173,23 @@ pub(super) fn conclude(
         holdout_nmse: holdout_nmse(study, &baseline_fits),
         parameters: values_by_name(&study.space, &baseline.fitted.values),
     };
-    let mismatch = mismatches(c, &baseline_fits, named_repair);
+    let mismatch = mismatches(study, c.responses, &baseline_fits, named_repair);
     let corrected = RepairedModel {
         script: "corrected.tcl".into(),
         opensees: opensees.is_ok().then(|| "corrected_opensees.tcl".into()),
         opensees_reason: opensees.as_ref().err().cloned(),
         parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
+        unused: repair.hypothesis.variant.unread_names(),
         fit_nmse: repair.fitted.objective,
         holdout_nmse: holdout_nmse(study, &repair.fits),
         channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
     };
-    let mut in_words = verdict_in_words(c, ranking, &structure.description, &evidence, &verdict);
+    let uncertainty = if verdict.cause == "unknown" { None } else { uncertainty_of(c, repair) };
+    let mut in_words = verdict_in_words(c, ranking, &structure, &evidence, &verdict, uncertainty.as_ref());
     let repaired = FittedHypothesis { fitted: verdict.repair.fitted.clone(), ..repair.hypothesis.clone() };
     if let Some(shares) = phenomenon_shares(scheduler, baseline, c.point, &repaired)? {
         in_words.explanation += &shares.description();
     }
-    let uncertainty = if named_repair.is_some() { uncertainty_of(c, repair) } else { None };
     scheduler.check_cancelled()?;
     in_words.summary = summary(&SummaryContext {
         study,
@@ -195,6 +205,7 @@ pub(super) fn conclude(
         mismatch: &mismatch,
         tried: c.tried,
         structure: &structure.description,
+        unsteady_channels: &structure.unsteady_channels,
         step_error: &c.step_error,
         script_steps: script_steps(c, &baseline.fitted.values),
         largest_work: c.responses.largest_work(),
@@ -276,11 +287,12 @@ impl VerdictJudge<'_, '_> {
             }
             let repair = self.best_repair(cause, evidence.log_likelihood_of_none())?;
             evidence.judged.push(repair.evidence());
+            evidence.limits.extend(repair.limits.clone());
             repairs.push((cause, repair));
         };
         let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
         let (repaired_cause, repair) = repairs.swap_remove(index);
-        if cause == "unknown" && repair.judgement.refutes() {
+        if cause == "unknown" && repair.is_refused() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
             let refuted = Some(repair.most_flexible_cause()).filter(|c| *c != "none");
             let repair = self.repair(self.baseline.clone())?;
@@ -303,10 +315,10 @@ impl VerdictJudge<'_, '_> {
         };
         let repair = self.repair(hypothesis.clone())?;
         let supported = |e: &&FittedHypothesis| e.cause() == cause && e.log_evidence > log_evidence_of_none;
-        let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.judgement.refutes());
+        let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.is_refused());
         if let Some(form) = second_form {
             let second = self.repair(form.clone())?;
-            if !second.judgement.refutes() {
+            if !second.is_refused() {
                 return Ok(second);
             }
         }
@@ -341,7 +353,22 @@ impl VerdictJudge<'_, '_> {
         // The user's model claims nothing.
         let judgement = if hypothesis.cause() == "none" { HoldoutJudgement::Accepted } else { judge(study, &repair) };
         let errors = HeldOutErrors::of(study, &repair);
-        Ok(Repair { hypothesis, fitted, fits, judgement, errors })
+        let simulate = |variant: &Arc<Variant>, run: usize, values: &[f64]| {
+            simulate_and_score(&mut variant.simulator(&c.simulator.factory()), study, run, values).ok()
+        };
+        let gated = GatedRepair {
+            study,
+            variant,
+            values: &fitted.values,
+            point: &fitted.point,
+            baseline: self.baseline,
+            judged: &repair,
+            responses: c.responses,
+            extent: c.inventory.extent,
+            simulate: &simulate,
+        };
+        let limits = gated.limits();
+        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits })
     }
 }
 
@@ -355,16 +382,21 @@ fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
 fn verdict_in_words(
     c: &ConclusionContext<'_>,
     ranking: &Ranking<'_>,
-    structure: &str,
+    structure: &UnmodelledStructure,
     evidence: &VerdictEvidence,
     verdict: &JudgedVerdict,
+    uncertainty: Option<&Uncertainty>,
 ) -> Verdict {
     let (cause, repair) = (verdict.cause, &verdict.repair);
     let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
     let hypothesis = &repair.hypothesis;
     let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
     let share = remaining_share(baseline, repair);
-    let mut text = explanation(cause, hypothesis, &second_causes, structure, share);
+    let judgement = uncertainty.map(|u| &u.judgement);
+    let mut text = explanation(cause, hypothesis, &second_causes, &structure.description, share, judgement);
+    if let ("none", [_, ..]) = (cause, &structure.unsteady_channels[..]) {
+        text += &format!(" {}", unsteady_in_words(&structure.unsteady_channels));
+    }
     text += &c.step_error.description();
     if let Some(b) = bootstrap.as_ref().filter(|b| b.cause == cause) {
         text += &b.description();
@@ -392,7 +424,11 @@ fn verdict_in_words(
         );
     }
     if let Some(nearest) = verdict.refused {
-        text += &format!(" No repair is written: the nearest, {nearest}, makes the runs held out no better.");
+        text += &format!(" No repair is written: the nearest, {nearest}, is refused.");
+    }
+    for l in &evidence.limits {
+        let much = if l.most > 0.0 { format!(" has at most {:.0} %", 100.0 * l.most) } else { " is no answer".into() };
+        text += &format!(" The cause {}{much}: {}.", l.cause, l.reason);
     }
     let candidate = |(cause, p): &(&str, f64)| Candidate { cause: (*cause).into(), confidence: *p };
     let bayes = bayes_probabilities(evidence).first().map_or(("none", 1.0), |first| *first);
@@ -449,37 +485,4 @@ fn displacements(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<(Strin
 fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<ScoredRun>> {
     let mut simulator = variant.simulator(&c.simulator.factory());
     (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
-}
-
-/// Errors of the baseline in the fitted runs, the largest NMSE first. A named repair separates the effect from the noise.
-fn mismatches(
-    c: &ConclusionContext<'_>,
-    baseline_fits: &[Option<ScoredRun>],
-    repaired_fits: Option<&Vec<Option<ScoredRun>>>,
-) -> Vec<Mismatch> {
-    let mut all: Vec<(f64, Mismatch)> = vec![];
-    for (number, run) in c.study.runs_of(Role::Fit) {
-        let Some(f) = &baseline_fits[number] else { continue };
-        let first_history = c.responses.histories.iter().find(|((r, _, _), _)| *r == number);
-        let motion = first_history.map(|(_, h)| h.deformation.clone());
-        let repaired = repaired_fits.and_then(|r| r[number].as_ref());
-        for (channel, ((o, y), s)) in run.observe.iter().zip(&f.channels).zip(&f.scores).enumerate() {
-            let times = &run.recording.times;
-            let difference = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
-            let effect = repaired.map(|r| difference(&r.channels[channel]));
-            let found = find_windows(times, &difference(&o.values), effect.as_deref());
-            let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
-            let mismatch = Mismatch {
-                run: run.name.clone(),
-                channel: o.channel.clone(),
-                at: o.at.clone(),
-                windows: found.windows,
-                share: found.share,
-                regime,
-            };
-            all.push((s.nmse, mismatch));
-        }
-    }
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    all.into_iter().map(|(_, m)| m).collect()
 }

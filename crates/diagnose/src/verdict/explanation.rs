@@ -2,23 +2,29 @@
 
 use crate::fit::fitted::FittedHypothesis;
 use crate::hypothesis;
+use hysteron_identify::calibrate::Judgement;
 
 /// Explanation of a verdict.
 ///
 /// `repair` is the hypothesis of the repaired model, and `second_causes` are those of further effects. `structure` describes the
-/// remaining structure. `remaining_share` is the share of the squared error that the repaired model leaves.
+/// remaining structure. `remaining_share` is the share of the squared error that the repaired model leaves. `judgement` is that
+/// of the fit, if it is known.
 pub(super) fn explanation(
     verdict: &str,
     repair: &FittedHypothesis,
     second_causes: &[&str],
     structure: &str,
     remaining_share: f64,
+    judgement: Option<&Judgement>,
 ) -> String {
     match verdict {
         "none" => {
-            "what the model leaves of the recordings is noise: no effect of the library gains anything on samples \
-                   that it was not fitted to."
-                .into()
+            let gains = "no effect of the library gains anything on samples that it was not fitted to";
+            match judgement {
+                Some(j) if j.explained => format!("{gains}: {}.", j.sentences.join("; ")),
+                Some(j) => format!("{gains}, but {}.", j.reasons().join("; ")),
+                None => format!("{gains}."),
+            }
         }
         "unknown" => {
             let mut text = if structure.is_empty() {
@@ -51,6 +57,15 @@ pub(super) fn explanation(
             text
         }
     }
+}
+
+/// Remark on channels with unsteady noise.
+pub(super) fn unsteady_in_words(channels: &[String]) -> String {
+    format!(
+        "The noise of {} is louder at some times than at others, as of a machine nearby: it neither follows the motion nor shows \
+         in other channels.",
+        channels.join(", ")
+    )
 }
 
 /// Observation that separates the verdict from its strongest competitor.

@@ -1,5 +1,9 @@
 //! Windows of time in which a model differs from a recording, and the motion within them.
 
+use super::result_file::Mismatch;
+use crate::inspect::response::ResponseRanges;
+use hysteron_identify::study::{Role, ScoredRun, Study};
+
 /// Windows that contain most of a squared error.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ErrorWindows {
@@ -120,6 +124,40 @@ pub(super) fn regime(times: &[f64], windows: &ErrorWindows, deformation: &[f64])
     } else {
         "in parts of the run".into()
     }
+}
+
+/// Errors of the baseline in the fitted runs, the largest NMSE first. A named repair separates the effect from the noise.
+pub(super) fn mismatches(
+    study: &Study,
+    responses: &ResponseRanges,
+    baseline_fits: &[Option<ScoredRun>],
+    repaired_fits: Option<&Vec<Option<ScoredRun>>>,
+) -> Vec<Mismatch> {
+    let mut all: Vec<(f64, Mismatch)> = vec![];
+    for (number, run) in study.runs_of(Role::Fit) {
+        let Some(f) = &baseline_fits[number] else { continue };
+        let first_history = responses.histories.iter().find(|((r, _, _), _)| *r == number);
+        let motion = first_history.map(|(_, h)| h.deformation.clone());
+        let repaired = repaired_fits.and_then(|r| r[number].as_ref());
+        for (channel, ((o, y), s)) in run.observe.iter().zip(&f.channels).zip(&f.scores).enumerate() {
+            let times = &run.recording.times;
+            let difference = |from: &[f64]| -> Vec<f64> { y.iter().zip(from).map(|(y, v)| y - v).collect() };
+            let effect = repaired.map(|r| difference(&r.channels[channel]));
+            let found = find_windows(times, &difference(&o.values), effect.as_deref());
+            let regime = regime(times, &found, motion.as_ref().unwrap_or(&o.values));
+            let mismatch = Mismatch {
+                run: run.name.clone(),
+                channel: o.channel.clone(),
+                at: o.at.clone(),
+                windows: found.windows,
+                share: found.share,
+                regime,
+            };
+            all.push((s.nmse, mismatch));
+        }
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.into_iter().map(|(_, m)| m).collect()
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
 //! - [`explanation`]: the verdict in words
 //! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
+//! - `gain`: errors before and after a repair, beside the noise of the recordings
+//! - `gates`: limits of the probability of a cause by physics, bounds and channels
 //! - `plausibility`: balances and published ranges
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
@@ -18,6 +20,8 @@ pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;
 mod error_conditions;
 pub(crate) mod explanation;
+mod gain;
+mod gates;
 pub(crate) mod mismatch;
 pub(crate) mod place;
 mod plausibility;

@@ -104,7 +104,7 @@ fn directions(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -
 fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
     let names = ["X", "Y", "Z"];
     let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT);
-    let vertical = vertical_axis(inventory);
+    let vertical = inventory.vertical_axis();
     match (along, vertical) {
         (Some(i), _) if inventory.ndm == 1 => format!("direction {}", names[i]),
         (Some(i), Some(v)) => format!("{} {}", if i == v { "vertical" } else { "horizontal" }, names[i]),
@@ -117,21 +117,6 @@ fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
     }
 }
 
-/// Index of the vertical axis: the last one. None for a plan, in which supports reach as far as the free nodes.
-fn vertical_axis(inventory: &ModelInventory) -> Option<usize> {
-    let axis = inventory.ndm.checked_sub(1).filter(|n| *n > 0)?;
-    if axis == 2 {
-        return Some(axis);
-    }
-    let heights = |fixed: bool| {
-        let of = move |tag: &i32| inventory.supports.iter().any(|s| s.node == *tag && s.fixed.len() >= 2) == fixed;
-        inventory.coordinates.iter().filter(move |(tag, _)| of(tag)).map(move |(_, x)| x[axis])
-    };
-    let (supports, free) =
-        (heights(true).fold(f64::NEG_INFINITY, f64::max), heights(false).fold(f64::NEG_INFINITY, f64::max));
-    (supports < free).then_some(axis)
-}
-
 /// Level of elements or nodes: a storey between two floors, a floor, or the base.
 fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> String {
     let is_support = |tag: i32| inventory.supports.iter().any(|s| s.node == tag && s.fixed.len() >= inventory.ndm);
@@ -142,7 +127,7 @@ fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> S
     if nodes.is_empty() {
         return String::new();
     }
-    let Some(axis) = vertical_axis(inventory) else {
+    let Some(axis) = inventory.vertical_axis() else {
         return if at_base() { "at the base".into() } else { String::new() };
     };
     let height_of = |tag: i32| inventory.coordinates.get(&tag).map(|x| x[axis]);

@@ -176,7 +176,8 @@ impl Page<'_> {
         table(out, &["run", "role", "NMSE before", "NMSE after"][..columns], rows);
         let rows = d.outcome.corrected.parameters.iter().map(|(name, v)| {
             let was = d.outcome.baseline.parameters.get(name).map_or("added".into(), |x| number(*x));
-            vec![name.clone(), was, number(*v)]
+            let is_unused = d.outcome.corrected.unused.contains(name);
+            vec![name.clone(), was, if is_unused { "no longer used".into() } else { number(*v) }]
         });
         table(out, &["parameter", "before", "after"], rows);
     }

@@ -122,6 +122,9 @@ pub struct RepairedModel {
     pub opensees_reason: Option<String>,
     /// Values of the user's and the added parameters.
     pub parameters: BTreeMap<String, f64>,
+    /// Names of the user's parameters that the repaired model no longer uses.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unused: Vec<String>,
     /// Mean NMSE over fitted channels and runs.
     pub fit_nmse: f64,
     /// Mean NMSE over runs held out; none without such runs.

@@ -1,8 +1,10 @@
 //! The verdict for readers without statistics: one template of the terminal, the report and the result file.
 
 use super::advice::{measurement, shorter_step};
+use super::explanation::unsteady_in_words;
+use super::gain::gain;
 use super::place::{Place, places};
-use super::plausibility::{contradictions, parameters_that_leave_bounds};
+use super::plausibility::{beyond_fitted_amplitude, contradictions, parameters_that_leave_bounds};
 use super::quantity::{EffectSize, Units, digits, duration, effect_size};
 use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
 use crate::candidate::channel_fault::ChannelFault;
@@ -61,6 +63,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) tried: (usize, usize),
     /// Structure of the rest, in words; empty for none.
     pub(super) structure: &'a str,
+    /// Channels with unsteady noise.
+    pub(super) unsteady_channels: &'a [String],
     pub(super) step_error: &'a StepError,
     /// Number of steps that the script makes in the first run, if it was counted.
     pub(super) script_steps: Option<usize>,
@@ -89,11 +93,29 @@ pub(super) fn summary(c: &SummaryContext<'_>) -> Summary {
 fn of_none(c: &SummaryContext<'_>) -> Summary {
     let after =
         c.baseline.holdout_nmse.map_or_else(String::new, |h| format!(", and {} of the runs held out", variance(h)));
+    // The judgement of a calibration holds here as well: it decides whether the fit explains the recordings.
+    let judgement = c.uncertainty.map(|u| &u.judgement);
+    let is_explained = judgement.is_none_or(|j| j.explained);
+    let what = if is_explained {
+        "Your model explains the recordings (none)."
+    } else {
+        "No effect of the library improves your model (none). That it is complete is not shown."
+    };
+    let noise = judgement
+        .and_then(|j| j.noise)
+        .map_or_else(String::new, |n| format!(" The noise of the recordings is {}.", variance(n.noise)));
+    let reasons = match judgement.filter(|_| !is_explained) {
+        Some(j) => j.reasons().join("; "),
+        None => "what it leaves looks like noise".into(),
+    };
+    let unsteady = (!c.unsteady_channels.is_empty()).then(|| unsteady_in_words(c.unsteady_channels));
+    let checks = unsteady.iter().map(|s| s.trim_end_matches('.').to_owned()).collect();
     Summary {
-        what: "Your model explains the recordings (none).".into(),
-        how_sure: format!("{}: what it leaves looks like noise.", percent(c.verdict.1)),
+        what: what.into(),
+        checks,
+        how_sure: format!("{}: {reasons}.", percent(c.verdict.1)),
         what_else: others(c),
-        gain: format!("The fitted model misses {} of the fitted runs{after}.", variance(c.baseline.fit_nmse)),
+        gain: format!("The fitted model misses {} of the fitted runs{after}.{noise}", variance(c.baseline.fit_nmse)),
         ..Summary::default()
     }
 }
@@ -116,17 +138,16 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
         let _ = write!(tried, " The nearest, {} at {place}, leaves {} of the squared error.", h.cause, percent(share));
     }
     let channel = c.mismatch.first().map_or_else(|| "the channel with the largest error".to_owned(), channel_in_words);
-    let mut next = steps(c);
-    next.push(if c.is_building() {
+    let repetition = if c.is_building() {
         format!(
             "see whether another recording at hand has the same error, and put a second instrument beside {channel}"
         )
     } else {
         "repeat a run unchanged: what repeats is missing in the model, what does not is noise".into()
-    });
-    next.push(
-        "record what may matter and is not recorded: temperature, axial force, both horizontal directions".into(),
-    );
+    };
+    let unrecorded = "record what may matter and is not recorded: temperature, axial force, both horizontal directions";
+    let mut next = vec![repetition, unrecorded.into()];
+    next.extend(steps(c));
     Summary {
         what: what.into(),
         location,
@@ -151,11 +172,13 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
         in_words = named(false).collect();
     }
     let place = places.first().map_or("", |(location, _)| location.as_str());
-    let mut next = steps(c);
+    let mut next = vec![];
     if !c.test.is_empty() {
         next.push(c.test.to_owned());
     }
     next.extend(measurement(c.verdict.0, place, c.is_building()));
+    // A shorter step is for the script; what tells causes apart comes first.
+    next.extend(steps(c));
     Summary {
         what: what(c),
         location: format!("{}. {}", capitalised(&described.join("; and ")), where_it_shows(c)),
@@ -163,7 +186,11 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
         how_sure: format!("{}: {}", percent(c.verdict.1), meaning(c.verdict.1)),
         what_else: others(c),
         gain: gain(c),
-        checks: contradictions(c).into_iter().chain(parameters_that_leave_bounds(c)).collect(),
+        checks: contradictions(c)
+            .into_iter()
+            .chain(parameters_that_leave_bounds(c))
+            .chain(beyond_fitted_amplitude(c.study))
+            .collect(),
         what_next: next,
         places: places.into_iter().map(|(_, place)| place).collect(),
         sizes,
@@ -295,7 +322,7 @@ fn where_it_shows(c: &SummaryContext<'_>) -> String {
 }
 
 /// A share in per cent for readers: whole numbers, with more digits below one per cent.
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     let p = 100.0 * share;
     match p {
         p if p > 99.0 && p < 100.0 => "more than 99 %".into(),
@@ -305,7 +332,7 @@ fn percent(share: f64) -> String {
 }
 
 /// An NMSE as a share of the recorded variance.
-fn variance(nmse: f64) -> String {
+pub(super) fn variance(nmse: f64) -> String {
     let p = 100.0 * nmse;
     format!("{} % of the variance", if p >= 10.0 { format!("{p:.0}") } else { digits(p, 2) })
 }
@@ -342,33 +369,6 @@ fn others(c: &SummaryContext<'_>) -> String {
     let listed: Vec<String> =
         listed.map(|o| format!("{} {} ({})", o.cause, percent(o.confidence), words(&o.cause))).collect();
     if listed.is_empty() { String::new() } else { format!("{}.", listed.join(", ")) }
-}
-
-/// Errors before and after the repair.
-fn gain(c: &SummaryContext<'_>) -> String {
-    let (b, r) = (c.baseline, c.corrected);
-    let change = |before: f64, after: f64| {
-        let first = variance(before).replace(" of the variance", "");
-        format!("from {first} to {} (NMSE {} to {})", variance(after), digits(before, 2), digits(after, 2))
-    };
-    match b.holdout_nmse.zip(r.holdout_nmse) {
-        Some((before, after)) => format!(
-            "The error of the runs held out {} {}; that of the fitted runs from {} to {}.",
-            verb(before, after),
-            change(before, after),
-            digits(b.fit_nmse, 2),
-            digits(r.fit_nmse, 2)
-        ),
-        None => format!(
-            "The error of the fitted runs {} {}. No run was held out to check it.",
-            verb(b.fit_nmse, r.fit_nmse),
-            change(b.fit_nmse, r.fit_nmse)
-        ),
-    }
-}
-
-fn verb(before: f64, after: f64) -> &'static str {
-    if after < before { "falls" } else { "rises" }
 }
 
 fn capitalised(text: &str) -> String {

@@ -20,6 +20,8 @@ pub struct BasicRow {
     pub direction: usize,
     /// Column of the conjugate force in the response `basicForce`.
     pub column: usize,
+    /// Columns of further springs in this direction; the force of the direction is the sum over all of them.
+    pub further_columns: Vec<usize>,
     /// Derivatives of the deformation by the displacements, length n.
     pub row: Vec<f64>,
     /// Deformation when the element was created.
@@ -41,7 +43,14 @@ impl BasicRow {
                 *to = *from;
             }
         }
-        Self { direction, column, row: row.to_vec(), initial: 0.0, material: None, at_j }
+        Self { direction, column, further_columns: vec![], row: row.to_vec(), initial: 0.0, material: None, at_j }
+    }
+
+    /// The row of the opposite sense: deformation and force change their signs.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.row.iter_mut().chain(&mut self.at_j).for_each(|x| *x = -*x);
+        Self { initial: -self.initial, ..self }
     }
 
     /// Subtracts a deformation from when the element was created.

@@ -116,10 +116,12 @@ impl Springs {
         let mut rows: Vec<BasicRow> = vec![];
         for (column, s) in self.springs.iter().enumerate() {
             let direction = direction(s.direction);
-            if rows.iter().all(|r| r.direction != direction) {
-                let row = BasicRow::new(direction, column, &s.row, nodes).from_initial(s.initial);
-                rows.push(row.of_material(column + 1, 1.0, 1.0));
+            if let Some(row) = rows.iter_mut().find(|r| r.direction == direction) {
+                row.further_columns.push(column);
+                continue;
             }
+            let row = BasicRow::new(direction, column, &s.row, nodes).from_initial(s.initial);
+            rows.push(row.of_material(column + 1, 1.0, 1.0));
         }
         rows
     }

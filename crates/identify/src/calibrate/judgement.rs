@@ -1,10 +1,16 @@
-//! Judgement of a calibration: can the residual be noise, and are held-out runs predicted as well as fitted ones?
+//! Judgement of a fit: can the residual be noise, and are held-out runs predicted as well as fitted ones?
+//!
+//! A model explains its recordings if four things hold: no residual follows the motion; the error of the fitted runs is
+//! within the noise of the recordings; the held-out runs are no worse; and no parameter is at a bound. `calibrate` and
+//! `diagnose` have this one judgement.
 //!
 //! If not, physics is missing or a channel is wrong, and intervals from noise alone are too narrow. They are widened by the
 //! discrepancy, with a simple form of the prior of Kennedy and O'Hagan (2001): see [`Discrepancy`].
 
+use super::result::at_bounds;
 use super::structure::{ComparedChannel, structured_share, without};
 use super::uncertainty::autocorrelation_time;
+use crate::noise::{NoiseEvidence, recorded_noise};
 use crate::report::significant;
 use crate::study::{Role, Run, ScoredRun, Study};
 use rand::{RngExt as _, SeedableRng as _};
@@ -34,20 +40,53 @@ pub struct HoldoutRatio {
     pub upper: f64,
     /// The residual of a held-out channel follows the motion. Without that a larger error is larger noise.
     pub structured: bool,
+    /// The error of the held-out runs is within twice the noise of their own recordings.
+    pub within_noise: bool,
 }
 
 impl HoldoutRatio {
-    /// Returns true if held-out runs are worse than fitted ones for another reason than noise.
+    /// Returns true if held-out runs are worse than fitted ones, and not for larger noise in them.
     pub fn is_worse(&self) -> bool {
-        self.lower > 1.0 && self.structured
+        self.lower > 1.0 && (self.structured || !self.within_noise)
+    }
+
+    /// Returns true if they are worse, and their residual follows the motion.
+    pub fn is_structured(&self) -> bool {
+        self.is_worse() && self.structured
+    }
+}
+
+/// Error of the fitted runs beside the noise of their recordings.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct NoiseComparison {
+    /// Mean NMSE of the fitted channels with a known noise.
+    pub nmse: f64,
+    /// Mean noise of these channels, over their variances.
+    pub noise: f64,
+    /// The same of the runs held out; none without such runs.
+    pub holdout_noise: Option<f64>,
+    /// The weakest evidence among those of the channels.
+    pub evidence: NoiseEvidence,
+}
+
+impl NoiseComparison {
+    /// Returns true if the error can be noise.
+    pub fn is_within_noise(&self) -> bool {
+        let limit = if self.evidence == NoiseEvidence::Innovations { MAX_INNOVATION_RATIO } else { MAX_NOISE_RATIO };
+        self.nmse <= (limit * self.noise).max(MIN_NMSE)
     }
 }
 
 /// Judgement of a calibration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Judgement {
-    /// The model explains the recordings as far as can be told: the residual is noise, and held-out runs are no worse.
+    /// The model explains the recordings as far as can be told: the residual is noise, held-out runs are no worse, and no
+    /// parameter is at a bound.
     pub explained: bool,
+    /// Error of the fitted runs beside the noise of the recordings; none if no channel is long enough.
+    pub noise: Option<NoiseComparison>,
+    /// Names of free parameters at a bound of their range.
+    pub at_bounds: Vec<String>,
     /// Channels whose residual follows the motion, the largest part of the squared error first.
     pub structured: Vec<StructuredChannel>,
     /// Share of the squared error of all fitted channels that follows the motion.
@@ -95,6 +134,10 @@ impl Discrepancy {
 const PREDICTION_LIMIT: f64 = 3.84;
 /// A smaller NMSE is that of rounded numbers: no recording is as good.
 const MIN_NMSE: f64 = 1e-6;
+/// Error over the noise above which it is no noise. The estimate of the noise is within a factor of two of it.
+const MAX_NOISE_RATIO: f64 = 2.0;
+/// The same where only innovations tell the noise. Those of noise that is correlated over twenty samples are a tenth of it.
+const MAX_INNOVATION_RATIO: f64 = 10.0;
 /// Draws of the block bootstrap.
 const DRAWS: usize = 400;
 /// Length of its blocks in autocorrelation times.
@@ -109,6 +152,7 @@ pub(super) fn judge(
     residuals: &[f64],
     columns: &[Vec<f64>],
     influences: &[Vec<Influence>],
+    unit_point: &[f64],
 ) -> (Judgement, Discrepancy) {
     let mut energies: Vec<(f64, StructuredChannel)> = vec![];
     let mut start = 0;
@@ -129,10 +173,19 @@ pub(super) fn judge(
     energies.sort_by(|a, b| b.0.total_cmp(&a.0));
     let energy = energies.iter().fold(0.0, |sum, e| sum + e.0);
     let total: f64 = residuals.iter().map(|r| r * r).sum();
-    let holdout = holdout_ratio(study, scored, influences);
-    let factor = holdout.filter(HoldoutRatio::is_worse).map_or(1.0, |h| h.ratio);
+    let held_out = noise_comparison(study, scored, Role::Holdout);
+    let is_noise = held_out.is_some_and(|h| h.nmse <= MAX_NOISE_RATIO * h.noise);
+    let holdout = holdout_ratio(study, scored, influences).map(|h| HoldoutRatio { within_noise: is_noise, ..h });
+    let factor = holdout.filter(HoldoutRatio::is_structured).map_or(1.0, |h| h.ratio);
+    let noise = noise_comparison(study, scored, Role::Fit);
+    let noise = noise.map(|n| NoiseComparison { holdout_noise: held_out.map(|h| h.noise), ..n });
+    let at_bounds: Vec<String> = at_bounds(&study.space, unit_point).map(str::to_owned).collect();
+    let is_worse = holdout.is_some_and(|h| h.is_worse());
+    let is_within_noise = noise.is_none_or(|n| n.is_within_noise());
     let judgement = Judgement {
-        explained: energy == 0.0 && factor == 1.0,
+        explained: energy == 0.0 && !is_worse && is_within_noise && at_bounds.is_empty(),
+        noise,
+        at_bounds,
         structured: energies.into_iter().map(|e| e.1).collect(),
         structured_share: if energy > 0.0 { energy / total } else { 0.0 },
         holdout,
@@ -140,6 +193,25 @@ pub(super) fn judge(
         sentences: vec![],
     };
     (judgement, Discrepancy { energy, factor })
+}
+
+/// Error of the channels of the runs of a role beside the noise of their recordings.
+fn noise_comparison(study: &Study, scored: &[Option<ScoredRun>], role: Role) -> Option<NoiseComparison> {
+    let (mut nmse, mut sum, mut weight) = (0.0, 0.0, 0.0);
+    let mut weakest = NoiseEvidence::RepeatedRuns;
+    for (i, run) in study.runs_of(role) {
+        let Some(scored) = &scored[i] else { continue };
+        let noises = recorded_noise(study, i, &scored.channels);
+        for ((o, s), noise) in run.observe.iter().zip(&scored.scores).zip(noises) {
+            let Some(noise) = noise.filter(|_| s.nmse.is_finite()) else { continue };
+            nmse += o.weight * s.nmse;
+            sum += o.weight * noise.nmse;
+            weight += o.weight;
+            weakest = weakest.max(noise.evidence);
+        }
+    }
+    let (nmse, noise) = (nmse / weight, sum / weight);
+    (weight > 0.0).then_some(NoiseComparison { nmse, noise, holdout_noise: None, evidence: weakest })
 }
 
 /// Share of the squared error of a channel that follows the motion. What the uncertain parameters explain is taken out of the
@@ -162,6 +234,11 @@ fn share(run: &Run, scored: &ScoredRun, channel: usize, derivatives: &[&[f64]], 
 }
 
 impl Judgement {
+    /// What speaks against the model, in words; empty if nothing does. The last sentence of the judgement concludes from it.
+    pub fn reasons(&self) -> &[String] {
+        self.sentences.split_last().map_or(&[], |(_, reasons)| reasons)
+    }
+
     /// Set the greatest factor by which a standard error was widened, and put the judgement into words.
     pub(super) fn conclude(&mut self, widening: f64) {
         self.widening = widening;
@@ -187,14 +264,30 @@ impl Judgement {
                 significant(h.upper, 2)
             ));
         }
-        self.sentences.push(if self.explained {
-            "nothing speaks against the model: the residual looks like noise".into()
-        } else {
-            format!(
+        let noise = self.noise.map(|n| (significant(n.nmse, 2), significant(n.noise, 2), n));
+        if let Some((error, noise, _)) = noise.as_ref().filter(|n| !n.2.is_within_noise()) {
+            self.sentences.push(format!(
+                "the error of the fitted runs, NMSE {error}, is above the noise of the recordings, {noise}"
+            ));
+        }
+        if !self.at_bounds.is_empty() {
+            let verb =
+                if self.at_bounds.len() == 1 { "is at a bound of its range" } else { "are at bounds of their ranges" };
+            self.sentences.push(format!("{} {verb}: a better fit may lie beyond", self.at_bounds.join(", ")));
+        }
+        let is_structured = !self.structured.is_empty() || self.holdout.is_some_and(|h| h.is_structured());
+        self.sentences.push(match noise {
+            Some((error, noise, _)) if self.explained => format!(
+                "nothing speaks against the model within an NMSE of {error}: the residual looks like noise, and that of the \
+                 recordings is {noise}"
+            ),
+            None if self.explained => "nothing speaks against the model: the residual looks like noise".into(),
+            _ if is_structured => format!(
                 "physics is missing or a channel is wrong; from noise alone the intervals would be too narrow, and are \
                  widened up to {} times; \"hysteron diagnose\" looks for the cause",
                 significant(widening, 2)
-            )
+            ),
+            _ => "the recordings do not show that the model is complete; \"hysteron diagnose\" looks for what it lacks".into(),
         });
     }
 }
@@ -261,7 +354,8 @@ fn holdout_ratio(study: &Study, scored: &[Option<ScoredRun>], influences: &[Vec<
     let structured = held_out
         .into_iter()
         .any(|(i, run, s)| (0..run.observe.len()).any(|c| share(run, s, c, &[], &influences[i][c]) > 0.0));
-    let result = HoldoutRatio { ratio: found, lower: quantile(0.025), upper: quantile(0.975), structured };
+    let (lower, upper) = (quantile(0.025), quantile(0.975));
+    let result = HoldoutRatio { ratio: found, lower, upper, structured, within_noise: false };
     [result.ratio, result.lower, result.upper].iter().all(|x| x.is_finite()).then_some(result)
 }
 

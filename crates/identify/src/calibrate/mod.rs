@@ -20,7 +20,7 @@ mod uncertainty;
 
 pub use crate::report::{significant, with_half_width};
 pub use amplitude_groups::{AmplitudeGroup, amplitude_groups};
-pub use judgement::{HoldoutRatio, Judgement, StructuredChannel};
+pub use judgement::{HoldoutRatio, Judgement, NoiseComparison, StructuredChannel};
 pub use method::{
     CmaEs, Crossover, DifferentialEvolution, EvolutionSettings, LevenbergMarquardt, Method, MethodState, Shade,
     ShadeVariant, StepSearch, Trial,

@@ -130,7 +130,11 @@ fn parameters(out: &mut String, result: &CalibrationResult) {
     });
     table(out, &["parameter", "value", "95 % interval", "range"], rows);
     let notes = result.uncertainty.iter().flat_map(Uncertainty::notes);
-    let bounds = result.at_bounds().into_iter().map(|n| format!("{n} is at a bound of its range"));
+    let bounds = result
+        .at_bounds()
+        .into_iter()
+        .filter(|_| result.uncertainty.is_none())
+        .map(|n| format!("{n} is at a bound of its range"));
     let judgement = result.uncertainty.iter().flat_map(|u| u.judgement.sentences.clone());
     for note in notes.chain(bounds).chain(judgement) {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(&note));

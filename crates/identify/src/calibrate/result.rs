@@ -8,7 +8,9 @@ use super::search::SearchResult;
 use super::settings::SearchSettings;
 use super::uncertainty::Uncertainty;
 use crate::preflight::Preflight;
-use crate::study::{InitialRun, ObservedChannel, Role, Run, ScoredRun, SimulationError, Study, objective};
+use crate::study::{
+    InitialRun, ObservedChannel, ParameterSpace, Role, Run, ScoredRun, SimulationError, Study, objective,
+};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -120,8 +122,7 @@ impl CalibrationResult {
 
     /// Names of the free parameters at a bound of their range.
     pub fn at_bounds(&self) -> Vec<&str> {
-        let names = self.study.space.free_names().zip(&self.unit_point);
-        names.filter(|(_, x)| **x < 1e-6 || **x > 1.0 - 1e-6).map(|(n, _)| n).collect()
+        at_bounds(&self.study.space, &self.unit_point).collect()
     }
 
     /// Statistics of the objective over the repeats that have ended.
@@ -191,4 +192,13 @@ pub struct RepeatStatistics {
     pub mean: f64,
     /// Standard deviation.
     pub deviation: f64,
+}
+
+/// Unit coordinates that are closer to a bound are at it.
+const BOUND_TOLERANCE: f64 = 1e-6;
+
+/// Names of the free parameters whose unit coordinate is at a bound.
+pub(super) fn at_bounds<'a>(space: &'a ParameterSpace, unit_point: &'a [f64]) -> impl Iterator<Item = &'a str> {
+    let is_at_bound = |x: f64| !(BOUND_TOLERANCE..=1.0 - BOUND_TOLERANCE).contains(&x);
+    space.free_names().zip(unit_point).filter(move |(_, x)| is_at_bound(**x)).map(|(name, _)| name)
 }

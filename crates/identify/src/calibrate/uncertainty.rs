@@ -277,7 +277,7 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
     let from_noise = total.with_discrepancy(Discrepancy::NONE).covariance().ok_or_else(no_influence)?;
     let influences = influences(problem, unit_point, &from_noise);
     let (mut judgement, discrepancy) =
-        judge(&study, &scored, &linearization.residuals, &linearization.columns, &influences);
+        judge(&study, &scored, &linearization.residuals, &linearization.columns, &influences, unit_point);
     let covariance = total.with_discrepancy(discrepancy).covariance().ok_or_else(no_influence)?;
     let free = || study.space.free_names().zip(study.space.free()).zip(unit_point);
     let intervals_with = |errors: &[f64]| -> Vec<Interval> {
@@ -285,7 +285,7 @@ pub fn uncertainty(problem: &StudyProblem, unit_point: &[f64]) -> Result<Uncerta
         all.collect()
     };
     let mut intervals = intervals_with(&covariance.standard_errors);
-    if !judgement.explained {
+    if discrepancy != Discrepancy::NONE {
         for (wide, narrow) in intervals.iter_mut().zip(intervals_with(&from_noise.standard_errors)) {
             wide.from_noise = Some([narrow.lower, narrow.upper]);
         }

@@ -63,12 +63,26 @@ pub(super) struct ChannelFaults<'a> {
     run: &'a Run,
     /// Simulated channels by point.
     responses: &'a [&'a [Vec<f64>]],
+    /// Least and largest size of each channel that the parameters can make, over that at the first point; empty if unknown.
+    sizes: &'a [[f64; 2]],
     motions: &'a ImposedMotions,
 }
 
 impl<'a> ChannelFaults<'a> {
-    pub(super) fn new(run: &'a Run, responses: &'a [&'a [Vec<f64>]], motions: &'a ImposedMotions) -> Self {
-        Self { run, responses, motions }
+    pub(super) fn new(
+        run: &'a Run,
+        responses: &'a [&'a [Vec<f64>]],
+        sizes: &'a [[f64; 2]],
+        motions: &'a ImposedMotions,
+    ) -> Self {
+        Self { run, responses, sizes, motions }
+    }
+
+    /// Returns true if the parameters can make the size of a channel within their ranges.
+    fn can_make_size(&self, k: usize) -> bool {
+        let (Some([low, high]), Some(own)) = (self.sizes.get(k), self.responses.first()) else { return false };
+        let factor = Moments::new(&self.run.observe[k].values, &own[k]).line()[0].abs();
+        (*low..=*high).contains(&factor)
     }
 
     /// One finding at most for each channel.
@@ -86,10 +100,12 @@ impl<'a> ChannelFaults<'a> {
         let all = self.explanations(k);
         // A simulation that is much too small has an NMSE of 1, whatever its shape. Its factor shows the unit.
         let is_another_size = self.least(k, |m| m.line()[0].abs().ln().abs()) > MIN_SIZE_RATIO.ln();
+        let can_make_size = self.can_make_size(k);
         let explains = |e: &Explanation| {
             // A small ratio is also one of a response to other parameters.
             let is_small = e.factor.abs().ln().abs() < MIN_HARD_GAIN.ln();
             let limit = match e.fault {
+                Fault::Unit(..) | Fault::Gain if can_make_size => 0.0,
                 Fault::Unit(..) | Fault::Gain if is_another_size && is_small => MAX_ERROR_RATIO * without.min(1.0),
                 Fault::Unit(..) | Fault::Gain if is_another_size => MAX_SCALED_ERROR_RATIO * without,
                 Fault::Gain => 0.0,
@@ -179,8 +195,9 @@ impl<'a> ChannelFaults<'a> {
         let o = &self.run.observe[k];
         let times = &self.run.recording.times;
         let scans = self.responses.iter().filter_map(|y| {
-            let lag = LagScan::new(times, &o.values, &y[k])?.best();
-            Some((lag, Moments::new(&o.values, &y[k])))
+            let scan = LagScan::new(times, &o.values, &y[k])?;
+            let lag = scan.best();
+            scan.identifies(lag.seconds).then(|| (lag, Moments::new(&o.values, &y[k])))
         });
         let (lag, m) = scans.min_by(|a, b| a.0.nmse.total_cmp(&b.0.nmse))?;
         let [factor, _] = m.line();

@@ -12,6 +12,19 @@ const TOLERANCE: f64 = 0.05;
 /// `MAX_EXCESS` times the least error.
 const SUFFICIENT: f64 = 0.25;
 const MAX_EXCESS: f64 = 4.0;
+/// Least number of periods of a vibration.
+const MIN_PERIODS: f64 = 2.0;
+/// Swing about the mean, in standard deviations, that counts as a half cycle.
+const MIN_SWING: f64 = 0.25;
+/// Correlation at another delay, over that at the best one, from which the delay is not the only one.
+const MAX_OTHER_CORRELATION: f64 = 0.8;
+/// Departure from rest, over the largest one, at which a motion has begun.
+const ONSET: f64 = 0.1;
+/// Share of the samples whose mean is the value at rest.
+const REST_SHARE: f64 = 0.005;
+/// Difference between a delay and that of the onsets, in parts of the delay or of a period.
+const ONSET_TOLERANCE: f64 = 0.1;
+const ONSET_PERIODS: f64 = 0.25;
 
 /// Sums of two series over their common samples, for each delay of a uniform grid.
 pub(super) struct LagScan {
@@ -21,6 +34,8 @@ pub(super) struct LagScan {
     variance: f64,
     /// Means of the recorded and the simulated series.
     means: [f64; 2],
+    /// The recorded and the simulated series on the grid.
+    series: [Vec<f64>; 2],
     /// Delays in grid steps, with the number of common samples.
     lags: Vec<i64>,
     counts: Vec<f64>,
@@ -72,7 +87,44 @@ impl LagScan {
             simulated_squares: lags.iter().map(|k| sum(&yy, shifted(*k))).collect(),
             products,
             lags,
+            series: [v, y],
         })
+    }
+
+    /// Returns true if the series can tell a delay from other ones.
+    ///
+    /// A delay within half a period of a vibration is the nearest one. A longer one, or that of a motion which does not
+    /// come back, must be the only one that fits, or both series must be at rest before or after their motion, as far
+    /// apart as the delay says.
+    pub(super) fn identifies(&self, seconds: f64) -> bool {
+        let [v, y] = &self.series;
+        let length = self.step * (v.len() - 1) as f64;
+        let period = length / periods(v).max(f64::MIN_POSITIVE);
+        let oscillates = length >= MIN_PERIODS * period;
+        if oscillates && seconds.abs() <= 0.5 * period {
+            return true;
+        }
+        let distance = 0.5 * if oscillates { period } else { seconds.abs() };
+        self.is_only(seconds, distance) || {
+            let tolerance = ONSET_TOLERANCE * seconds.abs();
+            let tolerance = if oscillates { tolerance.max(ONSET_PERIODS * period) } else { tolerance };
+            let later = |a: usize, b: usize| self.step * (a as f64 - b as f64);
+            let backwards = |x: &[f64]| x.iter().rev().copied().collect::<Vec<_>>();
+            let at_start = later(onset(v), onset(y));
+            let at_end = -later(onset(&backwards(v)), onset(&backwards(y)));
+            [at_start, at_end].iter().any(|lag| (lag - seconds).abs() <= tolerance)
+        }
+    }
+
+    /// Returns true if no delay further than a distance from this one, and none of zero, fits nearly as well.
+    fn is_only(&self, seconds: f64, distance: f64) -> bool {
+        let r: Vec<f64> = self.correlations().collect();
+        let of = |i: usize| (self.step * self.lags[i] as f64 - seconds).abs();
+        let Some(at) = (0..r.len()).min_by(|a, b| of(*a).total_cmp(&of(*b))) else { return false };
+        let is_peak = |i: usize| (i == 0 || r[i] >= r[i - 1]) && (i + 1 == r.len() || r[i] >= r[i + 1]);
+        let zero = r.len() / 2;
+        let others = (0..r.len()).filter(|i| *i == zero || is_peak(*i) && of(*i) > distance);
+        others.map(|i| r[i]).fold(f64::NEG_INFINITY, f64::max) < MAX_OTHER_CORRELATION * r[at]
     }
 
     /// The delay with the least NMSE; among nearly equal ones the shortest.
@@ -128,6 +180,26 @@ impl LagScan {
         }
         (lag * self.step, errors[at])
     }
+}
+
+/// Number of periods of a series about its mean.
+fn periods(x: &[f64]) -> f64 {
+    let mean = x.iter().sum::<f64>() / x.len() as f64;
+    let deviation = (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len() as f64).sqrt();
+    let (mut side, mut changes) = (0.0, 0);
+    for x in x.iter().map(|x| x - mean).filter(|x| x.abs() > MIN_SWING * deviation) {
+        changes += usize::from(side * x < 0.0);
+        side = x;
+    }
+    0.5 * changes as f64
+}
+
+/// Index of the first sample that has left the value at rest.
+fn onset(x: &[f64]) -> usize {
+    let few = ((REST_SHARE * x.len() as f64) as usize).max(1);
+    let rest = x[..few].iter().sum::<f64>() / few as f64;
+    let most = x.iter().fold(0.0f64, |most, x| most.max((x - rest).abs()));
+    x.iter().position(|x| (x - rest).abs() > ONSET * most).unwrap_or(0)
 }
 
 /// Linear interpolation of points at `n` uniform times.
@@ -189,5 +261,28 @@ mod tests {
             let found = LagScan::new(&times, &recorded, &simulated).expect("a scan").best();
             assert!((found.seconds - lag).abs() < 1e-3 && found.nmse < 1e-3, "{lag} {found:?}");
         }
+    }
+
+    /// True if a delay of 4 s between two signals is told from others.
+    fn identifies_4_s(signal: impl Fn(f64) -> f64, lag: f64) -> bool {
+        let times: Vec<f64> = (0..3000).map(|i| 0.01 * f64::from(i)).collect();
+        let simulated: Vec<f64> = times.iter().map(|t| signal(*t)).collect();
+        let recorded: Vec<f64> = times.iter().map(|t| signal(t - lag)).collect();
+        LagScan::new(&times, &recorded, &simulated).expect("a scan").identifies(lag)
+    }
+
+    #[test]
+    fn whole_periods_and_ramps_show_no_delay_unless_both_are_at_rest() {
+        let growing = |t: f64| (1.0 + 0.05 * t) * (std::f64::consts::PI * t).sin();
+        assert!(!identifies_4_s(growing, 4.0) && !identifies_4_s(growing, -4.0), "two periods of a sine");
+        assert!(identifies_4_s(growing, 0.3), "a part of a period");
+        let from_rest = |t: f64| if (6.0..24.0).contains(&t) { growing(t - 6.0) } else { 0.0 };
+        assert!(identifies_4_s(from_rest, 4.0) && identifies_4_s(from_rest, -4.0), "a sine that begins from rest");
+        let ramp = |t: f64| 0.1 * t;
+        assert!(!identifies_4_s(ramp, 4.0) && !identifies_4_s(ramp, -4.0), "a ramp");
+        let hold = |t: f64| (t - 6.0).clamp(0.0, 10.0);
+        assert!(identifies_4_s(hold, 4.0), "a ramp that begins from rest");
+        let transient = |t: f64| (-(t - 12.0).powi(2)).exp() * (5.0 * t).sin();
+        assert!(identifies_4_s(transient, 4.0) && identifies_4_s(transient, -4.0), "a transient");
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! A channel with the wrong sign, unit or clock spoils each fit, and a diagnosis takes it for physics. [`preflight`] runs
 //! the script with its own values and at points spread over the ranges of the parameters. A fault is found if it explains
-//! a channel at one of these points, and nothing explains the channel without it.
+//! a channel at one of these points, and nothing explains the channel without it. A factor that the parameters can make
+//! within their ranges is none, and a delay must be the only one that explains the channel.
 
 mod alternatives;
 mod compare;
 mod lag;
 mod motions;
 mod points;
+mod repeated_runs;
 mod text;
 mod unit_ratio;
 
@@ -147,8 +149,10 @@ pub fn preflight(simulator: &ScriptSimulator, initial_run: &InitialRun, threads:
     let factory: SimulatorFactory = simulator.factory();
     let study = simulator.study();
     let motions: Vec<_> = (0..study.runs.len()).map(|r| motions::imposed(simulator, r, initial_run)).collect();
-    let points = SimulatedPoints::new(study, &factory, initial_run, PointSettings::of(initial_run, &motions), threads)?;
+    let points =
+        SimulatedPoints::new(study, &factory, initial_run, PointSettings::of(study, initial_run, &motions), threads)?;
     let mut result = Preflight::default();
+    let mut simulated = vec![];
     for (number, run) in study.runs.iter().enumerate() {
         let own = points.own(number);
         if let Err(error) = own {
@@ -159,9 +163,13 @@ pub fn preflight(simulator: &ScriptSimulator, initial_run: &InitialRun, threads:
             let u = displacement.as_ref().map(|(_, u)| u.as_slice());
             result.channels.extend(run.observe.iter().zip(simulated).map(|(o, y)| compare::channel(run, o, y, u)));
         }
-        result.findings.extend(ChannelFaults::new(run, &points.of_run(number), &motions[number]).findings());
+        let sizes = points.reachable_sizes(number);
+        result.findings.extend(ChannelFaults::new(run, &points.of_run(number), &sizes, &motions[number]).findings());
         result.findings.extend(motions::findings(run, &motions[number]));
+        simulated.push(own.ok());
     }
+    let of_pairs = repeated_runs::findings(study, &simulated, &mut result.findings);
+    result.findings.extend(of_pairs);
     result.findings.extend(compare::findings(study, &result.channels, &result.findings));
     result.findings = text::merged(result.findings, study);
     Ok(result)

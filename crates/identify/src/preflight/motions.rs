@@ -117,9 +117,10 @@ pub(super) fn findings(run: &Run, imposed: &ImposedMotions) -> Vec<Finding> {
             continue;
         }
         let late = LagScan::new(&run.recording.times, &column.values, &motion.values)
-            .map(|s| (s.most_correlated(), s.largest_correlation()));
+            .map(|s| (s.most_correlated(), s.largest_correlation(), s))
+            .filter(|(lag, _, scan)| scan.identifies(*lag));
         match late {
-            Some((lag, r)) if r >= SAME_MOTION => {
+            Some((lag, r, _)) if r >= SAME_MOTION => {
                 is_any_seen = true;
                 let when = if lag > 0.0 { "late" } else { "early" };
                 let message = format!("recorded is {} s {when} against the imposed motion", significant(lag.abs(), 3));

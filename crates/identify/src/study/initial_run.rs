@@ -65,11 +65,19 @@ pub struct InitialRun {
     pub limits: Vec<RunLimits>,
 }
 
+impl InitialRun {
+    /// Returns true if the user or a limit stopped it: what it has is incomplete.
+    pub fn is_interrupted(&self) -> bool {
+        self.failure == Some(SimulationError::Interrupted)
+    }
+}
+
 impl ScriptSimulator {
     /// Run the script with its own values, and set the limits of the runs that follow. If it fails with them, it runs with
     /// the values in the middle of the ranges.
     ///
-    /// Warnings tell of values outside of their bounds, and of parameters that no observed channel depends on.
+    /// Warnings tell of values outside of their bounds, and of parameters that no observed channel depends on. A run that
+    /// is interrupted ends without an error; [`InitialRun::is_interrupted`] tells it.
     ///
     /// # Errors
     /// The script is rejected, never declares a parameter of the study, does not use a variable that a run sets, or does
@@ -90,6 +98,10 @@ impl ScriptSimulator {
         let mut uses = SetUses::default();
         for (number, spec) in study.runs.iter().enumerate() {
             let (ended, error) = self.first_run(number, &mut initial);
+            if initial.is_interrupted() {
+                // What the script has not come to yet is no error of the study.
+                return Ok(initial);
+            }
             if let Some(SimulationError::TooLong(what)) = &error {
                 let d = too_long(self.limits[number].time, &ended, what);
                 return Err(with_sources_moved(&ended.script.interp.sources, sources, d, &spec.name));
@@ -144,15 +156,18 @@ impl ScriptSimulator {
         if matches!(error, SimulationError::TooLong(_)) {
             return (ended, Some(error.clone()));
         }
-        let is_interrupted = *error == SimulationError::Interrupted;
-        if initial.failure.is_none() {
+        // An interrupt ends the run whatever failed before it.
+        if initial.failure.is_none() || *error == SimulationError::Interrupted {
             initial.failure = Some(error.clone());
         }
-        if is_interrupted {
+        if initial.is_interrupted() {
             return (ended, None);
         }
         let ended = self.run(number, Some(&middle), watched());
         let error = self.error(&ended, number);
+        if error == Some(SimulationError::Interrupted) {
+            initial.failure.clone_from(&error);
+        }
         (ended, error)
     }
 }

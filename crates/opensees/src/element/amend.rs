@@ -360,7 +360,7 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let around = |law| {
             let amended = Amended::new(inner.clone(), law, &words.directions);
             let amended = amended.and_then(|amended| match &words.axial {
-                Some(Compression::Direction(direction)) => amended.with_axial(*direction),
+                Some(Compression::Direction { number, reversed }) => amended.with_axial(*number, *reversed),
                 Some(Compression::History(compression)) => Ok(amended.with_axial_history(compression.clone())),
                 None => Ok(amended),
             });
@@ -391,8 +391,8 @@ struct Words {
 
 /// Source of the axial force.
 enum Compression {
-    /// From what the element carries in a direction.
-    Direction(usize),
+    /// From what the element carries in a direction; a reversed one is in tension at negative deformations.
+    Direction { number: usize, reversed: bool },
     /// From a history of the compression.
     History(Series),
 }
@@ -408,7 +408,10 @@ impl Words {
                         directions.push(a.dof("direction", 6)? + 1);
                     }
                 }
-                "-axial" => axial = Some(Compression::Direction(a.dof("direction of the axial force", 6)? + 1)),
+                "-axial" => {
+                    let (number, reversed) = a.signed_dof("direction of the axial force", 6)?;
+                    axial = Some(Compression::Direction { number: number + 1, reversed });
+                }
                 "-axialSeries" => axial = Some(Compression::History(series_of(interp, a)?)),
                 "-share" | "-strengthBeside" if share != Share::default() => {
                     return Err(a.refuse("two words for what the factor acts on", "expected -share or -strengthBeside"));

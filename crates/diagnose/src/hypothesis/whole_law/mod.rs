@@ -170,8 +170,7 @@ pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Pro
     };
     let commands = device_commands(s.text, s.model_end);
     let first_tag = s.inventory.first_tag(TagPurpose::WholeLaws);
-    let at_rest = |d: usize| Some(s.responses.of(&group.devices, d)?.initial_force).filter(|n| *n > 0.0);
-    let axial = group.axial_direction.and_then(at_rest);
+    let axial = group.axial_range(s).map(|x| x.initial_force).filter(|n| *n > 0.0);
     laws().filter_map(|law| law.proposal(group, sites::find(law, group, &commands, first_tag)?, axial)).collect()
 }
 

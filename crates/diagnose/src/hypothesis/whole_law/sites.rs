@@ -210,7 +210,7 @@ mod tests {
             devices: vec![&device],
             dir_option: String::new(),
             directions: directions.into(),
-            axial_direction: None,
+            axial: None,
             deformation: 1.0,
             force: 1.0,
             speed: 1.0,

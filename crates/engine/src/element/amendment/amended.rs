@@ -92,17 +92,18 @@ impl Amended {
     }
 
     /// Takes the axial force from another direction than the first, for example the vertical one of springs along
-    /// global axes.
+    /// global axes. With `reversed`, a negative deformation of that direction is tension.
     ///
     /// # Errors
     /// A direction that the element does not have, or that is amended.
-    pub fn with_axial(self, direction: usize) -> Result<Self, ElementError> {
+    pub fn with_axial(self, direction: usize, reversed: bool) -> Result<Self, ElementError> {
         let has = self.inner.basic_rows();
         if self.rows.iter().any(|r| r.direction == direction) {
             return Err(ElementError(format!("direction {direction} is amended itself").into()));
         }
         let row = has.iter().find(|r| r.direction == direction).cloned();
         let row = row.ok_or_else(|| no_direction(self.inner.as_ref(), direction, &has))?;
+        let row = if reversed { row.reversed() } else { row };
         Ok(Self { axial: Compression::Force(row), ..self })
     }
 
