@@ -54,7 +54,9 @@
 
 pub use hysteron_design as design;
 pub use hysteron_diagnose as diagnose;
-pub use hysteron_engine::{analysis, element, material, model, probe, record, rules, section, series, state_struct};
+pub use hysteron_engine::{
+    analysis, element, material, model, probe, record, rules, section, series, state_struct, watches_columns,
+};
 // Parts of the engine that no program needs.
 #[doc(hidden)]
 pub use hysteron_engine::{assembly, bytes, number_format, numeric, solve};

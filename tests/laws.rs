@@ -69,5 +69,7 @@ mod springs;
 mod timoshenko;
 #[path = "laws/triple.rs"]
 mod triple;
+#[path = "laws/wrappers.rs"]
+mod wrappers;
 #[path = "laws/yamamoto.rs"]
 mod yamamoto;

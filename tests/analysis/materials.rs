@@ -176,6 +176,40 @@ fn limited(column: i32, steps: usize) -> String {
     )
 }
 
+/// The spring of [`limited`] inside another law, in a bar and as a fiber: forces of OpenSees (openseespy 3.7.1).
+#[test]
+fn limit_curve_is_watched_inside_other_laws() {
+    let bare = [9.0, 10.0, 7.0, 4.0, 4.0];
+    let spring = "element zeroLength 2 2 3 -mat 9 -dir 1";
+    let cases = [
+        (format!("uniaxialMaterial MinMax 9 1 -min -1 -max 1; {spring}"), bare),
+        (format!("uniaxialMaterial MinMax 9 1 -min -1 -max 0.0125; {spring}"), [9.0, 10.0, 0.0, 0.0, 0.0]),
+        (
+            format!("uniaxialMaterial Elastic 7 1e-3; uniaxialMaterial Parallel 9 1 7; {spring}"),
+            [9.000009, 10.00001, 7.000016, 4.000022, 4.00003],
+        ),
+        (format!("uniaxialMaterial InitStrainMaterial 9 1 0.001; {spring}"), [10.0, 9.5, 6.5, 4.0, 4.0]),
+        (format!("uniaxialMaterial InitStressMaterial 9 1 0.5; {spring}"), [9.5, 10.5, 7.5, 4.5, 4.0]),
+        (format!("uniaxialMaterial Fatigue 9 1 -E0 100; {spring}"), bare),
+        (format!("uniaxialMaterial MinMax 8 1 -min -1 -max 1; uniaxialMaterial Parallel 9 8; {spring}"), bare),
+        (
+            format!("uniaxialMaterial Elastic 7 1e7; uniaxialMaterial Series 9 1 7; {spring}"),
+            [8.9991001, 9.9990001, 6.9988501, 4.0, 4.0],
+        ),
+        ("section Fiber 9 { fiber 0 0 1 1 }; element zeroLengthSection 2 2 3 9".to_owned(), bare),
+        ("section Uniaxial 9 1 P; element zeroLengthSection 2 2 3 9".to_owned(), bare),
+        ("node 5 -1 1; fix 5 0 1 1; equalDOF 2 5 1; element truss 2 5 3 1 1".to_owned(), bare),
+        ("node 5 -1 1; fix 5 0 1 1; equalDOF 2 5 1; element corotTruss 2 5 3 1 1".to_owned(), bare),
+    ];
+    for (element, forces) in cases {
+        for (steps, force) in [9, 10, 16, 22, 30].into_iter().zip(forces) {
+            let script = limited(1, steps).replace("element zeroLength 2 2 3 -mat 1 -dir 1", &element);
+            let got = run(&script).numbers()[0].abs();
+            assert!((got - force).abs() < 2e-4, "{element}, {steps} mm: {got}, not {force}");
+        }
+    }
+}
+
 /// A spring that has reached the limit of its column falls along the given slope to the residual force.
 #[test]
 fn limit_curve_ends_the_envelope() {

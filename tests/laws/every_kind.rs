@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 /// Words of a material after `uniaxialMaterial`, with @ for the tag, and a strain in its nonlinear range. Materials
 /// 11 to 13 are components of others.
-const MATERIALS: &[(&str, f64)] = &[
+pub const MATERIALS: &[(&str, f64)] = &[
     ("Elastic @ 200. 3. 50.", 0.1),
     ("ElasticPP @ 200. 0.01 -0.02 0.003", 0.1),
     ("ElasticPPGap @ 200. 2. 0.01 0.05 damage", 0.1),

@@ -1,10 +1,11 @@
 //! Uniaxial materials that count how often they are asked, in the place of those that a script defines.
 
-use hysteron::material::{Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
+use hysteron::material::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial, WatchesColumns};
 use hysteron::opensees::Tcl;
 use hysteron::probe::Probe;
 use hysteron::run::Run;
 use hysteron::tcl::{Call, Exception, Value};
+use std::any::Any;
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -42,6 +43,9 @@ fn count_calls_of(interp: &mut Tcl, call: &Call<'_>) -> Result<Value, Exception>
 #[derive(Debug)]
 struct Counted(Material);
 
+hysteron::watches_columns!(Counted => |s| in [&s.0]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Uniaxial for Counted {
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         count(1);
@@ -71,6 +75,17 @@ impl Uniaxial for Counted {
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
         let (material, old) = self.0.with_parameter(words, value)?;
         Some((Arc::new(Self(material)), old))
+    }
+
+    // Points are neither padded nor joined with those of other materials, so that each counts once.
+    fn block_len(&self) -> usize {
+        1
+    }
+    fn shifted(&self) -> Option<(&Slot, f64)> {
+        None
+    }
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
     }
 
     fn name(&self) -> &'static str {

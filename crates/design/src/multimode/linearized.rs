@@ -43,6 +43,8 @@ impl Linearized {
     }
 }
 
+hysteron_engine::watches_columns!(Linearized => nothing);
+
 impl Element for Linearized {
     fn class(&self) -> &'static str {
         self.class

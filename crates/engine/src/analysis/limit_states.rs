@@ -2,18 +2,16 @@
 
 use super::State;
 use crate::element::Snapshot;
-use crate::material::{ColumnResponse, LimitCurve, LimitDeformation};
+use crate::material::{ColumnResponse, LimitCurve, LimitDeformation, ObservedColumns};
 use crate::model::{ElementEntry, Model};
 
 impl State {
     /// Shows the committed response of columns to the laws that watch them, which changes their histories.
     pub(super) fn watch(&mut self, model: &Model) {
-        for e in model.elements.iter().filter(|e| !e.watchers.is_empty()) {
-            for (at, law) in &e.watchers {
-                let Some(seen) = law.limit_curve().and_then(|curve| self.seen(model, curve)) else { continue };
-                let start = e.state.start + at;
-                law.observe(&mut self.history[start..start + law.state_len()], &seen);
-            }
+        for e in model.elements.iter().filter(|e| !e.limit_curves.is_empty()) {
+            let responses: Vec<_> = e.limit_curves.iter().map(|curve| self.seen(model, curve)).collect();
+            let columns = ObservedColumns { curves: &e.limit_curves, responses: &responses };
+            e.element.observe(&mut self.history[e.state.clone()], &columns);
         }
     }
 
@@ -72,9 +70,7 @@ impl Model {
             state.grow(self);
             state.seen(self, curve).is_some()
         };
-        let curves = self.elements.iter().flat_map(|e| e.watchers.iter().map(move |(_, law)| (e.tag, law)));
-        let mut missing =
-            curves.filter_map(|(tag, law)| law.limit_curve().filter(|c| !watched(c)).map(|c| (tag, c.element)));
-        missing.next()
+        let mut curves = self.elements.iter().flat_map(|e| e.limit_curves.iter().map(move |curve| (e.tag, curve)));
+        curves.find(|(_, curve)| !watched(curve)).map(|(tag, curve)| (tag, curve.element))
     }
 }

@@ -109,7 +109,7 @@ impl State {
                 own.copy_from_slice(other);
             }
         }
-        if model.elements.iter().any(|e| !e.watchers.is_empty()) {
+        if model.elements.iter().any(|e| !e.limit_curves.is_empty()) {
             self.watch(model);
         }
     }

@@ -245,6 +245,8 @@ fn plane_of([right, up]: &[[f64; 3]; 2]) -> Vec<f64> {
     out
 }
 
+crate::watches_columns!(BeamColumnJoint => |s| in &s.springs);
+
 impl Element for BeamColumnJoint {
     fn class(&self) -> &'static str {
         if self.to_plane.is_empty() { "BeamColumnJoint2d" } else { "BeamColumnJoint3d" }

@@ -129,6 +129,8 @@ impl CatenaryCable {
     }
 }
 
+crate::watches_columns!(CatenaryCable => nothing);
+
 impl Element for CatenaryCable {
     fn class(&self) -> &'static str {
         "CatenaryCable"

@@ -172,6 +172,8 @@ impl Contact {
 const PRESSURE: u32 = 1;
 const GAP: u32 = 2;
 
+crate::watches_columns!(Contact => nothing);
+
 impl Element for Contact {
     fn class(&self) -> &'static str {
         match self.surface {

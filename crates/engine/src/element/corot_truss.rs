@@ -85,6 +85,8 @@ fn norm(v: &[f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+crate::watches_columns!(CorotTruss => |s| in [&s.bar.slot]);
+
 impl Element for CorotTruss {
     fn class(&self) -> &'static str {
         "CorotTruss"

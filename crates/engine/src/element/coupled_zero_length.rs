@@ -60,6 +60,8 @@ impl CoupledZeroLength {
     }
 }
 
+crate::watches_columns!(CoupledZeroLength => |s| in [&s.slot]);
+
 impl Element for CoupledZeroLength {
     fn class(&self) -> &'static str {
         "CoupledZeroLength"

@@ -57,11 +57,6 @@ macro_rules! forward_to_inner {
             None
         }
     };
-    (@watchers) => {
-        fn watchers(&self) -> Vec<(usize, $crate::material::Material)> {
-            self.inner.watchers()
-        }
-    };
     (@load_len) => {
         fn load_len(&self) -> usize {
             self.inner.load_len()

@@ -84,6 +84,8 @@ impl Impact {
     }
 }
 
+crate::watches_columns!(Impact => nothing);
+
 impl Element for Impact {
     fn class(&self) -> &'static str {
         "ZeroLengthImpact3D"

@@ -151,6 +151,8 @@ const BOTH: u32 = 7;
 const X_AXIS: u32 = 20;
 const Z_AXIS: u32 = 22;
 
+crate::watches_columns!(Inerter => nothing);
+
 impl Element for Inerter {
     fn class(&self) -> &'static str {
         "Inerter"

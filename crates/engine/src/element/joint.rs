@@ -43,6 +43,8 @@ impl Joint {
     }
 }
 
+crate::watches_columns!(Joint => |s| in s.springs.slots());
+
 impl Element for Joint {
     fn class(&self) -> &'static str {
         "Joint2D"

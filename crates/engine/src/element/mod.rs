@@ -39,7 +39,7 @@ mod wall;
 mod zero_length;
 mod zero_length_section;
 
-use crate::material::{Material, MaterialError, Slot};
+use crate::material::{MaterialError, Slot, WatchesColumns};
 pub(crate) use crate::numeric::dot;
 use crate::numeric::wide::WIDTH;
 use crate::probe::Probe;
@@ -277,7 +277,7 @@ pub struct Overload {
 }
 
 /// A finite element.
-pub trait Element: fmt::Debug + Send + Sync + Any {
+pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
     /// OpenSees' name of the class, as recorders and `print` show it.
     fn class(&self) -> &'static str;
     /// Number of degrees of freedom n, all nodes together.
@@ -337,11 +337,6 @@ pub trait Element: fmt::Debug + Send + Sync + Any {
     /// `None` where it has none of that name. The state variables stay the same.
     fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
         None
-    }
-
-    /// Laws that watch a column, with the offsets of their histories in the state.
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        vec![]
     }
 
     /// Number of load variables, in which [`Element::add_load`] sums loads.

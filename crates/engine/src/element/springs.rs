@@ -93,13 +93,9 @@ impl Springs {
         self.state_len
     }
 
-    fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
+    /// Materials and dampers.
+    pub(super) fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
         self.springs.iter().flat_map(Spring::slots)
-    }
-
-    /// Laws that watch a column.
-    pub(super) fn watchers(&self) -> Vec<(usize, Material)> {
-        self.slots().filter_map(Slot::watcher).collect()
     }
 
     pub(super) fn init(&self, state: &mut [f64]) {

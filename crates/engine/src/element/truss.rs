@@ -56,6 +56,8 @@ impl Truss {
     }
 }
 
+crate::watches_columns!(Truss => |s| in [&s.bar.slot]);
+
 impl Element for Truss {
     fn class(&self) -> &'static str {
         "Truss"

@@ -58,6 +58,8 @@ impl TubularJoint {
     }
 }
 
+crate::watches_columns!(TubularJoint => nothing);
+
 impl Element for TubularJoint {
     fn class(&self) -> &'static str {
         "ElasticTubularJoint"

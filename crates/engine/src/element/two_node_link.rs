@@ -194,6 +194,8 @@ pub(super) fn global_matrix(g: &[f64], t: &[f64]) -> Vec<f64> {
 const LOCAL_FORCE: u32 = 100;
 const LOCAL_DISP: u32 = 101;
 
+crate::watches_columns!(TwoNodeLink => |s| in s.springs.slots());
+
 impl Element for TwoNodeLink {
     fn class(&self) -> &'static str {
         "TwoNodeLink"
@@ -256,10 +258,6 @@ impl Element for TwoNodeLink {
         // In the plane the rotation is about z.
         let direction = |d| if self.ndm == 2 && d == 3 { 6 } else { d };
         self.springs.basic_rows(direction, (self.ndm, self.per_node))
-    }
-
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.springs.watchers()
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {

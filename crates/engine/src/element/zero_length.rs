@@ -83,6 +83,8 @@ pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes:
     row.iter().any(|&c| c != 0.0).then_some(row)
 }
 
+crate::watches_columns!(ZeroLength => |s| in s.springs.slots());
+
 impl Element for ZeroLength {
     fn class(&self) -> &'static str {
         "ZeroLength"
@@ -116,10 +118,6 @@ impl Element for ZeroLength {
 
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.springs.initial_tangent(tangent);
-    }
-
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.springs.watchers()
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {

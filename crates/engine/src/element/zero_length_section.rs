@@ -2,7 +2,6 @@
 
 use super::zero_length::direction_row;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
-use crate::material::Material;
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
@@ -63,6 +62,8 @@ const X_AXIS: u32 = 20;
 const Z_AXIS: u32 = 22;
 const SECTION: u32 = 30;
 
+crate::watches_columns!(ZeroLengthSection => |s| in [&s.slot]);
+
 impl Element for ZeroLengthSection {
     fn class(&self) -> &'static str {
         "ZeroLengthSection"
@@ -111,10 +112,6 @@ impl Element for ZeroLengthSection {
         let mut k = [0.0; MAX_ORDER * MAX_ORDER];
         self.slot.section.initial_stiffness(&mut k[..n * n]);
         self.add_stiffness(&k[..n * n], tangent);
-    }
-
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.slot.watchers()
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {

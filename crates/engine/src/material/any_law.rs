@@ -1,7 +1,9 @@
 //! Every [`UniaxialLaw`] as a [`Uniaxial`] material: its history lies in the state of an element.
 
+use super::plain_methods::plain_methods;
 use super::{
-    ColumnResponse, LimitCurve, Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw,
+    LimitCurve, Material, MaterialError, ObservedColumns, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw,
+    WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
@@ -9,7 +11,21 @@ use crate::state_struct::StateStruct;
 use std::any::Any;
 use std::sync::Arc;
 
+impl<L: UniaxialLaw> WatchesColumns for L {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.limit_curve().into_iter().collect()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        if let Some(seen) = self.limit_curve().and_then(|curve| columns.of(curve)) {
+            let mut state = L::State::read(committed);
+            UniaxialLaw::observe(self, &mut state, &seen);
+            state.write(committed);
+        }
+    }
+}
+
 impl<L: UniaxialLaw> Uniaxial for L {
+    plain_methods! { update_all_on shifted commit_all virgin_tangent are_virgin leave_trace }
     fn name(&self) -> &'static str {
         L::NAME
     }
@@ -74,14 +90,6 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let mut new = self.clone();
         let old = new.set_parameter(words.first()?, value)?;
         Some((Arc::new(new), old))
-    }
-    fn limit_curve(&self) -> Option<&LimitCurve> {
-        UniaxialLaw::limit_curve(self)
-    }
-    fn observe(&self, committed: &mut [f64], seen: &ColumnResponse) {
-        let mut state = L::State::read(committed);
-        UniaxialLaw::observe(self, &mut state, seen);
-        state.write(committed);
     }
     fn as_any(&self) -> Option<&dyn Any> {
         Some(self)

@@ -1,6 +1,7 @@
 //! Backbone curves (`hystereticBackbone`), and the elastic law that follows one.
 
-use super::{Material, MaterialError, Strain, Stress, Uniaxial};
+use super::plain_methods::plain_methods;
+use super::{LimitCurve, Material, MaterialError, ObservedColumns, Strain, Stress, Uniaxial, WatchesColumns};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -318,7 +319,18 @@ pub struct BackboneElastic {
     pub factor: f64,
 }
 
+/// The material of a curve is virgin at every strain: there is no history that a column could change.
+impl WatchesColumns for BackboneElastic {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        vec![]
+    }
+    fn observe(&self, _: &mut [f64], _: &ObservedColumns<'_>) {}
+}
+
+#[deny(clippy::missing_trait_methods)]
 impl Uniaxial for BackboneElastic {
+    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
+    with_parameter as_any }
     fn name(&self) -> &'static str {
         "Backbone"
     }

@@ -1,9 +1,9 @@
 //! Low-cycle fatigue around another material.
 
-use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use super::wrapper::{Wrapped, Wrapper};
+use super::{Material, MaterialError, Slot, Strain, Stress};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
-use std::sync::Arc;
 
 /// Parameters of [`Fatigue`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,9 +21,11 @@ pub struct FatigueParameters {
 /// A material that fails by low-cycle fatigue (Uriz and Mahin, 2008). A rainflow count over four reversals finds the
 /// strain ranges. Their damage is summed by Miner's rule with the Coffin-Manson life. The count is updated at the end
 /// of a step, so that failure acts from the next step on. A failed material keeps 1e-8 of its stress.
+pub type Fatigue = Wrapped<FatigueCount>;
+
+/// Rainflow count and life of [`Fatigue`].
 #[derive(Clone, Debug)]
-pub struct Fatigue {
-    inner: Slot,
+pub struct FatigueCount {
     p: FatigueParameters,
 }
 
@@ -60,10 +62,12 @@ const MIN_STRAIN_RANGE: f64 = 1.0e-10;
 
 impl Fatigue {
     /// Wraps a material, given with its tag.
-    pub fn new((material, tag): (Material, i32), p: FatigueParameters) -> Self {
-        Self { inner: Slot::new(material, tag, Cycles::LEN), p }
+    pub fn new(material: (Material, i32), p: FatigueParameters) -> Self {
+        Self::around(FatigueCount { p }, [material])
     }
+}
 
+impl FatigueCount {
     /// Damage of a number of cycles of one range by the Coffin-Manson life.
     fn damage(&self, cycles: f64, range: f64) -> f64 {
         cycles / (range / self.p.e0).powf(1.0 / self.p.m).abs()
@@ -166,20 +170,23 @@ impl Fatigue {
     }
 }
 
-impl Uniaxial for Fatigue {
-    fn name(&self) -> &'static str {
-        "Fatigue"
+impl Wrapper for FatigueCount {
+    const NAME: &'static str = "Fatigue";
+    const HEADER: usize = Cycles::LEN;
+    const NUMBERED: bool = false;
+
+    fn init(&self, own: &mut [f64], _: &[Slot]) {
+        Cycles::default().write(own);
     }
-    fn state_len(&self) -> usize {
-        Cycles::LEN + self.inner.len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        Cycles::default().write(state);
-        self.inner.init(state);
-    }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(
+        &self,
+        inner: &[Slot],
+        committed: &[f64],
+        strain: Strain,
+        next: &mut [f64],
+    ) -> Result<Stress, MaterialError> {
         let old = Cycles::read(committed);
-        let s = self.inner.update(committed, strain, next)?;
+        let s = inner[0].update(committed, strain, next)?;
         let failed = old.failed != 0.0;
         let new = if failed {
             Cycles { counted: [[0.0; 2], old.counted[1], old.counted[2]], ..old }
@@ -188,56 +195,51 @@ impl Uniaxial for Fatigue {
         };
         if new.failed != 0.0 {
             // The history of a failed material is frozen.
-            next[Cycles::LEN..].copy_from_slice(&committed[Cycles::LEN..Cycles::LEN + self.inner.len()]);
+            next[Cycles::LEN..].copy_from_slice(&committed[Cycles::LEN..Cycles::LEN + inner[0].len()]);
         }
         new.write(next);
         Ok(if failed {
             Stress {
                 value: RESIDUAL_STRENGTH_RATIO * s.value,
-                tangent: RESIDUAL_STRENGTH_RATIO * self.initial_tangent(),
+                tangent: RESIDUAL_STRENGTH_RATIO * self.initial_tangent(inner),
                 damping: 0.0,
             }
         } else {
             s
         })
     }
-    fn initial_tangent(&self) -> f64 {
-        self.inner.material.initial_tangent()
+    fn initial_tangent(&self, inner: &[Slot]) -> f64 {
+        inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self) -> bool {
-        self.inner.material.is_viscous()
+    fn is_viscous(&self, inner: &[Slot]) -> bool {
+        inner[0].material.is_viscous()
     }
     fn depends_on_time(&self) -> bool {
-        self.inner.material.depends_on_time()
-    }
-    fn is_linear(&self) -> bool {
         false
     }
-    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        self.inner.shown(strain, state)
+    fn is_linear(&self, _: &[Slot]) -> bool {
+        false
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
-        let mut new = self.clone();
-        let old = new.inner.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+    fn has_failed(&self, state: &[f64]) -> bool {
+        Cycles::read(state).failed != 0.0
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match *words.first()? {
+    fn shown_strain(&self, inner: &[Slot], strain: f64, state: &[f64]) -> f64 {
+        inner[0].shown(strain, state)
+    }
+    fn probe(&self, _: &[Slot], word: &str) -> Option<Probe> {
+        match word {
             "damage" => Some(Probe::new(0, ["DI"])),
             "cyclesAndRange" => Some(Probe::new(1, (1..=6).map(|i| format!("cyclesAndRange{i}")))),
             "failure" => Some(Probe::new(2, ["failure"])),
-            "material" => Some(self.inner.probe(&words[1..])?.inside(&[3])),
-            _ => self.inner.material.probe(words).map(|p| p.inside(&[4])),
+            _ => None,
         }
     }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+    fn read(&self, _: &[Slot], id: u32, state: &[f64], out: &mut [f64]) {
         let c = Cycles::read(state);
-        match path[0] {
+        match id {
             0 => out[0] = c.damage,
             1 => out.copy_from_slice(c.counted.as_flattened()),
-            2 => out[0] = c.failed,
-            3 => self.inner.read(&path[1..], state, out),
-            _ => self.inner.read_own(&path[1..], state, out),
+            _ => out[0] = c.failed,
         }
     }
 }

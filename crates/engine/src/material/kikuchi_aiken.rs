@@ -3,6 +3,7 @@
 mod opensees;
 
 use super::{MaterialError, Strain, Stress, Uniaxial};
+use crate::material::plain_methods::plain_methods;
 use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
 use crate::rules::Consistent;
@@ -362,7 +363,10 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     }
 }
 
+crate::watches_columns!([D: Device, R: Rules] KikuchiAiken<D, R> => nothing);
+
 impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
+    plain_methods! { init_all block_len update_all update_all_on shifted copy_history virgin_tangent are_virgin with_parameter as_any }
     fn name(&self) -> &'static str {
         D::NAME
     }

@@ -15,6 +15,7 @@ mod bond_sp01;
 mod bouc_wen;
 mod bwbn;
 mod cast;
+mod column_watch;
 mod concrete01;
 mod concrete01_sitc;
 mod concrete02;
@@ -63,6 +64,7 @@ pub mod multiaxial;
 mod no_tension;
 mod parallel;
 mod pinching4;
+pub(crate) mod plain_methods;
 mod ratchet;
 mod reinforcing_steel;
 mod saws;
@@ -85,6 +87,7 @@ mod viscoelastic_gap;
 mod viscous;
 mod viscous_damper;
 mod wrapped;
+mod wrapper;
 
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -102,6 +105,8 @@ pub use bond_sp01::BondSp01;
 pub use bouc_wen::BoucWen;
 pub use bwbn::Bwbn;
 pub use cast::Cast;
+pub(crate) use column_watch::observe_points;
+pub use column_watch::{ObservedColumns, WatchesColumns};
 pub use concrete_cm::{ConcreteCm, History as ConcreteHistory, TsaiEnvelope};
 pub use concrete_d::ConcreteD;
 pub use concrete_w_beta::ConcreteWBeta;
@@ -121,7 +126,7 @@ pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_power::ElasticPower;
 pub use elastic_pp::ElasticPP;
 pub use elastic_pp_gap::ElasticPPGap;
-pub use fatigue::{Fatigue, FatigueParameters};
+pub use fatigue::{Fatigue, FatigueCount, FatigueParameters};
 pub use frp_confined_concrete02::{FrpConfinedConcrete02, Jacket};
 pub use gng::Gng;
 pub use hardening::Hardening;
@@ -155,18 +160,18 @@ pub use multiaxial::{
     THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
 };
 pub use no_tension::NoTension;
-pub use parallel::Parallel;
+pub use parallel::{Parallel, WeightedSum};
 pub use pinching4::{Damage, LinearDamage, Pinching4, Pinching4Parameters, Pinching4Side};
 pub use ratchet::{Ratchet, Teeth};
 pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
-pub use series::{Iteration, Series};
+pub use series::{CommonStress, Iteration, Series};
 pub(crate) use slot::write_linear;
 pub use slot::{Shift, Slot};
 pub use sma::Sma;
 pub use sma_3k::Sma3k;
-pub use softening::{Mullins, Peak, Softening};
+pub use softening::{Mullins, Peak, Softening, SofteningFactor};
 pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
 pub use steel_brb::{BrbBranch, SteelBrb};
 pub use steel_drc::{BauschingerKind, ReportedStiffness, SteelDrc};
@@ -179,7 +184,8 @@ pub use uvc_uniaxial::{MAX_BACKSTRESSES, UvcUniaxial};
 pub use viscoelastic_gap::ViscoelasticGap;
 pub use viscous::Viscous;
 pub use viscous_damper::{IntegrationMethod, ViscousDamper};
-pub use wrapped::{InitialState, MinMax};
+pub use wrapped::{InitialState, MinMax, StrainLimits};
+pub use wrapper::{Wrapped, Wrapper};
 
 /// A trial strain, with the rate and the time that rate-dependent laws need.
 #[derive(Clone, Copy, Debug, Default)]
@@ -335,7 +341,7 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
 }
 
 /// Evaluates points one after the other.
-fn update_each<U: Uniaxial + ?Sized>(
+pub(crate) fn update_each<U: Uniaxial + ?Sized>(
     material: &U,
     committed: &[f64],
     strains: &Strains<'_>,
@@ -352,8 +358,9 @@ fn update_each<U: Uniaxial + ?Sized>(
     Ok(())
 }
 
-/// A uniaxial material of any kind.
-pub trait Uniaxial: fmt::Debug + Send + Sync {
+/// A uniaxial material of any kind. No method has a default: a law around others decides on every one of them.
+/// `point_by_point!` writes those of a law that evaluates one point after the other.
+pub trait Uniaxial: WatchesColumns + fmt::Debug + Send + Sync {
     /// Name in the `uniaxialMaterial` command.
     fn name(&self) -> &'static str;
     /// Number of state variables.
@@ -362,13 +369,9 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn init(&self, state: &mut [f64]);
     /// Writes the virgin state of `n` points that are always updated together. They take `n` times the variables of
     /// one point, and the law chooses their layout.
-    fn init_all(&self, _n: usize, state: &mut [f64]) {
-        state.chunks_exact_mut(self.state_len().max(1)).for_each(|point| self.init(point));
-    }
+    fn init_all(&self, n: usize, state: &mut [f64]);
     /// Number of points that [`Uniaxial::update_all`] evaluates at once. A multiple of it takes least time.
-    fn block_len(&self) -> usize {
-        1
-    }
+    fn block_len(&self) -> usize;
     /// Returns the stress for a trial strain from the committed history, and writes every variable of `next`.
     ///
     /// # Errors
@@ -386,9 +389,7 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_each(self, committed, strains, next, stresses)
-    }
+    ) -> Result<(), MaterialError>;
 
     /// As [`Uniaxial::update_all`], for an element that follows the calls of OpenSees. `next` holds the last trial
     /// state of the step, `before` the committed strains.
@@ -398,47 +399,34 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     fn update_all_on(
         &self,
         committed: &[f64],
-        _before: &[f64],
+        before: &[f64],
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        self.update_all(committed, strains, next, stresses)
-    }
+    ) -> Result<(), MaterialError>;
 
     /// The material inside one that only shifts its strains, with its slot, and the shift. Points of such materials around
     /// one law are evaluated together.
-    fn shifted(&self) -> Option<(&Slot, f64)> {
-        None
-    }
+    fn shifted(&self) -> Option<(&Slot, f64)>;
 
     /// Copies trial histories to committed ones. A law may skip variables that are never read.
-    fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
-        committed.copy_from_slice(trial);
-    }
+    fn commit_all(&self, trial: &[f64], committed: &mut [f64]);
 
     /// Copies the history of one point to another array. Each triple is the array in the layout of
     /// [`Uniaxial::init_all`], the index of the point, and the number of points.
-    fn copy_history(&self, (from, i, _): (&[f64], usize, usize), (to, j, _): (&mut [f64], usize, usize)) {
-        let n = self.state_len();
-        to[j * n..(j + 1) * n].copy_from_slice(&from[i * n..(i + 1) * n]);
-    }
+    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize));
 
     /// Tangent of virgin points with strains in a range, if their stresses are proportional to their strains and they
     /// stay virgin. `None` if they do not, or if the law cannot tell.
-    fn virgin_tangent(&self, _range: [f64; 2]) -> Option<f64> {
-        None
-    }
+    fn virgin_tangent(&self, range: [f64; 2]) -> Option<f64>;
 
     /// Returns true if all of these histories, as [`Uniaxial::update_all`] writes them, equal the virgin one. A law
     /// that always returns false is evaluated point by point.
-    fn are_virgin(&self, _state: &[f64]) -> bool {
-        false
-    }
+    fn are_virgin(&self, state: &[f64]) -> bool;
 
     /// Copies to the committed state the variables that a trial of OpenSees changes without a commit. Used for
     /// springs that are evaluated and never committed.
-    fn leave_trace(&self, _tried: &[f64], _committed: &mut [f64]) {}
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]);
 
     /// Tangent of the virgin material.
     fn initial_tangent(&self) -> f64;
@@ -449,24 +437,12 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     /// Returns true if the stress is proportional to the strain for every history.
     fn is_linear(&self) -> bool;
     /// Strain in recorders for a strain of the material. A law with an initial strain adds it.
-    fn shown_strain(&self, strain: f64, _state: &[f64]) -> f64 {
-        strain
-    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64;
     /// Returns the material with a new value of a parameter, named by the words of a `parameter` command, and the
     /// previous value. `None` if it has no such parameter. The layout of the history does not change.
-    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Material, f64)> {
-        None
-    }
-    /// Limit surface of a column whose committed response the law needs.
-    fn limit_curve(&self) -> Option<&LimitCurve> {
-        None
-    }
-    /// Changes the committed state by the response of the column that [`Uniaxial::limit_curve`] names.
-    fn observe(&self, _committed: &mut [f64], _seen: &ColumnResponse) {}
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)>;
     /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
-    fn as_any(&self) -> Option<&dyn Any> {
-        None
-    }
+    fn as_any(&self) -> Option<&dyn Any>;
     /// Response specific to this material, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.

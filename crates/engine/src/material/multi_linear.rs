@@ -1,5 +1,6 @@
 //! Multilinear plasticity by Masing's rule.
 
+use super::plain_methods::plain_methods;
 use super::{MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 
@@ -63,7 +64,11 @@ fn ends(words: &mut [f64]) -> &mut [End] {
     words[HEADER..].as_chunks_mut::<4>().0
 }
 
+crate::watches_columns!(MultiLinear => nothing);
+
 impl Uniaxial for MultiLinear {
+    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
+    with_parameter as_any }
     fn name(&self) -> &'static str {
         "MultiLinear"
     }

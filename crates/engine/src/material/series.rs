@@ -1,13 +1,21 @@
 //! Materials in series.
 
-use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use super::wrapper::{Wrapped, Wrapper};
+use super::{Material, MaterialError, Slot, Strain, Stress};
 use crate::probe::Probe;
 
 /// Materials with the same stress. The strain is the sum of their strains.
+pub type Series = Wrapped<CommonStress>;
+
+/// Common stress of the materials of [`Series`].
 #[derive(Clone, Debug)]
-pub struct Series {
-    components: Vec<Slot>,
-    state_len: usize,
+pub struct CommonStress {
+    iteration: Iteration,
+}
+
+/// The common stress with the materials that have it.
+struct Components<'a> {
+    slots: &'a [Slot],
     iteration: Iteration,
 }
 
@@ -46,8 +54,6 @@ const MAX_ITERATIONS: usize = 30;
 const INCREMENTS: [i32; 5] = [1, 4, 16, 64, 256];
 /// Stiffness below which the flexibility is bounded by its inverse, as in OpenSees.
 const MIN_STIFFNESS: f64 = 1e-12;
-const STRAINS: u32 = 1;
-const COMPONENT: u32 = 2;
 
 /// Spread of the component stresses after a correction.
 #[derive(Clone, Copy)]
@@ -80,8 +86,35 @@ impl Rounding {
 impl Series {
     /// From materials, each with its tag.
     pub fn new(materials: Vec<(Material, i32)>, iteration: Iteration) -> Self {
-        let (components, state_len) = Slot::pack(materials, HEADER);
-        Self { components, state_len, iteration }
+        Self::around(CommonStress { iteration }, materials)
+    }
+}
+
+impl Components<'_> {
+    fn initial_tangent(&self) -> f64 {
+        let k = self.slots.iter().map(|slot| slot.material.initial_tangent());
+        k.reduce(|a, b| if a + b == 0.0 { 0.0 } else { a * b / (a + b) }).unwrap_or(0.0)
+    }
+
+    fn depends_on_time(&self) -> bool {
+        self.slots.iter().any(|slot| slot.material.depends_on_time())
+    }
+
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        let initial = self.initial_tangent();
+        if (strain.value - committed[STRAIN]).abs() < f64::EPSILON && !self.depends_on_time() {
+            next.copy_from_slice(&committed[..next.len()]);
+            let tangent = initial + committed[SOFTENING];
+            return Ok(Stress { value: committed[STRESS], tangent, damping: 0.0 });
+        }
+        let s = match self.iteration {
+            Iteration::Converged => self.converge(committed, strain, next)?,
+            Iteration::FixedIterations(limit, tolerance) => {
+                self.fixed_iterations(committed, strain, next, (limit, tolerance))?
+            }
+        };
+        next[..HEADER].copy_from_slice(&[s.value, s.tangent - initial, strain.value]);
+        Ok(s)
     }
 
     /// Evaluates a component at a strain; returns its stress and flexibility.
@@ -94,7 +127,7 @@ impl Series {
         next: &mut [f64],
     ) -> Result<ComponentResponse, MaterialError> {
         // The components' rates are unknown, since only the total rate is given.
-        let s = self.components[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
+        let s = self.slots[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok(ComponentResponse { stress: s.value, flexibility: flexibility(s.tangent) })
     }
 
@@ -113,7 +146,7 @@ impl Series {
         let virgin = committed[STRAIN] == 0.0 && committed[STRESS] == 0.0 && committed[SOFTENING] == 0.0;
         for round in 0..limit {
             let (mut f, mut total) = (0.0, 0.0);
-            for (i, component) in self.components.iter().enumerate() {
+            for (i, component) in self.slots.iter().enumerate() {
                 let start = if virgin && round == 0 { 0.0 } else { flexibility(component.tangent(next)) };
                 let own = component.strain(next) + start * (stress - component.stress(next));
                 let p = self.set(i, committed, own, strain.dt, next)?;
@@ -158,7 +191,7 @@ impl Series {
             let strain = component.strain(committed).abs().max(component.strain(next).abs());
             component.stress(committed).abs().max(stiffness * strain)
         };
-        self.components.iter().map(of_component).fold(0.0, f64::max)
+        self.slots.iter().map(of_component).fold(0.0, f64::max)
     }
 
     /// Newton's method from the component states in `next` and a stress. `None` if it does not converge.
@@ -174,14 +207,14 @@ impl Series {
         for _ in 0..MAX_ITERATIONS {
             // Stress for which the linearised components have the total strain.
             let (mut f, mut total) = (0.0, 0.0);
-            for component in &self.components {
+            for component in self.slots {
                 let own = flexibility(component.tangent(next));
                 f += own;
                 total += component.strain(next) + own * (stress - component.stress(next));
             }
             stress += (strain.value - total) / f;
             let (mut rest, mut softest, mut largest) = (strain.value, 0, 0.0);
-            for (i, component) in self.components.iter().enumerate() {
+            for (i, component) in self.slots.iter().enumerate() {
                 let own = flexibility(component.tangent(next));
                 let value = component.strain(next) + own * (stress - component.stress(next));
                 rest -= value;
@@ -191,18 +224,18 @@ impl Series {
                 self.set(i, committed, value, strain.dt, next)?;
             }
             // The softest component takes the remaining strain, because its stress changes least.
-            let value = self.components[softest].strain(next) + rest;
+            let value = self.slots[softest].strain(next) + rest;
             self.set(softest, committed, value, strain.dt, next)?;
-            let stresses = || self.components.iter().map(|p| p.stress(next));
+            let stresses = || self.slots.iter().map(|p| p.stress(next));
             let (low, high) = stresses().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
             scale = scale.max(low.abs()).max(high.abs());
-            let after: f64 = self.components.iter().map(|p| flexibility(p.tangent(next))).sum();
+            let after: f64 = self.slots.iter().map(|p| flexibility(p.tangent(next))).sum();
             let spread =
                 StressSpread { value: high - low, linear: (after - f).abs() <= FLEXIBILITY_TOLERANCE * f.abs() };
             if spread.value <= STRESS_TOLERANCE * scale
                 || rounding.is_roundoff(spread, self.rounded_stress(committed, next))
             {
-                let value = self.components[0].stress(next);
+                let value = self.slots[0].stress(next);
                 return Ok(Some(Stress { value, tangent: flexibility(after), damping: 0.0 }));
             }
         }
@@ -220,60 +253,52 @@ fn flexibility(k: f64) -> f64 {
     if k.abs() > MIN_STIFFNESS { 1.0 / k } else { 1e12_f64.copysign(k) }
 }
 
-impl Uniaxial for Series {
-    fn name(&self) -> &'static str {
-        "Series"
+impl CommonStress {
+    fn of<'a>(&self, slots: &'a [Slot]) -> Components<'a> {
+        Components { slots, iteration: self.iteration }
     }
-    fn state_len(&self) -> usize {
-        self.state_len
+}
+
+impl Wrapper for CommonStress {
+    const NAME: &'static str = "Series";
+    const HEADER: usize = HEADER;
+    const NUMBERED: bool = true;
+
+    fn init(&self, own: &mut [f64], _: &[Slot]) {
+        own.fill(0.0);
     }
-    fn init(&self, state: &mut [f64]) {
-        state[..HEADER].fill(0.0);
-        self.components.iter().for_each(|slot| slot.init(state));
+    fn update(
+        &self,
+        inner: &[Slot],
+        committed: &[f64],
+        strain: Strain,
+        next: &mut [f64],
+    ) -> Result<Stress, MaterialError> {
+        self.of(inner).update(committed, strain, next)
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
-        let initial = self.initial_tangent();
-        if (strain.value - committed[STRAIN]).abs() < f64::EPSILON && !self.depends_on_time() {
-            next.copy_from_slice(&committed[..next.len()]);
-            let tangent = initial + committed[SOFTENING];
-            return Ok(Stress { value: committed[STRESS], tangent, damping: 0.0 });
-        }
-        let s = match self.iteration {
-            Iteration::Converged => self.converge(committed, strain, next)?,
-            Iteration::FixedIterations(limit, tolerance) => {
-                self.fixed_iterations(committed, strain, next, (limit, tolerance))?
-            }
-        };
-        next[..HEADER].copy_from_slice(&[s.value, s.tangent - initial, strain.value]);
-        Ok(s)
+    fn initial_tangent(&self, inner: &[Slot]) -> f64 {
+        self.of(inner).initial_tangent()
     }
-    fn initial_tangent(&self) -> f64 {
-        let k = self.components.iter().map(|slot| slot.material.initial_tangent());
-        k.reduce(|a, b| if a + b == 0.0 { 0.0 } else { a * b / (a + b) }).unwrap_or(0.0)
-    }
-    fn is_viscous(&self) -> bool {
+    /// The components' rates are unknown.
+    fn is_viscous(&self, _: &[Slot]) -> bool {
         false
     }
     fn depends_on_time(&self) -> bool {
-        self.components.iter().any(|slot| slot.material.depends_on_time())
+        false
     }
-    fn is_linear(&self) -> bool {
-        self.iteration == Iteration::Converged && self.components.iter().all(|slot| slot.material.is_linear())
+    fn is_linear(&self, inner: &[Slot]) -> bool {
+        self.iteration == Iteration::Converged && inner.iter().all(|slot| slot.material.is_linear())
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match *words.first()? {
-            "strains" => Some(Probe::new(STRAINS, self.components.iter().map(|_| "eps11"))),
-            "material" | "component" => {
-                let i = words.get(1)?.parse::<usize>().ok()?.checked_sub(1)?;
-                Some(self.components.get(i)?.probe(&words[2..])?.inside(&[COMPONENT, i as u32]))
-            }
-            _ => None,
-        }
+    fn has_failed(&self, _: &[f64]) -> bool {
+        false
     }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        match path[0] {
-            STRAINS => out.iter_mut().zip(&self.components).for_each(|(o, slot)| *o = slot.strain(state)),
-            _ => self.components[path[1] as usize].read(&path[2..], state, out),
-        }
+    fn shown_strain(&self, _: &[Slot], strain: f64, _: &[f64]) -> f64 {
+        strain
+    }
+    fn probe(&self, inner: &[Slot], word: &str) -> Option<Probe> {
+        (word == "strains").then(|| Probe::new(0, inner.iter().map(|_| "eps11")))
+    }
+    fn read(&self, inner: &[Slot], _: u32, state: &[f64], out: &mut [f64]) {
+        out.iter_mut().zip(inner).for_each(|(o, slot)| *o = slot.strain(state));
     }
 }

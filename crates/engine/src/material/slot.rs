@@ -3,6 +3,7 @@
 use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
 use crate::numeric::wide::Wide;
 use crate::probe::Probe;
+use std::ops::Range;
 
 /// A material at an offset in the state of its owner. The first five variables are strain, strain rate, stress,
 /// tangent and energy, so that recorders read them for every law.
@@ -36,6 +37,8 @@ const HEADER: usize = 5;
 
 /// First number of the path of a response specific to the law.
 const OWN: u32 = 100;
+
+crate::watches_columns!(Slot => |s| at [(s.own(), &s.material)]);
 
 /// Writes the header of linear materials of several models side by side, as [`Slot::update`] does; its length.
 #[inline(always)]
@@ -104,9 +107,14 @@ impl Slot {
         self.material.init(&mut words[HEADER..]);
     }
 
-    /// The law with the offset of its history, if it watches a column.
-    pub fn watcher(&self) -> Option<(usize, Material)> {
-        self.material.limit_curve().map(|_| (self.at + HEADER, Material::clone(&self.material)))
+    /// Range of the law's own variables.
+    fn own(&self) -> Range<usize> {
+        self.at + HEADER..self.at + self.len
+    }
+
+    /// Copies to the committed state the variables that a trial changes without a commit.
+    pub(super) fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        self.material.leave_trace(&tried[self.own()], &mut committed[self.own()]);
     }
 
     /// Writes strain, stress, tangent and energy of a point at rest to the header. Returns the offset of the law's
@@ -205,7 +213,7 @@ impl Slot {
 
     /// Strain as reported by recorders for a given strain of the material.
     pub fn shown(&self, strain: f64, state: &[f64]) -> f64 {
-        self.material.shown_strain(strain, &state[self.at + HEADER..self.at + self.len()])
+        self.material.shown_strain(strain, &state[self.own()])
     }
 
     /// Stress in a state.
@@ -259,6 +267,6 @@ impl Slot {
 
     /// Value of a probe specific to the law, by the law's own path.
     pub fn read_own(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.material.read(path, &state[self.at + HEADER..self.at + self.len()], out);
+        self.material.read(path, &state[self.own()], out);
     }
 }

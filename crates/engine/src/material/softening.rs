@@ -1,10 +1,10 @@
 //! Softening of virgin rubber (Mullins effect): inside a law, around a law, and around any bearing
 //! (`crate::element::amendment`).
 
-use super::{Material, MaterialError, Slot, Strain, Stress, Uniaxial};
+use super::wrapper::{Wrapped, Wrapper};
+use super::{Material, MaterialError, Slot, Strain, Stress};
 use crate::numeric::Dual;
 use crate::probe::Probe;
-use std::sync::Arc;
 
 /// Decrease of the stress of rubber with the largest strain so far, and its recovery with time.
 ///
@@ -84,9 +84,11 @@ impl Softening {
 }
 
 /// A law multiplied by the softening factor of the largest strain.
+pub type Mullins = Wrapped<SofteningFactor>;
+
+/// Factor of [`Mullins`] on the law inside.
 #[derive(Clone, Debug)]
-pub struct Mullins {
-    inner: Slot,
+pub struct SofteningFactor {
     softening: Softening,
 }
 
@@ -98,70 +100,65 @@ const INNER: usize = 3;
 
 impl Mullins {
     /// Wraps a material, given with its tag.
-    pub fn new((material, tag): (Material, i32), softening: Softening) -> Self {
-        Self { inner: Slot::new(material, tag, INNER), softening }
+    pub fn new(material: (Material, i32), softening: Softening) -> Self {
+        Self::around(SofteningFactor { softening }, [material])
     }
+}
 
+impl SofteningFactor {
     /// Factor before the analysis.
     fn virgin_factor(&self) -> f64 {
         self.softening.factor_at(self.softening.virgin().now, Dual::constant(0.0)).value
     }
 }
 
-impl Uniaxial for Mullins {
-    fn name(&self) -> &'static str {
-        "Mullins"
-    }
-    fn state_len(&self) -> usize {
-        INNER + self.inner.len()
-    }
-    fn init(&self, state: &mut [f64]) {
+impl Wrapper for SofteningFactor {
+    const NAME: &'static str = "Mullins";
+    const HEADER: usize = INNER;
+    const NUMBERED: bool = false;
+
+    fn init(&self, own: &mut [f64], _: &[Slot]) {
         let Peak { now, ever } = self.softening.virgin();
-        (state[PEAK], state[EVER], state[FACTOR]) = (now.value, ever, self.virgin_factor());
-        self.inner.init(state);
+        (own[PEAK], own[EVER], own[FACTOR]) = (now.value, ever, self.virgin_factor());
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(
+        &self,
+        inner: &[Slot],
+        committed: &[f64],
+        strain: Strain,
+        next: &mut [f64],
+    ) -> Result<Stress, MaterialError> {
         let old = Peak { now: Dual::constant(committed[PEAK]), ever: committed[EVER] };
         let trial = Dual { value: strain.value, slope: 1.0 };
         let peak = self.softening.advance(old, trial, strain.dt.abs());
         let factor = self.softening.factor_at(peak.now, trial.abs());
         (next[PEAK], next[EVER], next[FACTOR]) = (peak.now.value, peak.ever, factor.value);
-        let s = self.inner.update(committed, strain, next)?;
+        let s = inner[0].update(committed, strain, next)?;
         let whole = factor * Dual { value: s.value, slope: s.tangent };
         Ok(Stress { value: whole.value, tangent: whole.slope, damping: factor.value * s.damping })
     }
-    fn initial_tangent(&self) -> f64 {
-        self.virgin_factor() * self.inner.material.initial_tangent()
+    fn initial_tangent(&self, inner: &[Slot]) -> f64 {
+        self.virgin_factor() * inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self) -> bool {
-        self.inner.material.is_viscous()
+    fn is_viscous(&self, inner: &[Slot]) -> bool {
+        inner[0].material.is_viscous()
     }
     fn depends_on_time(&self) -> bool {
-        self.softening.healed > 0.0 || self.inner.material.depends_on_time()
+        self.softening.healed > 0.0
     }
-    fn is_linear(&self) -> bool {
+    fn is_linear(&self, _: &[Slot]) -> bool {
         false
     }
-    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        self.inner.shown(strain, state)
+    fn has_failed(&self, _: &[f64]) -> bool {
+        false
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
-        let mut new = self.clone();
-        let old = new.inner.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+    fn shown_strain(&self, inner: &[Slot], strain: f64, state: &[f64]) -> f64 {
+        inner[0].shown(strain, state)
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match *words.first()? {
-            "factor" => Some(Probe::new(0, ["factor"])),
-            "material" => Some(self.inner.probe(&words[1..])?.inside(&[1])),
-            _ => self.inner.material.probe(words).map(|p| p.inside(&[2])),
-        }
+    fn probe(&self, _: &[Slot], word: &str) -> Option<Probe> {
+        (word == "factor").then(|| Probe::new(0, ["factor"]))
     }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        match path[0] {
-            0 => out[0] = state[FACTOR],
-            1 => self.inner.read(&path[1..], state, out),
-            _ => self.inner.read_own(&path[1..], state, out),
-        }
+    fn read(&self, _: &[Slot], _: u32, state: &[f64], out: &mut [f64]) {
+        out[0] = state[FACTOR];
     }
 }

@@ -1,13 +1,18 @@
 //! Materials that wrap another one: strain limits, and an initial state.
 
+use super::plain_methods::plain_methods;
+use super::wrapper::{Wrapped, Wrapper};
 use super::{Material, MaterialError, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
+use std::any::Any;
 use std::sync::Arc;
 
 /// A material that fails permanently if its strain reaches a limit.
+pub type MinMax = Wrapped<StrainLimits>;
+
+/// Strain limits of [`MinMax`].
 #[derive(Clone, Debug)]
-pub struct MinMax {
-    inner: Slot,
+pub struct StrainLimits {
     min: f64,
     max: f64,
     /// As in OpenSees, recorders keep reporting the strain before the failure.
@@ -25,65 +30,59 @@ const MAX_ITERATIONS: usize = 100;
 
 impl MinMax {
     /// From a material, given with its tag, and its strain limits.
-    pub fn new((material, tag): (Material, i32), min: f64, max: f64, compat: bool) -> Self {
-        Self { inner: Slot::new(material, tag, 1), min, max, compat }
+    pub fn new(material: (Material, i32), min: f64, max: f64, compat: bool) -> Self {
+        Self::around(StrainLimits { min, max, compat }, [material])
     }
 }
 
-impl Uniaxial for MinMax {
-    fn name(&self) -> &'static str {
-        "MinMax"
+impl Wrapper for StrainLimits {
+    const NAME: &'static str = "MinMax";
+    const HEADER: usize = 1;
+    const NUMBERED: bool = false;
+
+    fn init(&self, own: &mut [f64], _: &[Slot]) {
+        own[FAILED] = 0.0;
     }
-    fn state_len(&self) -> usize {
-        1 + self.inner.len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        state[FAILED] = 0.0;
-        self.inner.init(state);
-    }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(
+        &self,
+        inner: &[Slot],
+        committed: &[f64],
+        strain: Strain,
+        next: &mut [f64],
+    ) -> Result<Stress, MaterialError> {
         if committed[FAILED] != 0.0 || strain.value >= self.max || strain.value <= self.min {
             next.copy_from_slice(&committed[..next.len()]);
             next[FAILED] = 1.0;
-            return Ok(Stress { value: 0.0, tangent: FAILED_TANGENT_RATIO * self.initial_tangent(), damping: 0.0 });
+            let tangent = FAILED_TANGENT_RATIO * self.initial_tangent(inner);
+            return Ok(Stress { value: 0.0, tangent, damping: 0.0 });
         }
         next[FAILED] = 0.0;
-        self.inner.update(committed, strain, next)
+        inner[0].update(committed, strain, next)
     }
-    fn initial_tangent(&self) -> f64 {
-        self.inner.material.initial_tangent()
+    fn initial_tangent(&self, inner: &[Slot]) -> f64 {
+        inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self) -> bool {
-        self.inner.material.is_viscous()
+    fn is_viscous(&self, inner: &[Slot]) -> bool {
+        inner[0].material.is_viscous()
     }
     fn depends_on_time(&self) -> bool {
-        self.inner.material.depends_on_time()
-    }
-    fn is_linear(&self) -> bool {
         false
     }
-    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        let held = self.compat && state[FAILED] != 0.0;
-        self.inner.shown(if held { self.inner.strain(state) } else { strain }, state)
+    fn is_linear(&self, _: &[Slot]) -> bool {
+        false
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
-        let mut new = self.clone();
-        let old = new.inner.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+    fn has_failed(&self, state: &[f64]) -> bool {
+        state[FAILED] != 0.0
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match *words.first()? {
-            "failed" => Some(Probe::new(0, ["failed"])),
-            "material" => Some(self.inner.probe(&words[1..])?.inside(&[1])),
-            _ => self.inner.material.probe(words).map(|p| p.inside(&[2])),
-        }
+    fn shown_strain(&self, inner: &[Slot], strain: f64, state: &[f64]) -> f64 {
+        let held = self.compat && self.has_failed(state);
+        inner[0].shown(if held { inner[0].strain(state) } else { strain }, state)
     }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        match path[0] {
-            0 => out[0] = state[FAILED],
-            1 => self.inner.read(&path[1..], state, out),
-            _ => self.inner.read_own(&path[1..], state, out),
-        }
+    fn probe(&self, _: &[Slot], word: &str) -> Option<Probe> {
+        (word == "failed").then(|| Probe::new(0, ["failed"]))
+    }
+    fn read(&self, _: &[Slot], _: u32, state: &[f64], out: &mut [f64]) {
+        out[0] = state[FAILED];
     }
 }
 
@@ -138,7 +137,11 @@ impl InitialState {
     }
 }
 
+crate::watches_columns!(InitialState => |s| in [&s.inner]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Uniaxial for InitialState {
+    plain_methods! { update_all_on commit_all virgin_tangent are_virgin }
     fn name(&self) -> &'static str {
         self.name
     }
@@ -178,6 +181,12 @@ impl Uniaxial for InitialState {
     fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
         self.inner.copy_history(from, to);
     }
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        self.inner.leave_trace(tried, committed);
+    }
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
+    }
     fn initial_tangent(&self) -> f64 {
         self.inner.material.initial_tangent()
     }
@@ -197,6 +206,7 @@ impl Uniaxial for InitialState {
         let mut new = self.clone();
         let old = match words {
             ["epsInit"] => std::mem::replace(&mut new.strain, value),
+            ["material", rest @ ..] => new.inner.set_parameter(rest, value)?,
             _ => new.inner.set_parameter(words, value)?,
         };
         Some((Arc::new(new), old))

@@ -17,7 +17,7 @@ pub use node::Node;
 pub use pattern::{Drive, Excitation, Ground, NodalLoad, Pattern, PatternKind, SupportMotion};
 
 use crate::element::{CallDependent, Element};
-use crate::material::Material;
+use crate::material::LimitCurve;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -54,8 +54,8 @@ pub struct ElementEntry {
     pub load: Range<usize>,
     /// State variables that it shares with the elements of its class.
     pub shared: Range<usize>,
-    /// Laws in it that watch a column, with the offsets of their histories in its state variables.
-    pub watchers: Vec<(usize, Material)>,
+    /// Limit curves of the laws in it that watch a column, each once.
+    pub limit_curves: Vec<LimitCurve>,
 }
 
 /// Nodes, elements, constraints and loads.
@@ -83,6 +83,17 @@ pub struct Model {
     load_len: usize,
     /// Shared state variables by class and number.
     shared: BTreeMap<(&'static str, usize), Range<usize>>,
+}
+
+/// Limit curves in an element, each once.
+fn distinct_curves(element: &dyn Element) -> Vec<LimitCurve> {
+    let mut distinct: Vec<LimitCurve> = vec![];
+    for curve in element.limit_curves() {
+        if !distinct.contains(curve) {
+            distinct.push(curve.clone());
+        }
+    }
+    distinct
 }
 
 impl Model {
@@ -145,7 +156,7 @@ impl Model {
             force: 0..0,
             load: 0..0,
             shared: 0..0,
-            watchers: element.watchers(),
+            limit_curves: distinct_curves(&*element),
             element,
         };
         self.place(&mut entry);
@@ -199,7 +210,7 @@ impl Model {
     /// Put another element in the place of one, between the same nodes. The variables of the others move.
     pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
         debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());
-        self.elements[id.0].watchers = element.watchers();
+        self.elements[id.0].limit_curves = distinct_curves(&*element);
         self.elements[id.0].element = element;
         self.place_elements();
         self.touch();

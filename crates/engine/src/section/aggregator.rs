@@ -1,8 +1,10 @@
 //! Sections composed of uniaxial materials.
 
+use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain};
+use crate::material::{Material, MaterialError, Slot, Strain, WatchesColumns};
 use crate::probe::Probe;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// An optional base section with additional resultants, each with an uncoupled uniaxial material.
@@ -38,6 +40,12 @@ impl Aggregator {
         self.resultants.len() - self.additions.len()
     }
 
+    /// The base section and the additions, each with the variables that it counts its own from.
+    fn parts(&self) -> impl Iterator<Item = (Range<usize>, &dyn WatchesColumns)> {
+        let base = self.base.iter().map(|base| (0..base.state_len(), &**base as &dyn WatchesColumns));
+        base.chain(self.additions.iter().map(|slot| (0..self.state_len, slot as &dyn WatchesColumns)))
+    }
+
     /// Copies the n x n matrix of the base section into the upper left corner of `k`.
     fn spread(&self, small: &[f64], k: &mut [f64]) {
         let (n, order) = (self.base_order(), self.resultants.len());
@@ -47,7 +55,11 @@ impl Aggregator {
     }
 }
 
+crate::watches_columns!(Aggregator => |s| at s.parts());
+
+#[deny(clippy::missing_trait_methods)]
 impl Section for Aggregator {
+    plain_methods! { elastic }
     fn class(&self) -> &'static str {
         if self.base.is_none() && self.additions.len() == 1 { "GenericSection1d" } else { "SectionAggregator" }
     }
@@ -105,11 +117,6 @@ impl Section for Aggregator {
         for (i, slot) in self.additions.iter().enumerate() {
             k[(n + i) * order + n + i] = slot.material.initial_tangent();
         }
-    }
-
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        let base = self.base.as_ref().map(|b| b.watchers()).unwrap_or_default();
-        base.into_iter().chain(self.additions.iter().filter_map(Slot::watcher)).collect()
     }
 
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {

@@ -1,6 +1,7 @@
 //! Axial behaviour of a section, for bars.
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
+use crate::material::plain_methods::plain_methods;
 use crate::material::{Material, MaterialError, Strain, Stress, Uniaxial};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -21,7 +22,12 @@ impl Axial {
     }
 }
 
+crate::watches_columns!(Axial => |s| in [&s.slot]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Uniaxial for Axial {
+    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
+    as_any }
     fn name(&self) -> &'static str {
         "Section"
     }

@@ -1,6 +1,7 @@
 //! Coupled plasticity of two resultants: a circular yield surface with isotropic and kinematic hardening (Simo and Hughes,
 //! 1998, section 3.3).
 
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section};
 use crate::material::MaterialError;
 
@@ -31,7 +32,10 @@ crate::state_struct! {
     }
 }
 
+crate::watches_columns!(Bidirectional => nothing);
+
 impl Section for Bidirectional {
+    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
     fn class(&self) -> &'static str {
         "Bidirectional"
     }

@@ -1,5 +1,6 @@
 //! Elastic cross-sections.
 
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SharedSection};
 use crate::material::MaterialError;
 use std::sync::Arc;
@@ -79,7 +80,10 @@ impl Elastic {
     }
 }
 
+crate::watches_columns!(Elastic => nothing);
+
 impl Section for Elastic {
+    plain_methods! { init depends_on_time probe }
     fn class(&self) -> &'static str {
         match self.resultants.len() {
             2 => "ElasticSection2d",

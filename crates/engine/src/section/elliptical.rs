@@ -1,6 +1,7 @@
 //! Coupled plasticity of two resultants with an elliptical yield surface, isotropic and kinematic hardening (Simo and
 //! Hughes, 1998, section 3.3, for a metric of the yield surface).
 
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section};
 use crate::material::MaterialError;
 use crate::state_struct::StateStruct as _;
@@ -104,7 +105,10 @@ impl Elliptical {
     }
 }
 
+crate::watches_columns!(Elliptical => nothing);
+
 impl Section for Elliptical {
+    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
     fn class(&self) -> &'static str {
         "Elliptical"
     }

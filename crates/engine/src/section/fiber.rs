@@ -3,8 +3,12 @@
 mod points;
 mod runs;
 
+use super::nearest::{FiberPlace, select};
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain, Strains, Stresses};
+use crate::material::{
+    LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
+};
 use crate::numeric::lanes::BLOCK;
 use crate::probe::Probe;
 use points::Points;
@@ -54,8 +58,10 @@ pub struct FiberSection {
     updated: usize,
     runs: Vec<FiberRun>,
     blocks: Vec<RunBlock>,
-    /// Stiffness of fibers that are all linear, by rows.
-    linear: Option<Vec<f64>>,
+    /// All fibers are linear.
+    linear: bool,
+    /// Stiffness of the virgin fibers, by rows.
+    virgin_stiffness: Vec<f64>,
     torsion: Option<Slot>,
     /// Bending about both axes.
     biaxial: bool,
@@ -121,34 +127,47 @@ impl FiberSection {
         let at = if is_linear { if biaxial { 3 } else { 2 } } else { words };
         let torsion = torsion.map(|(material, tag)| Slot::new(material, tag, at));
         let state_len = at + torsion.as_ref().map_or(0, Slot::len);
-        let mut section =
-            Self { fibers: placed, points, updated, runs, blocks, linear: None, torsion, biaxial, centroid, state_len };
-        if is_linear {
-            section.take_stiffness();
-        }
+        let mut section = Self {
+            fibers: placed,
+            points,
+            updated,
+            runs,
+            blocks,
+            linear: is_linear,
+            virgin_stiffness: vec![],
+            torsion,
+            biaxial,
+            centroid,
+            state_len,
+        };
+        section.take_stiffness();
         section
     }
 
-    /// Keeps the stiffness of linear fibers.
+    /// Number of resultants of the fibers.
+    fn fiber_order(&self) -> usize {
+        if self.biaxial { 3 } else { 2 }
+    }
+
+    /// Keeps the stiffness of the virgin fibers.
     fn take_stiffness(&mut self) {
-        let m = if self.biaxial { 3 } else { 2 };
-        let n = self.resultants().len();
-        let mut k = vec![0.0; n * n];
+        let m = self.fiber_order();
+        let mut k = vec![0.0; m * m];
         if self.biaxial {
             self.virgin::<3>(&mut k)
         } else {
             self.virgin::<2>(&mut k)
         }
-        self.linear = Some((0..m * m).map(|i| k[i / m * n + i % m]).collect());
+        self.virgin_stiffness = k;
     }
 
     /// Strain, stress, tangent and energy of a point.
     fn header(&self, i: usize, state: &[f64]) -> [f64; POINT_HEADER] {
-        if self.linear.is_none() {
+        if !self.linear {
             let parts = Parts::of(state, self.points.len());
             return [parts.strain[i], parts.stress[i], parts.tangent[i], parts.energy[i]];
         }
-        let strain = self.points.strain(i, &state[..if self.biaxial { 3 } else { 2 }]);
+        let strain = self.points.strain(i, &state[..self.fiber_order()]);
         let of_point = |b: &&RunBlock| b.points.contains(&i);
         let tangent =
             self.blocks.iter().find(of_point).map_or(0.0, |b| self.runs[b.runs.start].slot.material.initial_tangent());
@@ -165,10 +184,10 @@ impl FiberSection {
         (s, k): (&mut [f64], &mut [f64]),
     ) -> Result<(), MaterialError> {
         let n = self.points.len();
-        if let Some(stiffness) = &self.linear {
-            let rows = self.resultants().len();
+        if self.linear {
+            let (rows, stiffness) = (self.resultants().len(), self.virgin_stiffness.chunks_exact(M));
             next[..M].copy_from_slice(&e[..M]);
-            for ((s, k), own) in s.iter_mut().zip(k.chunks_exact_mut(rows)).zip(stiffness.chunks_exact(M)) {
+            for ((s, k), own) in s.iter_mut().zip(k.chunks_exact_mut(rows)).zip(stiffness) {
                 *s = own.iter().zip(e).map(|(k, e)| k * e).sum();
                 k[..M].copy_from_slice(own);
             }
@@ -208,27 +227,13 @@ impl FiberSection {
         self.runs.iter().for_each(|r| tangent[r.points.clone()].fill(r.slot.material.initial_tangent()));
         let history = points::Work { strains: [&zeros; 2], stresses: [&zeros; 2], energies: (&zeros, &mut energy) };
         let sums = self.points.integrate::<M>(&tangent, history);
-        sums.write(self.resultants().len(), &mut [0.0; M], k);
+        sums.write(M, &mut [0.0; M], k);
     }
 
-    /// Fiber selected by the words of a recorder, and the words after them. The selection is an index, or coordinates
-    /// with an optional material tag.
+    /// Fiber selected by the words of a recorder, and the words after them.
     fn find<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
-        let number = |w: &str| w.parse::<f64>().ok();
-        let y = number(words.first()?)?;
-        let Some(z) = words.get(1).and_then(|w| number(w)) else {
-            return Some((y as usize, &words[1..])).filter(|f| f.0 < self.fibers.len());
-        };
-        let (tag, rest) = match words.get(2).and_then(|w| w.parse::<i32>().ok()) {
-            Some(tag) => (Some(tag), &words[3..]),
-            None => (None, &words[2..]),
-        };
-        // The z coordinate does not count in a plane section.
-        let distance = |f: &PlacedFiber| (f.y - y).powi(2) + if self.biaxial { (f.z - z).powi(2) } else { 0.0 };
-        let has_tag = |f: &PlacedFiber| tag.is_none_or(|t| self.runs[f.run].slot.tag == t);
-        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| has_tag(f));
-        let nearest = candidates.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))?;
-        Some((nearest.0, rest))
+        let place = |f: &PlacedFiber| FiberPlace { y: f.y, z: f.z, tag: self.runs[f.run].slot.tag };
+        select(words, self.biaxial, self.fibers.iter().map(place))
     }
 
     /// Materials of the fibers and of the torsion.
@@ -242,7 +247,7 @@ impl FiberSection {
         let (run, i) = (&self.runs[fiber.run], fiber.point);
         let mut words = vec![0.0; run.slot.len()];
         let header = run.slot.write_header(&mut words, self.header(i, state));
-        if self.linear.is_none() {
+        if !self.linear {
             // A block stores histories in the layout of the material, which only the material can copy.
             let (parts, block) = (Parts::of(state, self.points.len()), &self.blocks[run.block]);
             let from = (&parts.laws[block.words(&self.runs)], i - block.points.start, block.points.len());
@@ -252,7 +257,24 @@ impl FiberSection {
     }
 }
 
+impl WatchesColumns for FiberSection {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.slots().flat_map(Slot::limit_curves).collect()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        if !self.linear {
+            let parts = Parts::of_mut(committed, self.points.len());
+            for block in &self.blocks {
+                block.observe(&self.runs, &mut parts.laws[block.words(&self.runs)], columns);
+            }
+        }
+        self.torsion.iter().for_each(|torsion| torsion.observe(committed, columns));
+    }
+}
+
+#[deny(clippy::missing_trait_methods)]
 impl Section for FiberSection {
+    plain_methods! { elastic }
     fn class(&self) -> &'static str {
         if self.biaxial { "FiberSection3d" } else { "FiberSection2d" }
     }
@@ -268,7 +290,7 @@ impl Section for FiberSection {
     }
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
-        if self.linear.is_none() {
+        if !self.linear {
             let parts = Parts::of_mut(state, self.points.len());
             for block in &self.blocks {
                 block.init(&self.runs, &mut parts.laws[block.words(&self.runs)]);
@@ -305,10 +327,10 @@ impl Section for FiberSection {
     }
 
     fn initial_stiffness(&self, k: &mut [f64]) {
-        if !self.biaxial {
-            return self.virgin::<2>(k);
-        }
-        self.virgin::<3>(k);
+        let (n, m) = (self.resultants().len(), self.fiber_order());
+        k.chunks_exact_mut(n)
+            .zip(self.virgin_stiffness.chunks_exact(m))
+            .for_each(|(k, own)| k[..m].copy_from_slice(own));
         if let Some(torsion) = &self.torsion {
             k[15] = torsion.material.initial_tangent();
         }
@@ -324,9 +346,7 @@ impl Section for FiberSection {
         let chosen = new.runs.iter_mut().map(|r| &mut r.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
         let old = chosen.filter_map(|s| s.set_parameter(rest, value)).last()?;
         new.blocks.iter_mut().for_each(|b| b.renew(&new.runs));
-        if new.linear.is_some() {
-            new.take_stiffness();
-        }
+        new.take_stiffness();
         Some((Arc::new(new), old))
     }
 

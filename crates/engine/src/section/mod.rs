@@ -11,11 +11,13 @@ mod elastic;
 mod elliptical;
 mod fiber;
 mod nd_fiber;
+mod nearest;
+mod plain_methods;
 pub mod plate;
 mod slot;
 mod two_spring_isolator;
 
-use crate::material::{CHARACTERISTIC_LENGTH, Material, MaterialError};
+use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, WatchesColumns};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -91,26 +93,20 @@ impl Resultant {
     }
 }
 
-/// A cross-section.
-pub trait Section: fmt::Debug + Send + Sync {
+/// A cross-section. No method has a default: a section around others decides on every one of them.
+pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     /// Class name in OpenSees.
     fn class(&self) -> &'static str;
     /// Resultants in the order of the deformations, at most [`MAX_ORDER`].
     fn resultants(&self) -> &[Resultant];
     /// Number of state variables.
     fn state_len(&self) -> usize;
-    /// Writes the virgin state: zeros unless the section says otherwise.
-    fn init(&self, state: &mut [f64]) {
-        state.fill(0.0);
-    }
+    /// Writes the virgin state.
+    fn init(&self, state: &mut [f64]);
     /// Returns true if the resultants are proportional to the deformations for every history.
-    fn is_linear(&self) -> bool {
-        false
-    }
+    fn is_linear(&self) -> bool;
     /// Returns true if the resultants depend on the elapsed time.
-    fn depends_on_time(&self) -> bool {
-        false
-    }
+    fn depends_on_time(&self) -> bool;
 
     /// Computes resultants `s` (length n) and tangent `k` (n x n by rows) for the deformations `e`, and writes every
     /// variable of `next`. The caller sets `s` and `k` to zero. `dt` is the domain time since the committed state.
@@ -131,27 +127,16 @@ pub trait Section: fmt::Debug + Send + Sync {
     fn initial_stiffness(&self, k: &mut [f64]);
 
     /// The elastic section, or `None` for another kind.
-    fn elastic(&self) -> Option<ElasticSection> {
-        None
-    }
+    fn elastic(&self) -> Option<ElasticSection>;
 
     /// Returns the section with a new value of a parameter, named by the words of a `parameter` command, and the
     /// previous value. `None` if it has no such parameter. The layout of the history does not change.
-    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(SharedSection, f64)> {
-        None
-    }
-
-    /// Laws that watch a column, with the offsets of their histories in the state.
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        vec![]
-    }
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)>;
 
     /// Response specific to this section, by the words of a recorder command.
-    fn probe(&self, _words: &[&str]) -> Option<Probe> {
-        None
-    }
+    fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
-    fn read(&self, _path: &[u32], _state: &[f64], _out: &mut [f64]) {}
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
 }
 
 /// A section as elements hold it: the parameters are shared, the state is stored by the element.

@@ -1,8 +1,11 @@
 //! Fiber sections whose fibers have shear stresses: `NDFiber`.
 
+use super::nearest::{FiberPlace, select};
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section};
 use crate::material::{MaterialError, SharedMultiaxial};
 use crate::probe::Probe;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A fiber with a law of N stresses: 11 and 12 in a plane, 11, 12 and 13 in space.
@@ -80,6 +83,11 @@ impl<const N: usize> NdFiberSection<N> {
         Self { fibers, centroid, root_alpha, state_len: at }
     }
 
+    /// Laws of the fibers, each with the range of its state variables.
+    fn laws(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<N>)> {
+        self.fibers.iter().map(|f| (f.at + 2 * N..f.at + 2 * N + f.fiber.law.0.state_len(), &f.fiber.law.0))
+    }
+
     fn order() -> usize {
         if N == 2 { PLANE.len() } else { MAX }
     }
@@ -96,22 +104,10 @@ impl<const N: usize> NdFiberSection<N> {
         }
     }
 
-    /// Fiber selected by the words of a recorder, and the words after them: an index, or coordinates with an optional tag of
-    /// a material.
+    /// Fiber selected by the words of a recorder, and the words after them.
     fn find<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
-        let number = |w: &str| w.parse::<f64>().ok();
-        let y = number(words.first()?)?;
-        let Some(z) = words.get(1).and_then(|w| number(w)) else {
-            return Some((y as usize, &words[1..])).filter(|f| f.0 < self.fibers.len());
-        };
-        let (tag, rest) = match words.get(2).and_then(|w| w.parse::<i32>().ok()) {
-            Some(tag) => (Some(tag), &words[3..]),
-            None => (None, &words[2..]),
-        };
-        let distance = |f: &NdFiber<N>| (f.y - y).powi(2) + if N == 2 { 0.0 } else { (f.z - z).powi(2) };
-        let candidates = self.fibers.iter().enumerate().filter(|(_, f)| tag.is_none_or(|t| f.fiber.law.1 == t));
-        let nearest = candidates.min_by(|a, b| distance(&a.1.fiber).total_cmp(&distance(&b.1.fiber)))?;
-        Some((nearest.0, rest))
+        let place = |f: &PlacedFiber<N>| FiberPlace { y: f.fiber.y, z: f.fiber.z, tag: f.fiber.law.1 };
+        select(words, N > 2, self.fibers.iter().map(place))
     }
 
     fn names(stem: &str) -> impl Iterator<Item = String> {
@@ -119,7 +115,11 @@ impl<const N: usize> NdFiberSection<N> {
     }
 }
 
+crate::watches_columns!([const N: usize] NdFiberSection<N> => |s| at s.laws());
+
+#[deny(clippy::missing_trait_methods)]
 impl<const N: usize> Section for NdFiberSection<N> {
+    plain_methods! { elastic }
     fn class(&self) -> &'static str {
         if N == 2 { "NDFiberSection2d" } else { "NDFiberSection3d" }
     }

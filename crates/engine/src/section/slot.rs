@@ -1,7 +1,7 @@
 //! Storage of a section's state in an element, with the responses that every section has.
 
 use super::{MAX_ORDER, Resultant, SharedSection};
-use crate::material::{Material, MaterialError};
+use crate::material::MaterialError;
 use crate::numeric::invert;
 use crate::probe::Probe;
 
@@ -26,6 +26,8 @@ const FLEXIBILITY: u32 = 13;
 const CODE: u32 = 14;
 /// First number of the path of a response specific to the section.
 const OWN: u32 = 100;
+
+crate::watches_columns!(SectionSlot => |s| at [(s.at + s.header()..s.at + s.len, &s.section)]);
 
 impl SectionSlot {
     /// Places a section at offset `at` of the owner's state.
@@ -145,12 +147,6 @@ impl SectionSlot {
             return Ok(());
         }
         Err(MaterialError(format!("section {} has no stiffness left", self.tag)))
-    }
-
-    /// Laws that watch a column, with the offsets of their histories in the owner's state.
-    pub fn watchers(&self) -> Vec<(usize, Material)> {
-        let start = self.at + self.header();
-        self.section.watchers().into_iter().map(|(at, law)| (start + at, law)).collect()
     }
 
     /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.

@@ -1,6 +1,7 @@
 //! Elastomeric bearing of two springs and a rigid column between them: shear with yielding, and buckling under the axial
 //! load (Ryan, Kelly and Chopra, 2005).
 
+use super::plain_methods::plain_methods;
 use super::{Resultant, Section};
 use crate::material::MaterialError;
 use crate::state_struct::StateStruct;
@@ -102,7 +103,10 @@ fn no_equilibrium(u: [f64; 2]) -> MaterialError {
     MaterialError(format!("Isolator2spring finds no equilibrium at {:.6e}, {:.6e}: it buckles", u[0], u[1]))
 }
 
+crate::watches_columns!(TwoSpringIsolator => nothing);
+
 impl Section for TwoSpringIsolator {
+    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
     fn class(&self) -> &'static str {
         "Isolator2spring"
     }

@@ -99,7 +99,7 @@ impl Models {
         // Places without a model repeat the first one.
         let all: [Parts<'_>; WIDTH] = std::array::from_fn(|lane| *own.get(lane).unwrap_or(&own[0]));
         let first = all[0];
-        let watches = |p: &Parts<'_>| p.model.elements.iter().any(|e| !e.watchers.is_empty());
+        let watches = |p: &Parts<'_>| p.model.elements.iter().any(|e| !e.limit_curves.is_empty());
         if !own.iter().all(|p| first.matches(p) && !watches(p)) {
             return None;
         }

@@ -335,10 +335,12 @@ impl Amended {
     }
 }
 
+crate::watches_columns!(Amended => |s| at [(0..s.inner_len, &s.inner)]);
+
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
     forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
         add_own_damping overload softening euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {

@@ -6,9 +6,10 @@ use crate::element::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
     dot,
 };
-use crate::material::{Material, Strain};
+use crate::material::{Material, Strain, WatchesColumns};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A beam with plastic hinges at its ends. A uniaxial material gives the moment of a hinge for its rotation. The
@@ -117,6 +118,16 @@ impl Hinged {
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
         let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
         Self { inner, material, hinges, inner_len, hinge_len, moment_tolerance: 0.0 }.scaled()
+    }
+
+    /// The beam and the materials of the hinges with the ranges of their states.
+    fn parts(&self) -> impl Iterator<Item = (Range<usize>, &dyn WatchesColumns)> {
+        let hinge = |i: usize| {
+            let start = self.inner_len + i * self.hinge_len;
+            (start + 1..start + self.hinge_len, &*self.material as &dyn WatchesColumns)
+        };
+        let beam = (0..self.inner_len, &*self.inner as &dyn WatchesColumns);
+        std::iter::once(beam).chain((0..self.hinges.len()).map(hinge))
     }
 
     /// Sets the tolerance of moments from the stiffness of the beam.
@@ -281,10 +292,12 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
     [first, chord.cross(&first)]
 }
 
+crate::watches_columns!(Hinged => |s| at s.parts());
+
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
     forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
+        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
         add_own_damping overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {

@@ -3,6 +3,7 @@
 use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
 use super::member::{Formulation, Member};
+use super::per_section::PerSection;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
@@ -41,7 +42,8 @@ fn stiffness<'a, const N: usize, const B: usize>(
             return None;
         }
         flexibility += share / stiff;
-        let rows: Vec<[f64; B]> = section.resultants().iter().map(|r| row(*r, x, length)).collect();
+        let mut rows = [[0.0; B]; MAX_ORDER];
+        rows.iter_mut().zip(section.resultants()).for_each(|(out, r)| *out = row(*r, x, length));
         for i in (0..n).filter(|i| *i != p) {
             axpy(share * k[p * n + i] / stiff, &rows[i], &mut by_deformation);
             axpy(share * k[i * n + p] / stiff, &rows[i], &mut of_force);
@@ -77,13 +79,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
         let length = member.length();
-        let mean = |strains: &[f64]| -> f64 {
+        let mean = |strains: &PerSection<f64>| -> f64 {
             member.along().zip(strains).map(|((_, _, weight), e)| weight / length * e).sum()
         };
-        let mut strains: Vec<f64> =
+        let mut strains: PerSection<f64> =
             member.along().map(|(section, ..)| section.deformation(committed)[axial(section)]).collect();
         let more = v[0] / length - mean(&strains);
-        strains.iter_mut().for_each(|e| *e += more);
+        (&mut strains).into_iter().for_each(|e| *e += more);
         let mut iteration = 0;
         loop {
             for ((section, x, _), axial_strain) in member.along().zip(&strains) {
@@ -93,8 +95,9 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
                 }
                 section.update(committed, &e, motion.dt, trial)?;
             }
-            let forces: Vec<f64> = member.along().map(|(s, ..)| s.resultant(trial)[axial(s)]).collect();
-            let unbalance: f64 = forces.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+            let forces: PerSection<f64> = member.along().map(|(s, ..)| s.resultant(trial)[axial(s)]).collect();
+            let pairs = (&forces).into_iter().zip((&forces).into_iter().skip(1));
+            let unbalance: f64 = pairs.map(|(force, next)| (next - force).abs()).sum();
             if unbalance < self.tolerance {
                 break;
             }

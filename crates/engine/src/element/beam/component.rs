@@ -198,6 +198,8 @@ const HINGE_TANGENTS: u32 = 6;
 const DEFORMATION: u32 = 8;
 const STIFFNESS: u32 = 19;
 
+crate::watches_columns!(ComponentBeam => |s| in s.springs.iter().flatten());
+
 impl Element for ComponentBeam {
     fn class(&self) -> &'static str {
         "ComponentElement2d"

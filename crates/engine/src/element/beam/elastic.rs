@@ -318,6 +318,8 @@ const BASIC_FORCE: u32 = 4;
 const DEFORMATION: u32 = 5;
 const STIFFNESS: u32 = 19;
 
+crate::watches_columns!([const N: usize, const B: usize] ElasticBeam<N, B> => nothing);
+
 impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn class(&self) -> &'static str {
         match (N, self.modified) {

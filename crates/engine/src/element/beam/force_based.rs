@@ -3,6 +3,7 @@
 use super::basic::Basic;
 use super::member::{Formulation, Member, Trace, bending_at, set};
 use super::opensees::settle;
+use super::per_section::PerSection;
 use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -159,7 +160,7 @@ impl ForceBased {
             }
         }
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
-        let mut points = Vec::with_capacity(member.sections.len());
+        let mut points = PerSection::new();
         for (i, (section, x, _)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
             points.push(Point::<B, M>::new(section, ((x, length), internal), trial, false)?);

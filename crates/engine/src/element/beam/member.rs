@@ -7,15 +7,15 @@ use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
     SharedState, Snapshot, frame_force_labels,
 };
-use crate::material::Material;
 use crate::numeric::norm;
 use crate::probe::Probe;
-use crate::section::{Resultant, SectionSlot, SharedSection, of_length};
+use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection, of_length};
 use std::fmt;
 use std::sync::Arc;
 
 use super::basic::Basic;
 use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass, rigidities};
+use super::per_section::PerSection;
 
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
@@ -120,6 +120,9 @@ impl<const N: usize, const B: usize> Trace<N, B> {
     }
 }
 
+/// Largest number of deformations, resultants and tangents of a section.
+const MAX_RESPONSE: usize = MAX_ORDER * (2 + MAX_ORDER);
+
 /// Geometry, sections and mass of a beam. State variables are those of the transformation, basic forces and stiffness,
 /// those of the sections, and those of the formulation.
 #[derive(Clone, Debug)]
@@ -160,18 +163,21 @@ impl<const N: usize, const B: usize> Member<N, B> {
         self.own
     }
 
-    /// Deformations, resultants and tangents of the sections in a state, in one vector.
-    pub(super) fn responses(&self, state: &[f64]) -> Vec<f64> {
-        self.sections.iter().flat_map(|s| s.response(state)).copied().collect()
+    /// Deformations, resultants and tangents of the sections in a state.
+    pub(super) fn responses(&self, state: &[f64]) -> PerSection<[f64; MAX_RESPONSE]> {
+        let padded = |section: &SectionSlot| {
+            let (response, mut all) = (section.response(state), [0.0; MAX_RESPONSE]);
+            all[..response.len()].copy_from_slice(response);
+            all
+        };
+        self.sections.iter().map(padded).collect()
     }
 
     /// Restores them without a change of the other state variables.
-    pub(super) fn set_responses(&self, mut responses: &[f64], state: &mut [f64]) {
-        for section in &self.sections {
+    pub(super) fn set_responses(&self, responses: &PerSection<[f64; MAX_RESPONSE]>, state: &mut [f64]) {
+        for (section, saved) in self.sections.iter().zip(responses) {
             let response = section.response_mut(state);
-            let (own, rest) = responses.split_at(response.len());
-            response.copy_from_slice(own);
-            responses = rest;
+            response.copy_from_slice(&saved[..response.len()]);
         }
     }
 
@@ -241,6 +247,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for Fib
         m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
     }
 }
+
+crate::watches_columns!([F, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
     fn class(&self) -> &'static str {
@@ -325,9 +333,6 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         }
     }
 
-    fn watchers(&self) -> Vec<(usize, Material)> {
-        self.member.sections.iter().flat_map(SectionSlot::watchers).collect()
-    }
     fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
         let mut new = self.clone();
         let old = match words {

@@ -3,6 +3,7 @@
 use super::basic::Basic;
 use super::force_based::{ForceBased, internal_forces};
 use super::member::{Formulation, Member, Trace};
+use super::per_section::PerSection;
 use super::point::Point;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -98,7 +99,7 @@ impl Mixed {
         missing.copy_from_slice(&trial[natural + B..natural + NATURAL * B]);
         axpy(1.0, &projection.of(&trace.dv), &mut missing);
         let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-        let mut points = Vec::with_capacity(member.sections.len());
+        let mut points = PerSection::new();
         for (i, (section, x, weight)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
             let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), trial, false)?;

@@ -12,6 +12,7 @@ mod integration;
 mod member;
 mod mixed;
 mod opensees;
+mod per_section;
 mod point;
 mod timoshenko;
 

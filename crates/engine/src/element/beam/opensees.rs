@@ -6,6 +6,7 @@
 use super::basic::Basic;
 use super::force_based::{ForceBased, add_torsion, internal_forces};
 use super::member::{Formulation, Member, Trace};
+use super::per_section::PerSection;
 use super::point::Point;
 use crate::element::ElementInput;
 use crate::material::MaterialError;
@@ -120,7 +121,7 @@ impl ForceBased {
         let mut basic = *from;
         let first = product(&from.k, increment);
         axpy(1.0, &first, &mut basic.q);
-        let mut points = Vec::with_capacity(member.sections.len());
+        let mut points = PerSection::new();
         for (i, (section, x, _)) in member.along().enumerate() {
             let place = ((x, length), internal_forces(motion.load, i));
             points.push(Point::<B, M>::new(section, place, trial, flexibility != Flexibility::Current)?);

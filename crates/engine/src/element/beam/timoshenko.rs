@@ -160,6 +160,8 @@ fn consistent_mass<const N: usize>(l: f64, bending: &[Bending; 2], s: &ElasticSe
 
 const LOCAL_FORCE: u32 = 3;
 
+crate::watches_columns!([const N: usize, const B: usize] TimoshenkoBeam<N, B> => nothing);
+
 impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
     fn class(&self) -> &'static str {
         if N == 6 { "ElasticTimoshenkoBeam2d" } else { "ElasticTimoshenkoBeam3d" }

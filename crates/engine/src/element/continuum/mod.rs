@@ -12,6 +12,7 @@ use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, M
 use crate::material::{SOLID, SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
 use crate::probe::Probe;
+use std::ops::Range;
 
 pub use brick::BrickOptions;
 pub use quad::QuadOptions;
@@ -116,6 +117,17 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
         self.inverted
     }
 
+    /// Law of each point with the range of its state.
+    fn laws(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<S>)> {
+        let law = match &self.law {
+            PointLaw::Linear(_) => None,
+            PointLaw::General(law) => Some(law),
+        };
+        let points = 0..self.body.points.len();
+        law.into_iter()
+            .flat_map(move |law| points.clone().map(move |i| (i * self.point_len + S..(i + 1) * self.point_len, law)))
+    }
+
     fn strain(&self, point: usize, disp: &[f64]) -> [f64; S] {
         self.body.points[point].0.each_ref().map(|row| dot(row, disp))
     }
@@ -180,6 +192,8 @@ const AT_NODES: u32 = 11;
 /// First numbers of the paths of one point, and of a response of its law.
 const POINT: u32 = 20;
 const OWN: u32 = 5;
+
+crate::watches_columns!([const S: usize, const D: usize] Continuum<S, D> => |s| at s.laws());
 
 impl<const S: usize, const D: usize> Element for Continuum<S, D> {
     fn class(&self) -> &'static str {

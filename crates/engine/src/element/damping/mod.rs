@@ -87,10 +87,12 @@ impl BasicForces for NoForces {
 const GLOBAL: u32 = 900;
 const BASIC: u32 = 901;
 
+crate::watches_columns!(Damped => |s| at [(0..s.inner_len, &s.inner)]);
+
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
     forward_to_inner! {
-        class dofs commit lockstep initial_tangent mass inertance renews_tangent watchers load_len add_load basic_rows
+        class dofs commit lockstep initial_tangent mass inertance renews_tangent load_len add_load basic_rows
         overload softening euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {

@@ -16,6 +16,7 @@ use crate::state_struct::StateStruct;
 use frame::{Following, Frame, NodalTurns};
 use nalgebra::{Matrix4, Vector3, Vector4};
 use point::LocalPoint;
+use std::ops::Range;
 
 /// Internal degrees of freedom.
 const INTERNAL: usize = 4;
@@ -100,6 +101,11 @@ struct Sum {
 }
 
 impl EnhancedShell {
+    /// Sections of the points with the ranges of their states.
+    fn sections(&self) -> impl Iterator<Item = (Range<usize>, &SharedPlateSection)> {
+        (0..self.fixed.len()).map(|i| (i * self.words + SECTION..(i + 1) * self.words, &self.section))
+    }
+
     /// Makes a shell between three or four nodes; `initial` are the displacements in which it has no strain.
     ///
     /// # Errors
@@ -395,6 +401,8 @@ impl EnhancedShell {
     }
 }
 
+crate::watches_columns!(EnhancedShell => |s| at s.sections());
+
 impl Element for EnhancedShell {
     fn class(&self) -> &'static str {
         if self.nodes.len() == 3 { "ASDShellT3" } else { "ASDShellQ4" }
@@ -416,7 +424,13 @@ impl Element for EnhancedShell {
     fn traits(&self) -> ElementTraits {
         let follows = self.options.corotational;
         let linear = self.section.is_linear() && !follows;
-        ElementTraits { linear, symmetric: !follows, viscous: false, elapses: false, rayleigh: true }
+        ElementTraits {
+            linear,
+            symmetric: !follows && self.section.is_symmetric(),
+            viscous: false,
+            elapses: self.section.depends_on_time(),
+            rayleigh: true,
+        }
     }
 
     fn respond(

@@ -16,6 +16,7 @@ use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, SharedPlateSection};
 use nalgebra::Vector3;
+use std::ops::Range;
 
 pub use enhanced::{Drilling, EnhancedShell, EnhancedShellOptions};
 pub use updated::UpdatedShell;
@@ -107,6 +108,11 @@ pub struct Shell {
 }
 
 impl Shell {
+    /// Sections of the points with the ranges of their states.
+    fn sections(&self) -> impl Iterator<Item = (Range<usize>, &SharedPlateSection)> {
+        (0..self.points.len()).map(|i| (i * self.words + PLATE_ORDER..(i + 1) * self.words, &self.section))
+    }
+
     /// Makes a shell between nodes; `initial` are the displacements in which it has no strain.
     ///
     /// # Errors
@@ -197,6 +203,8 @@ const STRAINS: u32 = 3;
 /// First response of a single Gauss point: forces and then deformations.
 const SINGLE_POINT: u32 = 10;
 
+crate::watches_columns!(Shell => |s| at s.sections());
+
 impl Element for Shell {
     fn class(&self) -> &'static str {
         match self.formulation {
@@ -217,7 +225,13 @@ impl Element for Shell {
     }
     fn traits(&self) -> ElementTraits {
         let linear = self.section.is_linear();
-        ElementTraits { linear, symmetric: true, viscous: false, elapses: false, rayleigh: true }
+        ElementTraits {
+            linear,
+            symmetric: self.section.is_symmetric(),
+            viscous: false,
+            elapses: self.section.depends_on_time(),
+            rayleigh: true,
+        }
     }
 
     fn respond(

@@ -111,6 +111,8 @@ impl UpdatedShell {
     }
 }
 
+crate::watches_columns!(UpdatedShell => |s| in [&s.flat]);
+
 impl Element for UpdatedShell {
     fn class(&self) -> &'static str {
         "ShellNLDKGQ"
@@ -126,7 +128,13 @@ impl Element for UpdatedShell {
         self.flat.init(&mut state[..self.strains()]);
     }
     fn traits(&self) -> ElementTraits {
-        ElementTraits { linear: false, symmetric: false, viscous: false, elapses: false, rayleigh: true }
+        ElementTraits {
+            linear: false,
+            symmetric: false,
+            viscous: false,
+            elapses: self.flat.section.depends_on_time(),
+            rayleigh: true,
+        }
     }
 
     fn respond(

@@ -72,6 +72,8 @@ impl<const D: usize> WallLines<D> {
     }
 }
 
+crate::watches_columns!([const D: usize] WallLines<D> => |s| in s.slots());
+
 impl<const D: usize> Element for WallLines<D> {
     fn class(&self) -> &'static str {
         self.class

@@ -6,6 +6,7 @@ use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
 use crate::numeric::axpy;
 use crate::probe::Probe;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Source of the horizontal strain of a panel.
@@ -70,6 +71,11 @@ impl<const D: usize> WallPanels<D> {
         Self { class, strips, state_len: at, shape }
     }
 
+    /// Laws of the strips with the ranges of their states.
+    fn laws(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<STRIP>)> {
+        self.strips.iter().map(|strip| (strip.at..strip.at + strip.law.state_len(), &strip.law))
+    }
+
     fn add_tangent(&self, strip: &Strip<D>, tangent: &[[f64; STRIP]; STRIP], matrix: &mut [f64]) {
         for (a, tangent) in strip.rows.iter().zip(tangent) {
             let mut by_disp = [0.0; D];
@@ -84,6 +90,8 @@ impl<const D: usize> WallPanels<D> {
 const SHEAR: u32 = 2;
 const CURVATURE: u32 = 3;
 const PANEL: u32 = 4;
+
+crate::watches_columns!([const D: usize] WallPanels<D> => |s| at s.laws());
 
 impl<const D: usize> Element for WallPanels<D> {
     fn class(&self) -> &'static str {

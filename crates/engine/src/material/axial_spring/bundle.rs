@@ -1,6 +1,7 @@
 //! Axial springs in parallel.
 
 use super::{AxialSpring, Branch, History, Rules};
+use crate::material::plain_methods::plain_methods;
 use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
 use crate::probe::Probe;
 use crate::state_struct::{Field, StateStruct};
@@ -19,7 +20,10 @@ fn write(t: &History, words: &mut [f64], i: usize, n: usize) {
     (words[i], words[i + 2 * n], words[i + 3 * n]) = (t.u, t.slope, t.from);
 }
 
+crate::watches_columns!([const HD: bool, R: Rules] AxialSpring<HD, R> => nothing);
+
 impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
+    plain_methods! { block_len shifted commit_all leave_trace shown_strain with_parameter as_any }
     fn name(&self) -> &'static str {
         if HD { "AxialSpHD" } else { "AxialSp" }
     }

@@ -7,6 +7,7 @@ mod thermal;
 
 use super::softening::{Peak, Softening};
 use super::{MaterialError, Strain, Stress, Uniaxial};
+use crate::material::plain_methods::plain_methods;
 use crate::numeric::{Dual, sign};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -295,7 +296,11 @@ const RESPONSES: [(&str, u32); 8] = [
 const PROFILE: u32 = 8;
 const DASHPOT: u32 = 9;
 
+crate::watches_columns!(HdrRheology => nothing);
+
 impl Uniaxial for HdrRheology {
+    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
+    with_parameter as_any }
     fn name(&self) -> &'static str {
         "HDRRheology"
     }

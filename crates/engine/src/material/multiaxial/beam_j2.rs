@@ -1,5 +1,6 @@
 //! Plasticity of von Mises in a fibre of a beam: `J2BeamFiber`.
 
+use super::plain_methods::plain_methods;
 use super::{Multiaxial, Tangent};
 use crate::material::MaterialError;
 
@@ -63,7 +64,10 @@ impl BeamJ2 {
     }
 }
 
+crate::watches_columns!(BeamJ2 => nothing);
+
 impl<const N: usize> Multiaxial<N> for BeamJ2 {
+    plain_methods! { N: is_symmetric depends_on_time reinforcement shown_stress of_length probe }
     fn state_len(&self) -> usize {
         N + 1
     }

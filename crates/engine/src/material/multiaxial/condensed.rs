@@ -218,6 +218,9 @@ impl Condensed<PLANE, STRIP> {
     }
 }
 
+crate::watches_columns!([const M: usize, const N: usize] Condensed<M, N> => |s| at [(s.free.len()..s.free.len() + s.law.state_len(), &s.law)]);
+
+#[deny(clippy::missing_trait_methods)]
 impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
     fn state_len(&self) -> usize {
         self.free.len() + self.law.state_len()
@@ -238,6 +241,9 @@ impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
     }
     fn density(&self) -> f64 {
         self.law.density()
+    }
+    fn reinforcement(&self) -> f64 {
+        self.law.reinforcement()
     }
 
     fn update(

@@ -1,6 +1,7 @@
 //! Panel of reinforced concrete with struts at fixed angles (Ulugtekin, 2010; Orakcal, Massone and Ulugtekin, 2012;
 //! Kolozvari, Orakcal and Wallace, 2015, PEER 2015/12): `FSAM`.
 
+use super::plain_methods::plain_methods;
 use super::{Multiaxial, PLANE, Tangent};
 use crate::material::{ConcreteCm, ConcreteHistory, Material, MaterialError, Slot, Strain, UniaxialLaw};
 use crate::numeric::axpy;
@@ -272,7 +273,11 @@ impl Fsam {
     }
 }
 
+crate::watches_columns!(Fsam => |s| in &s.bars);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<PLANE> for Fsam {
+    plain_methods! { PLANE: of_length }
     fn state_len(&self) -> usize {
         PanelState::LEN + self.bars.iter().map(Slot::len).sum::<usize>()
     }

@@ -1,5 +1,6 @@
 //! Elasticity of continua.
 
+use super::plain_methods::plain_methods;
 use super::simplified_j2::isotropic_stiffness;
 use super::{LAYER, Multiaxial, NdMaterial, SOLID, Tangent, linear};
 use crate::material::MaterialError;
@@ -121,7 +122,10 @@ pub struct Elastic<const N: usize> {
     pub rho: f64,
 }
 
+crate::watches_columns!([const N: usize] Elastic<N> => nothing);
+
 impl<const N: usize> Multiaxial<N> for Elastic<N> {
+    plain_methods! { N: is_symmetric depends_on_time reinforcement shown_stress of_length probe }
     fn state_len(&self) -> usize {
         0
     }

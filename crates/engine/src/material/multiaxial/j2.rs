@@ -1,5 +1,6 @@
 //! Plasticity of von Mises with isotropic hardening: `J2Plasticity`.
 
+use super::plain_methods::plain_methods;
 use super::simplified_j2::{deviator, isotropic_stiffness, norm};
 use super::{Multiaxial, SOLID, Tangent};
 use crate::material::MaterialError;
@@ -71,7 +72,10 @@ impl J2Plasticity {
     }
 }
 
+crate::watches_columns!(J2Plasticity => nothing);
+
 impl Multiaxial<SOLID> for J2Plasticity {
+    plain_methods! { SOLID: is_symmetric reinforcement shown_stress of_length probe }
     fn state_len(&self) -> usize {
         J2State::LEN
     }

@@ -10,13 +10,14 @@ mod family;
 mod fsam;
 mod isotropic;
 mod j2;
+pub(crate) mod plain_methods;
 mod series;
 mod simplified_j2;
 mod wall_strip;
 mod weighted;
 mod wrapped;
 
-use super::MaterialError;
+use super::{MaterialError, WatchesColumns};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -55,8 +56,8 @@ pub const STRIP: usize = 2;
 /// Derivatives of the stresses by the strains, row by row.
 pub type Tangent<const N: usize> = [[f64; N]; N];
 
-/// A law of N stresses.
-pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
+/// A law of N stresses. No method has a default: a law around others decides on every one of them.
+pub trait Multiaxial<const N: usize>: WatchesColumns + fmt::Debug + Send + Sync {
     /// Number of state variables.
     fn state_len(&self) -> usize;
     /// Writes the virgin state.
@@ -64,19 +65,13 @@ pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
     /// Returns true if stresses are proportional to strains for every history.
     fn is_linear(&self) -> bool;
     /// Returns true if every tangent is symmetric.
-    fn is_symmetric(&self) -> bool {
-        true
-    }
+    fn is_symmetric(&self) -> bool;
     /// Returns true if the stresses depend on the elapsed time.
-    fn depends_on_time(&self) -> bool {
-        false
-    }
+    fn depends_on_time(&self) -> bool;
     /// Mass per volume.
     fn density(&self) -> f64;
     /// Area of the bars along axis 1 as a share of the whole.
-    fn reinforcement(&self) -> f64 {
-        0.0
-    }
+    fn reinforcement(&self) -> f64;
 
     /// Stresses and their derivatives by the strains `e`; writes every variable of `next`. `dt` is the domain time since
     /// the committed state.
@@ -95,20 +90,14 @@ pub trait Multiaxial<const N: usize>: fmt::Debug + Send + Sync {
     fn initial_tangent(&self) -> Tangent<N>;
 
     /// Stress that records show for the state `next` after a step with the stress `stress`.
-    fn shown_stress(&self, _next: &[f64], stress: [f64; N]) -> [f64; N] {
-        stress
-    }
+    fn shown_stress(&self, next: &[f64], stress: [f64; N]) -> [f64; N];
     /// The law for an element of a size, if it depends on the size.
-    fn of_length(&self, _length: f64) -> Option<SharedMultiaxial<N>> {
-        None
-    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<N>>;
 
     /// Response specific to this law, by the words of a recorder command.
-    fn probe(&self, _words: &[&str]) -> Option<Probe> {
-        None
-    }
+    fn probe(&self, words: &[&str]) -> Option<Probe>;
     /// Value of a probe from the state.
-    fn read(&self, _path: &[u32], _state: &[f64], _out: &mut [f64]) {}
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
 }
 
 /// A law as elements and sections hold it: the parameters are shared, the state is stored by the owner.

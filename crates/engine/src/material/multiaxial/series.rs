@@ -1,5 +1,6 @@
 //! Laws in space in series: one stress, and strains that add up with weights.
 
+use super::plain_methods::plain_methods;
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::probe::Probe;
@@ -39,6 +40,11 @@ fn matrix(t: &Tangent<SOLID>) -> Matrix {
 }
 
 impl SeriesSolids {
+    /// Number of strains in front of the states of the laws.
+    fn strains(&self) -> usize {
+        SOLID * self.laws.len()
+    }
+
     /// Stiffness of stiffnesses in series; `None` if one is singular.
     fn combined(&self, inverses: &[Matrix]) -> Option<Matrix> {
         let flexibility: Matrix = inverses.iter().zip(self.laws.iter()).map(|(f, (_, w))| f * *w).sum();
@@ -113,12 +119,16 @@ impl SeriesSolids {
     }
 }
 
+crate::watches_columns!(SeriesSolids => |s| at [(s.strains()..s.strains() + s.laws.state_len(), &s.laws)]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for SeriesSolids {
+    plain_methods! { SOLID: shown_stress }
     fn state_len(&self) -> usize {
-        SOLID * self.laws.len() + self.laws.state_len()
+        self.strains() + self.laws.state_len()
     }
     fn init(&self, state: &mut [f64]) {
-        let (strains, rest) = state.split_at_mut(SOLID * self.laws.len());
+        let (strains, rest) = state.split_at_mut(self.strains());
         strains.fill(0.0);
         self.laws.init(rest);
     }
@@ -134,6 +144,9 @@ impl Multiaxial<SOLID> for SeriesSolids {
     fn density(&self) -> f64 {
         self.laws.density()
     }
+    fn reinforcement(&self) -> f64 {
+        self.laws.reinforcement()
+    }
 
     fn update(
         &self,
@@ -142,8 +155,8 @@ impl Multiaxial<SOLID> for SeriesSolids {
         dt: f64,
         next: &mut [f64],
     ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
-        let (old, histories) = committed.split_at(SOLID * self.laws.len());
-        let (found, trial) = next.split_at_mut(SOLID * self.laws.len());
+        let (old, histories) = committed.split_at(self.strains());
+        let (found, trial) = next.split_at_mut(self.strains());
         let e = Vector::from(*e);
         let start = || -> Vec<Vector> { old.chunks_exact(SOLID).map(Vector::from_column_slice).collect() };
         let mut strains = start();
@@ -173,16 +186,9 @@ impl Multiaxial<SOLID> for SeriesSolids {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let ["material", number, rest @ ..] = words else { return None };
-        let i = number.parse::<usize>().ok()?.checked_sub(1)?;
-        Some(self.laws.get(i)?.0.probe(rest)?.inside(&[i as u32]))
+        self.laws.probe(words)
     }
-
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let i = path[0] as usize;
-        let before: usize = self.laws[..i].iter().map(|(law, _)| law.state_len()).sum();
-        let at = SOLID * self.laws.len() + before;
-        let law = &self.laws[i].0;
-        law.read(&path[1..], &state[at..at + law.state_len()], out);
+        self.laws.read(path, &state[self.strains()..], out);
     }
 }

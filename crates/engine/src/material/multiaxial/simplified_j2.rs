@@ -1,5 +1,6 @@
 //! Plasticity of von Mises with linear hardening: `Simplified3DJ2` and `PlaneStressSimplifiedJ2`.
 
+use super::plain_methods::plain_methods;
 use super::{Multiaxial, SOLID, Tangent};
 use crate::material::MaterialError;
 use crate::state_struct;
@@ -58,7 +59,10 @@ pub(super) fn norm(t: &[f64; SOLID]) -> f64 {
     t.iter().enumerate().map(|(i, t)| if i < 3 { t * t } else { 2.0 * t * t }).sum::<f64>().sqrt()
 }
 
+crate::watches_columns!(SimplifiedJ2 => nothing);
+
 impl Multiaxial<SOLID> for SimplifiedJ2 {
+    plain_methods! { SOLID: is_symmetric depends_on_time reinforcement shown_stress of_length probe }
     fn state_len(&self) -> usize {
         PlasticState::LEN
     }

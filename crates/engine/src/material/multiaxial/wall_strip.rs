@@ -3,6 +3,7 @@
 use super::{Multiaxial, PLANE, STRIP, SharedMultiaxial, Tangent};
 use crate::material::MaterialError;
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// A panel in plane stress whose horizontal strain is a function of the shear strain γ: a (1 - 3^(-800 |γ|)) |γ| (Massone, Lopez
 /// and Kolozvari, 2021, Engineering Structures 242, 112509). Here a = 0.55, or 0.55 (1 + ρ)^-60 with the ratio ρ of the
@@ -43,6 +44,9 @@ impl WallStrip {
     }
 }
 
+crate::watches_columns!(WallStrip => |s| in [&s.panel]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<STRIP> for WallStrip {
     fn state_len(&self) -> usize {
         self.panel.state_len()
@@ -61,6 +65,16 @@ impl Multiaxial<STRIP> for WallStrip {
     }
     fn density(&self) -> f64 {
         self.panel.density()
+    }
+    fn reinforcement(&self) -> f64 {
+        self.panel.reinforcement()
+    }
+    fn shown_stress(&self, next: &[f64], [vertical, shear]: [f64; STRIP]) -> [f64; STRIP] {
+        let [_, vertical, shear] = self.panel.shown_stress(next, [0.0, vertical, shear]);
+        [vertical, shear]
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<STRIP>> {
+        Some(Arc::new(Self { panel: self.panel.of_length(length)?, limit: self.limit }))
     }
     fn update(
         &self,

@@ -1,7 +1,8 @@
 //! A row of laws in space with a weight for each.
 
 use super::{SOLID, SharedMultiaxial};
-use std::ops::Deref;
+use crate::probe::Probe;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
 /// Laws with their weights. Their states follow each other.
@@ -14,6 +15,8 @@ impl Deref for WeightedLaws {
         &self.0
     }
 }
+
+crate::watches_columns!(WeightedLaws => |s| at s.placed());
 
 impl WeightedLaws {
     /// Length of the states of all laws.
@@ -48,6 +51,35 @@ impl WeightedLaws {
     /// Weighted density.
     pub(super) fn density(&self) -> f64 {
         self.iter().map(|(law, weight)| weight * law.density()).sum()
+    }
+
+    /// Weighted area of the bars along axis 1.
+    pub(super) fn reinforcement(&self) -> f64 {
+        self.iter().map(|(law, weight)| weight * law.reinforcement()).sum()
+    }
+
+    /// Response of a law by its number, from 1, and the words of the law.
+    pub(super) fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let ["material", number, rest @ ..] = words else { return None };
+        let i = number.parse::<usize>().ok()?.checked_sub(1)?;
+        Some(self.get(i)?.0.probe(rest)?.inside(&[i as u32]))
+    }
+
+    /// Value of such a response.
+    pub(super) fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        if let Some((range, law)) = self.placed().nth(path[0] as usize) {
+            law.read(&path[1..], &state[range], out);
+        }
+    }
+
+    /// Laws with the ranges of their states.
+    fn placed(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<SOLID>)> {
+        let mut end = 0;
+        self.iter().map(move |(law, _)| {
+            let start = end;
+            end += law.state_len();
+            (start..end, law)
+        })
     }
 
     /// The laws for elements of a length; none where no law depends on it.

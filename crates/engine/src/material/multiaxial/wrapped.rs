@@ -1,5 +1,6 @@
 //! Laws in space around others: an initial strain, and a weighted sum.
 
+use super::plain_methods::plain_methods;
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::numeric::axpy;
@@ -49,6 +50,9 @@ pub struct InitialStrain {
     pub strain: [f64; SOLID],
 }
 
+crate::watches_columns!(InitialStrain => |s| in [&s.law]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for InitialStrain {
     fn state_len(&self) -> usize {
         self.law.state_len()
@@ -67,6 +71,9 @@ impl Multiaxial<SOLID> for InitialStrain {
     }
     fn density(&self) -> f64 {
         self.law.density()
+    }
+    fn reinforcement(&self) -> f64 {
+        self.law.reinforcement()
     }
     fn update(
         &self,
@@ -101,7 +108,11 @@ pub struct ParallelSolids {
     pub laws: WeightedLaws,
 }
 
+crate::watches_columns!(ParallelSolids => |s| in [&s.laws]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for ParallelSolids {
+    plain_methods! { SOLID: shown_stress }
     fn state_len(&self) -> usize {
         self.laws.state_len()
     }
@@ -119,6 +130,15 @@ impl Multiaxial<SOLID> for ParallelSolids {
     }
     fn density(&self) -> f64 {
         self.laws.density()
+    }
+    fn reinforcement(&self) -> f64 {
+        self.laws.reinforcement()
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.laws.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.laws.read(path, state, out);
     }
     fn update(
         &self,

@@ -2,7 +2,7 @@
 
 use super::Fiber;
 use super::points::Points;
-use crate::material::{Material, MaterialError, Shift, Slot, Strain, Strains, Stresses};
+use crate::material::{Material, MaterialError, ObservedColumns, Shift, Slot, Strain, Strains, Stresses};
 use crate::numeric::lanes::BLOCK;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -208,6 +208,20 @@ impl RunBlock {
         let mut one = vec![0.0; first.state_len()];
         for (i, material) in self.materials(runs).enumerate() {
             material.init(&mut one);
+            material.copy_history((&one, 0, 1), (&mut *words, i, n));
+        }
+    }
+
+    /// Shows the laws their columns.
+    pub(super) fn observe(&self, runs: &[FiberRun], words: &mut [f64], columns: &ObservedColumns<'_>) {
+        let (n, own) = (self.points.len(), &runs[self.runs.clone()]);
+        if own.iter().all(|run| run.slot.material.limit_curves().is_empty()) {
+            return;
+        }
+        let mut one = vec![0.0; own[0].slot.material.state_len()];
+        for (i, material) in self.materials(runs).enumerate() {
+            material.copy_history((&*words, i, n), (&mut one, 0, 1));
+            material.observe(&mut one, columns);
             material.copy_history((&one, 0, 1), (&mut *words, i, n));
         }
     }

@@ -1,7 +1,12 @@
 //! Plates of layers, and the materials of a layer.
 
 use super::{PLATE_ORDER, PlateSection, PlateTangent, SHEAR_FACTOR};
-use crate::material::{LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent};
+use crate::material::multiaxial::plain_methods::plain_methods;
+use crate::material::{
+    CHARACTERISTIC_LENGTH, LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent,
+};
+use crate::probe::Probe;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Bars in one direction, smeared over a layer.
@@ -28,7 +33,11 @@ impl PlateRebar {
     }
 }
 
+crate::watches_columns!(PlateRebar => |s| in [&s.bar]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<LAYER> for PlateRebar {
+    plain_methods! { LAYER: is_symmetric reinforcement shown_stress }
     fn state_len(&self) -> usize {
         self.bar.len()
     }
@@ -38,8 +47,22 @@ impl Multiaxial<LAYER> for PlateRebar {
     fn is_linear(&self) -> bool {
         self.bar.material.is_linear()
     }
+    fn depends_on_time(&self) -> bool {
+        self.bar.material.depends_on_time()
+    }
     fn density(&self) -> f64 {
         0.0
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<LAYER>> {
+        let mut new = self.clone();
+        new.bar.set_parameter(&[CHARACTERISTIC_LENGTH], length)?;
+        Some(Arc::new(new))
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.bar.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.bar.read(path, state, out);
     }
 
     fn update(
@@ -77,6 +100,9 @@ impl PlateFromPlaneStress {
     }
 }
 
+crate::watches_columns!(PlateFromPlaneStress => |s| in [&s.membrane]);
+
+#[deny(clippy::missing_trait_methods)]
 impl Multiaxial<LAYER> for PlateFromPlaneStress {
     fn state_len(&self) -> usize {
         self.membrane.state_len()
@@ -87,8 +113,30 @@ impl Multiaxial<LAYER> for PlateFromPlaneStress {
     fn is_linear(&self) -> bool {
         self.membrane.is_linear()
     }
+    fn is_symmetric(&self) -> bool {
+        self.membrane.is_symmetric()
+    }
+    fn depends_on_time(&self) -> bool {
+        self.membrane.depends_on_time()
+    }
     fn density(&self) -> f64 {
         self.membrane.density()
+    }
+    fn reinforcement(&self) -> f64 {
+        self.membrane.reinforcement()
+    }
+    fn shown_stress(&self, next: &[f64], [s11, s22, s12, s23, s31]: [f64; LAYER]) -> [f64; LAYER] {
+        let [s11, s22, s12] = self.membrane.shown_stress(next, [s11, s22, s12]);
+        [s11, s22, s12, s23, s31]
+    }
+    fn of_length(&self, length: f64) -> Option<SharedMultiaxial<LAYER>> {
+        Some(Arc::new(Self { membrane: self.membrane.of_length(length)?, shear: self.shear }))
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.membrane.probe(words)
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        self.membrane.read(path, state, out);
     }
 
     fn update(
@@ -158,6 +206,16 @@ impl LayeredPlate {
             points.map(|(x, w)| Layer { material: Arc::clone(material), z: half * x, thickness: half * w }).to_vec();
         Self { layers, root: SHEAR_FACTOR.sqrt() }
     }
+
+    /// Materials of the layers with the ranges of their states.
+    fn placed(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<LAYER>)> {
+        let mut end = 0;
+        self.layers.iter().map(move |layer| {
+            let start = end;
+            end += layer.material.state_len();
+            (start..end, &layer.material)
+        })
+    }
 }
 
 /// Adds a layer to resultants and tangent.
@@ -186,6 +244,9 @@ fn add(
     }
 }
 
+crate::watches_columns!(LayeredPlate => |s| at s.placed());
+
+#[deny(clippy::missing_trait_methods)]
 impl PlateSection for LayeredPlate {
     fn state_len(&self) -> usize {
         self.layers.iter().map(|l| l.material.state_len()).sum()
@@ -200,6 +261,12 @@ impl PlateSection for LayeredPlate {
     }
     fn is_linear(&self) -> bool {
         self.layers.iter().all(|l| l.material.is_linear())
+    }
+    fn is_symmetric(&self) -> bool {
+        self.layers.iter().all(|l| l.material.is_symmetric())
+    }
+    fn depends_on_time(&self) -> bool {
+        self.layers.iter().any(|l| l.material.depends_on_time())
     }
     fn mass(&self) -> f64 {
         self.layers.iter().map(|l| l.material.density() * l.thickness).sum()

@@ -6,7 +6,7 @@
 
 mod layered;
 
-use crate::material::MaterialError;
+use crate::material::{MaterialError, WatchesColumns};
 use std::fmt;
 use std::sync::Arc;
 
@@ -26,13 +26,17 @@ const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 pub type PlateTangent = [[f64; PLATE_ORDER]; PLATE_ORDER];
 
 /// A section of a plate.
-pub trait PlateSection: fmt::Debug + Send + Sync {
+pub trait PlateSection: WatchesColumns + fmt::Debug + Send + Sync {
     /// Number of state variables.
     fn state_len(&self) -> usize;
     /// Writes the virgin state.
     fn init(&self, state: &mut [f64]);
     /// Returns true if the resultants are proportional to the deformations for every history.
     fn is_linear(&self) -> bool;
+    /// Returns true if every tangent is that of symmetric laws.
+    fn is_symmetric(&self) -> bool;
+    /// Returns true if the resultants depend on the elapsed time.
+    fn depends_on_time(&self) -> bool;
     /// Mass per area.
     fn mass(&self) -> f64;
 
@@ -72,6 +76,8 @@ pub struct ElasticPlate {
     pub bending_ratio: f64,
 }
 
+crate::watches_columns!(ElasticPlate => nothing);
+
 impl PlateSection for ElasticPlate {
     fn state_len(&self) -> usize {
         0
@@ -79,6 +85,12 @@ impl PlateSection for ElasticPlate {
     fn init(&self, _: &mut [f64]) {}
     fn is_linear(&self) -> bool {
         true
+    }
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+    fn depends_on_time(&self) -> bool {
+        false
     }
     fn mass(&self) -> f64 {
         self.rho * self.thickness

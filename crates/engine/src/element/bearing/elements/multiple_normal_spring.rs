@@ -65,6 +65,8 @@ impl MultipleNormalSpring {
     }
 }
 
+crate::watches_columns!(MultipleNormalSpring => |s| in [&s.springs]);
+
 impl Element for MultipleNormalSpring {
     fn class(&self) -> &'static str {
         "MultipleNormalSpring"

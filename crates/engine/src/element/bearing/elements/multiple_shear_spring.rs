@@ -118,6 +118,8 @@ fn basic([y, z]: [f64; 2]) -> [f64; 6] {
     [0.0, y, z, 0.0, 0.0, 0.0]
 }
 
+crate::watches_columns!([R: Rules] MultipleShearSpring<R> => |s| in [&s.springs]);
+
 impl<R: Rules> Element for MultipleShearSpring<R> {
     fn class(&self) -> &'static str {
         "MultipleShearSpring"

@@ -45,6 +45,8 @@ impl<L: RubberShear> RubberBearing<L> {
     }
 }
 
+crate::watches_columns!([L] RubberBearing<L> => nothing);
+
 impl<L: RubberShear + 'static> Element for RubberBearing<L> {
     fn class(&self) -> &'static str {
         self.shear.class()

@@ -1,6 +1,8 @@
 //! Shear springs in a circle: bidirectional shear of a bearing from uniaxial laws.
 
-use crate::material::{Material, MaterialError, Strain, Strains, Stresses};
+use crate::material::{
+    LimitCurve, Material, MaterialError, ObservedColumns, Strain, Strains, Stresses, WatchesColumns, observe_points,
+};
 use std::f64::consts::PI;
 
 /// Springs in the directions θ = π i/n of the shear plane (Wada and Hirose, 1989), of one or several materials. Their
@@ -57,6 +59,22 @@ impl Factors {
 
 /// Number of springs updated in one call: their stresses are on the stack.
 const CHUNK_LEN: usize = 32;
+
+impl WatchesColumns for ShearSprings {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.groups.iter().flat_map(|group| group.material.limit_curves()).collect()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        for SpringGroup { material, at, springs } in &self.groups {
+            let len = material.state_len();
+            for first in (0..springs.len()).step_by(CHUNK_LEN) {
+                let n = CHUNK_LEN.min(springs.len() - first);
+                let range = at + first * len..at + (first + n) * len;
+                observe_points(&**material, n, &mut committed[range], columns);
+            }
+        }
+    }
+}
 
 impl ShearSprings {
     /// Makes `n` springs of one material, with state variables from index `at` on.

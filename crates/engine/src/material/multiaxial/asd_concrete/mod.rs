@@ -6,6 +6,7 @@ mod curve;
 use super::simplified_j2::isotropic_stiffness;
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, linear};
 use crate::material::MaterialError;
+use crate::material::multiaxial::plain_methods::plain_methods;
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::state_struct;
@@ -251,7 +252,10 @@ impl AsdConcrete {
     }
 }
 
+crate::watches_columns!(AsdConcrete => nothing);
+
 impl Multiaxial<SOLID> for AsdConcrete {
+    plain_methods! { SOLID: reinforcement }
     fn state_len(&self) -> usize {
         ConcreteState::LEN
     }

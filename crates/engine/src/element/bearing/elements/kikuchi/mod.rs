@@ -25,7 +25,7 @@ use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
     Overload, Rows, Snapshot, frame_force_labels,
 };
-use crate::material::{Material, MaterialError};
+use crate::material::{Material, MaterialError, WatchesColumns};
 use crate::numeric::SparseMatrix;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -114,6 +114,11 @@ pub struct KikuchiBearing {
 const RIGID: f64 = 1e4;
 
 impl KikuchiBearing {
+    /// Bundles of springs.
+    fn bundles(&self) -> [&dyn WatchesColumns; 3] {
+        [&self.shear, &self.lower, &self.upper]
+    }
+
     /// With local axes as rows, from the displacements that the nodes (global, i then j) have already.
     ///
     /// # Errors
@@ -276,6 +281,8 @@ impl KikuchiBearing {
 fn flat<const N: usize, const M: usize>(m: &[[f64; N]; N]) -> [f64; M] {
     std::array::from_fn(|k| m[k / N][k % N])
 }
+
+crate::watches_columns!(KikuchiBearing => |s| in s.bundles());
 
 impl Element for KikuchiBearing {
     fn class(&self) -> &'static str {

@@ -303,6 +303,8 @@ fn levers<const N: usize, const S: usize>(local: &[[f64; N]; N], foot: usize, he
     all
 }
 
+crate::watches_columns!([const N: usize, const B: usize, const S: usize, R: Rules] SlidingBearing<N, B, S, R> => |s| in s.springs.iter().map(|(_, slot)| slot));
+
 impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for SlidingBearing<N, B, S, R> {
     fn class(&self) -> &'static str {
         self.setting.kind.class()[S - 1]

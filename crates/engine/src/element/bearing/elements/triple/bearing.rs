@@ -223,6 +223,8 @@ fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) 
     }
 }
 
+crate::watches_columns!([R: Rules] TriplePendulum<R> => |s| in &s.materials);
+
 impl<R: Rules> Element for TriplePendulum<R> {
     fn class(&self) -> &'static str {
         match self.surfaces {

@@ -6,7 +6,7 @@ mod lines;
 use self::bundle::{Bundle, MOMENT_INDICES, SectionStrains, Sum, add_to};
 use self::lines::Lines;
 use crate::element::bearing::laws::normal_layout::Layout;
-use crate::material::{Material, MaterialError};
+use crate::material::{LimitCurve, Material, MaterialError, ObservedColumns, WatchesColumns, observe_points};
 use std::ops::Range;
 
 /// Forces of a section with derivatives: axial force, moment about y, moment about z.
@@ -99,6 +99,23 @@ struct StateParts<T> {
     stored: T,
     virgin: T,
     states: T,
+}
+
+impl WatchesColumns for NormalSprings {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.material.limit_curves()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        let parts = self.parts_mut(committed);
+        let stored = StoredStates::of(parts.stored[0]);
+        if stored == StoredStates::None {
+            return;
+        }
+        for (block, _) in self.bundle(stored).blocks.iter().zip(&*parts.virgin).filter(|(_, v)| **v != VIRGIN) {
+            let range = self.state_range(&block.springs);
+            observe_points(&*self.material, block.springs.len(), &mut parts.states[range], columns);
+        }
+    }
 }
 
 impl NormalSprings {

@@ -1,0 +1,42 @@
+//! Methods of laws of several stresses that are nothing special.
+
+/// Writes the named methods of [`Multiaxial`](super::Multiaxial) for a law of so many stresses: symmetric, independent of
+/// time and size, without bars, and without responses of its own.
+macro_rules! plain_methods {
+    ($n:ident: $($method:ident)*) => {
+        $($crate::material::multiaxial::plain_methods::plain_methods!(@$method $n);)*
+    };
+    (@is_symmetric $n:ident) => {
+        fn is_symmetric(&self) -> bool {
+            true
+        }
+    };
+    (@depends_on_time $n:ident) => {
+        fn depends_on_time(&self) -> bool {
+            false
+        }
+    };
+    (@reinforcement $n:ident) => {
+        fn reinforcement(&self) -> f64 {
+            0.0
+        }
+    };
+    (@shown_stress $n:ident) => {
+        fn shown_stress(&self, _: &[f64], stress: [f64; $n]) -> [f64; $n] {
+            stress
+        }
+    };
+    (@of_length $n:ident) => {
+        fn of_length(&self, _: f64) -> Option<$crate::material::SharedMultiaxial<$n>> {
+            None
+        }
+    };
+    (@probe $n:ident) => {
+        fn probe(&self, _: &[&str]) -> Option<$crate::probe::Probe> {
+            None
+        }
+        fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
+    };
+}
+
+pub(crate) use plain_methods;

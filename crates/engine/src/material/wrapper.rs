@@ -1,0 +1,164 @@
+//! Laws around other laws.
+
+use super::plain_methods::plain_methods;
+use super::{LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Stress, Uniaxial, WatchesColumns};
+use crate::probe::Probe;
+use std::any::Any;
+use std::fmt;
+use std::sync::Arc;
+
+/// What a law does with the laws inside it. [`Wrapped`] makes a law of it, and forwards all the rest.
+pub trait Wrapper: fmt::Debug + Clone + Send + Sync + 'static {
+    /// Name in the `uniaxialMaterial` command.
+    const NAME: &'static str;
+    /// Number of state variables in front of those of the laws inside.
+    const HEADER: usize;
+    /// The laws inside are named by their numbers. Without it the wrapper holds one law, and passes on what it does not know.
+    const NUMBERED: bool;
+
+    /// Writes the virgin state variables in front of those of the laws inside.
+    fn init(&self, own: &mut [f64], inner: &[Slot]);
+    /// Stress and next state from the committed state.
+    ///
+    /// # Errors
+    /// A law inside has no response at this strain.
+    fn update(
+        &self,
+        inner: &[Slot],
+        committed: &[f64],
+        strain: Strain,
+        next: &mut [f64],
+    ) -> Result<Stress, MaterialError>;
+    /// Tangent of the virgin material.
+    fn initial_tangent(&self, inner: &[Slot]) -> f64;
+    /// Returns true if `Stress::damping` is used.
+    fn is_viscous(&self, inner: &[Slot]) -> bool;
+    /// Returns true if the stress depends on time although no law inside does.
+    fn depends_on_time(&self) -> bool;
+    /// Returns true if the stress is proportional to the strain for every history.
+    fn is_linear(&self, inner: &[Slot]) -> bool;
+    /// Returns true if the laws inside have ended: their histories change no more.
+    fn has_failed(&self, state: &[f64]) -> bool;
+    /// Strain in recorders for a strain of the material.
+    fn shown_strain(&self, inner: &[Slot], strain: f64, state: &[f64]) -> f64;
+    /// Response of the wrapper itself.
+    fn probe(&self, inner: &[Slot], word: &str) -> Option<Probe>;
+    /// Value of such a response, by the first number of its path.
+    fn read(&self, inner: &[Slot], id: u32, state: &[f64], out: &mut [f64]);
+}
+
+/// First number of the path of a response of the law inside with the next number: one that every law has or its own.
+const SLOT: u32 = 1000;
+/// The same, of one that is specific to the law.
+const LAW: u32 = 1001;
+
+/// A law around others. Its state variables are those of the wrapper, followed by those of the laws inside.
+#[derive(Clone, Debug)]
+pub struct Wrapped<W> {
+    wrapper: W,
+    inner: Vec<Slot>,
+    state_len: usize,
+}
+
+impl<W: Wrapper> Wrapped<W> {
+    /// Wraps laws, each given with its tag.
+    pub(super) fn around(wrapper: W, laws: impl IntoIterator<Item = (Material, i32)>) -> Self {
+        let (inner, state_len) = Slot::pack(laws, W::HEADER);
+        Self { wrapper, inner, state_len }
+    }
+
+    /// Law inside by the words that follow `material`, and the words after them.
+    fn chosen<'a, 'b>(&self, words: &'a [&'b str]) -> Option<(usize, &'a [&'b str])> {
+        if !W::NUMBERED {
+            return Some((0, words));
+        }
+        let (number, rest) = words.split_first()?;
+        let i = number.parse::<usize>().ok()?.checked_sub(1)?;
+        (i < self.inner.len()).then_some((i, rest))
+    }
+}
+
+impl<W: Wrapper> WatchesColumns for Wrapped<W> {
+    fn limit_curves(&self) -> Vec<&LimitCurve> {
+        self.inner.iter().flat_map(Slot::limit_curves).collect()
+    }
+    fn observe(&self, committed: &mut [f64], columns: &ObservedColumns<'_>) {
+        if !self.wrapper.has_failed(committed) {
+            self.inner.iter().for_each(|slot| slot.observe(committed, columns));
+        }
+    }
+}
+
+#[deny(clippy::missing_trait_methods)]
+impl<W: Wrapper> Uniaxial for Wrapped<W> {
+    plain_methods! {
+        init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin
+    }
+    fn name(&self) -> &'static str {
+        W::NAME
+    }
+    fn state_len(&self) -> usize {
+        self.state_len
+    }
+    fn init(&self, state: &mut [f64]) {
+        self.wrapper.init(&mut state[..W::HEADER], &self.inner);
+        self.inner.iter().for_each(|slot| slot.init(state));
+    }
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+        self.wrapper.update(&self.inner, committed, strain, next)
+    }
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        self.inner.iter().for_each(|slot| slot.leave_trace(tried, committed));
+    }
+    fn initial_tangent(&self) -> f64 {
+        self.wrapper.initial_tangent(&self.inner)
+    }
+    fn is_viscous(&self) -> bool {
+        self.wrapper.is_viscous(&self.inner)
+    }
+    fn depends_on_time(&self) -> bool {
+        self.wrapper.depends_on_time() || self.inner.iter().any(|slot| slot.material.depends_on_time())
+    }
+    fn is_linear(&self) -> bool {
+        self.wrapper.is_linear(&self.inner)
+    }
+    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
+        self.wrapper.shown_strain(&self.inner, strain, state)
+    }
+    /// Applies to the law inside that the words name, or to all that have the parameter.
+    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+        let mut new = self.clone();
+        let old = match words {
+            ["material" | "component", rest @ ..] => {
+                let (i, rest) = self.chosen(rest)?;
+                new.inner.get_mut(i)?.set_parameter(rest, value)?
+            }
+            _ => new.inner.iter_mut().filter_map(|slot| slot.set_parameter(words, value)).last()?,
+        };
+        Some((Arc::new(new), old))
+    }
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let (first, rest) = words.split_first()?;
+        if let Some(own) = self.wrapper.probe(&self.inner, first) {
+            return Some(own);
+        }
+        match *first {
+            "material" | "component" => {
+                let (i, rest) = self.chosen(rest)?;
+                Some(self.inner.get(i)?.probe(rest)?.inside(&[SLOT, i as u32]))
+            }
+            _ if !W::NUMBERED => Some(self.inner.first()?.material.probe(words)?.inside(&[LAW])),
+            _ => None,
+        }
+    }
+    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+        match path[0] {
+            SLOT => self.inner[path[1] as usize].read(&path[2..], state, out),
+            LAW => self.inner[0].read_own(&path[1..], state, out),
+            id => self.wrapper.read(&self.inner, id, state, out),
+        }
+    }
+}
