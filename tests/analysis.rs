@@ -18,6 +18,8 @@ mod dynamics;
 mod element_dynamics;
 #[path = "analysis/energy.rs"]
 mod energy;
+#[path = "analysis/fiber_order.rs"]
+mod fiber_order;
 #[path = "analysis/lockstep.rs"]
 mod lockstep;
 #[path = "analysis/materials.rs"]

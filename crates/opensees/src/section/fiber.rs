@@ -9,6 +9,7 @@ use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
+use std::f64::consts::PI;
 
 pub(crate) const COMMANDS: &[Command] =
     &[Command::new("fiber", FIBER, fiber), Command::new("patch", PATCH, patch), Command::new("layer", LAYER, layer)];
@@ -143,7 +144,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                     "",
                 ));
             }
-            ring(centre, [inner, outer], angles.map(f64::to_radians), n, m)
+            ring(centre, [inner, outer], angles, n, m)
         }
         _ => {
             let mut corners = [[0.0; 2]; 4];
@@ -157,25 +158,40 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// Cells of a quadrilateral I J K L with `n` divisions from I to J and `m` from J to K: centroids and areas.
+/// Cells of a quadrilateral I J K L with `n` divisions from I to J and `m` from J to K: centroids and areas. Of two fibers
+/// that are as near to a point, the round-off decides which one a recorder shows, so that corners and centroids are added
+/// up in the order of OpenSees.
 fn quadrilateral(corners: [[f64; 2]; 4], n: usize, m: usize) -> Vec<([f64; 2], f64)> {
+    let natural = |i: usize, count: usize| -1.0 + 2.0 / count as f64 * i as f64;
     let at = |i: usize, j: usize| {
-        let (xi, eta) = (i as f64 / n as f64, j as f64 / m as f64);
-        let shares = [(1.0 - xi) * (1.0 - eta), xi * (1.0 - eta), xi * eta, (1.0 - xi) * eta];
+        let (xi, eta) = (natural(i, n), natural(j, m));
+        let quarters =
+            [(1.0 - xi) * (1.0 - eta), (1.0 + xi) * (1.0 - eta), (1.0 + xi) * (1.0 + eta), (1.0 - xi) * (1.0 + eta)];
         let mut p = [0.0; 2];
-        for (share, c) in shares.iter().zip(&corners) {
-            p[0] += share * c[0];
-            p[1] += share * c[1];
+        for (quarter, c) in quarters.iter().zip(&corners) {
+            p[0] += quarter / 4.0 * c[0];
+            p[1] += quarter / 4.0 * c[1];
         }
         p
     };
     let cells = (0..m).flat_map(|j| (0..n).map(move |i| (i, j)));
-    cells.map(|(i, j)| centroid([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])).collect()
+    cells.map(|(i, j)| cell([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])).collect()
 }
 
+/// Difference of two ways to the centroid over the size of the cell, above which the coordinates have cancelled.
+const CANCELLED: f64 = 1e-9;
+
 /// Centroid and area of a quadrilateral.
-fn centroid(p: [[f64; 2]; 4]) -> ([f64; 2], f64) {
-    // About the first corner, lest large coordinates cancel.
+fn cell(p: [[f64; 2]; 4]) -> ([f64; 2], f64) {
+    let (centroid, area) = about_first_corner(p);
+    let plain = about_origin(p);
+    let size = p.iter().flat_map(|c| [c[0] - p[0][0], c[1] - p[0][1]]).fold(0.0f64, |m, d| m.max(d.abs()));
+    let near = |i: usize| (plain[i] - centroid[i]).abs() <= CANCELLED * size;
+    (if near(0) && near(1) { plain } else { centroid }, area)
+}
+
+/// Centroid and area, where large coordinates do not cancel.
+fn about_first_corner(p: [[f64; 2]; 4]) -> ([f64; 2], f64) {
     let [y0, z0] = p[0];
     let (mut double, mut y, mut z) = (0.0, 0.0, 0.0);
     for i in 0..4 {
@@ -189,16 +205,38 @@ fn centroid(p: [[f64; 2]; 4]) -> ([f64; 2], f64) {
     ([y0 + y / (3.0 * double), z0 + z / (3.0 * double)], 0.5 * double)
 }
 
-/// Cells of a part of a ring with `n` divisions along it and `m` across: centroids and areas.
+/// Centroid with the round-off of OpenSees.
+fn about_origin(p: [[f64; 2]; 4]) -> [f64; 2] {
+    let (mut double, mut y, mut z) = (0.0, 0.0, 0.0);
+    for i in 0..4 {
+        let ([a, b], [c, d]) = (p[i], p[(i + 1) % 4]);
+        let (dy, dz) = (c - a, d - b);
+        let product = a * b + (a * dz + b * dy) / 2.0 + dy * dz / 3.0;
+        double += dz * (c + a);
+        y -= dy * product;
+        z += dz * product;
+    }
+    let area = double / 2.0;
+    [y / area, z / area]
+}
+
+/// Radians with the round-off of OpenSees.
+fn radians(degrees: f64) -> f64 {
+    PI * degrees / 180.0
+}
+
+/// Cells of a part of a ring, angles in degrees, with `n` divisions along it and `m` across: centroids and areas.
 fn ring(centre: [f64; 2], radii: [f64; 2], angles: [f64; 2], n: usize, m: usize) -> Vec<([f64; 2], f64)> {
+    let angles = angles.map(radians);
     let (width, angle) = ((radii[1] - radii[0]) / m as f64, (angles[1] - angles[0]) / n as f64);
-    let half = 0.5 * angle;
+    let half = angle / 2.0;
+    let sector = |r: f64| (half * r * r, 2.0 * r * half.sin() / (3.0 * half));
     let cell = |(i, j): (usize, usize)| {
-        let (inner, middle) = (radii[0] + width * j as f64, angles[0] + angle * (i as f64 + 0.5));
-        let outer = inner + width;
-        let area = half * (outer * outer - inner * inner);
-        let radius =
-            2.0 * half.sin() / (3.0 * half) * (outer.powi(3) - inner.powi(3)) / (outer * outer - inner * inner);
+        let inner = radii[0] + width * j as f64;
+        let middle = angles[0] + angle * i as f64 + half;
+        let ((hole, hole_at), (whole, whole_at)) = (sector(inner), sector(inner + width));
+        let area = whole - hole;
+        let radius = (whole * whole_at - hole * hole_at) / area;
         ([centre[0] + radius * middle.cos(), centre[1] + radius * middle.sin()], area)
     };
     (0..m).flat_map(|j| (0..n).map(move |i| (i, j))).map(cell).collect()
@@ -216,8 +254,12 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let area = a.positive("area of a bar")?;
     let places: Vec<[f64; 2]> = if kind == "straight" {
         let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);
-        let along = |i: usize| if n == 1 { 0.5 } else { i as f64 / (n - 1) as f64 };
-        (0..n).map(|i| [0, 1].map(|k| first[k] + along(i) * (last[k] - first[k]))).collect()
+        if n == 1 {
+            vec![[0, 1].map(|k| (first[k] + last[k]) / 2.0)]
+        } else {
+            let step = [0, 1].map(|k| (last[k] - first[k]) / (n - 1) as f64);
+            (0..n).map(|i| [0, 1].map(|k| first[k] + step[k] * i as f64)).collect()
+        }
     } else {
         let (centre, radius) = (point(&mut a, "centre")?, a.positive("radius")?);
         let [first, mut last] = match a.optional_float("first angle")? {
@@ -228,8 +270,9 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             // A whole circle has no bar twice.
             last = first + 360.0 - 360.0 / n as f64;
         }
+        let (first, last) = (radians(first), radians(last));
         let step = if n == 1 { 0.0 } else { (last - first) / (n - 1) as f64 };
-        let angle = |i: usize| (first + step * i as f64).to_radians();
+        let angle = |i: usize| first + step * i as f64;
         (0..n).map(|i| [centre[0] + radius * angle(i).cos(), centre[1] + radius * angle(i).sin()]).collect()
     };
     add(interp, &a, material, places.into_iter().map(|p| (p, area)))?;

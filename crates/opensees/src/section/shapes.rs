@@ -35,10 +35,12 @@ fn material(interp: &Tcl, a: &mut Args<'_>) -> Result<Tagged, Exception> {
     a.of(&interp.host.builder.definitions.materials)
 }
 
-/// Strips of equal depth from a height down.
-fn strips(top: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
+/// Middles of strips of equal depth from the top of a part of height `whole` about the origin down to `depth` below it.
+/// Order and round-off of fibers are those of OpenSees: both decide which fiber a recorder shows.
+fn strips(whole: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
     let strip = depth / count as f64;
-    (0..count).map(move |i| top - strip * (i as f64 + 0.5))
+    let first = 0.5 * (whole - strip);
+    (0..count).map(move |i| first - strip * i as f64)
 }
 
 /// The section of fibers, with what is left of the words.
@@ -72,16 +74,14 @@ fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exce
         across = a.parts_of(in_flange, "fibers across a flange nfbf")?;
         a.count("fibers across the web nftw")?;
     }
-    let mut fibers = vec![];
-    let mut add = |y, z, area| fibers.push(Fiber { y, z, area, material: steel.clone() });
+    let fiber = |y, z, area| Fiber { y, z, area, material: steel.clone() };
     let area = bf * tf / (in_flange * across) as f64;
-    for z in strips(0.5 * bf, bf, across) {
-        strips(0.5 * d, tf, in_flange).for_each(|y| {
-            add(y, z, area);
-            add(-y, z, area);
-        });
-    }
-    strips(0.5 * dw, dw, in_web).for_each(|y| add(y, 0.0, dw * tw / in_web as f64));
+    // The lower flange mirrors the upper one, and its fibers follow from the last one back.
+    let flange = |z| strips(d, tf, in_flange).map(move |y| (y, z));
+    let upper: Vec<(f64, f64)> = strips(bf, bf, across).flat_map(flange).collect();
+    let mut fibers: Vec<Fiber> = upper.iter().map(|(y, z)| fiber(*y, *z, area)).collect();
+    fibers.extend(strips(dw, dw, in_web).map(|y| fiber(y, 0.0, dw * tw / in_web as f64)));
+    fibers.extend(upper.iter().rev().map(|(y, z)| fiber(-y, *z, area)));
     finished(interp, a, fibers)
 }
 
@@ -108,15 +108,16 @@ fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSect
     let mut fibers = vec![];
     let mut add = |y, area, material: &Tagged| fibers.push(Fiber { y, z: 0.0, area, material: material.clone() });
     for (of, wide) in [(&core, width), (&cover, 2.0 * depth)] {
-        strips(0.5 * inner, inner, in_core).for_each(|y| add(y, wide * inner / in_core as f64, of));
+        strips(inner, inner, in_core).for_each(|y| add(y, wide * inner / in_core as f64, of));
     }
     for sign in [1.0, -1.0] {
-        strips(0.5 * d, depth, in_cover).for_each(|y| add(sign * y, b * depth / in_cover as f64, &cover));
+        strips(d, depth, in_cover).for_each(|y| add(sign * y, b * depth / in_cover as f64, &cover));
     }
-    add(0.5 * inner, bars as f64 * top, &steel);
-    add(-0.5 * inner, bars as f64 * bottom, &steel);
+    let bar = 0.5 * d - depth;
+    add(bar, bars as f64 * top, &steel);
+    add(-bar, bars as f64 * bottom, &steel);
     for i in 1..bars.saturating_sub(1) {
-        add(inner * (i as f64 / (bars - 1) as f64 - 0.5), 2.0 * side, &steel);
+        add(-bar + inner / (bars - 1) as f64 * i as f64, 2.0 * side, &steel);
     }
     finished(interp, a, fibers)
 }
@@ -133,20 +134,23 @@ fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection
     let [bars] = a.parts(["number of bars"])?;
     let mut fibers = vec![];
     let mut ring = |at: f64, area: f64, count: usize, material: &Tagged| {
-        for i in 0..count {
-            let (z, y) = ((2 * i + 1) as f64 * PI / count as f64).sin_cos();
-            fibers.push(Fiber { y: at * y, z: at * z, area, material: material.clone() });
+        let half = PI / count as f64;
+        let mut angle = half;
+        for _ in 0..count {
+            fibers.push(Fiber { y: at * angle.cos(), z: at * angle.sin(), area, material: material.clone() });
+            angle += 2.0 * half;
         }
     };
+    // Area and centroid of a sector.
     let half = PI / wedges as f64;
+    let sector = |r: f64| (r * r * half, 2.0 / 3.0 * r * half.sin() / half);
     for (from, to, rings, of) in [(0.0, radius, rings_core, &core), (radius, 0.5 * d, rings_cover, &cover)] {
         let step = (to - from) / rings as f64;
         for i in 0..rings {
-            let (inner, outer) = (from + step * i as f64, from + step * (i + 1) as f64);
-            let area = half * (outer * outer - inner * inner);
-            // Centroid of a part of a ring.
-            let at = 2.0 / 3.0 * half.sin() * (outer.powi(3) - inner.powi(3)) / area;
-            ring(at, area, wedges, of);
+            let ((hole, hole_at), (whole, whole_at)) =
+                (sector(from + step * i as f64), sector(from + step * (i + 1) as f64));
+            let area = whole - hole;
+            ring((whole_at * whole - hole_at * hole) / area, area, wedges, of);
         }
     }
     ring(radius, bar, bars, &steel);
