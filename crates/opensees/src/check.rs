@@ -1,8 +1,8 @@
 //! Check of a script: each mistake is reported and the script goes on. Consequences of a mistake are not reported.
 
 use crate::analysis::analyze::warn_of_missing;
+use crate::host::Mode;
 use crate::output::{display, figure, print, query, recorder};
-use crate::session::Mode;
 use crate::{Outcome, Tcl, calls, commands, report};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use hysteron_tcl::{Call, Exception, Value};

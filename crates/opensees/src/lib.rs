@@ -14,9 +14,11 @@ pub mod calls;
 pub mod chart;
 mod check;
 pub mod checkpoint;
+mod course;
 mod element;
 mod elsewhere;
 pub mod files;
+mod host;
 mod kind;
 mod load;
 pub mod lockstep;
@@ -35,10 +37,12 @@ use hysteron_tcl::{Call, Exception, Interp, Value};
 pub use analysis::again::Again;
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
+pub use files::outputs::{FileFormat, Outputs};
 pub use files::series::{DiskSeries, FileSeries};
+pub use host::{Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
-pub use session::{FileFormat, Mode, ModelBuilder, MotionObserver, OnWarning, Outputs, Progress, Session};
+pub use session::{ModelBuilder, Session};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;

@@ -1,7 +1,7 @@
 //! A script from its file to its outcome.
 
+use crate::course::{self, Course};
 use crate::elsewhere;
-use crate::lockstep::{self, Course};
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
@@ -108,7 +108,7 @@ impl Run {
             (Mode::Check, _) => fresh(session, console, files),
         });
         interp.elsewhere = elsewhere::command;
-        interp.before_command = course.is_some().then_some(lockstep::before_command);
+        interp.before_command = course.is_some().then_some(course::before_command);
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);
         }

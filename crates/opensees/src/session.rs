@@ -3,9 +3,10 @@
 use crate::analysis::plausibility::Looked;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
+use crate::course::Course;
 use crate::files::number_files::NumberFiles;
-use crate::files::series::{FileSeries, NoSeries};
-use crate::lockstep::Course;
+use crate::files::outputs::Outputs;
+use crate::host::{Mode, MotionObserver, OnWarning, Progress};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
@@ -20,71 +21,13 @@ use hysteron_engine::analysis::{Engine, Failure, Kind, Options, ReactionKind, Te
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::model::{Definitions, ElementId, NodeId, Tag};
 use hysteron_engine::number_format::Style;
-use hysteron_engine::record::{Known, Layout, Output, RecordError};
+use hysteron_engine::record::{Known, RecordError};
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::Watch;
-use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
+use hysteron_tcl::diagnostic::Span;
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-
-/// Purpose of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// Run: compute the results.
-    Run,
-    /// Check: find mistakes; analyses are passed over.
-    Check,
-}
-
-/// Format of a recorder's file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FileFormat {
-    /// Numbers.
-    pub style: Style,
-    /// Layout of the rows.
-    pub layout: Layout,
-    /// Every row at once.
-    pub close_on_write: bool,
-}
-
-/// Destination of recorders: files, or the memory of a study.
-pub trait Outputs {
-    /// An output by the name the script gives it, and as a path that is not relative to anything.
-    ///
-    /// # Errors
-    /// It cannot be made.
-    fn create(&mut self, name: &str, path: &Path, format: FileFormat) -> Result<Box<dyn Output>, RecordError>;
-
-    /// The place of a file and of a folder of its name without ending beside it, for recorders that write many files.
-    /// By default nothing is kept.
-    ///
-    /// # Errors
-    /// The folder cannot be made.
-    fn series(&mut self, _name: &str, _path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
-        Ok(Box::new(NoSeries))
-    }
-}
-
-/// Receiver of the progress of an analysis.
-pub trait Progress {
-    /// A step has been committed at this time; `end` is the time at which the excitation ends, where that is known.
-    fn step(&mut self, time: f64, end: Option<f64>);
-}
-
-/// Receiver of the motion of a model, for programs that show it.
-pub trait MotionObserver {
-    /// An analysis begins with the committed state.
-    fn start(&mut self, engine: &Engine);
-    /// A step has been committed.
-    fn step(&mut self, engine: &Engine);
-    /// The script is about to forget the model.
-    fn wipe(&mut self, engine: &mut Engine);
-}
-
-/// Is called with each warning when it comes up.
-pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;
 
 /// The parts of an analysis as the commands have given them so far.
 #[derive(Debug, Default)]

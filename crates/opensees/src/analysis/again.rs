@@ -6,8 +6,9 @@ use super::analyze::conclude;
 use super::plausibility;
 use crate::Outcome;
 use crate::calls;
+use crate::host::Mode;
 use crate::run::Run;
-use crate::session::{Mode, Session};
+use crate::session::Session;
 use hysteron_engine::analysis::{Failure, Kind};
 use hysteron_tcl::{Call, Value};
 

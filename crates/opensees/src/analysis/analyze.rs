@@ -3,8 +3,9 @@
 use super::plausibility;
 use crate::args::Args;
 use crate::checkpoint;
+use crate::host::Mode;
 use crate::output::collapse;
-use crate::session::{Mode, Parts, Session};
+use crate::session::{Parts, Session};
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};

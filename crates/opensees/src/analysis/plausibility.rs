@@ -1,7 +1,8 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
 use super::again::Checked;
-use crate::session::{Mode, Session};
+use crate::host::Mode;
+use crate::session::Session;
 use crate::{Tcl, warn};
 use hysteron_engine::analysis::{Engine, Kind};
 use hysteron_engine::element::Overload;

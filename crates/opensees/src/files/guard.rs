@@ -1,7 +1,7 @@
 //! Folders in which a script may write, and under `--sandbox` read.
 
+use super::outputs::{FileFormat, Outputs};
 use crate::files::series::FileSeries;
-use crate::session::{FileFormat, Outputs};
 use hysteron_engine::record::{Output, RecordError};
 use hysteron_tcl::{FileInfo, Files, OpenMode, Stream};
 use std::io;

@@ -4,6 +4,7 @@ pub mod guard;
 pub mod motion;
 pub(crate) mod number_files;
 pub mod output_folder;
+pub(crate) mod outputs;
 pub(crate) mod series;
 pub mod table;
 pub mod vtu;

@@ -4,8 +4,8 @@
 //! read from there if the script has written it in this run, and from the current folder otherwise. Files of the current
 //! folder are never changed: one that is appended to is copied first, one that is deleted is hidden. Other paths stay.
 
+use super::outputs::{FileFormat, Outputs};
 use crate::files::series::{DiskSeries, FileSeries};
-use crate::session::{FileFormat, Outputs};
 use hysteron_engine::record::{Output, RecordError, RowFile};
 use hysteron_tcl::{FileInfo, FileKind, Files, OpenMode, OsFiles, Stream};
 use std::cell::RefCell;

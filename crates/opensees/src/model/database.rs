@@ -1,7 +1,7 @@
 //! `database`, `save` and `restore`.
 
 use crate::args::Args;
-use crate::session::Mode;
+use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::analysis::SavedState;
 use hysteron_tcl::{Call, Exception, OpenMode, Value};

@@ -2,8 +2,8 @@
 
 use super::recorder::{make_room, range, region};
 use crate::args::Args;
+use crate::host::Mode;
 use crate::model::nodes::node_of;
-use crate::session::Mode;
 use crate::{Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, NodalLoad, NodeId, Tag};

@@ -3,7 +3,8 @@
 use super::recorders::PlacedRecorder;
 use super::{collapse, display, pvd};
 use crate::args::Args;
-use crate::session::{FileFormat, Mode};
+use crate::files::outputs::FileFormat;
+use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::model::Tag;
 use hysteron_engine::number_format::Style;

@@ -5,7 +5,7 @@ use super::collapse::Collapses;
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::softening::BackboneWatch;
 use crate::checkpoint::Journal;
-use crate::session::{MotionObserver, Progress};
+use crate::host::{MotionObserver, Progress};
 use hysteron_engine::analysis::{Engine, Observer};
 use hysteron_engine::model::Tag;
 use hysteron_engine::record::{RecordError, Recorder};
