@@ -1,17 +1,91 @@
 //! Inside a crate the layers hold: a module uses only those before it. Between crates the compiler holds them.
-//! Libraries neither print nor exit nor panic; files stay small.
+//! Libraries neither print nor exit nor panic; files stay small; what holds a law forwards all that a law is asked.
 
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Modules of a crate, each of which may use those before it.
-const LAYERS: &[(&str, &[&str])] = &[
-    (
-        "engine",
-        &[
+struct Layers {
+    krate: &'static str,
+    modules: &'static [&'static str],
+    /// Files that use a module behind their own. The list may only become shorter.
+    upward: &'static [(&'static str, &'static str)],
+}
+
+const LAYERS: &[Layers] = &[
+    Layers {
+        krate: "tcl",
+        modules: &[
+            "stack",
+            "number",
+            "table",
+            "diagnostic",
+            "error",
+            "files",
+            "origin",
+            "value",
+            "vars",
+            "stretch",
+            "ast",
+            "console",
+            "channel",
+            "glob",
+            "dict",
+            "escape",
+            "list",
+            "text",
+            "core",
+            "interp",
+            "paths",
+            "lexer",
+            "memory_files",
+            "outline",
+            "index",
+            "command",
+            "eval",
+            "ensemble",
+            "expr",
+            "inline",
+            "in_place",
+            "form",
+            "lookup",
+            "namespace",
+            "proc",
+            "regex",
+            "builtin",
+            "overlay_files",
+        ],
+        upward: &[
+            ("ast.rs", "inline"),
+            ("ast.rs", "text"),
+            ("command.rs", "ensemble"),
+            ("core.rs", "command"),
+            ("core.rs", "inline"),
+            ("core.rs", "namespace"),
+            ("dict.rs", "list"),
+            ("error.rs", "value"),
+            ("expr/numeric.rs", "inline"),
+            ("expr/template.rs", "inline"),
+            ("interp.rs", "builtin"),
+            ("interp.rs", "command"),
+            ("interp.rs", "proc"),
+            ("lexer.rs", "inline"),
+            ("stretch.rs", "text"),
+            ("table.rs", "text"),
+            ("text.rs", "expr"),
+            ("text.rs", "regex"),
+            ("value.rs", "dict"),
+            ("value.rs", "list"),
+            ("value.rs", "text"),
+            ("vars.rs", "text"),
+        ],
+    },
+    Layers {
+        krate: "engine",
+        modules: &[
             "numeric",
             "state_struct",
             "bytes",
@@ -28,11 +102,51 @@ const LAYERS: &[(&str, &[&str])] = &[
             "analysis",
             "record",
         ],
-    ),
-    ("identify", &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"]),
-    (
-        "design",
-        &[
+        upward: &[],
+    },
+    Layers {
+        krate: "opensees",
+        modules: &[
+            "host",
+            "check",
+            "elsewhere",
+            "args",
+            "slips",
+            "kind",
+            "model",
+            "files",
+            "material",
+            "section",
+            "course",
+            "run",
+            "lockstep",
+            "load",
+            "chart",
+            "output",
+            "calls",
+            "checkpoint",
+            "element",
+            "session",
+            "analysis",
+        ],
+        upward: &[
+            ("check.rs", "analysis"),
+            ("check.rs", "calls"),
+            ("check.rs", "output"),
+            ("output/query.rs", "session"),
+            ("output/recorders.rs", "analysis"),
+            ("output/recorders.rs", "checkpoint"),
+            ("session.rs", "analysis"),
+        ],
+    },
+    Layers {
+        krate: "identify",
+        modules: &["fourier", "halton", "measure", "protocol", "study", "report", "preflight", "calibrate"],
+        upward: &[],
+    },
+    Layers {
+        krate: "design",
+        modules: &[
             "codes",
             "check",
             "motion",
@@ -49,10 +163,11 @@ const LAYERS: &[(&str, &[&str])] = &[
             "multimode",
             "batch",
         ],
-    ),
-    (
-        "diagnose",
-        &[
+        upward: &[],
+    },
+    Layers {
+        krate: "diagnose",
+        modules: &[
             "prior",
             "series",
             "inspect",
@@ -65,7 +180,29 @@ const LAYERS: &[(&str, &[&str])] = &[
             // Unit tests alone use it.
             "test_support",
         ],
-    ),
+        upward: &[],
+    },
+    Layers {
+        krate: "view",
+        modules: &[
+            "numbers",
+            "vtk",
+            "scene",
+            "thin",
+            "pack",
+            "field",
+            "fibers",
+            "history",
+            "forces",
+            "devices",
+            "glance",
+            "collector",
+            "page",
+            // Unit tests.
+            "tests",
+        ],
+        upward: &[],
+    },
 ];
 
 fn files(dir: &Path, out: &mut Vec<PathBuf>) {
@@ -92,40 +229,78 @@ fn module(path: &Path, root: &Path) -> Option<String> {
     (first != "lib").then_some(first)
 }
 
-/// Modules that a text uses, its unit tests left out: `crate::name` and `crate::{name, ...}`.
-fn used(text: &str) -> Vec<String> {
-    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or("");
-    let code: String = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
-    let mut out = vec![];
-    for part in code.split("crate::").skip(1) {
-        let word = |s: &str| s.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-        match part.strip_prefix('{') {
-            Some(list) => out.extend(list.split('}').next().unwrap_or("").split(',').map(|w| word(w.trim()))),
-            None => out.push(word(part)),
+/// First names of the paths that follow `crate::` or the like: of `name::...`, or of each path of `{name::..., ...}`.
+fn first_names(path: &str) -> Vec<String> {
+    let word = |s: &str| s.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+    let Some(list) = path.strip_prefix('{') else { return vec![word(path)] };
+    let (mut names, mut depth, mut item) = (vec![], 0, String::new());
+    for c in list.chars() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth == 0 => break,
+            '}' => depth -= 1,
+            ',' if depth == 0 => names.push(word(&std::mem::take(&mut item))),
+            c if depth == 0 => item.push(c),
+            _ => {}
         }
     }
-    out
+    names.push(word(&item));
+    names
+}
+
+/// Modules that the text of a file uses, its unit tests left out: by `crate::` and by as many `super::` as lead from the file
+/// to the root. What the root re-exports is not counted.
+fn used(text: &str, place: &Path) -> Vec<String> {
+    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or("");
+    let code: String = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
+    let is_folder = place.file_name().is_some_and(|name| name == "mod.rs");
+    let to_root = "super::".repeat(place.iter().count() - usize::from(is_folder));
+    let absolute = code.split("crate::").skip(1);
+    let relative = code.match_indices(&to_root).filter(|(at, _)| {
+        let before = code[..*at].chars().next_back();
+        !before.is_some_and(|c| c == ':' || c == '_' || c.is_alphanumeric())
+    });
+    let relative = relative.map(|(at, up)| &code[at + up.len()..]).filter(|rest| !rest.starts_with("super::"));
+    absolute.chain(relative).flat_map(first_names).collect()
 }
 
 #[test]
 fn modules_use_only_those_before_them() {
     let mut wrong = vec![];
-    for (name, layers) in LAYERS {
-        let order: BTreeMap<&str, usize> = layers.iter().enumerate().map(|(i, l)| (*l, i)).collect();
-        let dir = format!("crates/{name}/src");
+    for Layers { krate, modules, upward } in LAYERS {
+        let order: BTreeMap<&str, usize> = modules.iter().enumerate().map(|(i, l)| (*l, i)).collect();
+        let dir = format!("crates/{krate}/src");
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(&dir);
+        let mut needed = BTreeSet::new();
         for (path, text) in sources(&dir) {
             let Some(own) = module(&path, &root) else { continue };
             let Some(&place) = order.get(own.as_str()) else {
                 wrong.push(format!("{}: module {own} is in no layer", path.display()));
                 continue;
             };
-            for other in used(&text).iter().filter(|o| order.get(o.as_str()).is_some_and(|there| *there > place)) {
-                wrong.push(format!("{}: {own} uses {other}", path.display()));
+            let file = path.strip_prefix(&root).unwrap();
+            for other in used(&text, file).iter().filter(|o| order.get(o.as_str()).is_some_and(|there| *there > place))
+            {
+                let arrow = (file.to_str().unwrap(), other.as_str());
+                match upward.iter().find(|known| **known == arrow) {
+                    Some(known) => _ = needed.insert(known),
+                    None => wrong.push(format!("{}: {own} uses {other}", path.display())),
+                }
             }
         }
+        let idle = upward.iter().filter(|known| !needed.contains(known));
+        wrong
+            .extend(idle.map(|(file, other)| format!("{krate}/{file} no longer uses {other}: strike it off the list")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn arrows_are_found_in_every_way_of_writing() {
+    let text = "use crate::{a::{b, c}, d};\nuse super::super::e::{f};\nuse super::g;\nuse super::super::super::h;\n// crate::i\n";
+    assert_eq!(used(text, Path::new("x/y.rs")), ["a", "d", "e"]);
+    assert_eq!(used("use super::{a, b::c};", Path::new("x.rs")), ["a", "b"]);
+    assert_eq!(used("use super::{a, b::c};", Path::new("x/mod.rs")), ["a", "b"]);
 }
 
 #[test]
@@ -160,6 +335,121 @@ fn wrappers_of_elements_forward_every_method() {
     }
     assert!(wrappers >= 2, "only {wrappers} found");
     assert!(wrong.is_empty(), "{HELD} is missing in\n{}", wrong.join("\n"));
+}
+
+/// Traits of which a wrapper must decide on every method.
+const WRAPPED_TRAITS: [&str; 5] = ["WatchesColumns", "Uniaxial", "Multiaxial", "Section", "PlateSection"];
+
+/// Names of types by which a struct holds a law or a section.
+const HOLDERS: [&str; 6] =
+    ["Slot", "SectionSlot", "Material", "SharedMultiaxial", "SharedSection", "SharedPlateSection"];
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|w| !w.is_empty())
+}
+
+/// A struct or an enum: its file, its name, the words of its body, and whether other files see it.
+struct Shape<'a> {
+    file: usize,
+    name: &'a str,
+    body: BTreeSet<&'a str>,
+    public: bool,
+}
+
+fn shapes(files: &[(PathBuf, String)]) -> Vec<Shape<'_>> {
+    let mut all = vec![];
+    for (file, (_, text)) in files.iter().enumerate() {
+        for (at, _) in ["struct ", "enum "].iter().flat_map(|kind| text.match_indices(kind)) {
+            let line = text[..at].rfind('\n').map_or(0, |i| i + 1);
+            let before = text[line..at].trim();
+            if !(before.is_empty() || before == "pub" || before.starts_with("pub(")) {
+                continue;
+            }
+            let rest = &text[at..];
+            let end = rest.find("\n}").into_iter().chain(rest.find(";\n")).min().unwrap_or(rest.len());
+            let body = rest[..end].lines().filter(|l| !l.trim_start().starts_with("//"));
+            let mut body: Vec<&str> = body.flat_map(words).skip(1).collect();
+            if !body.is_empty() {
+                let name = body.remove(0);
+                all.push(Shape { file, name, body: body.into_iter().collect(), public: !before.is_empty() });
+            }
+        }
+    }
+    all
+}
+
+/// The structs that hold a law or a section, directly or in another struct.
+fn holding<'a>(shapes: &'a [Shape<'a>]) -> BTreeSet<(usize, &'a str)> {
+    let mut holding: BTreeSet<(usize, &str)> = BTreeSet::new();
+    loop {
+        let before = holding.len();
+        for shape in shapes {
+            let in_file = |word: &str| shapes.iter().any(|s| s.file == shape.file && s.name == word);
+            let holds = |word: &str| {
+                if in_file(word) {
+                    return holding.contains(&(shape.file, word));
+                }
+                let seen = |s: &&Shape<'_>| s.public && s.name == word;
+                HOLDERS.contains(&word) || shapes.iter().filter(seen).any(|s| holding.contains(&(s.file, s.name)))
+            };
+            if shape.body.iter().any(|word| *word != shape.name && holds(word)) {
+                holding.insert((shape.file, shape.name));
+            }
+        }
+        if holding.len() == before {
+            return holding;
+        }
+    }
+}
+
+/// What holds a law or a section forwards every method that a law or a section has, and the columns that it watches.
+#[test]
+fn what_holds_a_law_forwards_every_method() {
+    const HELD: &str = "#[deny(clippy::missing_trait_methods)]";
+    let mut files = sources("crates/engine/src");
+    files.extend(sources("tests/support"));
+    let shapes = shapes(&files);
+    let holding = holding(&shapes);
+    let (mut found, mut wrong) = (0, vec![]);
+    for (file, (path, text)) in files.iter().enumerate() {
+        for (at, _) in text.match_indices("\nimpl") {
+            let line = text[at + 1..].lines().next().unwrap_or_default();
+            let Some((of, on)) = line.split_once(" for ") else { continue };
+            let of: Vec<&str> = words(of).collect();
+            let Some(name) = words(on).next() else { continue };
+            let is_law = of.iter().any(|w| WRAPPED_TRAITS[1..].contains(w));
+            if is_law && holding.contains(&(file, name)) {
+                found += 1;
+                if text[..at].lines().last() != Some(HELD) {
+                    wrong.push(format!("{}: {HELD} is missing at {line}", path.display()));
+                }
+            }
+        }
+        for (at, _) in text.match_indices("watches_columns!(") {
+            let call = text[at..].split(");").next().unwrap_or_default();
+            let Some((of, "nothing")) = call.rsplit_once(" => ") else { continue };
+            let of = of.rsplit_once("] ").map_or(of, |(_, name)| name).trim_start_matches("watches_columns!(");
+            let name = words(of).next().unwrap_or_default();
+            if holding.contains(&(file, name)) {
+                wrong.push(format!("{}: {name} holds a law that may watch a column", path.display()));
+            }
+        }
+    }
+    assert!(found >= 15, "only {found} found");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn traits_of_laws_have_no_defaults() {
+    let files = sources("crates/engine/src");
+    for name in WRAPPED_TRAITS {
+        let head = format!("pub trait {name}");
+        let traits = files.iter().flat_map(|(_, text)| text.split(&head).skip(1));
+        let bodies: Vec<&str> = traits.filter(|t| t.starts_with([':', '<', ' '])).collect();
+        assert_eq!(bodies.len(), 1, "{name}");
+        let body = bodies[0].split("\n}").next().unwrap();
+        assert!(!body.contains("    }\n"), "{name} has a method that a wrapper may forget");
+    }
 }
 
 /// Lines outside `opensees*.rs` and the commands that may decide by the flag `compat`.
