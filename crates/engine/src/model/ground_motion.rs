@@ -95,7 +95,8 @@ fn sums(series: &Series, dt: f64, before: impl Fn(f64) -> f64) -> Path {
     path(values, series, dt)
 }
 
-/// Integral by the trapezoidal rule, zero at the start of the series: the values before it cancel the first one. It goes on where the series goes on with its last value.
+/// Integral by the trapezoidal rule, zero at the start of the series: the value before it cancels the first one. It goes on
+/// where the series goes on with its last value.
 fn integral(series: &Series, dt: f64) -> Series {
     series.integral().unwrap_or_else(|| {
         let sums = sums(series, dt, |first| -first);

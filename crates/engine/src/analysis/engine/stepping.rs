@@ -206,7 +206,7 @@ impl Engine {
                 self.step_start.keep(&mut self.committed, duration);
                 self.committed.commit(&self.trial, &self.model, keeps_rates);
                 match setup.kind {
-                    Kind::Static if work.loads.moves && self.led.is_empty() => self.led.clone_from(&work.led),
+                    Kind::Static if self.led != work.led => self.led.clone_from(&work.led),
                     Kind::Static => {}
                     Kind::Transient => self.led.clear(),
                 }
