@@ -188,7 +188,8 @@ impl Engine {
             let Some(excess) = system.work.excess(&self.model, system.new, system.dynamic) else {
                 return Ok(iterations);
             };
-            if excess.is_refused && !self.options.compat {
+            let is_let_pass = self.options.compat;
+            if excess.is_refused && !is_let_pass {
                 return Err(excess.failure(system.new.time));
             }
             self.excess.get_or_insert(excess);
