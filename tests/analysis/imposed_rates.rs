@@ -95,8 +95,7 @@ fn velocity_of_a_path() {
         pattern Plain 1 1 { sp 2 1 0.5 }; pattern Plain 2 2 { sp 3 1 1.0 }
         constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-9 9; algorithm Newton
         integrator LoadControl 0.25; analysis Static
-        foreach n {2 2 2 7} { analyze $n; puts \"[nodeVel 2 1] [nodeVel 3 1]\" }
-        setTime 0; integrator DisplacementControl 2 1 0.1; analysis Static")
+        foreach n {2 2 2 7} { analyze $n; puts \"[nodeVel 2 1] [nodeVel 3 1]\" }")
     .numbers();
     let expected = [1.0, 2.0, -0.25, 0.25, -1.5, -1.5, 0.0, 0.0];
     assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{numbers:?}");
