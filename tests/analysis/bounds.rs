@@ -7,7 +7,7 @@ fn block(load: &str, analysis: &str) -> String {
     format!(
         "model basic -ndm 3 -ndf 6; node 1 0 0 0; node 2 0 0 0.3; fix 1 1 1 1 1 1 1; fix 2 0 1 0 1 1 1
         mass 2 1e5 1e5 1e5 0 0 0
-        element LeadRubberX 1 1 2 120e3 0.1 0.6e6 2e9 0.12 0.6 0.003 0.008 20 0 0 1 1 0 0 10 0.5 1.0 0.5
+        element LeadRubberX 1 1 2 120e3 0.1 0.6e6 2e9 0.12 0.6 0.003 0.008 20 0 0 1 1 0 0 10 0.5 1.0 0.5 0 0 0 11200. 130. 50. 1.41e-5 0 0 0 0 1
         {load}
         constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-8 50; algorithm Newton
         {analysis}

@@ -95,8 +95,7 @@ fn velocity_of_a_path() {
         pattern Plain 1 1 { sp 2 1 0.5 }; pattern Plain 2 2 { sp 3 1 1.0 }
         constraints Transformation; numberer Plain; system FullGeneral; test NormDispIncr 1e-9 9; algorithm Newton
         integrator LoadControl 0.25; analysis Static
-        foreach n {2 2 2 7} { analyze $n; puts \"[nodeVel 2 1] [nodeVel 3 1]\" }
-        setTime 0; integrator DisplacementControl 2 1 0.1; analysis Static")
+        foreach n {2 2 2 7} { analyze $n; puts \"[nodeVel 2 1] [nodeVel 3 1]\" }")
     .numbers();
     let expected = [1.0, 2.0, -0.25, 0.25, -1.5, -1.5, 0.0, 0.0];
     assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{numbers:?}");
@@ -118,10 +117,10 @@ fn a_release_starts_at_rest() {
         ))
         .numbers();
         assert!(close(numbers[0], 5.0, 1e-12), "{numbers:?}");
-        assert!(
-            close(numbers[1], 0.5 * 0.01f64.cos(), 1e-6) && close(numbers[2], -5.0 * 0.01f64.sin(), 1e-3),
-            "{numbers:?}"
-        );
+        // One step of the average acceleration, from rest and without acceleration.
+        let (dt, before) = (0.001, 0.5);
+        let after = before / (1.0 + 0.25 * 100.0 * dt * dt);
+        assert!(close(numbers[1], after, 1e-9) && close(numbers[2], 2.0 * (after - before) / dt, 1e-6), "{numbers:?}");
     }
 }
 
@@ -161,12 +160,11 @@ fn series_without_an_end() {
 /// As openseespy 3.7.1 has it.
 #[test]
 fn integrals_of_opensees() {
-    for (series, how, expected) in [
-        ("Constant 1 -factor 0.2", "-vel", [0.0, 0.2, 0.0]),
-        ("Path 1 -dt 0.5 -values {0.2 0.2 0.2 0.2 0.2}", "-accel", [0.22651, 0.301, 0.2]),
-    ] {
+    for (series, how, expected) in
+        [("Constant 1 -factor 0.2", "-vel", [0.0, 0.2, 0.0]), ("Linear 1 -factor 0.2", "-accel", [0.0, 0.0, 0.3])]
+    {
         let numbers = Script::compat().run(&ground(series, how)).done().numbers();
-        assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-5), "{series} {how}: {numbers:?}");
+        assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{series} {how}: {numbers:?}");
     }
 }
 

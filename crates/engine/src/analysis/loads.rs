@@ -43,6 +43,11 @@ impl ImposedDof {
         }
     }
 
+    /// Returns true if velocity and acceleration are imposed.
+    pub(super) fn has_rates(&self) -> bool {
+        self.rates
+    }
+
     /// Returns true if velocity and acceleration are those of the series of its pattern.
     pub(super) fn follows_series(&self) -> bool {
         self.rates && self.ground.is_none()
@@ -108,21 +113,23 @@ impl Loads {
                 loads.inertia.push(GroundInertia::new(model, i, e, compat));
             }
         }
-        loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i, compat)).collect();
+        // OpenSees imposes displacements alone.
+        let without_rates = compat;
+        loads.imposed = map.imposed.iter().filter_map(|i| loads.find(model, i, without_rates)).collect();
         loads.ground_moves = loads.imposed.iter().any(|i| i.ground.is_some() && i.rates);
-        if !compat {
+        if !without_rates {
             let links = map.links.iter().filter_map(|link| link.imposed);
-            loads.linked = links.filter_map(|i| loads.find(model, &i, compat)).collect();
+            loads.linked = links.filter_map(|i| loads.find(model, &i, without_rates)).collect();
         }
         loads.moves = loads.imposed.iter().chain(&loads.linked).any(|i| i.rates);
         loads
     }
 
-    fn find(&self, model: &Model, i: &Imposed, compat: bool) -> Option<ImposedDof> {
+    fn find(&self, model: &Model, i: &Imposed, without_rates: bool) -> Option<ImposedDof> {
         let m = &model.patterns.get(&i.pattern)?.motions[i.index];
         let pattern = self.tags.binary_search(&i.pattern).ok()?;
         let (ground, motion) = (m.ground.clone(), [0.0; 3]);
-        let rates = ground.as_ref().map_or(!compat, |g| g.rates);
+        let rates = ground.as_ref().map_or(!without_rates, |g| g.rates);
         Some(ImposedDof {
             dof: i.dof,
             pattern,

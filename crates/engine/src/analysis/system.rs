@@ -160,6 +160,8 @@ impl System<'_> {
                 work.spread[d.dof] = step;
                 field[d.dof] += step;
             }
+            // The predictor of a step knows nothing of what they follow.
+            follow(&work.followers, field);
             work.clear_imposed();
         }
     }

@@ -20,21 +20,18 @@ pub enum GroundMotion {
 impl GroundMotion {
     /// From series of displacement, velocity and acceleration; `None` where no series is given. A series that is missing
     /// follows with steps of `dt`: integrals by the trapezoidal rule, derivatives by differences. Those of a series without an
-    /// end are exact. With `compat` there are no derivatives, and integrals are OpenSees': from zero before the first value to
-    /// the last one.
-    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64, compat: bool) -> Option<Self> {
-        let [mut disp, mut vel, mut accel] = series;
-        if disp.is_none() && vel.is_none() && accel.is_none() {
-            return None;
-        }
-        let integral = |series: &Series| if compat { integral_of_opensees(series, dt) } else { integral(series, dt) };
-        vel = vel.or_else(|| accel.as_ref().map(integral));
-        disp = disp.or_else(|| vel.as_ref().map(integral));
-        if !compat {
-            vel = vel.or_else(|| disp.as_ref().map(|d| derivative(d, dt)));
-            accel = accel.or_else(|| vel.as_ref().map(|v| derivative(v, dt)));
-        }
+    /// end are exact.
+    pub fn from_series(series: [Option<Series>; 3], dt: f64, factor: f64) -> Option<Self> {
+        let [disp, mut vel, mut accel] = with_integrals(series, |series| integral(series, dt))?;
+        vel = vel.or_else(|| disp.as_ref().map(|d| derivative(d, dt)));
+        accel = accel.or_else(|| vel.as_ref().map(|v| derivative(v, dt)));
         Some(Self::Plain { series: [disp, vel, accel], factor })
+    }
+
+    /// The same as OpenSees has it: without derivatives, and with integrals from zero before the first value to the last one.
+    pub fn as_opensees(series: [Option<Series>; 3], dt: f64, factor: f64) -> Option<Self> {
+        let series = with_integrals(series, |series| integral_of_opensees(series, dt))?;
+        Some(Self::Plain { series, factor })
     }
 
     /// Displacement, velocity and acceleration at a time; at rest before time zero.
@@ -58,6 +55,14 @@ impl GroundMotion {
             Self::Interpolated(all) => all.iter().filter_map(|(_, m)| m.end()).max_by(f64::total_cmp),
         }
     }
+}
+
+/// Series of displacement and velocity that are missing, as integrals of those that are given; `None` where none is.
+fn with_integrals(series: [Option<Series>; 3], integral: impl Fn(&Series) -> Series) -> Option<[Option<Series>; 3]> {
+    let [mut disp, mut vel, accel] = series;
+    vel = vel.or_else(|| accel.as_ref().map(&integral));
+    disp = disp.or_else(|| vel.as_ref().map(&integral));
+    (disp.is_some() || vel.is_some() || accel.is_some()).then_some([disp, vel, accel])
 }
 
 /// Acceleration of a motion that is given by its velocity, or else by its displacement. Derivatives of a formula are exact;
@@ -95,7 +100,8 @@ fn sums(series: &Series, dt: f64, before: impl Fn(f64) -> f64) -> Path {
     path(values, series, dt)
 }
 
-/// Integral by the trapezoidal rule, zero at the start of the series: the values before it cancel the first one. It goes on where the series goes on with its last value.
+/// Integral by the trapezoidal rule, zero at the start of the series: the value before it cancels the first one. It goes on
+/// where the series goes on with its last value.
 fn integral(series: &Series, dt: f64) -> Series {
     series.integral().unwrap_or_else(|| {
         let sums = sums(series, dt, |first| -first);

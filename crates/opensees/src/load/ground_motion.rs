@@ -101,8 +101,12 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
         }
     }
     // OpenSees integrates missing histories, but differentiates none: supports given displacements have no velocity.
-    let compat = interp.host.follows(&[slips::GROUND_MOTION_RATES, slips::GROUND_MOTION_INTEGRAL]);
-    no_series(GroundMotion::from_series(series, dt, factor, compat), a, kind)
+    let motion = if interp.host.follows(&[slips::GROUND_MOTION_RATES, slips::GROUND_MOTION_INTEGRAL]) {
+        GroundMotion::as_opensees(series, dt, factor)
+    } else {
+        GroundMotion::from_series(series, dt, factor)
+    };
+    no_series(motion, a, kind)
 }
 
 fn no_series(motion: Option<GroundMotion>, a: &Args<'_>, span: Option<Span>) -> Result<GroundMotion, Exception> {

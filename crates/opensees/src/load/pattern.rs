@@ -39,7 +39,7 @@ const KINDS: &[Kind] = &[
     Kind { names: &["Plain", "LoadPattern"], usage: PLAIN, make: plain },
     Kind {
         names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
-        usage: "pattern UniformExcitation $tag $direction -accel $series | -vel $series | -disp $series <-vel0 $v> <-fact $factor>",
+        usage: "pattern UniformExcitation $tag $direction <-accel $series> <-vel $series> <-disp $series> <-vel0 $v> <-fact $factor>",
         make: uniform,
     },
     Kind {

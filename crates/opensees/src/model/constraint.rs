@@ -23,8 +23,7 @@ const FIX_LEVEL: &str = "fixX $coordinate $flag1 <$flag2 ...> <-tol $tolerance>"
 const EQUAL: &str = "equalDOF $retained $constrained $dof1 <$dof2 ...>";
 const EQUAL_MIXED: &str =
     "equalDOF_Mixed $retained $constrained $count $retainedDof1 $constrainedDof1 <$retainedDof2 $constrainedDof2 ...>";
-const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...> (in a plane model the direction that \
-                         is made equal, or 3 for a rigid body)";
+const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...>";
 const LINK: &str = "rigidLink beam|bar $retained $constrained";
 
 fn flags(a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {

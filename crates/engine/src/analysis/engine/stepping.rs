@@ -188,7 +188,8 @@ impl Engine {
             let Some(excess) = system.work.excess(&self.model, system.new, system.dynamic) else {
                 return Ok(iterations);
             };
-            if excess.is_refused && !self.options.compat {
+            let is_let_pass = self.options.compat;
+            if excess.is_refused && !is_let_pass {
                 return Err(excess.failure(system.new.time));
             }
             self.excess.get_or_insert(excess);
@@ -206,7 +207,7 @@ impl Engine {
                 self.step_start.keep(&mut self.committed, duration);
                 self.committed.commit(&self.trial, &self.model, keeps_rates);
                 match setup.kind {
-                    Kind::Static if work.loads.moves && self.led.is_empty() => self.led.clone_from(&work.led),
+                    Kind::Static if self.led != work.led => self.led.clone_from(&work.led),
                     Kind::Static => {}
                     Kind::Transient => self.led.clear(),
                 }

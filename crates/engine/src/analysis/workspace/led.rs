@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::numeric::all_zero;
 
 impl Workspace {
-    /// Find the degrees of freedom whose velocity is imposed, and those that follow them alone.
+    /// Find the degrees of freedom whose velocity is imposed, and those that follow them alone. OpenSees knows no followers.
     pub(super) fn find_led(&mut self) {
         if !self.loads.moves {
             return;
@@ -13,8 +13,10 @@ impl Workspace {
         let map = &self.plan.map;
         // A support is known to stand still.
         let (mut led, mut known) = (vec![false; self.spread.len()], map.held.clone());
-        for i in self.loads.imposed.iter().chain(&self.loads.linked).filter(|i| i.follows_series()) {
-            led[i.dof] = true;
+        let mut moves = led.clone();
+        for i in self.loads.imposed.iter().chain(&self.loads.linked) {
+            led[i.dof] = i.follows_series();
+            moves[i.dof] = i.has_rates();
         }
         for link in map.links.iter().filter(|link| !link.multi) {
             known[link.terms[0].0] = true;
@@ -24,13 +26,15 @@ impl Workspace {
             let terms = link.terms[1..].iter().map(|&(d, c)| (d, -c));
             (link.terms[0].0, terms.collect())
         });
-        for (dof, terms) in rows.chain(links) {
+        let is_compat = self.opensees.is_some();
+        for (dof, terms) in rows.chain(links).filter(|_| !is_compat) {
             let terms: Vec<(usize, f64)> = terms;
-            if !terms.iter().all(|(d, _)| led[*d] || known[*d]) {
+            if !terms.iter().all(|(d, _)| moves[*d] || known[*d]) {
                 continue;
             }
-            (led[dof], known[dof]) = (terms.iter().any(|(d, _)| led[*d]), true);
-            if led[dof] && !self.plan.handler.eliminates() {
+            let any = |of: &[bool]| terms.iter().any(|(d, _)| of[*d]);
+            (led[dof], moves[dof], known[dof]) = (any(&led), any(&moves), true);
+            if moves[dof] {
                 self.followers.push((dof, terms));
             }
         }
