@@ -168,7 +168,7 @@ impl Outputs for GuardedOutputs {
     }
 
     fn series(&mut self, name: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
-        for (place, follow) in [(path, false), (&path.with_extension(""), true)] {
+        for (place, follow) in [(path, false), (path.with_extension("").as_path(), true)] {
             let text = hysteron_files::portable(place);
             // The file is replaced. Others go into the folder, so that it must not be a link to elsewhere.
             let allowed = self.guard.check_write(&text, follow);
