@@ -6,8 +6,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Bytes that are held back at most.
-const MAX_PENDING: usize = 64 << 10;
+/// Bytes that are held back at most, but for a row that is longer.
+const MAX_PENDING: usize = 8 << 10;
 
 /// A file of rows with one writer.
 ///
@@ -91,9 +91,13 @@ impl ResultFile {
         if self.file.is_none() {
             return Ok(());
         }
+        let before = self.pending.len();
+        // Once for all rows: steps of an analysis allocate nothing.
+        self.pending.reserve(if before == 0 { MAX_PENDING } else { 0 });
         write(&mut self.pending);
         self.has_rows = true;
-        if self.pending.len() > MAX_PENDING { self.write_pending() } else { Ok(()) }
+        let row = self.pending.len() - before;
+        if self.pending.len() + row > MAX_PENDING { self.write_pending() } else { Ok(()) }
     }
 
     /// Replace all rows by those that follow.

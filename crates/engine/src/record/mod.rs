@@ -373,7 +373,7 @@ impl Recorder {
     /// # Errors
     /// An output that cannot be written.
     pub fn pause(&mut self) -> Result<(), RecordError> {
-        if self.output.live().is_none() || !std::mem::take(&mut self.changed) {
+        if !std::mem::take(&mut self.changed) || self.output.live().is_none() {
             return Ok(());
         }
         match &self.keep {

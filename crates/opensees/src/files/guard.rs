@@ -168,10 +168,10 @@ impl Outputs for GuardedOutputs {
     }
 
     fn series(&mut self, name: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
-        for place in [path, &path.with_extension("")] {
+        for (place, follow) in [(path, false), (path.with_extension("").as_path(), true)] {
             let text = hysteron_files::portable(place);
-            // Files go into the folder, so that it must not be a link to elsewhere.
-            let allowed = self.guard.check_write(&text, true);
+            // The file is replaced. Others go into the folder, so that it must not be a link to elsewhere.
+            let allowed = self.guard.check_write(&text, follow);
             allowed.map_err(|e| RecordError(format!("cannot write {name}: {e}")))?;
         }
         self.outputs.series(name, path)

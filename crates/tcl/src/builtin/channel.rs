@@ -284,10 +284,10 @@ fn flush(core: &mut Core, call: &Call<'_>, at: usize) -> Result<Value, Exception
     if call.len() != at + 1 {
         return Err(usage(call, at, "channelId"));
     }
+    core.pause();
     let channel = channel(core, call, at)?;
     must(call, at, channel.writable, "writing")?;
     channel.flush().map_err(|e| posix(&e, |why| format!("error flushing \"{}\": {why}", call.arg(at))))?;
-    core.pause();
     Ok(Value::EMPTY)
 }
 
