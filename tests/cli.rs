@@ -41,10 +41,11 @@ mod phenomena;
 mod plausibility;
 #[path = "cli/recorders.rs"]
 mod recorders;
-#[path = "cli/rubber.rs"]
+#[path = "cli/recordings.rs"]
 mod recordings;
 #[path = "cli/restart.rs"]
 mod restart;
+#[path = "cli/rubber.rs"]
 mod rubber;
 #[path = "cli/rubber_bearings.rs"]
 mod rubber_bearings;

@@ -5,8 +5,9 @@ use hysteron::recordings::FORMATS;
 
 /// A PEER file of a sine of 2 Hz: quantity, unit and step as they are written.
 fn peer(statement: &str, counts: &str, amplitude: f64) -> String {
-    let values: String =
-        (0..200).map(|i| format!("{:.7E}\n", amplitude * (std::f64::consts::TAU * 0.02 * f64::from(i)).sin())).collect();
+    let values: String = (0..200)
+        .map(|i| format!("{:.7E}\n", amplitude * (std::f64::consts::TAU * 0.02 * f64::from(i)).sin()))
+        .collect();
     format!("PEER NGA STRONG MOTION DATABASE RECORD\nA, 1/1/2000, B, 090\n{statement}\n{counts}\n{values}")
 }
 
@@ -55,7 +56,11 @@ fn steps_are_those_of_their_units() {
     for (head, factor) in [("time_ms,acc_g\n", 10.0), ("time[s],acc_g\n", 0.01), ("Zeit (min),acc_g\n", 0.01 / 60.0)] {
         place.write("t.csv", table(head, factor));
         let (_, out, err) = place.run(&["recording", "t.csv"]);
-        assert!(out.contains("in steps of 0.01") && out.contains("acceleration"), "{head}: {out}{err}");
+        let step = out.split("in steps of ").nth(1).and_then(|w| w.split(' ').next()?.parse::<f64>().ok());
+        assert!(
+            step.is_some_and(|dt| (dt / 0.01 - 1.0).abs() < 1e-9) && out.contains("acceleration"),
+            "{head}: {out}{err}"
+        );
     }
 }
 
@@ -125,7 +130,13 @@ fn tables_of_test_machines_are_measured() {
         })
     };
     let comma = |text: String| text.replace('.', ",");
-    place.write("mts.txt", format!("MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\nData: Timed\t\tTime: 8.0 Sec\n\nTime\tDisp\tForce\nSec\tmm\tkN\n{}", rows("\t", "")));
+    place.write(
+        "mts.txt",
+        format!(
+            "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\nData: Timed\t\tTime: 8.0 Sec\n\nTime\tDisp\tForce\nSec\tmm\tkN\n{}",
+            rows("\t", "")
+        ),
+    );
     place.write("excel.csv", format!("time,Disp,Force,,\n{}", rows(",", ",,")));
     place.write("german.csv", format!("Zeit [s];Disp [mm];Force (kN)\n{}", comma(rows(";", ""))));
     place.write(

@@ -46,7 +46,15 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
             title = first.unwrap_or_default().to_owned();
             from = at + 1;
         }
-        let (values, dt, last, left) = block(&lines, at)?;
+        let (values, dt, last, left) = match block(&lines, at) {
+            Ok(block) => block,
+            Err(fault) if unit.quantity == Quantity::Acceleration => return Err(fault),
+            // Velocities and displacements follow from the accelerations: these are read without them.
+            Err(fault) => {
+                notes.push(format!("{} are left out: {fault}", unit.quantity.words()));
+                continue;
+            }
+        };
         note_surplus(&lines, last + 1, left, &mut notes);
         let name = if channels > 1 { format!("channel {channel}") } else { String::new() };
         let mut s = Series { name, title: title.clone(), azimuth, ..Series::new(values) }.with_unit(unit).with_step(dt);

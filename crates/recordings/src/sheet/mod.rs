@@ -3,6 +3,7 @@
 pub(crate) mod cells;
 pub(crate) mod clock;
 pub mod head;
+mod layout;
 mod rows;
 
 use crate::fault::Fault;

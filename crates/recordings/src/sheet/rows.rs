@@ -1,10 +1,11 @@
 //! Rows of a table: where they begin, what their cells are, where they end.
 
-use super::cells::{Cell, detect, is_data, is_infinite, is_missing, is_number, stated};
+use super::cells::{Cell, detect, is_infinite, is_missing, is_number, stated};
 use super::clock::{Stamp, between, parse as parse_stamp};
+use super::layout::{Layout, filled, has_numbers, is_name, layout, split_names};
 use super::{Column, Form, Separator, Sheet, SheetError, head};
 use crate::fault::Fault;
-use crate::number::{Decimals, resembles_number, shown};
+use crate::number::{Decimals, shown};
 
 /// Lines that the form of a table is told from.
 const SAMPLE_LINES: usize = 300;
@@ -16,11 +17,11 @@ const FOOTERS: &[&str] =
 
 /// A line of the text.
 #[derive(Clone, Copy)]
-struct Line<'a> {
-    number: usize,
+pub(super) struct Line<'a> {
+    pub(super) number: usize,
     /// Byte at which it starts.
-    start: usize,
-    text: &'a str,
+    pub(super) start: usize,
+    pub(super) text: &'a str,
 }
 
 /// Lines that end with a line feed; with a carriage return alone if the text has no line feed.
@@ -61,148 +62,6 @@ pub(super) fn line_at(text: &str, number: usize) -> Option<(usize, &str)> {
 
 fn is_comment(line: &str) -> bool {
     line.trim_start().starts_with(['#', '%'])
-}
-
-/// Where the parts of a table are, as indices of the sample's lines.
-struct Layout {
-    names: Option<usize>,
-    units: Option<usize>,
-    /// The first row that is no header.
-    rows: usize,
-}
-
-/// A name of a column and not a number that is misspelt.
-fn is_name(cell: &str) -> bool {
-    let like_number =
-        cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')) || cell.contains('.');
-    !(is_number(cell, true) || (like_number && resembles_number(cell)))
-}
-
-/// What a line may be.
-struct Kind {
-    /// Cells, and cells up to the last that is not empty.
-    full: usize,
-    filled: usize,
-    /// All cells stand in rows of numbers, and one is a number.
-    is_data: bool,
-    /// One cell is a number.
-    has_number: bool,
-}
-
-impl Kind {
-    /// Both may be rows of one table, whose last cells may be empty.
-    fn fits(&self, other: &Self) -> bool {
-        self.filled <= other.full && other.filled <= self.full
-    }
-}
-
-fn filled(cells: &[Cell<'_>]) -> usize {
-    cells.iter().rposition(|c| !c.text.is_empty()).map_or(0, |i| i + 1)
-}
-
-fn layout(sample: &[Line<'_>], separator: Separator, form: &Form<'_>) -> Option<Layout> {
-    let comma = separator != Separator::Char(',');
-    let mut cells = vec![];
-    let mut kinds = vec![];
-    for line in sample {
-        separator.cells(line.text, &mut cells);
-        let has_number = cells.iter().any(|c| is_number(c.text, comma));
-        let is_data = has_number && cells.iter().all(|c| is_data(c.text, comma));
-        kinds.push(Kind { full: cells.len(), filled: filled(&cells), is_data, has_number });
-    }
-    let pair = kinds.windows(2).position(|w| w[0].is_data && w[1].is_data && w[0].fits(&w[1]));
-    // Without two rows alike: the first row of numbers, or the first line with a number at all, whose fault is told.
-    let first = || kinds.iter().position(|k| k.is_data);
-    let some = || kinds.iter().skip(1).position(|k| k.has_number).map(|i| i + 1);
-    let start = pair.or_else(first).or_else(some)?;
-    let least =
-        kinds[start..].iter().take(2).filter(|k| k.is_data).map(|k| k.filled).max().unwrap_or(kinds[start].filled);
-    let mut block = start;
-    let mut fits = |i: usize| {
-        split_names(separator, sample[i].text, least, &mut cells);
-        let most = if form.short_rows { usize::MAX } else { kinds[start].full };
-        (least..=most).contains(&filled(&cells))
-            || (cells.len() >= least && !cells.iter().all(|c| is_name(c.text))) && cells.len() == kinds[start].full
-    };
-    while block > 0 && fits(block - 1) {
-        block -= 1;
-    }
-    let (mut names, mut units, mut rows) = (None, None, block);
-    split_names(separator, sample[block].text, least, &mut cells);
-    let heads =
-        cells.iter().all(|c| is_name(c.text)) || cells.first().is_some_and(|c| head::time_head(c.text).is_some());
-    let has_stamp = cells.iter().any(|c| parse_stamp(c.text).is_some());
-    if block < start && heads && filled(&cells) > 0 && !has_stamp {
-        (names, rows) = (Some(block), block + 1);
-        let below = sample.get(block + 1).filter(|_| block + 1 < start).is_some_and(|line| {
-            split_names(separator, line.text, least, &mut cells);
-            head::units_row(cells.iter().map(|c| c.text)).is_some()
-        });
-        if below {
-            (units, rows) = (Some(block + 1), block + 2);
-        }
-    } else if let Some(at) = names_above_numbers(sample, separator, least) {
-        // A row of another width stands between the names and the rows: it is the fault.
-        (names, rows) = (Some(at), at + 1);
-    } else if block == start && start == 1 && separator != Separator::Blanks && kinds[0].full > 1 {
-        // One line before rows of another width: a header that does not fit.
-        separator.cells(sample[0].text, &mut cells);
-        if cells.iter().all(|c| is_name(c.text)) {
-            (names, rows) = (Some(0), 1);
-        }
-    }
-    Some(Layout { names, units, rows })
-}
-
-/// The line of names, of the width of the rows, right above the first line of numbers.
-fn names_above_numbers(sample: &[Line<'_>], separator: Separator, width: usize) -> Option<usize> {
-    let first = sample.iter().position(|l| has_numbers(l.text, separator))?.checked_sub(1)?;
-    let mut cells = vec![];
-    split_names(separator, sample[first].text, width, &mut cells);
-    let is_head = width > 1 && filled(&cells) == width && cells.iter().all(|c| is_name(c.text));
-    is_head.then_some(first)
-}
-
-/// A line of which half of the cells or more are numbers.
-fn has_numbers(line: &str, separator: Separator) -> bool {
-    let mut cells = vec![];
-    separator.cells(line, &mut cells);
-    let numbers = cells.iter().filter(|c| is_number(c.text, separator != Separator::Char(','))).count();
-    numbers > 0 && 2 * numbers >= cells.len()
-}
-
-/// The names in a header: between blanks a unit in brackets belongs to the word before it.
-fn split_names<'a>(separator: Separator, line: &'a str, width: usize, cells: &mut Vec<Cell<'a>>) {
-    separator.cells(line, cells);
-    if separator != Separator::Blanks || cells.len() == width {
-        return;
-    }
-    let mut merged: Vec<Cell<'a>> = vec![];
-    for cell in cells.iter() {
-        match merged.last_mut() {
-            Some(last) if cell.text.starts_with(['[', '(']) => {
-                last.range.1 = cell.range.1;
-                last.text = &line[last.range.0..last.range.1];
-            }
-            _ => merged.push(*cell),
-        }
-    }
-    if merged.len() == width {
-        *cells = merged;
-        return;
-    }
-    // Names of several words have two blanks or more between them.
-    let mut wide = vec![];
-    let mut at = 0;
-    for part in line.split("  ").filter(|p| !p.trim().is_empty()) {
-        let word = part.trim();
-        let start = at + line[at..].find(word).unwrap_or(0);
-        at = start + word.len();
-        wide.push(Cell { text: word, range: (start, at) });
-    }
-    if wide.len() == width {
-        *cells = wide;
-    }
 }
 
 /// Reads the rows.
