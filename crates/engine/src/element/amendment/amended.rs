@@ -339,7 +339,7 @@ impl Amended {
 impl Element for Amended {
     forward_to_inner! {
         class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
-        add_own_damping overload softening euler_load probe probe_names all_probe_names force_labels
+        add_own_damping overload softening exhausted euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.tangent_at() + self.tangent_len()

@@ -285,7 +285,7 @@ fn normal_to(chord: &Vector3<f64>) -> [Vector3<f64>; 2] {
 impl Element for Hinged {
     forward_to_inner! {
         class dofs commit lockstep mass inertance renews_tangent has_own_damping watchers load_len add_load basic_rows
-        add_own_damping overload softening euler_load probe_names force_labels
+        add_own_damping overload softening exhausted euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.hinges.len() * self.hinge_len

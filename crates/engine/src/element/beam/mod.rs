@@ -13,6 +13,7 @@ mod member;
 mod mixed;
 mod opensees;
 mod point;
+mod shortfall;
 mod timoshenko;
 
 pub use axial_equilibrium::AxialEquilibrium;

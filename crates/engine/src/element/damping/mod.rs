@@ -91,7 +91,7 @@ const BASIC: u32 = 901;
 impl Element for Damped {
     forward_to_inner! {
         class dofs commit lockstep initial_tangent mass inertance renews_tangent watchers load_len add_load basic_rows
-        overload softening euler_load probe_names force_labels
+        overload softening exhausted euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.damping.state_len(self.len)
