@@ -94,6 +94,9 @@ const ATTEMPTS: [(Start, usize, Correction); 13] = [
 /// forces differ by about 1e-4 whatever the tolerance, and by 1e-2 at most.
 const BALANCE: [f64; 2] = [1e-8, 1e-4];
 
+/// Work that is none: a beam without load has forces of round-off.
+const NEGLIGIBLE: f64 = 1e-12;
+
 /// Iterations of the initial flexibility after which the fall of the residual energy is looked at.
 const LOOK_BACK: usize = 20;
 /// An attempt ends where this fall would leave that many times the tolerance at its last iteration.
@@ -172,7 +175,8 @@ impl ForceBased {
             unbalanced += weight.abs() * of_point;
             whole += weight.abs() * of_section;
         }
-        unbalanced <= self.tolerance.max(BALANCE[0] * whole).min(BALANCE[1] * whole)
+        let capped = self.tolerance.min((BALANCE[1] * whole).max(NEGLIGIBLE));
+        unbalanced <= capped.max(BALANCE[0] * whole)
     }
 
     /// Basic forces for deformations `v`: from the last trial, or in equal increments from the committed state.
