@@ -36,6 +36,8 @@ mod model;
 mod modes;
 #[path = "analysis/opensees.rs"]
 mod opensees;
+#[path = "analysis/plateau.rs"]
+mod plateau;
 #[path = "analysis/refine.rs"]
 mod refine;
 #[path = "analysis/rubber.rs"]

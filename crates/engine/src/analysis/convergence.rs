@@ -162,6 +162,12 @@ impl Test {
         alone && self.norm.of(correction) <= self.share() * self.tolerance
     }
 
+    /// Returns true if an iteration like one before it is judged like that: no sum over the step counts, nor the number of
+    /// iterations.
+    pub fn depends_on_last_iteration(&self) -> bool {
+        !self.accept_unconverged && !matches!(self.measure, Measure::RelativeTotalDispIncr | Measure::FixedIterations)
+    }
+
     /// Part of the tolerances that is required.
     #[inline]
     fn share(&self) -> f64 {

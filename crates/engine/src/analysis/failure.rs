@@ -49,6 +49,8 @@ pub struct Details {
     pub time: f64,
     /// The degree of freedom that is worst off, in words: `node 3, dof 1`.
     pub place: Option<String>,
+    /// In a static analysis, the element with a section that has no stiffness left, in words.
+    pub exhausted: Option<String>,
     /// Result of `analyze` in OpenSees: -1 for the model, -2 for the new step, -3 for the solution, -4 for the commit.
     pub code: i32,
 }
@@ -56,7 +58,7 @@ pub struct Details {
 impl Failure {
     /// From the cause, the domain time that the step was to reach, and what `analyze` returns.
     pub fn new(cause: Cause, time: f64, code: i32) -> Self {
-        Self(Box::new(Details { cause, time, place: None, code }))
+        Self(Box::new(Details { cause, time, place: None, exhausted: None, code }))
     }
 
     /// With the degree of freedom that is worst off, where there is one.

@@ -403,6 +403,11 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
         None
     }
 
+    /// A section without stiffness in a state, in words; `None` where all have some.
+    fn exhausted(&self, _history: &[f64]) -> Option<String> {
+        None
+    }
+
     /// The Euler load π² E I / L² of a beam with small displacements, which does not buckle by itself; `None` for all else.
     fn euler_load(&self) -> Option<f64> {
         None

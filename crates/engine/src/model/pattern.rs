@@ -160,6 +160,11 @@ impl Pattern {
         self.drive().factor(time)
     }
 
+    /// Returns true if its loads grow when the time does: one more of the time changes their factor.
+    pub fn grows(&self, time: f64) -> bool {
+        self.has_loads() && self.factor(time + 1.0) != self.factor(time)
+    }
+
     /// Source of its load factor.
     pub fn drive(&self) -> Drive {
         match (&self.kind, self.held) {

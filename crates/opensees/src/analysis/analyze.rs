@@ -1,5 +1,6 @@
 //! Analyses: `analysis analyze eigen` and what goes with them.
 
+use super::failure::failure_message;
 use super::plausibility;
 use crate::args::Args;
 use crate::checkpoint;
@@ -216,7 +217,7 @@ pub(super) fn conclude(interp: &mut Tcl, call: &Call<'_>, done: Result<(), Failu
         }
         Err(failure) if failure.cause == Cause::Interrupted => Err(Exception::Interrupted),
         Err(failure) => {
-            let mut d = failure_message(&failure, call.span(0));
+            let mut d = failure_message(&interp.host, &failure, call.span(0));
             // A check has found what a run would stumble over. In a run the script sees the code; it may have a
             // remedy, so `--strict` makes no error of it.
             if interp.host.mode == Mode::Check {
@@ -294,18 +295,6 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
     let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
-}
-
-/// A failure as a message.
-fn failure_message(failure: &Failure, span: Option<Span>) -> Diagnostic {
-    let d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
-    match &failure.cause {
-        Cause::NotConverged { .. } => {
-            d.help("\"ladder on\" tries other algorithms and shorter steps before it gives up")
-        }
-        Cause::Singular => d.help("hold the degree of freedom, or join it to something with stiffness"),
-        _ => d,
-    }
 }
 
 /// Warn, once each, of steps that were out of balance though they counted as converged, and of equations that are

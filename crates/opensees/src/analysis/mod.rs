@@ -4,6 +4,7 @@ pub(crate) mod again;
 pub(crate) mod algorithm;
 pub(crate) mod analyze;
 pub(crate) mod damping;
+mod failure;
 pub(crate) mod integrator;
 pub(crate) mod isolator_damping;
 pub(crate) mod matrix;

@@ -31,8 +31,10 @@ slips! {
     FORCE_BEAM_TRIALS, Command, Case("force_beams_shaken"),
     "`forceBeamColumn`, `nonlinearBeamColumn`, `beamWithHinges`",
     "The element goes on from the last trial state until an energy of 1e-12 (`-iter`) is left. A step that does not converge is tried with \
-     the initial flexibility, then cut into parts (`-subdivide`), then given up.",
-    "The element goes on from the committed state to round-off, in up to a hundred parts.",
+     the initial flexibility, then cut into parts (`-subdivide`), then given up. Sections may be left that carry less than the forces \
+     along the beam.",
+    "The element goes on from the committed state to round-off, in up to a hundred parts. Its sections carry the forces along the beam, \
+     or the step fails.",
     "The answer would depend on the iterations.";
 
     DEFLECTED_BEAM, Command, Case("deflected_beams"),

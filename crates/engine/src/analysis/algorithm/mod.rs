@@ -3,6 +3,7 @@
 mod accelerated;
 mod bfgs;
 mod broyden;
+mod cycle;
 mod express_newton;
 mod krylov;
 mod line_search;
@@ -17,6 +18,7 @@ use super::integrator::Integrator;
 use super::opensees::Stage;
 use super::system::System;
 use super::workspace::TangentMix;
+use cycle::Cycle;
 use std::fmt;
 
 pub use accelerated::Tangents;
@@ -79,6 +81,22 @@ impl Iteration<'_, '_> {
             TestOutcome::Continue => Ok(None),
             TestOutcome::Failed => Err(self.not_converged()),
         }
+    }
+
+    /// The same for an algorithm whose iterations depend on the trial state alone: they end where they go in a circle.
+    #[inline]
+    fn judge_or_cycle(&mut self, cycle: &mut Cycle) -> Result<Option<usize>, Failure> {
+        let done = self.judge()?;
+        if done.is_none()
+            && self.test.depends_on_last_iteration()
+            && let Some(period) = cycle.watch(self.system)
+        {
+            let mut failure = self.not_converged();
+            let place = failure.place.take().unwrap_or_default();
+            failure.place = Some(format!("{place}; the last iterations repeat each other in turns of {period}"));
+            return Err(failure);
+        }
+        Ok(done)
     }
 
     fn not_converged(&self) -> Failure {

@@ -1,5 +1,6 @@
 //! Newton's method with a new tangent in each iteration, and with one for the whole step.
 
+use super::cycle::Cycle;
 use super::{Algorithm, Iteration, TangentChoice};
 use crate::analysis::failure::Failure;
 use crate::analysis::workspace::TangentMix;
@@ -39,6 +40,7 @@ impl Algorithm for Newton {
         it.system.form_unbalance(wants && !self.balanced)?;
         it.start_test();
         self.balanced = it.system.is_balanced();
+        let mut cycle = Cycle::default();
         for iteration in 0.. {
             // The first correction is known to be zero, and to change nothing where it is only added.
             let none = iteration == 0 && self.balanced;
@@ -52,7 +54,7 @@ impl Algorithm for Newton {
                 it.update()?;
                 it.form_unbalance(wants && iteration + 1 != self.expected)?;
             }
-            if let Some(n) = it.judge()? {
+            if let Some(n) = it.judge_or_cycle(&mut cycle)? {
                 self.expected = n;
                 return Ok(n);
             }
@@ -90,11 +92,12 @@ impl Algorithm for ModifiedNewton {
         }
         self.factored = false;
         it.start_test();
+        let mut cycle = Cycle::default();
         loop {
             it.system.solve()?;
             it.update()?;
             it.form_unbalance(false)?;
-            if let Some(n) = it.judge()? {
+            if let Some(n) = it.judge_or_cycle(&mut cycle)? {
                 self.factored = self.factor_once;
                 return Ok(n);
             }

@@ -215,7 +215,10 @@ impl Engine {
                 work.renew_tangents(&self.model, &self.committed);
                 Ok(())
             }
-            Err(failure) => {
+            Err(mut failure) => {
+                if setup.kind == Kind::Static {
+                    failure.exhausted = system.exhausted();
+                }
                 system.work.loads.invalidate();
                 system.work.elements.revert_to_start();
                 self.committed.shared.copy_from_slice(&self.trial.shared);

@@ -24,6 +24,8 @@ pub struct ArcLength {
     step_factor: f64,
     /// Growth of the load factor in the last committed step: the next begins in the same sense.
     last_factor: f64,
+    /// Displacement of the equations in the last committed step, where its tangent was singular.
+    plateau: Option<Vec<f64>>,
 }
 
 /// Constraint that corrections keep.
@@ -49,6 +51,7 @@ impl ArcLength {
             step: vec![],
             step_factor: 0.0,
             last_factor: 0.0,
+            plateau: None,
         }
     }
 
@@ -144,7 +147,12 @@ impl Integrator for ArcLength {
             self.weight = load * dot(&self.reference.load, &self.reference.load);
         }
         let size = (self.square / (self.scale * dot(unit, unit) + self.weight)).sqrt();
-        self.step_factor = if self.last_factor < 0.0 { -size } else { size };
+        let back = match &self.plateau {
+            // The load factor stands still there, and its growth is round-off.
+            Some(last) => dot(last, unit) < 0.0,
+            None => self.last_factor < 0.0,
+        };
+        self.step_factor = if back { -size } else { size };
         self.step.iter_mut().zip(unit).for_each(|(x, u)| *x = self.step_factor * u);
         self.reference.advance(s, self.step_factor, &self.step)
     }
@@ -158,8 +166,9 @@ impl Integrator for ArcLength {
         self.reference.advance(s, factor, correction)
     }
 
-    fn commit(&mut self, _: &mut System<'_>, _: usize) -> Result<(), Failure> {
+    fn commit(&mut self, s: &mut System<'_>, _: usize) -> Result<(), Failure> {
         self.last_factor = self.step_factor;
+        self.plateau = s.is_on_plateau().then(|| self.step.clone());
         Ok(())
     }
 }

@@ -29,6 +29,10 @@ pub struct MinUnbalDispNorm {
     last_factor: f64,
     /// Displacement of the first point of a step.
     first: Vec<f64>,
+    /// Displacement of the equations since the begin of the step; before it, that of the last step.
+    step: Vec<f64>,
+    /// The tangent of the last step was singular.
+    plateau: bool,
 }
 
 impl MinUnbalDispNorm {
@@ -43,7 +47,18 @@ impl MinUnbalDispNorm {
             step_factor: 0.0,
             last_factor: 0.0,
             first: vec![],
+            step: vec![],
+            plateau: false,
         }
+    }
+
+    /// Growth of the load factor at first where the tangent is singular, or was: in the direction of the last step, and by
+    /// no more than its displacement, since a load factor that cannot grow has no increment.
+    fn along_plateau(&self) -> f64 {
+        let unit = &self.reference.unit;
+        let (last, size) = (dot(&self.step, &self.step).sqrt(), dot(unit, unit).sqrt());
+        let increment = if last > 0.0 { self.increment.abs().min(last / size) } else { self.increment.abs() };
+        if dot(&self.step, unit) < 0.0 { -increment } else { increment }
     }
 }
 
@@ -60,6 +75,7 @@ impl Integrator for MinUnbalDispNorm {
 
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.first.resize(s.work.b.len(), 0.0);
+        self.step.resize(s.work.b.len(), 0.0);
         self.reference.prepare(s)
     }
 
@@ -72,7 +88,11 @@ impl Integrator for MinUnbalDispNorm {
             Sense::Stiffness => dot(&self.reference.load, unit) < 0.0,
         };
         self.step_factor = if down { -self.increment } else { self.increment };
+        if s.is_on_plateau() || self.plateau {
+            self.step_factor = self.along_plateau();
+        }
         self.first.iter_mut().zip(unit).for_each(|(x, u)| *x = self.step_factor * u);
+        self.step.copy_from_slice(&self.first);
         self.reference.advance(s, self.step_factor, &self.first)
     }
 
@@ -81,11 +101,13 @@ impl Integrator for MinUnbalDispNorm {
         let unit = &self.reference.unit;
         let factor = -dot(unit, correction) / dot(unit, unit);
         axpy(factor, unit, correction);
+        axpy(1.0, correction, &mut self.step);
         self.step_factor += factor;
         self.reference.advance(s, factor, correction)
     }
 
-    fn commit(&mut self, _: &mut System<'_>, iterations: usize) -> Result<(), Failure> {
+    fn commit(&mut self, s: &mut System<'_>, iterations: usize) -> Result<(), Failure> {
+        self.plateau = s.is_on_plateau();
         self.last_iterations = iterations;
         self.last_factor = self.step_factor;
         Ok(())

@@ -16,6 +16,15 @@ impl System<'_> {
         self.work.matrix.plateau
     }
 
+    /// The first element with a section that has no stiffness left in the trial state, in words.
+    #[cold]
+    pub fn exhausted(&self) -> Option<String> {
+        self.model.elements.iter().find_map(|e| {
+            let section = e.element.exhausted(&self.new.history[e.state.clone()])?;
+            Some(format!("{section} in {} {}", e.element.class(), e.tag))
+        })
+    }
+
     pub(super) fn is_singular(&self, result: &Result<Option<Pivots>, SolveError>) -> bool {
         match result {
             Err(SolveError::Singular { .. }) => true,

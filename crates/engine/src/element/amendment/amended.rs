@@ -342,7 +342,7 @@ crate::watches_columns!(Amended => |s| at [(0..s.inner_len, &s.inner)]);
 impl Element for Amended {
     forward_to_inner! {
         class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
-        add_own_damping overload softening stretch euler_load probe probe_names all_probe_names force_labels
+        add_own_damping overload softening stretch exhausted euler_load probe probe_names all_probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.tangent_at() + self.tangent_len()

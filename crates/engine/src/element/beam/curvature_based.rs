@@ -5,13 +5,15 @@ mod opensees;
 use super::basic::Basic;
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
 use super::member::{Formulation, Member, Trace};
+use super::point::SUPPORT;
+use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::rules::{Consistent, OpenSees};
-use crate::section::Resultant;
+use crate::section::{MAX_ORDER, Resultant};
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -238,11 +240,23 @@ struct Linear<const B: usize> {
     change: Deformations,
     /// Derivative of the change by each basic force.
     per_force: [[f64; B]; MAX_DEFORMATIONS],
-    /// Residual resultants.
+    /// Residual resultants, and those of the sections.
     residual: Deformations,
+    carried: Deformations,
     /// Flexibility of the basic system, and change of the basic deformations.
     f: [[f64; B]; B],
     v: [f64; B],
+}
+
+impl<const B: usize> Linear<B> {
+    /// The section with the largest work of its imbalance, if that is more than `energy`.
+    fn unbalanced(&self, s: &Sections<B>, energy: f64) -> Option<Shortfall> {
+        let work = |a: usize| (s.of[a].2 * self.change[a] * self.residual[a]).abs();
+        let worst = (0..s.size).max_by(|a, b| work(*a).total_cmp(&work(*b)))?;
+        let (section, carried) = (s.of[worst].1, self.carried[worst]);
+        let resultant = (0..worst).filter(|a| s.of[*a].1 == section).count();
+        (work(worst) > energy).then(|| Shortfall::of(section, resultant, carried, carried + self.residual[worst]))
+    }
 }
 
 /// Resultants of all sections in a state, in one vector.
@@ -270,15 +284,15 @@ impl<R: Rules> CurvatureBased<R> {
         equilibrium_resultants
     }
 
-    /// Linearises equilibrium of sections with the resultants `resultants` and the stiffnesses of a state. `None` if the
-    /// matrix is singular.
+    /// Linearises equilibrium of sections with the resultants `resultants` and the stiffnesses of a state, and `support` times
+    /// those of the virgin sections. `None` if the matrix is singular.
     fn linear<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
         s: &Sections<B>,
         (q, load): (&[f64; B], &[f64]),
         resultants: &Deformations,
-        trial: &[f64],
+        (trial, support): (&[f64], f64),
     ) -> Option<Linear<B>> {
         let m = s.size;
         let mut a = [[0.0; COLUMNS]; MAX_DEFORMATIONS];
@@ -289,6 +303,10 @@ impl<R: Rules> CurvatureBased<R> {
         let mut at = 0;
         for (section, ..) in member.along() {
             let n = section.resultants().len();
+            let mut virgin = [0.0; MAX_ORDER * MAX_ORDER];
+            if support != 0.0 {
+                section.section.initial_stiffness(&mut virgin[..n * n]);
+            }
             for k in 0..n {
                 let row = at + k;
                 for b in 0..m {
@@ -298,6 +316,7 @@ impl<R: Rules> CurvatureBased<R> {
                 }
                 work[row] += 0.5 * s.of[row].2 * s.d[row];
                 a[row][at..at + n].iter_mut().zip(&section.stiffness(trial)[k * n..]).for_each(|(a, k)| *a += k);
+                a[row][at..at + n].iter_mut().zip(&virgin[k * n..]).for_each(|(a, k)| *a += support * k);
                 a[row][m] = residual[row];
                 a[row][m + 1..m + 1 + B].copy_from_slice(&s.rows[row]);
                 a[row][m + 1] += s.d[row];
@@ -311,6 +330,7 @@ impl<R: Rules> CurvatureBased<R> {
             change: [0.0; MAX_DEFORMATIONS],
             per_force: [[0.0; B]; MAX_DEFORMATIONS],
             residual,
+            carried: *resultants,
             f: [[0.0; B]; B],
             v: [0.0; B],
         };
@@ -342,15 +362,18 @@ impl<R: Rules> CurvatureBased<R> {
     }
 
     /// Basic forces for deformations `v` in `parts` equal increments from the committed state. Newton's method solves
-    /// for all section deformations and basic forces at once. `None` without convergence.
+    /// for all section deformations and basic forces at once, with `support` times the virgin stiffnesses added.
+    ///
+    /// # Errors
+    /// Why there are none.
     fn attempt<const N: usize, const B: usize>(
         &self,
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
-        parts: usize,
-    ) -> Result<Option<Basic<B>>, MaterialError> {
+        (parts, support): (usize, f64),
+    ) -> Result<Basic<B>, Miss> {
         let body = member.body();
         trial[body..].copy_from_slice(&committed[body..]);
         let mut basic = Basic::read(&committed[member.head()..]);
@@ -361,11 +384,11 @@ impl<R: Rules> CurvatureBased<R> {
             loop {
                 let s = Sections::new(self, member, trial, None);
                 let loading = (&basic.q, motion.load);
-                let Some(mut l) = self.linear(member, &s, loading, &resultants(member, trial), trial) else {
-                    return Ok(None);
+                let Some(mut l) = self.linear(member, &s, loading, &resultants(member, trial), (trial, support)) else {
+                    return Err(Miss::Incompatible);
                 };
                 if !invert(l.f.as_flattened_mut(), B) {
-                    return Ok(None);
+                    return Err(Miss::Incompatible);
                 }
                 let basic_deformations = s.basic_deformations();
                 let gap: [f64; B] =
@@ -389,13 +412,14 @@ impl<R: Rules> CurvatureBased<R> {
                     break;
                 }
                 if last || !energy.is_finite() {
-                    return Ok(None);
+                    let worst = l.unbalanced(&s, dot(&step, &gap).abs());
+                    return Err(worst.map_or(Miss::Incompatible, Miss::Unbalanced));
                 }
                 iteration += 1;
                 Self::update(member, &e, motion.dt, committed, trial)?;
             }
         }
-        Ok(Some(basic))
+        Ok(basic)
     }
 }
 
@@ -434,27 +458,30 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
         committed: &[f64],
         trial: &mut [f64],
     ) -> Result<Basic<B>, ElementError> {
-        let mut failure = None;
+        let mut miss: Option<Miss> = None;
         let trace = R::CALL_DEPENDENT.then(|| Trace::next(member, v, motion, trial));
-        for parts in [0, 1, 10, 100] {
+        for (parts, support) in [(0, 0.0), (1, 0.0), (10, 0.0), (100, 0.0), (1, SUPPORT), (10, SUPPORT), (100, SUPPORT)]
+        {
             let found = match (parts, &trace) {
                 (0, None) => continue,
-                (0, Some(trace)) => R::first(self, member, trace, motion, committed, trial),
-                (parts, _) => self.attempt(member, v, motion, (committed, trial), parts),
+                (0, Some(trace)) => match R::first(self, member, trace, motion, committed, trial) {
+                    Ok(found) => found.ok_or(Miss::Incompatible),
+                    Err(error) => Err(Miss::Section(error)),
+                },
+                (parts, _) => self.attempt(member, v, motion, (committed, trial), (parts, support)),
             };
             match found {
-                Ok(Some(basic)) if basic.q.iter().all(|q| q.is_finite()) => {
+                Ok(basic) if basic.q.iter().all(|q| q.is_finite()) => {
                     if let Some(trace) = &trace {
                         trace.write(&mut trial[member.own_words()..]);
                     }
                     return Ok(basic);
                 }
                 Ok(_) => {}
-                Err(e) => failure = Some(e),
+                Err(new) => miss = Some(new.or(miss)),
             }
         }
-        let message = "the deformations of the sections do not come to add up to those of the deflected beam";
-        Err(failure.map_or(ElementError(message.into()), ElementError::from))
+        Err(miss.unwrap_or(Miss::Incompatible).error(member))
     }
 
     fn initial_stiffness(member: &Member<N, B>) -> [[f64; B]; B] {

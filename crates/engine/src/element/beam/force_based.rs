@@ -4,11 +4,11 @@ use super::basic::Basic;
 use super::member::{Formulation, Member, Trace, bending_at, set};
 use super::opensees::settle;
 use super::per_section::PerSection;
-use super::point::Point;
+use super::point::{Point, Stiffness};
+use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
-use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -52,6 +52,15 @@ enum Correction {
     InitialFirst,
     /// Initial flexibility: slow but stable.
     Initial,
+    /// Current flexibility, limited where a section is fully plastic.
+    Limited,
+}
+
+impl Correction {
+    /// Stiffness of a section after its update.
+    fn stiffness(self) -> Stiffness {
+        if self == Self::Limited { Stiffness::Supported } else { Stiffness::Current }
+    }
 }
 
 /// Section state from which an attempt starts.
@@ -64,10 +73,12 @@ enum Start {
     Committed,
 }
 
-/// Attempts in order: start, number of increments, and section flexibility.
-const ATTEMPTS: [(Start, usize, Correction); 10] = [
+/// Attempts in order: start, number of increments, and section flexibility. The first `Limited` one is made where a section
+/// has stopped the attempts before it.
+const ATTEMPTS: [(Start, usize, Correction); 13] = [
     (Start::LastTrial, 1, Correction::Current),
     (Start::Committed, 1, Correction::Current),
+    (Start::Committed, 1, Correction::Limited),
     (Start::Committed, 1, Correction::Initial),
     (Start::Committed, 1, Correction::InitialFirst),
     (Start::Committed, 10, Correction::Current),
@@ -76,7 +87,27 @@ const ATTEMPTS: [(Start, usize, Correction); 10] = [
     (Start::Committed, 100, Correction::Current),
     (Start::Committed, 100, Correction::Initial),
     (Start::Committed, 100, Correction::InitialFirst),
+    (Start::Committed, 10, Correction::Limited),
+    (Start::Committed, 100, Correction::Limited),
 ];
+
+/// Bounds of the tolerance for the work of unbalanced section forces, as parts of the work of all section forces. They let
+/// forces differ by about 1e-4 whatever the tolerance, and by 1e-2 at most.
+const BALANCE: [f64; 2] = [1e-8, 1e-4];
+
+/// Work that is none: a beam without load has forces of round-off.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// Iterations of the initial flexibility after which the fall of the residual energy is looked at.
+const LOOK_BACK: usize = 20;
+/// An attempt ends where this fall would leave that many times the tolerance at its last iteration.
+const MISSED: f64 = 1e6;
+
+/// A chord rotation, or an elongation as a part of the length, that is beyond beam theory: it comes of iterations that
+/// diverge, and a hundred increments are not worth it.
+const BEYOND_BEAMS: f64 = 1.0;
+/// Increments of an attempt that are left out then.
+const MANY: usize = 100;
 
 /// Derivatives of a resultant at `x` (fraction of the length) by the basic forces.
 pub(super) fn row<const B: usize>(resultant: Resultant, x: f64, length: f64) -> [f64; B] {
@@ -132,8 +163,27 @@ pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
 }
 
 impl ForceBased {
-    /// Basic forces for deformations `v`: from the last trial, or in equal increments from the committed state. `None` without
-    /// convergence.
+    /// Returns true if the sections carry the forces along the beam.
+    fn is_balanced<const N: usize, const B: usize, const M: usize>(
+        &self,
+        member: &Member<N, B>,
+        points: &[Point<B, M>],
+        q: &[f64; B],
+    ) -> bool {
+        let (mut unbalanced, mut whole) = (0.0, 0.0);
+        for ((.., weight), point) in member.along().zip(points) {
+            let (of_point, of_section) = point.work(q);
+            unbalanced += weight.abs() * of_point;
+            whole += weight.abs() * of_section;
+        }
+        let capped = self.tolerance.min((BALANCE[1] * whole).max(NEGLIGIBLE));
+        unbalanced <= capped.max(BALANCE[0] * whole)
+    }
+
+    /// Basic forces for deformations `v`: from the last trial, or in equal increments from the committed state.
+    ///
+    /// # Errors
+    /// Why there are none.
     fn attempt<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
@@ -141,7 +191,7 @@ impl ForceBased {
         motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
         (from, parts, correction): (Start, usize, Correction),
-    ) -> Result<Option<Basic<B>>, MaterialError> {
+    ) -> Result<Basic<B>, Miss> {
         let body = member.body();
         // The last trial has written every state variable already.
         let mut updated = from == Start::LastTrial;
@@ -159,11 +209,12 @@ impl ForceBased {
                 axpy(weight * e, &row::<B>(*r, x, length), &mut start);
             }
         }
+        let mut progress = f64::INFINITY;
         let limit = self.max_iterations * if correction == Correction::Initial { 10 } else { 1 };
         let mut points = PerSection::new();
         for (i, (section, x, _)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
-            points.push(Point::<B, M>::new(section, ((x, length), internal), trial, false)?);
+            points.push(Point::<B, M>::new(section, ((x, length), internal), trial, correction.stiffness())?);
         }
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
@@ -175,7 +226,7 @@ impl ForceBased {
                 }
                 add_torsion(member, &basic.q, &mut f, &mut basic_deformations);
                 if !invert(f.as_flattened_mut(), B) {
-                    return Ok(None);
+                    return Err(Miss::Incompatible);
                 }
                 let mut residual = [0.0; B];
                 for (i, residual) in residual.iter_mut().enumerate() {
@@ -192,24 +243,33 @@ impl ForceBased {
                     && (energy <= ROUND_OFF * dot(&basic.q, v).abs()
                         || extra_iterations > MAX_EXTRA_ITERATIONS
                         || iteration == limit)
+                    && self.is_balanced(member, &points, &basic.q)
                 {
                     break;
                 }
-                if iteration == limit || !energy.is_finite() {
-                    return Ok(None);
+                // Corrections by the initial flexibility converge geometrically.
+                let mut hopeless = false;
+                if correction == Correction::Initial && iteration % LOOK_BACK == 0 {
+                    let rounds = ((limit - iteration) / LOOK_BACK) as i32;
+                    hopeless = iteration > 0 && energy * (energy / progress).powi(rounds) > MISSED * self.tolerance;
+                    progress = energy;
+                }
+                if iteration == limit || hopeless || !energy.is_finite() {
+                    let unbalanced = within_tolerance.then(|| Shortfall::new(member, &points, &basic.q)).flatten();
+                    return Err(unbalanced.map_or(Miss::Incompatible, Miss::Unbalanced));
                 }
                 iteration += 1;
                 let initial = match correction {
-                    Correction::Current => false,
+                    Correction::Current | Correction::Limited => false,
                     Correction::InitialFirst => iteration == 1,
                     Correction::Initial => true,
                 };
                 for (section, point) in member.sections.iter().zip(&mut points) {
                     if initial {
-                        point.read(section, trial, true)?;
+                        point.read(section, trial, Stiffness::Virgin)?;
                     }
                     section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
-                    point.read(section, trial, false)?;
+                    point.read(section, trial, correction.stiffness())?;
                 }
                 updated = true;
             }
@@ -217,7 +277,7 @@ impl ForceBased {
         if !updated {
             trial[body..].copy_from_slice(&committed[body..]);
         }
-        Ok(Some(basic))
+        Ok(basic)
     }
 
     /// [`Formulation::respond`] for sections of at most `M` resultants.
@@ -228,20 +288,23 @@ impl ForceBased {
         motion: &ElementInput<'_>,
         (committed, trial): (&[f64], &mut [f64]),
     ) -> Result<Basic<B>, ElementError> {
-        let not_found =
-            || ElementError("the deformations of the sections do not come to add up to those of the beam".into());
         if self.compat {
-            return self.iterate_from_trial::<N, B, M>(member, v, motion, committed, trial)?.ok_or_else(not_found);
+            let found = self.iterate_from_trial::<N, B, M>(member, v, motion, committed, trial)?;
+            return found.ok_or_else(|| Miss::Incompatible.error(member));
         }
-        let mut failure = None;
-        for attempt in ATTEMPTS {
+        let mut miss: Option<Miss> = None;
+        let beyond = v[0].abs() > BEYOND_BEAMS * member.length() || v[1..].iter().any(|v| v.abs() > BEYOND_BEAMS);
+        for (n, attempt) in ATTEMPTS.into_iter().enumerate() {
+            let limited = (n, attempt.2) == (2, Correction::Limited);
+            if limited && !miss.as_ref().is_some_and(Miss::is_of_a_section) || beyond && attempt.1 == MANY {
+                continue;
+            }
             match self.attempt::<N, B, M>(member, v, motion, (committed, trial), attempt) {
-                Ok(Some(basic)) => return Ok(basic),
-                Ok(None) => {}
-                Err(e) => failure = Some(e),
+                Ok(basic) => return Ok(basic),
+                Err(new) => miss = Some(new.or(miss)),
             }
         }
-        Err(failure.map_or_else(not_found, ElementError::from))
+        Err(miss.unwrap_or(Miss::Incompatible).error(member))
     }
 
     /// Flexibility of the virgin beam, and its basic deformations from loads at zero basic forces.

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use super::basic::Basic;
 use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass, rigidities};
 use super::per_section::PerSection;
+use super::shortfall::exhausted;
 
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
@@ -266,6 +267,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         m.sections.iter().for_each(|s| s.init(state));
         Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
         self.formulation.settle(m, state);
+    }
+    fn exhausted(&self, history: &[f64]) -> Option<String> {
+        exhausted(&self.member, history)
     }
     fn euler_load(&self) -> Option<f64> {
         let m = &self.member;

@@ -4,7 +4,7 @@ use super::basic::Basic;
 use super::force_based::{ForceBased, internal_forces};
 use super::member::{Formulation, Member, Trace};
 use super::per_section::PerSection;
-use super::point::Point;
+use super::point::{Point, Stiffness};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
@@ -102,7 +102,7 @@ impl Mixed {
         let mut points = PerSection::new();
         for (i, (section, x, weight)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
-            let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), trial, false)?;
+            let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), trial, Stiffness::Current)?;
             point.add(weight, &point.e(), &mut f, &mut gathered);
             points.push(point);
         }
@@ -113,7 +113,7 @@ impl Mixed {
         (f, gathered) = ([[0.0; B]; B], [0.0; B]);
         for ((section, _, weight), point) in member.along().zip(&mut points) {
             section.update(committed, &point.deformations(&q), motion.dt, trial)?;
-            point.read(section, trial, false)?;
+            point.read(section, trial, Stiffness::Current)?;
             point.add(weight, &point.deformations(&q), &mut f, &mut gathered);
         }
         if !invert(f.as_flattened_mut(), B) {

@@ -14,6 +14,7 @@ mod mixed;
 mod opensees;
 mod per_section;
 mod point;
+mod shortfall;
 mod timoshenko;
 
 pub use axial_equilibrium::AxialEquilibrium;

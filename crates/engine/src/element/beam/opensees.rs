@@ -7,7 +7,7 @@ use super::basic::Basic;
 use super::force_based::{ForceBased, add_torsion, internal_forces};
 use super::member::{Formulation, Member, Trace};
 use super::per_section::PerSection;
-use super::point::Point;
+use super::point::{Point, Stiffness};
 use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm, product};
@@ -124,7 +124,8 @@ impl ForceBased {
         let mut points = PerSection::new();
         for (i, (section, x, _)) in member.along().enumerate() {
             let place = ((x, length), internal_forces(motion.load, i));
-            points.push(Point::<B, M>::new(section, place, trial, flexibility != Flexibility::Current)?);
+            let stiffness = if flexibility == Flexibility::Current { Stiffness::Current } else { Stiffness::Virgin };
+            points.push(Point::<B, M>::new(section, place, trial, stiffness)?);
         }
         for iteration in 0..times * self.max_iterations {
             let initial = match flexibility {
@@ -135,10 +136,10 @@ impl ForceBased {
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
             for ((section, _, weight), point) in member.along().zip(&mut points) {
                 if initial && iteration > 0 {
-                    point.read(section, trial, true)?;
+                    point.read(section, trial, Stiffness::Virgin)?;
                 }
                 section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
-                point.read(section, trial, false)?;
+                point.read(section, trial, Stiffness::Current)?;
                 point.add(weight, &point.deformations(&basic.q), &mut f, &mut gathered);
             }
             add_torsion(member, &basic.q, &mut f, &mut gathered);

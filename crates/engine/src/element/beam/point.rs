@@ -6,6 +6,20 @@ use crate::material::MaterialError;
 use crate::numeric::{axpy, dot};
 use crate::section::{MAX_ORDER, SectionSlot};
 
+/// Section stiffness whose inverse is the flexibility.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stiffness {
+    /// That of the state.
+    Current,
+    /// That of the virgin section.
+    Virgin,
+    /// That of the state and a share of the virgin one: regular where the section is fully plastic.
+    Supported,
+}
+
+/// Share of the virgin stiffness in [`Stiffness::Supported`]. It changes the speed of the iteration, not its result.
+pub(super) const SUPPORT: f64 = 1e-8;
+
 /// Interpolation, flexibility, deformations and resultants of a section. `M` bounds the number of resultants, so that
 /// the sizes of all loops are known; what is beyond the resultants of the section is zero.
 pub(super) struct Point<const B: usize, const M: usize> {
@@ -39,7 +53,7 @@ impl<const B: usize, const M: usize> Point<B, M> {
         p
     }
 
-    /// Reads a section from a state. The flexibility is that of the virgin section if `initial`.
+    /// Reads a section from a state.
     ///
     /// # Errors
     /// The stiffness is singular.
@@ -47,10 +61,10 @@ impl<const B: usize, const M: usize> Point<B, M> {
         section: &SectionSlot,
         (place, internal): ((f64, f64), &[f64]),
         trial: &[f64],
-        initial: bool,
+        stiffness: Stiffness,
     ) -> Result<Self, MaterialError> {
         let mut p = Self::at(section, place, internal);
-        p.read(section, trial, initial)?;
+        p.read(section, trial, stiffness)?;
         Ok(p)
     }
 
@@ -59,12 +73,23 @@ impl<const B: usize, const M: usize> Point<B, M> {
     /// # Errors
     /// The stiffness is singular.
     #[inline]
-    pub(super) fn read(&mut self, section: &SectionSlot, trial: &[f64], initial: bool) -> Result<(), MaterialError> {
+    pub(super) fn read(
+        &mut self,
+        section: &SectionSlot,
+        trial: &[f64],
+        stiffness: Stiffness,
+    ) -> Result<(), MaterialError> {
         let (e, s, k) = section.parts(trial);
-        if initial {
-            self.make_virgin(section)?;
-        } else {
-            self.invert(section, k)?;
+        match stiffness {
+            Stiffness::Current => self.invert(section, k)?,
+            Stiffness::Virgin => self.make_virgin(section)?,
+            Stiffness::Supported => {
+                let mut sum = [0.0; MAX_ORDER * MAX_ORDER];
+                let sum = &mut sum[..self.order * self.order];
+                section.section.initial_stiffness(sum);
+                sum.iter_mut().zip(k).for_each(|(sum, k)| *sum = k + SUPPORT * *sum);
+                self.invert(section, sum)?;
+            }
         }
         self.e.iter_mut().zip(e).for_each(|(own, e)| *own = *e);
         self.s.iter_mut().zip(s).for_each(|(own, s)| *own = *s);
@@ -105,6 +130,32 @@ impl<const B: usize, const M: usize> Point<B, M> {
         }
         e.iter_mut().zip(&self.flexibility).for_each(|(e, row)| *e += dot(row, &residual));
         e
+    }
+
+    /// Work of the unbalanced resultants on the deformations that they would still cause, and of the resultants on the
+    /// deformations.
+    pub(super) fn work(&self, q: &[f64; B]) -> (f64, f64) {
+        let e = self.deformations(q);
+        let (mut unbalanced, mut whole) = (0.0, 0.0);
+        for (i, e) in e.iter().enumerate() {
+            unbalanced += ((e - self.e[i]) * (self.asked(i, q) - self.s[i])).abs();
+            whole += (self.e[i] * self.s[i]).abs();
+        }
+        (unbalanced, whole)
+    }
+
+    /// A resultant in equilibrium with the basic forces `q` and the loads.
+    fn asked(&self, i: usize, q: &[f64; B]) -> f64 {
+        dot(&self.rows[i], q) + self.of_load[i]
+    }
+
+    /// Index of the resultant with the largest work of its imbalance, that work, the resultant of the section, and that in
+    /// equilibrium with the basic forces `q`.
+    pub(super) fn worst(&self, q: &[f64; B]) -> (usize, f64, [f64; 2]) {
+        let e = self.deformations(q);
+        let work = |i: usize| ((e[i] - self.e[i]) * (self.asked(i, q) - self.s[i])).abs();
+        let at = (0..self.order).max_by(|i, j| work(*i).total_cmp(&work(*j))).unwrap_or(0);
+        (at, work(at), [self.s[at], self.asked(at, q)])
     }
 
     /// Sets the deformations to those of the loads alone.

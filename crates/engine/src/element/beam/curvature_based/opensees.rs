@@ -59,15 +59,17 @@ impl CurvatureBased<OpenSees> {
             axpy(1.0, &step, &mut basic.q);
             let loading = (&basic.q, motion.load);
             // Section deformations in equilibrium, first with the old stiffnesses, then with the current ones.
-            let Some(l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
+            let Some(l) = self.linear(member, &s, loading, &current, (trial, 0.0)) else { return Ok(None) };
             let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
             Self::update(member, &e, motion.dt, committed, trial)?;
             s = Sections::new(self, member, trial, None);
-            let Some(l) = self.linear(member, &s, loading, &resultants(member, trial), trial) else { return Ok(None) };
+            let Some(l) = self.linear(member, &s, loading, &resultants(member, trial), (trial, 0.0)) else {
+                return Ok(None);
+            };
             let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
             s = Sections::new(self, member, trial, Some(&e));
             current = self.equilibrium_resultants(&s, &basic.q, motion.load);
-            let Some(mut l) = self.linear(member, &s, loading, &current, trial) else { return Ok(None) };
+            let Some(mut l) = self.linear(member, &s, loading, &current, (trial, 0.0)) else { return Ok(None) };
             if !invert(l.f.as_flattened_mut(), B) {
                 return Ok(None);
             }
