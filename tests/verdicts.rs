@@ -60,11 +60,11 @@ const TABLE: &[Row] = &[
     ("undamped model", "damping", "damping", 85),
     ("eccentric", "torsion", "torsion", 80),
     ("pinching", "pinching", "pinching", 90),
-    ("gain", "sensor_gain", "sensor_gain", 95),
-    ("late", "sensor_lag", "sensor_lag", 95),
-    ("jump", "sensor_drift", "sensor_drift", 95),
+    ("gain", "sensor_gain", "sensor_gain", 85),
+    ("late", "sensor_lag", "sensor_lag", 85),
+    ("jump", "sensor_drift", "sensor_drift", 85),
     ("clipped", "sensor_clipping", "sensor_clipping", 95),
-    ("late stop", "gap_impact + sensor_lag", "sensor_lag + gap_impact", 95),
+    ("late stop", "gap_impact + sensor_lag", "sensor_lag + gap_impact", 85),
 ];
 
 /// Functions that make the studies.
