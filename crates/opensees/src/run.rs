@@ -1,9 +1,9 @@
 //! A script from its file to its outcome.
 
-use crate::elsewhere;
 use crate::lockstep::{self, Course};
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
+use crate::{elsewhere, foreign};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
@@ -108,6 +108,7 @@ impl Run {
             (Mode::Check, _) => fresh(session, console, files),
         });
         interp.elsewhere = elsewhere::command;
+        interp.is_foreign = foreign::recognize;
         interp.before_command = course.is_some().then_some(lockstep::before_command);
         if mode == Mode::Check {
             interp.budget = Some(CHECK_BUDGET);

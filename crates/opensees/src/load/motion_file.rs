@@ -2,8 +2,9 @@
 
 use crate::args::Args;
 use crate::files::motion;
+use crate::session::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, read_text};
-use hysteron_engine::series::Path;
+use hysteron_engine::series::{Path, Series};
 use hysteron_tcl::{Call, Value};
 use std::sync::Arc;
 
@@ -11,6 +12,9 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("motionFile", USAGE, moti
 
 const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-useLast>] dt npts: PEER AT2, CSMIP V2, or \
                      one column of values, or two of times and values; a time series in the unit of the file";
+
+/// Lines of a header that name the unit of a record.
+const HEADER_LINES: usize = 6;
 
 fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
@@ -35,7 +39,11 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         return Err(a.refuse_at(span, format!("\"{name}\" gives no step of time"), "expected -dt after it"));
     };
     let count = m.values.len();
-    let series = Arc::new(Path { values: m.values, dt, factor, use_last, start: 0.0 });
+    let series: Series = Arc::new(Path { values: m.values, dt, factor, use_last, start: 0.0 });
+    let says_g = text.lines().take(HEADER_LINES).any(|line| line.to_ascii_uppercase().contains("UNITS OF G"));
+    if says_g && interp.host.mode == Mode::Check {
+        interp.host.overview.records_in_g.push((series.clone(), name));
+    }
     if !interp.host.builder.definitions.series.add(tag, series) {
         return Err(a.refuse_at(tag_span, format!("there is a time series {tag} already"), "expected a new tag"));
     }

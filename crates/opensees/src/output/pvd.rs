@@ -1,16 +1,16 @@
 //! `recorder PVD`: a file of the Visualization Toolkit for each step, and the list of them in time.
 
-use super::recorder::{add, make_room};
+use super::recorder::{Placed, add};
+use super::recorder_file::make_room;
 use crate::args::Args;
 use crate::files::series::FileSeries;
 use crate::files::vtu::{CellField, PointField, collection, grid};
 use crate::{Outcome, Tcl, warn};
 use hysteron_engine::analysis::{Engine, ReactionKind};
 use hysteron_engine::model::Model;
-use hysteron_engine::record::{Cadence, ElementResponse, Group, Known, Output, RecordError, Recorder, Source};
+use hysteron_engine::record::{Cadence, ElementResponse, Group, Known, Missing, Output, RecordError, Recorder, Source};
 use hysteron_tcl::Call;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -127,7 +127,7 @@ fn masses(model: &Model) -> Vec<f64> {
 }
 
 impl Source for Grids {
-    fn find(&mut self, _: &Engine, _: &mut Vec<String>) -> Result<(), RecordError> {
+    fn find(&mut self, _: &Engine, _: &mut Vec<Missing>) -> Result<(), RecordError> {
         Ok(())
     }
 
@@ -226,5 +226,5 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
     let list = List { files: files.clone(), folder, times: vec![] };
     let grids = Grids { files, fields, response, written: 0, before: vec![], known: Known::default() };
     let recorder = Recorder::history(Box::new(grids), Box::new(list), cadence);
-    Ok(add(interp, call, recorder, Some((name, path)), BTreeMap::new()))
+    Ok(add(interp, call, Placed::without_tags(recorder), Some((name, path))))
 }
