@@ -244,10 +244,11 @@ fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &s
     let mut shown = 0;
     run.interp.host.on_warning(Box::new(move |warning, sources| {
         shown += 1;
-        match shown {
-            ..MAX_SHOWN => line.suspend(|| eprintln!("{}\n", Messages::new().render(warning, sources))),
-            MAX_SHOWN => eprintln!("note: {MAX_SHOWN} messages are shown; further ones are counted only"),
-            _ => {}
+        if shown <= MAX_SHOWN {
+            line.suspend(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
+        }
+        if shown == MAX_SHOWN {
+            eprintln!("note: {MAX_SHOWN} messages are shown; further ones are counted only");
         }
     }));
     on_interrupt(&run.interp.interrupt);

@@ -12,7 +12,10 @@ fn help(script: &str) -> String {
 fn foreign_characters_are_named() {
     for (script, named) in [
         ("set x [expr {2 \u{2212} 1}]", "U+2212 is a minus sign, which Tcl does not know: write - in its place"),
-        ("set x \u{201c}2\u{201d}\nexpr {$x * 2}", "U+201C is a curly quote, which Tcl does not know: write \" in its place"),
+        (
+            "set x \u{201c}2\u{201d}\nexpr {$x * 2}",
+            "U+201C is a curly quote, which Tcl does not know: write \" in its place",
+        ),
         ("puts \u{201c}two words\u{201d}", "U+201C is a curly quote"),
         ("\u{a0}set x 1", "U+00A0 is a no-break space, which Tcl does not know: write an ordinary blank in its place"),
         ("set\u{200b} x 1", "U+200B is a zero-width space, which Tcl does not know: it cannot be seen: remove it"),
@@ -49,7 +52,9 @@ fn other_mistakes_get_no_such_help() {
 
 #[test]
 fn blank_behind_a_backslash() {
-    let of = |line: usize| format!("a blank follows the backslash at the end of line {line}, so that the command ends there");
+    let of = |line: usize| {
+        format!("a blank follows the backslash at the end of line {line}, so that the command ends there")
+    };
     assert!(help("set l {}\nset x 1 \\ \n  2\n").contains(&of(2)));
     assert!(help("set x \\\t\n  nosuch\n").contains(&of(1)));
     assert!(!help("# a comment \\ \n  nosuch\n").contains("backslash"));
