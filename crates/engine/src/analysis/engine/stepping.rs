@@ -200,7 +200,7 @@ impl Engine {
                 self.fresh = false;
                 self.iterations += iterations as u64;
                 if setup.integrator.balances() {
-                    note_imbalance(&system, &mut self.imbalance);
+                    note_imbalance(&system, &mut self.imbalance, &mut self.largest_force);
                 }
                 let keeps_rates = system.still && !system.work.loads.moves;
                 let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
@@ -271,18 +271,22 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
 
 /// Keep the imbalance of a step that counted as converged though forces were left over.
 #[inline]
-fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
+fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>, largest_force: &mut f64) {
     let unbalanced = largest(&system.work.b);
     // Mostly one of the first forces is large enough to show that there is nothing to report.
-    let dwarfs = |f: &f64| Imbalance::LIMIT * f.abs() >= unbalanced;
-    if unbalanced != 0.0 && !system.new.force.iter().any(dwarfs) && !system.work.loads.nodal.iter().any(dwarfs) {
-        measure_imbalance(system, unbalanced, worst);
+    let dwarfs = |f: &&f64| Imbalance::LIMIT * f.abs() >= unbalanced;
+    if unbalanced == 0.0 {
+        return;
+    }
+    match system.new.force.iter().find(dwarfs).or_else(|| system.work.loads.nodal.iter().find(dwarfs)) {
+        Some(force) => *largest_force = largest_force.max(force.abs()),
+        None => measure_imbalance(system, unbalanced, worst, *largest_force),
     }
 }
 
 #[cold]
-fn measure_imbalance(system: &System<'_>, unbalanced: f64, worst: &mut Option<Imbalance>) {
-    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));
+fn measure_imbalance(system: &System<'_>, unbalanced: f64, worst: &mut Option<Imbalance>, earlier: f64) {
+    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal)).max(earlier);
     let ratio = unbalanced / force;
     if ratio > Imbalance::LIMIT {
         let steps = worst.as_ref().map_or(0, |w| w.steps) + 1;

@@ -167,7 +167,7 @@ impl ForceBased {
     fn is_balanced<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
-        points: &[Point<B, M>],
+        points: &PerSection<Point<B, M>>,
         q: &[f64; B],
     ) -> bool {
         let (mut unbalanced, mut whole) = (0.0, 0.0);

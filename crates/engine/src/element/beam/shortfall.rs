@@ -1,6 +1,7 @@
 //! Why a force-based beam has no forces for its deformations.
 
 use super::member::Member;
+use super::per_section::PerSection;
 use super::point::Point;
 use crate::element::ElementError;
 use crate::material::MaterialError;
@@ -23,7 +24,7 @@ impl Shortfall {
     /// The section with the largest work of its imbalance; `None` if all are balanced.
     pub(super) fn new<const N: usize, const B: usize, const M: usize>(
         member: &Member<N, B>,
-        points: &[Point<B, M>],
+        points: &PerSection<Point<B, M>>,
         q: &[f64; B],
     ) -> Option<Self> {
         let all = member.points.1.iter().zip(points).map(|(weight, point)| {
