@@ -2,7 +2,7 @@
 
 use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
-use super::member::{Formulation, Member};
+use super::member::{Formulation, Lacking, Member};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
@@ -57,6 +57,7 @@ fn stiffness<'a, const N: usize, const B: usize>(
 
 impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
     const CLASS: [&'static str; 2] = ["AxEqDispBeamColumn2d", "AxEqDispBeamColumn3d"];
+    const LACKING: Lacking = Lacking::Refused;
 
     fn load_len(points: usize) -> usize {
         <DisplacementBased as Formulation<N, B>>::load_len(points)
