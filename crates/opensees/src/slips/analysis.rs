@@ -82,12 +82,6 @@ slips! {
     "All degrees of freedom of the retained node count.",
     "The constraint would not hold.";
 
-    TIES_OF_FAILED_STEPS, Analysis, Test("tests/analysis/transformed_nodes.rs", "a_step_that_failed_moves_constrained_nodes"),
-    "`constraints Transformation` with multi-point constraints after a transient step that failed",
-    "In openseespy 3.7.1 the constrained node stays behind by what the step that failed had moved it, until the analysis is made anew.",
-    "It is where the retained node takes it, as in later versions.",
-    "The constraint would not hold.";
-
     EIGEN_LAPACK, Command, Nowhere,
     "`eigen -fullGenLapack`",
     "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
