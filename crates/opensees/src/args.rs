@@ -1,6 +1,6 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
-use crate::{Tcl, elsewhere};
+use crate::{Tcl, elsewhere, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
@@ -181,6 +181,48 @@ impl<'a> Args<'a> {
     /// A number not less than zero.
     pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
         self.number(&what, Sign::NotNegative)
+    }
+
+    /// A number that ought to be greater than zero, though OpenSees takes any: see [`Self::doubt`].
+    pub(crate) fn usually_positive(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
+        let x = self.float(what)?;
+        if x <= 0.0 {
+            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number greater than 0"))?;
+        }
+        Ok(x)
+    }
+
+    /// A number that ought not to be less than zero, though OpenSees takes any: see [`Self::doubt`].
+    pub(crate) fn usually_not_negative(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
+        let x = self.float(what)?;
+        if x < 0.0 {
+            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number not less than 0"))?;
+        }
+        Ok(x)
+    }
+
+    /// The last word taken has no meaning, though OpenSees computes with it: an error, and a warning under `--compat opensees`.
+    pub(crate) fn doubt(
+        &self,
+        interp: &mut Tcl,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Result<(), Exception> {
+        self.doubt_at(interp, self.last_span(), message, label)
+    }
+
+    /// The same of another place.
+    pub(crate) fn doubt_at(
+        &self,
+        interp: &mut Tcl,
+        span: Option<Span>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Result<(), Exception> {
+        if !interp.host.follows(&[slips::DOMAINS]) {
+            return Err(self.refuse_at(span, message, label));
+        }
+        warn(interp, Diagnostic::warning(message).at(span, label).help("OpenSees computes with it"))
     }
 
     /// A finite number that is one of several, counted from 1: the message of an error names it.

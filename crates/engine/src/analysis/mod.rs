@@ -39,6 +39,7 @@ pub use lockstep::{LockstepRows, Recorded, lockstep};
 pub use matrices::Equations;
 pub use modal_properties::{ModalProperties, cumulative};
 pub use modes::{Modes, ModesError, Problem, Wanted};
+pub use opensees::Parts as MotionParts;
 pub use plausibility::{ElementPower, LooseConstraint};
 pub use reactions::ReactionKind;
 pub use recovery::{RecoveryStep, RecoveryStrategy};

@@ -77,7 +77,12 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let AnalysisKind { kind, variable } = kind::take(&mut a, "kind of analysis", "analysis", KINDS.iter())?.make;
     // `-numSublevels` and the like: substepping is asked for with `ladder`.
     finish(interp, &a)?;
-    let session = &mut interp.host;
+    set_up(&mut interp.host, kind, variable, Handler::Plain);
+    Ok(Value::EMPTY)
+}
+
+/// Make an analysis of the parts that have been given, and of OpenSees' defaults.
+fn set_up(session: &mut Session, kind: Kind, variable: bool, default_handler: Handler) {
     let old = session.engine.take_setup();
     let parts = std::mem::take(&mut session.parts);
     let Parts { handler, test, algorithm, integrator, print, .. } = parts;
@@ -94,7 +99,7 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let integrator = integrator.unwrap_or_else(|| default_integrator(kind));
     let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
     let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
-    let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
+    let handler = handler.or(old_handler).unwrap_or(default_handler);
     session.output.recorders.print = print;
     session.parts = Parts {
         handler: Some(handler),
@@ -105,7 +110,6 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         variable_steps: variable,
     };
     session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
-    Ok(Value::EMPTY)
 }
 
 fn default_integrator(kind: Kind) -> Box<dyn Integrator> {
@@ -406,6 +410,10 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     if interp.host.mode == Mode::Check {
         interp.host.overview.note_analysis(call.span(0));
+    }
+    // OpenSees makes a transient analysis where there is none. In Python it is gone after the command.
+    if interp.host.kind().is_none() && !interp.host.called_by_host {
+        set_up(&mut interp.host, Kind::Transient, false, Handler::Transformation);
     }
     if interp.host.mode == Mode::Check && interp.host.check.rejected {
         interp.host.check.waits_for_results = true;

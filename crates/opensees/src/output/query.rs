@@ -55,6 +55,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     // Scripts that may be run in parallel ask how many they are: this one is alone.
     Command::new("getPID", "getPID", |_, _| Ok(Value::from(0i64))),
     Command::new("getNP", "getNP", |_, _| Ok(Value::from(1i64))),
+    Command::new("barrier", "barrier", alone),
+    Command::new("partition", "partition <$element>", alone),
+    Command::new("send", "send -pid $process $data", alone),
+    Command::new("recv", "recv -pid $process $variable", alone),
+    Command::new("Bcast", "Bcast $data", alone),
     Command::new("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64))),
     Command::new("getNDF", "getNDF <$node>", ndf),
     Command::new("nodeDOFs", "nodeDOFs $node", node_dofs),
@@ -66,6 +71,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("numFact", "numFact", factorizations),
     Command::new("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION")))),
 ];
+
+/// What processes tell each other: a process that is alone has nobody to wait for or to talk to, as in OpenSees.
+fn alone(_: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::EMPTY)
+}
 
 fn list(values: &[f64]) -> Value {
     Value::list(values.iter().map(|x| Value::from(*x)))

@@ -5,7 +5,7 @@ use crate::analysis::algorithm::Iteration;
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
-use crate::analysis::opensees::Stage;
+use crate::analysis::opensees::{Parts, Phase, Stage};
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::model::Model;
@@ -195,6 +195,7 @@ impl Engine {
             self.excess.get_or_insert(excess);
             Ok(iterations)
         });
+        system.leave_phases(result.is_err());
         match result {
             Ok(iterations) => {
                 self.fresh = false;
@@ -245,6 +246,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     }
     if fresh {
         system.work.enter(Stage::Preparation);
+        system.enter_phase(Phase::Preparation);
         prepare(system, setup)?;
         system.work.enter(Stage::Outside);
         system.work.elements.is_current = false;
@@ -253,11 +255,13 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
             system.work.commit_tangents(true);
         }
     }
+    system.enter_phase(Phase::Begin(begin_parts(system, setup)?));
     setup.integrator.begin(system, length)?;
     system.work.enter(Stage::Begin);
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
     system.work.enter(Stage::End);
+    system.enter_phase(Phase::End);
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
     system.work.enter(Stage::Outside);
     if system.work.wants_committed_tangent() {
@@ -267,6 +271,27 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
         system.work.commit_tangents(false);
     }
     Ok(iterations)
+}
+
+/// Parts of the motion that OpenSees sets when a step begins.
+///
+/// # Errors
+/// Constrained nodes are moved late, and how the integrator moves them is not known.
+fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
+    let late = system.work.transformed.as_ref().and_then(|nodes| nodes.first_late());
+    match (setup.integrator.opensees_begin(), late) {
+        (Some(parts), _) => Ok(parts),
+        (None, None) => Ok([false; 3]),
+        (None, Some(dof)) => {
+            let message = format!(
+                "--compat opensees does not follow integrator {} with constraints Transformation where a node follows one that is \
+                 constrained or held itself, as {} does",
+                setup.integrator.name(),
+                system.model.dof_name(dof)
+            );
+            Err(system.failure(Cause::Model(message)))
+        }
+    }
 }
 
 /// Keep the imbalance of a step that counted as converged though forces were left over.
