@@ -16,6 +16,8 @@ mod columns;
 mod constraints;
 #[path = "analysis/continua.rs"]
 mod continua;
+#[path = "analysis/domains.rs"]
+mod domains;
 #[path = "analysis/dynamics.rs"]
 mod dynamics;
 #[path = "analysis/element_dynamics.rs"]
@@ -50,6 +52,8 @@ mod sections;
 mod side_by_side;
 #[path = "analysis/statics.rs"]
 mod statics;
+#[path = "analysis/transformed_nodes.rs"]
+mod transformed_nodes;
 #[path = "analysis/trapezoidal.rs"]
 mod trapezoidal;
 #[path = "analysis/variable.rs"]

@@ -15,6 +15,8 @@ mod checks;
 mod endings;
 #[path = "cli/evidence.rs"]
 mod evidence;
+#[path = "cli/findings.rs"]
+mod findings;
 #[path = "cli/guard.rs"]
 mod guard;
 #[path = "cli/isolation.rs"]
@@ -51,6 +53,8 @@ mod rubber;
 mod rubber_bearings;
 #[path = "cli/studies.rs"]
 mod studies;
+#[path = "cli/texts.rs"]
+mod texts;
 #[path = "cli/triple.rs"]
 mod triple;
 #[path = "cli/view.rs"]

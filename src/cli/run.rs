@@ -19,13 +19,12 @@ use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
 use hysteron::analysis::{Options, RecoveryStrategy};
 use hysteron::design::isolate::is_isolation_study;
-use hysteron::diagnostic::{Diagnostic, Severity, Span};
+use hysteron::diagnostic::Severity;
 use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron::opensees::files::output_folder::OutputFolder;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
-use std::collections::BTreeMap;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -224,9 +223,10 @@ fn check(args: &CheckArgs) -> i32 {
         return print(Ok(script_check::json(&args.model, &run.interp, last))).max(status);
     }
     if status == 0 {
-        let warnings = run.interp.warnings.len();
+        let warnings = script_check::count(&run.interp, Severity::Warning);
         let found = if warnings == 0 { "no mistakes".into() } else { format!("no errors, {warnings} warnings") };
-        return print(Ok(format!("{}: {found}\n", args.model)));
+        let facts = script_check::facts(&run.interp);
+        return print(Ok(format!("{facts}{}: {found}\n", args.model)));
     }
     status
 }
@@ -244,10 +244,14 @@ pub(super) fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Set
 /// Run or check a script, and print its messages.
 fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &str, args: &[String]) -> End {
     let line = progress.clone();
-    let mut counts = WarningCounts::default();
+    let mut shown = 0;
     run.interp.host.on_warning(Box::new(move |warning, sources| {
-        if counts.is_shown(warning) {
+        shown += 1;
+        if shown <= MAX_SHOWN {
             line.suspend(|| eprintln!("{}\n", Messages::new().render(warning, sources)));
+        }
+        if shown == MAX_SHOWN {
+            eprintln!("note: {MAX_SHOWN} messages are shown; further ones are counted only");
         }
     }));
     on_interrupt(&run.interp.interrupt);
@@ -272,33 +276,8 @@ fn print_partial(files: &[String]) {
     eprintln!("partial, with whole rows up to there: {}{more}", files[..files.len().min(MAX_LISTED)].join(", "));
 }
 
-/// Number of warnings from each location and label.
-#[derive(Default)]
-struct WarningCounts {
-    counts: BTreeMap<(Option<(u32, u32)>, String), usize>,
-    shown: usize,
-}
-
 /// Messages that are shown in full; more of them help nobody, and each takes the length of its line.
 const MAX_SHOWN: usize = 200;
-
-impl WarningCounts {
-    /// Count a warning. Returns true for the first three of a location, and [`MAX_SHOWN`] in all, which are shown in full.
-    fn is_shown(&mut self, w: &Diagnostic) -> bool {
-        let location = w.span.map(|s: Span| (s.start, s.end));
-        if self.shown >= MAX_SHOWN {
-            return false;
-        }
-        let count = self.counts.entry((location, w.label.clone())).or_default();
-        *count += 1;
-        let is_shown = *count <= 3;
-        self.shown += usize::from(is_shown);
-        if self.shown == MAX_SHOWN {
-            eprintln!("note: {MAX_SHOWN} messages are shown; further ones are counted only");
-        }
-        is_shown
-    }
-}
 
 /// Print the end of a script that did not just succeed.
 pub(super) fn print_end(end: &End, interp: &Tcl) {

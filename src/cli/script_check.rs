@@ -1,10 +1,9 @@
 //! Summary of the messages of a script, and the result of `hysteron check` for other programs.
 
 use super::messages::Messages;
-use hysteron::diagnostic::{Diagnostic, Severity, SourceMap, Span};
+use hysteron::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron::opensees::Tcl;
 use serde::Serialize;
-use std::collections::HashMap;
 
 /// A message with its place.
 #[derive(Serialize)]
@@ -20,6 +19,11 @@ pub(super) struct MessageTable<'a> {
     /// Words under the place: what was expected there.
     label: &'a str,
     help: &'a [String],
+    /// Stable name of the check that found it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    code: Option<&'static str>,
+    /// Number of times that it came up at this place.
+    count: usize,
 }
 
 impl<'a> MessageTable<'a> {
@@ -37,8 +41,17 @@ impl<'a> MessageTable<'a> {
             column: location.as_ref().map(|l| l.column),
             label: &d.label,
             help: &d.help,
+            code: d.code,
+            count: d.count,
         }
     }
+}
+
+/// A quantity of the block of plausibility.
+#[derive(Serialize)]
+struct FactTable<'a> {
+    quantity: &'static str,
+    value: &'a str,
 }
 
 /// Result of the check of a script.
@@ -51,22 +64,36 @@ struct ScriptTable<'a> {
     held_back: usize,
     /// The analyses were rehearsed, as far as the script has some.
     analyses_rehearsed: bool,
+    /// What the check found out about the first model that is analysed.
+    plausibility: Vec<FactTable<'a>>,
     messages: Vec<MessageTable<'a>>,
 }
 
-fn count(interp: &Tcl, severity: Severity) -> usize {
-    interp.warnings.iter().filter(|w| w.severity == severity).count()
+/// Number of messages of a severity, those at the same place counted one by one.
+pub(super) fn count(interp: &Tcl, severity: Severity) -> usize {
+    interp.warnings.iter().filter(|w| w.severity == severity).map(|w| w.count).sum()
+}
+
+/// The block of plausibility, a line each; empty without an analysis.
+pub(super) fn facts(interp: &Tcl) -> String {
+    let facts = &interp.host.overview.facts;
+    let width = facts.iter().map(|f| f.name.len()).max().unwrap_or(0);
+    let lines: String = facts.iter().map(|f| format!("  {:width$}  {}\n", f.name, f.value)).collect();
+    let head = if facts.is_empty() { "" } else { "the first model that is analysed, in the units of the script:\n" };
+    format!("{head}{lines}")
 }
 
 /// The result of a check as JSON. `end` is the error that ended the script, if any.
 pub(super) fn json(script: &str, interp: &Tcl, end: Option<&Diagnostic>) -> String {
     let all = interp.warnings.iter().chain(end);
+    let facts = interp.host.overview.facts.iter();
     let table = ScriptTable {
         script,
         errors: count(interp, Severity::Error) + usize::from(end.is_some()),
         warnings: count(interp, Severity::Warning),
         held_back: interp.host.check.held_back,
         analyses_rehearsed: !interp.host.check.skipped_analyses,
+        plausibility: facts.map(|f| FactTable { quantity: f.name, value: &f.value }).collect(),
         messages: all.map(|d| MessageTable::new(d, &interp.sources)).collect(),
     };
     serde_json::to_string_pretty(&table).unwrap_or_default() + "\n"
@@ -78,21 +105,12 @@ const MAX_LINES: usize = 30;
 /// Print all warnings again, one line each, so that none is overlooked.
 pub(super) fn print_summary(interp: &Tcl) {
     let messages = Messages::new();
-    // A warning that comes up again and again has one line; the place of a word takes the length of its line to find.
-    let mut counts: Vec<(&Diagnostic, usize)> = vec![];
-    let mut known: HashMap<(Option<Span>, &str), usize> = HashMap::new();
-    for w in &interp.warnings {
-        let at = *known.entry((w.span, &w.message)).or_insert(counts.len());
-        match counts.get_mut(at) {
-            Some((_, n)) => *n += 1,
-            None => counts.push((w, 1)),
-        }
-    }
-    let line = |(w, n): &(&Diagnostic, usize)| {
+    let line = |w: &Diagnostic| {
         let kind = if w.severity == Severity::Error { "error" } else { "warning" };
-        (format!("{kind}: {}", messages.line(w, &interp.sources)), *n)
+        (format!("{kind}: {}", messages.line(w, &interp.sources)), w.count)
     };
-    let lines: Vec<(String, usize)> = counts.iter().take(MAX_LINES).map(line).collect();
+    // The place of a word takes the length of its line to find.
+    let lines: Vec<(String, usize)> = interp.warnings.iter().take(MAX_LINES).map(line).collect();
     if lines.is_empty() {
         return;
     }
@@ -104,8 +122,8 @@ pub(super) fn print_summary(interp: &Tcl) {
         let times = if *n > 1 { format!(" ({n} times)") } else { String::new() };
         eprintln!("  {line}{times}");
     }
-    if counts.len() > MAX_LINES {
-        eprintln!("  ... and {} more", counts.len() - MAX_LINES);
+    if interp.warnings.len() > MAX_LINES {
+        eprintln!("  ... and {} more", interp.warnings.len() - MAX_LINES);
     }
     match interp.host.check.held_back {
         0 => {}

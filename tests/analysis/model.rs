@@ -216,3 +216,13 @@ fn a_further_model_frees_tags() {
     let n = ran.numbers();
     assert!(n[..3] == [1.0, 1.0, 1.0] && (n[3] - 0.05).abs() < 1e-12 && (n[4] - 0.09).abs() < 1e-12, "{n:?}");
 }
+
+/// A script for several processes runs in one, as in OpenSees.
+#[test]
+fn one_process_has_nobody_to_wait_for() {
+    let ran = run("barrier; send -pid 1 3.; set x 5; recv -pid 1 x; partition; Bcast x; setStartNodeTag 100
+        model basic -ndm 1 -ndf 1; node 7 0.
+        puts \"[getPID] [getNP] $x [getNodeTags]\"");
+    assert_eq!(ran.numbers(), [0.0, 1.0, 5.0, 7.0]);
+    assert!(ran.warnings().is_empty(), "{:?}", ran.warnings());
+}

@@ -165,3 +165,25 @@ fn more_modes_than_there_are_is_an_error() {
     );
     assert!(ran.error().message.contains("only 1 modes"), "{}", ran.error().message);
 }
+
+/// OpenSees makes a transient analysis for the modes of a Tcl script, with Newmark's method, which a later command may replace.
+#[test]
+fn modes_without_an_analysis_make_a_transient_one() {
+    let model = |eigen: &str, analysis: &str| {
+        format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 2.; fix 1 1
+            uniaxialMaterial Elastic 1 50.; element zeroLength 1 1 2 -mat 1 -dir 1
+            timeSeries Trig 1 0 10 1.; pattern Plain 1 1 {{ load 2 3. }}
+            {eigen}; {analysis}
+            puts [analyze 20 0.02]; puts [nodeDisp 2 1]"
+        )
+    };
+    let given = "constraints Transformation; algorithm Newton; integrator Newmark 0.5 0.25; analysis Transient";
+    let made = run(&model("eigen -fullGenLapack 1", "")).numbers();
+    assert_eq!(made, run(&model("", given)).numbers());
+    assert_eq!(made[0], 0.0);
+    // Without modes there is no analysis; one that is given takes the place of the one that was made.
+    assert_eq!(run(&model("", "")).numbers(), [-1.0, 0.0]);
+    let fixed = "integrator LoadControl 0.02; analysis Static";
+    assert_eq!(run(&model("eigen -fullGenLapack 1", fixed)).numbers(), run(&model("", fixed)).numbers());
+}

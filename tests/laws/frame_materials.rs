@@ -348,3 +348,56 @@ fn fatigue_counts_half_cycles() {
     }
     assert!((48..=52).contains(&half_cycles), "{half_cycles}");
 }
+
+/// Numbers of openseespy 3.7.1 on the way to the break, in compression after it, and open: every fourth of eight steps to each strain.
+#[test]
+fn a_weld_breaks_and_carries_compression() {
+    let script =
+        "uniaxialMaterial SteelFractureDI 1 50. 55. 29000. 0.02 20. 0.925 0.15 0.05 1.0 0.05 1.0 150. 0.6 10. 1.0
+        testUniaxialMaterial 1
+        set from 0
+        foreach to {0.001 -0.001 0.004 -0.003 0.006 -0.006 0.008 -0.012 0.012 -0.02 0.01 -0.015 0.005 -0.03 0.02} {
+            for {set k 1} {$k <= 8} {incr k} {
+                setStrain [expr {$from + ($to - $from) * $k / 8.}]
+                if {$k % 4 == 0} { puts [getStress] }
+            }
+            set from $to
+        }";
+    let expected = [
+        14.499999999987425,
+        28.999973627596155,
+        -2.629413025445615e-05,
+        -28.99276477534142,
+        42.79899905269253,
+        53.86670332513413,
+        -34.48511355503944,
+        -56.59225496100688,
+        37.59831746283249,
+        53.83403158063897,
+        -47.14910585268243,
+        -60.177387999907374,
+        42.692388288321546,
+        56.56392695258494,
+        -54.748082103059126,
+        -66.37512916781259,
+        50.171564896003616,
+        63.21767886050665,
+        -61.69993466739881,
+        -75.33365099264239,
+        0.0,
+        0.0,
+        0.0,
+        -62.599945973418784,
+        0.0,
+        0.0,
+        -0.5363652788316281,
+        -71.29999999999892,
+        0.0,
+        0.0,
+    ];
+    let got = super::script::run(script).numbers();
+    assert_eq!(got.len(), expected.len());
+    for (i, (g, e)) in got.iter().zip(expected).enumerate() {
+        assert!((g - e).abs() < 1e-9 * 50.0, "stress {i}: {g} {e}");
+    }
+}

@@ -46,7 +46,7 @@ pub const PAGES: &[Page] = &[
         name: "model",
         title: "Model",
         intro: "Nodes, masses, supports, constraints between nodes, damping and parameters.",
-        commands: "wipe database save restore model node mass setNodeCoord block2D block3D fix fixX fixY fixZ equalDOF equalDOF_Mixed rigidDiaphragm \
+        commands: "wipe database save restore model node mass setNodeCoord setStartNodeTag block2D block3D fix fixX fixY fixZ equalDOF equalDOF_Mixed rigidDiaphragm \
                    rigidLink rayleigh damping region setElementRayleighDampingFactors setElementRayleighFactors \
                    modalDamping modalDampingQ parameter addToParameter updateParameter setParameter \
                    getParamValue getParamTags remove domainChange defaultUnits",
@@ -98,7 +98,7 @@ pub const PAGES: &[Page] = &[
                    getConstrainedNodes getConstrainedDOFs getRetainedNodes getRetainedDOFs \
                    eleNodes eleType sectionForce sectionDeformation sectionStiffness sectionFlexibility \
                    sectionLocation sectionWeight sectionTag getTime getLoadFactor getNodeTags getEleTags getNDM \
-                   getNDF getPID getNP version prp vrp vup vpn viewWindow plane port projection fill display \
+                   getNDF getPID getNP barrier partition send recv Bcast version prp vrp vup vpn viewWindow plane port projection fill display \
                    plot logFile logCommands setMaxOpenFiles start stop",
     },
     Page {

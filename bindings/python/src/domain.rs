@@ -146,7 +146,7 @@ impl Domain {
     ) -> PyResult<Py<PyAny>> {
         let interp = &mut inner.owned.run().interp;
         let warned = std::mem::take(&mut *hold(&self.warned));
-        interp.core.warnings.clear();
+        interp.core.clear_warnings();
         let numbers = interp.host.call_numbers();
         let render = |d: &Diagnostic| render(d, words, numbers, &interp.core.sources);
         let warned: Vec<String> = warned.iter().map(&render).collect();

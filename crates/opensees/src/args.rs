@@ -1,14 +1,17 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
-use crate::{Tcl, elsewhere};
+use crate::{Tcl, elsewhere, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
-use hysteron_tcl::{Call, Exception, Value};
+use hysteron_tcl::{Call, Exception, Value, lookalike};
 use std::borrow::Cow;
 use std::fmt::Display;
 
 /// Number of names that a message lists. Of longer lists it says how to print them.
 const MAX_LISTED: usize = 6;
+
+/// Characters of a list that a message shows.
+const MAX_SHOWN: usize = 60;
 
 /// Largest number of fibers, bars, sections or elements that one command makes.
 const MAX_PARTS: usize = 1_000_000;
@@ -151,7 +154,8 @@ impl<'a> Args<'a> {
         let label = || format!("expected the {what}, {expected}");
         let Some(x) = value.as_f64() else {
             let text = value.as_str();
-            return Err(self.refuse(format!("{what} is not a number: \"{text}\""), label()));
+            let e = self.refuse(format!("{what} is not a number: \"{text}\""), label());
+            return Err(lookalike(&text).into_iter().fold(e, Exception::help));
         };
         if !x.is_finite() {
             return Err(self.refuse(format!("{what} is not finite"), label()));
@@ -177,6 +181,48 @@ impl<'a> Args<'a> {
     /// A number not less than zero.
     pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
         self.number(&what, Sign::NotNegative)
+    }
+
+    /// A number that ought to be greater than zero, though OpenSees takes any: see [`Self::doubt`].
+    pub(crate) fn usually_positive(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
+        let x = self.float(what)?;
+        if x <= 0.0 {
+            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number greater than 0"))?;
+        }
+        Ok(x)
+    }
+
+    /// A number that ought not to be less than zero, though OpenSees takes any: see [`Self::doubt`].
+    pub(crate) fn usually_not_negative(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
+        let x = self.float(what)?;
+        if x < 0.0 {
+            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number not less than 0"))?;
+        }
+        Ok(x)
+    }
+
+    /// The last word taken has no meaning, though OpenSees computes with it: an error, and a warning under `--compat opensees`.
+    pub(crate) fn doubt(
+        &self,
+        interp: &mut Tcl,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Result<(), Exception> {
+        self.doubt_at(interp, self.last_span(), message, label)
+    }
+
+    /// The same of another place.
+    pub(crate) fn doubt_at(
+        &self,
+        interp: &mut Tcl,
+        span: Option<Span>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Result<(), Exception> {
+        if !interp.host.follows(&[slips::DOMAINS]) {
+            return Err(self.refuse_at(span, message, label));
+        }
+        warn(interp, Diagnostic::warning(message).at(span, label).help("OpenSees computes with it"))
     }
 
     /// A finite number that is one of several, counted from 1: the message of an error names it.
@@ -214,6 +260,15 @@ impl<'a> Args<'a> {
         Ok(out)
     }
 
+    /// The error for the next word, where it was meant as a list of numbers.
+    pub(crate) fn next_is_no_list(&self, what: &str) -> Option<Exception> {
+        let value = self.call.get(self.at).filter(|_| !self.at_option())?;
+        let text: String = value.as_str().chars().take(MAX_SHOWN).collect();
+        let e =
+            self.refuse_at(self.next_span(), format!("not a list of numbers: \"{text}\""), format!("expected {what}"));
+        Some(no_list_of_numbers(value).into_iter().fold(e, Exception::help))
+    }
+
     /// A whole number. OpenSees takes `2.0` for 2; so do we.
     pub(crate) fn int(&mut self, what: &str) -> Result<i32, Exception> {
         self.int_as(&what)
@@ -231,7 +286,8 @@ impl<'a> Args<'a> {
             None => {
                 let text = value.as_str();
                 let message = format!("{what} is not a whole number: \"{text}\"");
-                Err(self.refuse(message, format!("expected the {what}, a whole number")))
+                let e = self.refuse(message, format!("expected the {what}, a whole number"));
+                Err(lookalike(&text).into_iter().fold(e, Exception::help))
             }
         }
     }
@@ -384,7 +440,8 @@ impl<'a> Args<'a> {
         let with = if values > 0 { ", and so is what follows it" } else { "" };
         let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
         let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
-        let d = Diagnostic::warning(message).at(span, expected);
+        let mut d = Diagnostic::warning(message).at(span, expected);
+        d.help.extend(no_list_of_numbers(self.call.arg(self.at - 1 - values)));
         Ok(Some(match diagnostic::nearest(&word, known.iter().copied()) {
             Some(near) => d.help(format!("did you mean \"{near}\"?")),
             None => d,
@@ -430,6 +487,26 @@ fn as_int(value: &Value) -> Option<i32> {
     }
     let x = value.as_f64()?;
     (x.fract() == 0.0 && x.abs() < f64::from(i32::MAX)).then_some(x as i32)
+}
+
+/// Help about a word that was meant as a list of numbers: the first thing in it that is none.
+fn no_list_of_numbers(value: &Value) -> Option<String> {
+    let text = value.as_str();
+    let is_number = |w: &str| w.parse::<f64>().is_ok();
+    let mut parts = text.split([',', ';']).map(str::trim).filter(|w| !w.is_empty());
+    if text.contains([',', ';']) && parts.all(|part| part.split_whitespace().all(is_number)) {
+        return Some("blanks stand between the numbers of a list, no commas and no semicolons".into());
+    }
+    let list = value.to_list().ok().filter(|l| !l.is_empty())?;
+    if list.iter().all(|v| numbers(v).is_some()) {
+        return Some("it is a list of lists: \"[concat {*}$list]\" makes one list of them".into());
+    }
+    let (i, wrong) = list.iter().enumerate().find(|(_, v)| v.as_f64().is_none_or(|x| !x.is_finite()))?;
+    if i == 0 {
+        return None;
+    }
+    let help = format!("element {} of the list is no number: \"{wrong}\"", i + 1);
+    Some(lookalike(&wrong.as_str()).map_or(help.clone(), |why| format!("{help}; {why}")))
 }
 
 /// The elements of a list of numbers.

@@ -4,7 +4,8 @@ use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
 use crate::host::Mode;
 use crate::output::{display, figure, print, query, recorder};
-use crate::{Outcome, Tcl, calls, commands, report};
+use crate::session::Session;
+use crate::{Outcome, Tcl, calls, commands, report, warn};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
@@ -125,10 +126,23 @@ pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
 
 /// End of a script or of its model: a check warns of what recorders ask for in vain, though no analysis may follow.
 pub(crate) fn finish(interp: &mut Tcl) {
-    if interp.host.mode == Mode::Check
-        && let Err(Exception::Error(e)) = warn_of_missing(interp)
-    {
-        report(interp, e.diagnostic);
+    if interp.host.mode != Mode::Check {
+        return;
+    }
+    let missing = warn_of_missing(interp);
+    let Session { engine, overview, check, .. } = &mut interp.host;
+    // What follows from a mistake that has been reported is no news.
+    let findings = if check.rejected {
+        vec![]
+    } else {
+        overview.close(engine);
+        std::mem::take(&mut overview.findings)
+    };
+    let found = findings.into_iter().map(|d| warn(interp, d)).collect::<Vec<_>>();
+    for refused in found.into_iter().chain([missing]) {
+        if let Err(Exception::Error(e)) = refused {
+            report(interp, e.diagnostic);
+        }
     }
 }
 

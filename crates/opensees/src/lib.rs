@@ -18,6 +18,7 @@ mod course;
 mod element;
 mod elsewhere;
 pub mod files;
+mod foreign;
 mod host;
 mod kind;
 mod load;
@@ -32,9 +33,11 @@ pub mod slips;
 
 use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;
-use hysteron_tcl::{Call, Exception, Interp, Value};
+use hysteron_tcl::{Call, Exception, Interp, Value, decode};
+use std::io::{Error, ErrorKind};
 
 pub use analysis::again::Again;
+pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
 pub use files::number_files::NumberFiles;
@@ -173,8 +176,11 @@ fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Resul
 
 /// Report a message, whether or not warnings are errors.
 fn report(interp: &mut Tcl, warning: Diagnostic) {
-    interp.warn(warning);
-    if let (Some(handler), Some(warning)) = (&mut interp.host.warnings.handler, interp.core.warnings.last()) {
+    // What came from the same place before is counted there.
+    let is_new = interp.warn(warning).is_some();
+    if let (Some(handler), Some(warning)) =
+        (&mut interp.host.warnings.handler, interp.core.warnings.last().filter(|_| is_new))
+    {
         handler(warning, &interp.core.sources);
     }
 }
@@ -188,7 +194,9 @@ fn finish(interp: &mut Tcl, args: &Args<'_>) -> Result<(), Exception> {
 fn read_text(interp: &mut Tcl, name: &str) -> std::io::Result<String> {
     let path = interp.absolute(name);
     let bytes = interp.files.read(&path)?;
-    Ok(String::from_utf8(bytes).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect()))
+    let unfit =
+        |encoding| Error::new(ErrorKind::InvalidData, format!("its text is encoded in {encoding}: save it as UTF-8"));
+    decode(bytes).map_err(unfit)
 }
 
 /// Write to the script's error stream.

@@ -1,10 +1,10 @@
 //! A script from its file to its outcome.
 
 use crate::course::{self, Course};
-use crate::elsewhere;
 use crate::files::live::RecordedFiles;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
+use crate::{elsewhere, foreign};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
@@ -111,6 +111,7 @@ impl Run {
             (Mode::Check, _) => fresh(session, console, files),
         });
         interp.elsewhere = elsewhere::command;
+        interp.is_foreign = foreign::recognize;
         // Where a file cannot be written, the script is told at its next command that looks.
         interp.on_pause = Some(Box::new(move || drop(live.sync())));
         interp.before_command = course.is_some().then_some(course::before_command);

@@ -1,5 +1,6 @@
 //! State that the OpenSees commands of a script work on.
 
+use crate::analysis::overview::Overview;
 use crate::analysis::plausibility::Looked;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
@@ -137,6 +138,8 @@ pub struct Session {
     pub(crate) database: Option<String>,
     /// Patterns and models that the warnings about analyses have looked at.
     pub(crate) looked: Looked,
+    /// What a check finds out about the first model that is analysed.
+    pub overview: Overview,
     /// The first failure of an `analyze` whose result nobody has looked at.
     pub(crate) ignored_failure: Option<Failure>,
     /// The commands are called by a host: bodies follow as commands of their own.
@@ -179,6 +182,7 @@ impl Session {
             kinds_made: BTreeMap::new(),
             database: None,
             looked: Looked::default(),
+            overview: Overview::default(),
             ignored_failure: None,
             called_by_host: false,
             call_numbers: CallNumbers::default(),
@@ -252,6 +256,9 @@ impl Session {
         }
         if let Some(motion) = &mut self.output.recorders.motion {
             motion.wipe(&mut self.engine);
+        }
+        if self.mode == Mode::Check {
+            self.overview.close(&mut self.engine);
         }
         self.engine.wipe();
         self.builder = self.builder.wiped();

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -12,12 +13,13 @@ use super::console::Console;
 use super::error::Exception;
 use super::files::Files;
 use super::inline::InlinedCommands;
+use super::lookalike;
 use super::namespace::Namespace;
 use super::table::Table;
 use super::text::Text;
 use super::value::Value;
 use super::vars::Slot;
-use crate::diagnostic::{Caller, Diagnostic, SourceMap, Span};
+use crate::diagnostic::{Caller, Diagnostic, SourceMap, Span, WarningKind};
 
 /// Number of a namespace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -57,6 +59,17 @@ pub(crate) enum Callee {
     Source(Text),
 }
 
+/// A script in another language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ForeignScript {
+    /// Name of the language.
+    pub language: &'static str,
+    /// Bytes of the text that show it.
+    pub place: Range<usize>,
+    /// How such a script is run.
+    pub help: String,
+}
+
 /// State of an interpreter except its host. An [`Interp`](super::Interp) dereferences to it.
 pub struct Core {
     /// Receiver of the output of `puts`.
@@ -67,10 +80,14 @@ pub struct Core {
     pub on_pause: Option<Box<dyn FnMut()>>,
     /// The texts read so far, to locate messages in.
     pub sources: SourceMap,
-    /// Warnings in the order in which they came up.
+    /// Warnings in the order in which they came up first.
     pub warnings: Vec<Diagnostic>,
+    /// Index of the warning of each kind and place.
+    warned: HashMap<WarningKind, usize>,
     /// Returns the label of the message about an unknown command that another program knows.
     pub elsewhere: fn(&str) -> Option<&'static str>,
+    /// Recognises a script in another language, by its name and its text, before any command of it runs.
+    pub is_foreign: fn(&str, &str) -> Option<ForeignScript>,
     /// Set this, from any thread, to stop the script before its next command.
     pub interrupt: Arc<AtomicBool>,
     /// Number of commands that may still run; no limit if `None`.
@@ -222,7 +239,9 @@ impl Core {
             sources: SourceMap::default(),
             warnings: vec![],
             on_pause: None,
+            warned: HashMap::new(),
             elsewhere: |_| None,
+            is_foreign: |_, _| None,
             interrupt: Arc::default(),
             budget: None,
             deadline: None,
@@ -311,14 +330,39 @@ impl Core {
     }
 
     /// Add a warning. Without a place it points at the command that runs; the callers are added.
-    pub fn warn(&mut self, mut warning: Diagnostic) {
+    ///
+    /// A warning of a kind that came from this place before is counted there. Returns the warning if it is the first.
+    pub fn warn(&mut self, mut warning: Diagnostic) -> Option<&Diagnostic> {
         if warning.span.is_none() {
             warning.span = self.calls.site;
+        }
+        if let Some(at) = self.warned.get(&warning.kind()).copied().filter(|at| *at < self.warnings.len()) {
+            self.warnings[at].count += 1;
+            return None;
         }
         if warning.callers.is_empty() {
             warning.callers = self.callers();
         }
+        self.add_help(&mut warning);
+        self.warned.insert(warning.kind(), self.warnings.len());
         self.warnings.push(warning);
+        self.warnings.last()
+    }
+
+    /// Forget the warnings so far.
+    pub fn clear_warnings(&mut self) {
+        self.warnings.clear();
+        self.warned.clear();
+    }
+
+    /// Add what the text around the place of a message explains.
+    pub(crate) fn add_help(&self, message: &mut Diagnostic) {
+        let Some(span) = message.span else { return };
+        for line in lookalike::around(&self.sources, span) {
+            if !message.help.contains(&line) {
+                message.help.push(line);
+            }
+        }
     }
 
     /// The calls under way, innermost first.

@@ -143,11 +143,40 @@ pub struct Diagnostic {
     pub help: Vec<String>,
     /// Calls from the innermost outwards.
     pub callers: Vec<Caller>,
+    /// Stable name of the check that found it, where that has one.
+    pub code: Option<&'static str>,
+    /// Number of times that it came up at this place, in the words of the first.
+    pub count: usize,
+}
+
+/// What makes two warnings the same: the place, and the code, or without one the words under the place.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct WarningKind {
+    span: Option<Span>,
+    code: Option<&'static str>,
+    words: String,
 }
 
 impl Diagnostic {
     fn new(severity: Severity, message: impl Into<String>) -> Self {
-        Self { severity, message: message.into(), span: None, label: String::new(), help: vec![], callers: vec![] }
+        let (message, label) = (message.into(), String::new());
+        Self { severity, message, span: None, label, help: vec![], callers: vec![], code: None, count: 1 }
+    }
+
+    /// Its kind and place.
+    pub(crate) fn kind(&self) -> WarningKind {
+        let words = match self.code {
+            Some(_) => String::new(),
+            None if self.label.is_empty() => self.message.clone(),
+            None => self.label.clone(),
+        };
+        WarningKind { span: self.span, code: self.code, words }
+    }
+
+    /// Give it the name of the check that found it.
+    pub fn coded(mut self, code: &'static str) -> Self {
+        self.code = Some(code);
+        self
     }
 
     /// An error.
@@ -164,6 +193,18 @@ impl Diagnostic {
     pub fn at(mut self, span: Option<Span>, label: impl Into<String>) -> Self {
         self.span = span;
         self.label = label.into();
+        self
+    }
+
+    /// Say what was expected at its place.
+    pub fn label(mut self, label: impl Into<String>) -> Self {
+        self.label = label.into();
+        self
+    }
+
+    /// Point at a word.
+    pub fn place(mut self, span: Option<Span>) -> Self {
+        self.span = span;
         self
     }
 

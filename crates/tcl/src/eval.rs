@@ -406,7 +406,21 @@ impl Core {
             if e.diagnostic.callers.is_empty() {
                 e.diagnostic.callers = self.callers();
             }
+            // A script that catches errors may make many of them.
+            if self.calls.catching == 0 {
+                self.add_help(&mut e.diagnostic);
+                e.diagnostic.help.extend(place.and_then(|p| comment(p, e)));
+                e.diagnostic.help.extend(self.lost_backslash(e));
+            }
         })
+    }
+
+    /// Help about a backslash in the path of a file that is not found.
+    fn lost_backslash(&self, e: &ScriptError) -> Option<String> {
+        let is_missing = e.error_code.as_ref().is_some_and(|code| code.as_str().starts_with("POSIX ENOENT"));
+        let has_backslash = || e.diagnostic.span.is_some_and(|span| self.sources.snippet(span).contains('\\'));
+        let help = "a backslash is no part of a path: Tcl takes \\p for p. Write / between folders, under Windows too";
+        (is_missing && has_backslash()).then(|| help.into())
     }
 
     /// Add a command to what `$errorInfo` will be.
@@ -443,6 +457,14 @@ impl Core {
             _ => e.line,
         }
     }
+}
+
+/// Help about a comment among the words of a command that takes fewer.
+fn comment(place: Place<'_>, e: &ScriptError) -> Option<String> {
+    let is_count = e.error_code.as_ref().is_some_and(|code| code.as_str().starts_with("TCL WRONGARGS"));
+    let unit = &place.script.unit;
+    let mut words = place.command.words.iter().skip(1).map(|w| unit.slice(w.start, w.end));
+    (is_count && words.any(|w| w.starts_with('#'))).then(|| "a comment after a command begins with \";#\"".into())
 }
 
 fn add_command(e: &mut ScriptError, text: &str) {

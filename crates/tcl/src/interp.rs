@@ -8,14 +8,15 @@ use std::sync::Arc;
 use super::builtin;
 use super::command::{Call, CommandFn, CoreFn, Imp};
 use super::console::Console;
-use super::core::{CallSite, Callee, CommandTable, Core, NsId};
+use super::core::{CallSite, Callee, CommandTable, Core, ForeignScript, NsId};
+use super::encoding::decode;
 use super::error::Exception;
 use super::files::{Files, posix};
 use super::origin::Origin;
 use super::proc::outside_of_loop;
 use super::text::Text;
 use super::value::Value;
-use crate::diagnostic::SourceId;
+use crate::diagnostic::{Diagnostic, SourceId, Span};
 
 /// Handler of an error at the top level of a script.
 pub type OnError<H> = fn(&mut Interp<H>, Exception) -> Result<Value, Exception>;
@@ -171,11 +172,10 @@ impl<H> Interp<H> {
         let full = self.core.absolute(path);
         let bytes = self.core.files.read(&full);
         let bytes = bytes.map_err(|e| posix(&e, |why| format!("couldn't read file \"{shown}\": {why}")))?;
-        let mut text = match String::from_utf8(bytes) {
-            Ok(text) => text,
-            // A text that is not UTF-8 counts as Latin-1.
-            Err(e) => e.into_bytes().iter().map(|b| *b as char).collect(),
-        };
+        let mut text = decode(bytes).map_err(|encoding| {
+            Exception::error(format!("couldn't read file \"{shown}\": its text is encoded in {encoding}"))
+                .help("save it as UTF-8, which every editor can do")
+        })?;
         if text.contains('\r') {
             text = text.replace("\r\n", "\n").replace('\r', "\n");
         }
@@ -186,6 +186,9 @@ impl<H> Interp<H> {
         let script = match known {
             Some(script) => script,
             None => {
+                if let Some(foreign) = (self.core.is_foreign)(shown, &text) {
+                    return Err(self.core.refuse_foreign(shown, &text, foreign));
+                }
                 let script = self.core.parsed_before(&full, shown, &text);
                 self.core.loaded.insert(full, (Arc::from(text), script.clone()));
                 script
@@ -255,6 +258,15 @@ impl Core {
             parsed.insert(path.to_owned(), (source, script.clone()));
             script
         })
+    }
+
+    /// The error for a script in another language.
+    fn refuse_foreign(&mut self, name: &str, text: &str, foreign: ForeignScript) -> Exception {
+        let source = self.sources.add(name, text);
+        let (start, end) = (foreign.place.start as u32, foreign.place.end as u32);
+        let message = format!("\"{name}\" is a script in {}", foreign.language);
+        let d = Diagnostic::error(message).at(Some(Span { source, start, end }), "expected a script in Tcl");
+        Exception::diagnosed(d.help(foreign.help))
     }
 
     /// Add a text as a source of its own.

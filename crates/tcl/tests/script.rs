@@ -8,6 +8,8 @@ mod api;
 mod conformance;
 #[path = "script/limits.rs"]
 mod limits;
+#[path = "script/lookalikes.rs"]
+mod lookalikes;
 #[path = "script/places.rs"]
 mod places;
 #[path = "script/properties.rs"]

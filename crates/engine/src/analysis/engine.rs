@@ -86,7 +86,7 @@ impl Observer for Quiet {
 pub struct Imbalance {
     /// Domain time.
     pub time: f64,
-    /// Largest unbalanced force over the largest force in the model.
+    /// Largest unbalanced force over the largest force in the model, now or at an earlier step.
     pub ratio: f64,
     /// Its place in words.
     pub place: String,
@@ -131,6 +131,8 @@ pub struct Engine {
     pub options: Options,
     /// The worst step that counted as converged.
     pub imbalance: Option<Imbalance>,
+    /// A force of an earlier step, which a force left over is compared with once the loads have gone.
+    largest_force: f64,
     /// Number of steps committed.
     pub steps: u64,
     /// Number of iterations of all steps.
@@ -162,6 +164,7 @@ impl Engine {
             fresh: true,
             options,
             imbalance: None,
+            largest_force: 0.0,
             steps: 0,
             iterations: 0,
             failure: None,

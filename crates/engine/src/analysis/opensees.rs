@@ -1,11 +1,16 @@
-//! Number of updates of the elements under `--compat opensees`.
+//! Number of updates of the elements, and motion of constrained nodes, under `--compat opensees`.
 //!
 //! It matters for elements whose force depends on the number of calls in a step
 //! ([`CallDependent`](crate::element::CallDependent)); the forces of all others are the same after any number of calls.
 
+mod transformed_nodes;
+
 use super::engine::Kind;
 use crate::assembly::Handler;
 use crate::model::Model;
+
+pub use transformed_nodes::Parts;
+pub(super) use transformed_nodes::{Phase, TransformedNodes};
 
 /// Number of updates that OpenSees makes of the elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,6 +15,9 @@ const MAX_ROUNDS: usize = 300;
 /// Relative change of the eigenvalue at which the iteration ends.
 const ACCURACY: f64 = 1e-7;
 
+/// A gap of a constraint over the size of the model that is round-off: a displacement that no result shows.
+const MIN_GAP: f64 = 1e-9;
+
 /// A constraint that does not hold, by the displacements of the committed state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LooseConstraint {
@@ -81,8 +84,8 @@ impl Engine {
     }
 
     /// The constraint that is furthest from being held, where penalties hold them: by more than `limit` of the largest
-    /// displacement that takes part in constraints.
-    pub fn loose_constraint(&self, limit: f64) -> Option<LooseConstraint> {
+    /// displacement, of `earlier` displacements too, and by more than round-off of the size of the model.
+    pub fn loose_constraint(&self, limit: f64, earlier: f64) -> Option<LooseConstraint> {
         let Some(Handler::Penalty { .. }) = self.setup().map(|s| s.handler) else { return None };
         let (model, disp) = (self.model(), &self.state().disp);
         let at = |node: NodeId, dof: usize| model.nodes[node.0].dofs().nth(dof).map_or(0.0, |d| disp[d]);
@@ -102,10 +105,24 @@ impl Engine {
             })
         });
         let all: Vec<LooseConstraint> = held.chain(tied).collect();
-        let largest = model.nodes.iter().flat_map(|n| n.dofs()).fold(0.0f64, |m, d| m.max(disp[d].abs()));
+        let largest = earlier.max(self.largest_displacement());
         let gap = |l: &LooseConstraint| (l.found - l.wanted).abs();
         let worst = all.into_iter().max_by(|a, b| gap(a).total_cmp(&gap(b)))?;
-        (gap(&worst) > limit * largest).then_some(worst)
+        (gap(&worst) > (limit * largest).max(MIN_GAP * self.size())).then_some(worst)
+    }
+
+    /// The largest displacement of the committed state, without sign.
+    pub fn largest_displacement(&self) -> f64 {
+        self.state().disp.iter().fold(0.0f64, |m, d| m.max(d.abs()))
+    }
+
+    /// The longest side of the box around the nodes.
+    fn size(&self) -> f64 {
+        let side = |axis: usize| {
+            let at = self.model().nodes.iter().map(|n| n.place()[axis]);
+            at.clone().fold(f64::NEG_INFINITY, f64::max) - at.fold(f64::INFINITY, f64::min)
+        };
+        (0..3).map(side).fold(0.0, f64::max)
     }
 
     /// The Euler loads of the beams that have one.
@@ -136,15 +153,18 @@ impl Engine {
             .find_map(|(e, load)| Some((e, overload(e, *load)?)))
     }
 
-    /// Returns true if something moves with a mass in a direction from 0: translations, then rotations.
+    /// Returns true if something moves with a mass in a direction from 0: translations, then rotations. A mass at a degree of
+    /// freedom that is held does not move.
     pub fn has_mass_along(&self, direction: usize) -> bool {
         let model = self.model();
+        let is_held = |i: usize| model.fixes.iter().any(|f| f.node.0 == i && f.dof == direction);
         let has = |mass: Mass| match mass {
             Mass::None => false,
             Mass::Lumped(m) | Mass::Consistent(m) => m.iter().any(|m| *m != 0.0),
         };
-        model.nodes.iter().any(|n| n.mass.get(direction).is_some_and(|m| *m != 0.0))
-            || model.elements.iter().any(|e| has(e.element.mass()))
+        let mut with_mass =
+            model.nodes.iter().enumerate().filter(|(_, n)| n.mass.get(direction).is_some_and(|m| *m != 0.0));
+        with_mass.any(|(i, _)| !is_held(i)) || model.elements.iter().any(|e| has(e.element.mass()))
     }
 
     /// Power of an element in the committed state; none before the first step.

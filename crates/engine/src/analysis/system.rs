@@ -110,6 +110,7 @@ impl System<'_> {
         self.moved |= applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
         self.impose();
         self.impose_linked();
+        self.follow_loads();
         Ok(())
     }
 
@@ -421,22 +422,30 @@ impl System<'_> {
         }
         let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let (unloaded, stiffness) = (NO_LOAD * largest(&work.b), largest(&work.matrix.values));
-        let mut stiffened = vec![];
+        let (mut stiffened, mut held): (Vec<f64>, Vec<usize>) = (vec![], vec![]);
         for _ in 0..work.plan.pattern.n {
             let equation = match &result {
                 Err(SolveError::Singular { equation }) => *equation,
                 Ok(Some(p)) if p.ratio <= SINGULAR => p.equation,
-                _ => return result,
+                _ => break,
             };
-            let place = work.plan.pattern.place(equation, equation);
-            let (Some(place), true) = (place, work.b[equation].abs() <= unloaded) else { return result };
-            work.note_pivot(Pivots { equation, ratio: 0.0 });
-            if stiffened.is_empty() {
+            let Some(place) = work.plan.pattern.place(equation, equation) else { return result };
+            if held.is_empty() {
                 stiffened.clone_from(&work.matrix.values);
             }
+            held.push(equation);
             stiffened[place] += stiffness;
             result = work.solver.factor(&work.plan.pattern, &stiffened).map(Some);
         }
+        let Some(&first) = held.first() else { return result };
+        // The force of a spring that holds a mechanism is the load on it.
+        let mut motion = work.b.clone();
+        work.solver.solve(&work.plan.pattern, &stiffened, &mut motion)?;
+        if held.iter().any(|&e| stiffness * motion[e].abs() > unloaded) {
+            work.solver.forget();
+            return Err(SolveError::Singular { equation: first });
+        }
+        work.note_pivot(Pivots { equation: first, ratio: 0.0 });
         result
     }
 

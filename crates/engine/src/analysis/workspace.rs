@@ -9,7 +9,7 @@ use super::bounds::Bounds;
 use super::failure::Cause;
 use super::loads::Loads;
 use super::modal_damping::DampedModes;
-use super::opensees::{Stage, UpdateCounts};
+use super::opensees::{Stage, TransformedNodes, UpdateCounts};
 use super::small_beams::SmallBeams;
 use super::system::Coefficients;
 use super::two_end_residual::TwoEndResidual;
@@ -208,6 +208,8 @@ pub struct Workspace {
     pub(super) damped_modes: DampedModes,
     /// Number of updates of the elements, under `--compat opensees` only.
     pub(super) opensees: Option<UpdateCounts>,
+    /// Constrained nodes as OpenSees moves them, under `--compat opensees` only.
+    pub(super) transformed: Option<Box<TransformedNodes>>,
     /// Set to stop before the next iteration.
     pub(super) interrupt: Option<Arc<AtomicBool>>,
     /// Lumped masses of the nodes: degree of freedom, mass, mass-proportional damping.
@@ -355,6 +357,8 @@ impl Workspace {
         let nodal = model.nodes.iter().flat_map(|node| {
             node.dofs().zip(&node.mass).filter(|(_, m)| **m != 0.0).map(|(d, &m)| (d, m, node.alpha_m))
         });
+        let with_loads = !model.fixes.is_empty() || model.patterns.values().any(|p| !p.motions.is_empty());
+        let transformed = TransformedNodes::new(&plan.map.transformed, with_loads, model.dofs());
         let (n, len) = (plan.equations(), plan.pattern.len());
         let mut workspace = Self {
             nodal: nodal.collect(),
@@ -371,6 +375,7 @@ impl Workspace {
             two_end_residual: None,
             damped_modes: DampedModes::new(model, |full, own| plan.map.condense(full, own), plan.map.equations),
             opensees: options.compat.then(|| UpdateCounts::new(model, &constrained)),
+            transformed,
             interrupt: None,
             followers: vec![],
             led: vec![],

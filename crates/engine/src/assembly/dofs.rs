@@ -1,6 +1,6 @@
 //! Constraint handlers: degrees of freedom that are unknowns, that are imposed, and that follow others.
 
-use super::opensees::{self, Row};
+use super::opensees::{self, Row, TransformedNode};
 use crate::model::{Model, Tag};
 use std::fmt;
 
@@ -125,6 +125,8 @@ pub struct DofMap {
     /// Degrees of freedom that are out of the equations because a single-point constraint holds them, homogeneous or
     /// not.
     pub held: Vec<bool>,
+    /// Constrained nodes by rising tag, under [`MpScope::FirstOfNode`] only.
+    pub transformed: Vec<TransformedNode>,
 }
 
 impl DofMap {
@@ -149,14 +151,14 @@ impl DofMap {
                 imposed[dof] = Some(Imposed { dof, pattern: tag, index });
             }
         }
-        let rows = match scope {
+        let (rows, transformed) = match scope {
             MpScope::FirstOfNode => {
                 opensees::frozen(model, &held).into_iter().for_each(|dof| held[dof] = true);
-                opensees::rows(model)
+                opensees::rows(model, &held, |dof| held[dof] && imposed[dof].is_none())
             }
-            MpScope::All | MpScope::Identities => multi_point_rows(model, scope),
+            MpScope::All | MpScope::Identities => (multi_point_rows(model, scope), vec![]),
         };
-        let mut map = Self { held, ..Self::default() };
+        let mut map = Self { held, transformed, ..Self::default() };
         if handler.eliminates() {
             map.eliminate(rows, imposed, homogeneous, scope == MpScope::FirstOfNode)?;
         } else {

@@ -7,5 +7,6 @@ mod pattern;
 mod plan;
 
 pub use dofs::{DofError, DofMap, Handler, Imposed, Link, MpScope};
+pub use opensees::{TransformedNode, TransformedRow};
 pub use pattern::{Pattern, Storage};
 pub use plan::Plan;

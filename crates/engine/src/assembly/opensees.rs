@@ -6,17 +6,45 @@ use std::collections::BTreeMap;
 /// A degree of freedom that follows, and what it follows: degrees of freedom and coefficients.
 pub(super) type Row = (usize, Vec<(usize, f64)>);
 
-/// Rows of the first constraint of each constrained node.
+/// A constrained node of the handler. It is late if it follows degrees of freedom without an equation: those that are held, and
+/// those of a node that follows another and has the greater tag. It is then moved to where they are, and not with the equations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransformedNode {
+    /// The constrained degrees of freedom.
+    pub rows: Vec<TransformedRow>,
+    /// Its degrees of freedom that do not follow.
+    pub own: Vec<usize>,
+    /// Degrees of freedom of the retained node that have no equation.
+    pub retained: Vec<usize>,
+    /// The retained node has the greater tag, so that it is moved after the constrained one.
+    pub moves_first: bool,
+    /// What has no equation moves, or takes a motion of the equations with it.
+    pub late: bool,
+}
+
+/// A constrained degree of freedom of a [`TransformedNode`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransformedRow {
+    /// Global degree of freedom.
+    pub dof: usize,
+    /// Degrees of freedom with an equation that it follows, and coefficients.
+    pub equations: Vec<(usize, f64)>,
+    /// Places in [`TransformedNode::retained`], and coefficients.
+    pub retained: Vec<(usize, f64)>,
+}
+
+/// Rows of the first constraint of each constrained node, and the nodes by rising tag. `stands` says which degrees of freedom are
+/// held at zero.
 ///
 /// A node that follows one which follows another takes the equations of the latter, and not its motion: the two
 /// constraints are not multiplied. It takes none if the node that it follows has the greater tag.
-pub(super) fn rows(model: &Model) -> Vec<Row> {
+pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool) -> (Vec<Row>, Vec<TransformedNode>) {
     let mut first: BTreeMap<_, &MultiPoint> = BTreeMap::new();
     for mp in &model.multi_points {
         first.entry(model.nodes[mp.constrained.0].tag).or_insert(mp);
     }
     let mut equations: BTreeMap<_, Vec<Option<usize>>> = BTreeMap::new();
-    let mut rows = vec![];
+    let (mut rows, mut nodes) = (vec![], vec![]);
     for (&tag, mp) in &first {
         let retained = &model.nodes[mp.retained.0];
         let at = |dof: usize| match (equations.get(&retained.tag), first.get(&retained.tag)) {
@@ -24,16 +52,28 @@ pub(super) fn rows(model: &Model) -> Vec<Row> {
             (None, Some(later)) => free(model, later).get(dof).copied(),
             (None, None) => Some(retained.offset + dof),
         };
+        let equation = |dof: usize| at(dof).filter(|&d| !held[d]);
         let offset = model.nodes[mp.constrained.0].offset;
+        let without: Vec<usize> =
+            mp.retained_dofs.iter().filter(|&&d| equation(d).is_none()).map(|d| retained.offset + d).collect();
+        let (own, moves_first) = (free(model, mp), retained.tag > tag);
+        let mut node = TransformedNode { rows: vec![], own, retained: without, moves_first, late: false };
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
-            let terms = mp.row(i).filter(|(_, k)| *k != 0.0).filter_map(|(d, k)| Some((at(d)?, k)));
-            rows.push((offset + dof, terms.collect()));
+            let terms = || mp.row(i).filter(|(_, k)| *k != 0.0);
+            let own: Vec<_> = terms().filter_map(|(d, k)| Some((equation(d)?, k))).collect();
+            let place = |d| node.retained.iter().position(|&r| r == retained.offset + d);
+            let others = terms().filter_map(|(d, k)| Some((place(d)?, k))).collect();
+            node.rows.push(TransformedRow { dof: offset + dof, equations: own.clone(), retained: others });
+            rows.push((offset + dof, own));
         }
-        let own = free(model, mp).into_iter().map(Some);
+        let moves = node.rows.iter().any(|r| !r.equations.is_empty()) || node.retained.iter().any(|&dof| !stands(dof));
+        node.late = !node.retained.is_empty() && moves;
+        let own = node.own.iter().copied().map(Some);
         let list = own.chain(mp.retained_dofs.iter().map(|&d| at(d))).collect();
         equations.insert(tag, list);
+        nodes.push(node);
     }
-    rows
+    (rows, nodes)
 }
 
 /// Degrees of freedom of constrained nodes that stand still because one before them is held and follows as well: the

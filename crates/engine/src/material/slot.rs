@@ -231,6 +231,18 @@ impl Slot {
         state[self.at + TANGENT]
     }
 
+    /// Names of the responses of every material, to suggest the nearest to a misspelled one.
+    pub(crate) const RESPONSES: &'static [&'static str] = &[
+        "stress",
+        "strain",
+        "tangent",
+        "stressStrain",
+        "stressStrainTangent",
+        "plasticStrain",
+        "strainRate",
+        "energy",
+    ];
+
     /// Response named by the words of a recorder command: first those of every material, then those specific to the
     /// law.
     pub fn probe(&self, words: &[&str]) -> Option<Probe> {

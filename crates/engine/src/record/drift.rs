@@ -1,6 +1,6 @@
 //! Drifts between nodes.
 
-use super::{Group, RecordError, Source};
+use super::{Group, Missing, RecordError, Source};
 use crate::analysis::Engine;
 use crate::model::Tag;
 
@@ -26,7 +26,7 @@ impl Drift {
 }
 
 impl Source for Drift {
-    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError> {
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<Missing>) -> Result<(), RecordError> {
         let model = engine.model();
         self.found.clear();
         self.labels.clear();
@@ -34,15 +34,12 @@ impl Source for Drift {
         for &(i, j) in &self.pairs {
             let node = |tag: Tag| model.node(tag).map(|id| &model.nodes[id.0]);
             let (Some(a), Some(b)) = (node(i), node(j)) else {
-                missing.push(format!("node {}", if node(i).is_none() { i } else { j }));
+                missing.push(Missing::Node(if node(i).is_none() { i } else { j }));
                 continue;
             };
             let distance = (b.place()[self.across] - a.place()[self.across]).abs();
             if distance == 0.0 || self.dof >= a.ndf.min(b.ndf) || self.across >= a.ndm() {
-                missing.push(format!(
-                    "a drift between nodes {i} and {j}, which are level in direction {}",
-                    self.across + 1
-                ));
+                missing.push(Missing::Drift { nodes: (i, j), direction: self.across + 1 });
                 continue;
             }
             self.found.push((a.offset + self.dof, b.offset + self.dof, 1.0 / distance));

@@ -1,10 +1,12 @@
 //! Responses of elements.
 
 use super::opensees::probe;
-use super::{Group, RecordError, Source};
+use super::{Group, Missing, RecordError, Source};
 use crate::analysis::{Engine, Recorded};
+use crate::material::Slot;
 use crate::model::{ElementId, Tag};
 use crate::probe::Probe;
+use crate::section::SectionSlot;
 
 /// A response of some elements.
 #[derive(Debug)]
@@ -88,6 +90,20 @@ impl Response {
     }
 }
 
+/// Names of parts of elements and sections that have responses.
+const PARTS: [&str; 5] = ["section", "fiber", "material", "fiberData", "centroid"];
+
+/// A word of a response that an element does not know.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misspelled {
+    /// Index among the words.
+    pub index: usize,
+    /// Names that would end a response at its place.
+    pub known: Vec<&'static str>,
+    /// Names that fit in its place with or without the words behind it, to suggest the nearest.
+    pub fitting: Vec<&'static str>,
+}
+
 /// Names of the global force.
 const FORCE: [&str; 5] = ["force", "forces", "globalForce", "globalForces", "globalforces"];
 
@@ -112,6 +128,30 @@ impl ElementResponse {
     pub fn names(engine: &Engine, id: ElementId) -> impl Iterator<Item = &'static str> + use<> {
         let own = engine.model().elements[id.0].element.all_probe_names();
         FORCE[..4].iter().copied().chain(own)
+    }
+
+    /// The first of some words that no response of an element has at its place, where the element does not know them.
+    pub fn misspelled(engine: &Engine, id: ElementId, words: &[&str]) -> Misspelled {
+        let vocabulary: Vec<&'static str> = Self::names(engine, id)
+            .chain(PARTS.iter().chain(SectionSlot::RESPONSES).chain(Slot::RESPONSES).copied())
+            .collect();
+        let known_after = |i: usize| -> Vec<&'static str> {
+            let ends = |word: &&&str| Self::is_known(engine, id, &[&words[..i], &[**word]].concat());
+            vocabulary.iter().filter(ends).copied().collect()
+        };
+        // Words are understood up to the last place where another word would end a response.
+        let last = words.len().saturating_sub(1);
+        let understood = (1..=last).rev().map(|i| (i, known_after(i))).find(|(_, known)| !known.is_empty());
+        let (index, known) = understood.unwrap_or_else(|| (0, Self::names(engine, id).collect()));
+        let repaired = |word: &&&'static str| {
+            let mut whole = words.to_vec();
+            if let Some(w) = whole.get_mut(index) {
+                *w = **word;
+            }
+            Self::is_known(engine, id, &whole)
+        };
+        let fitting = vocabulary.iter().filter(repaired).chain(&known).copied();
+        Misspelled { index, known: known.clone(), fitting: fitting.collect() }
     }
 
     /// Returns true if an element has a response of that name.
@@ -142,23 +182,28 @@ impl ElementResponse {
 }
 
 impl Source for ElementResponse {
-    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError> {
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<Missing>) -> Result<(), RecordError> {
         let model = engine.model();
         let wanted: Vec<Tag> = self.elements.clone().unwrap_or_else(|| model.element_tags().collect());
         self.found.clear();
         for tag in wanted {
             let Some(id) = model.element(tag) else {
-                missing.push(format!("element {tag}"));
+                missing.push(Missing::Element(tag));
                 continue;
             };
             match self.answer(engine, id) {
                 Some(answer) => self.found.push((id, tag, answer)),
-                None => missing.push(format!(
-                    "response \"{}\" of element {tag} ({})",
-                    self.words.join(" "),
-                    model.elements[id.0].element.class()
-                )),
+                None => missing.push(Missing::Response {
+                    words: self.words.join(" "),
+                    element: tag,
+                    class: model.elements[id.0].element.class(),
+                }),
             }
+        }
+        if let Some(width) = self.found.iter().map(|(_, _, answer)| answer.labels().len()).max() {
+            let beyond = self.columns.iter().filter(|c| **c >= width);
+            let column = |c: &usize| Missing::Column { column: c + 1, words: self.words.join(" "), width };
+            missing.extend(beyond.map(column));
         }
         Ok(())
     }

@@ -7,6 +7,7 @@ mod drift;
 mod element;
 mod envelope;
 mod file;
+mod missing;
 mod node;
 mod opensees;
 mod output;
@@ -21,9 +22,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 pub use drift::Drift;
-pub use element::{ElementResponse, Known};
+pub use element::{ElementResponse, Known, Misspelled};
 pub use envelope::Envelope;
 pub use file::RowFile;
+pub use missing::Missing;
 pub use node::{NodeQuantity, NodeResponse};
 pub use output::{Group, Layout, LiveFile, Memory, Output, Separator};
 pub use rms::RootMeanSquare;
@@ -53,7 +55,7 @@ pub trait Source: fmt::Debug + Send {
     ///
     /// # Errors
     /// A response that an element does not have.
-    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError>;
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<Missing>) -> Result<(), RecordError>;
 
     /// Names of the columns.
     fn labels(&self) -> Vec<String>;
@@ -120,7 +122,7 @@ pub struct Recorder {
     /// An envelope is another one than the output has.
     changed: bool,
     /// Responses that are not in the model.
-    pub missing: Vec<String>,
+    pub missing: Vec<Missing>,
 }
 
 impl Recorder {

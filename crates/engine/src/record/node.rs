@@ -1,6 +1,6 @@
 //! Responses of nodes.
 
-use super::{Group, RecordError, Source};
+use super::{Group, Missing, RecordError, Source};
 use crate::analysis::{Engine, ReactionKind, Recorded};
 use crate::model::Tag;
 use crate::series::Series;
@@ -155,7 +155,7 @@ impl NodeResponse {
 }
 
 impl Source for NodeResponse {
-    fn find(&mut self, engine: &Engine, missing: &mut Vec<String>) -> Result<(), RecordError> {
+    fn find(&mut self, engine: &Engine, missing: &mut Vec<Missing>) -> Result<(), RecordError> {
         let model = engine.model();
         let wanted: Vec<Tag> = self.nodes.clone().unwrap_or_else(|| model.node_tags().collect());
         self.found.clear();
@@ -170,12 +170,17 @@ impl Source for NodeResponse {
         self.width = dofs.len();
         for tag in wanted {
             let Some(id) = model.node(tag) else {
-                missing.push(format!("node {tag}"));
+                missing.push(Missing::Node(tag));
                 continue;
             };
             let node = &model.nodes[id.0];
             self.tags.push(tag);
             self.found.extend(dofs.iter().map(|&d| (d < node.ndf).then_some(node.offset + d)));
+        }
+        let ndf = |tag: &Tag| model.node(*tag).map_or(0, |id| model.nodes[id.0].ndf);
+        if let (Some(first), Some(most)) = (self.tags.first(), self.tags.iter().map(ndf).max()) {
+            let beyond = dofs.iter().filter(|d| **d >= most);
+            missing.extend(beyond.map(|d| Missing::Dof { dof: d + 1, node: *first, ndf: ndf(first) }));
         }
         Ok(())
     }

@@ -156,6 +156,10 @@ impl SectionSlot {
         Some(old)
     }
 
+    /// Names of the responses of every section, to suggest the nearest to a misspelled one.
+    pub(crate) const RESPONSES: &'static [&'static str] =
+        &["force", "deformation", "forceAndDeformation", "stiffness", "flexibility", "code"];
+
     /// Response named by the words of a recorder command: first those of every section, then those specific to the
     /// section.
     pub fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -77,7 +77,12 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let AnalysisKind { kind, variable } = kind::take(&mut a, "kind of analysis", "analysis", KINDS.iter())?.make;
     // `-numSublevels` and the like: substepping is asked for with `ladder`.
     finish(interp, &a)?;
-    let session = &mut interp.host;
+    set_up(&mut interp.host, kind, variable, Handler::Plain);
+    Ok(Value::EMPTY)
+}
+
+/// Make an analysis of the parts that have been given, and of OpenSees' defaults.
+fn set_up(session: &mut Session, kind: Kind, variable: bool, default_handler: Handler) {
     let old = session.engine.take_setup();
     let parts = std::mem::take(&mut session.parts);
     let Parts { handler, test, algorithm, integrator, print, .. } = parts;
@@ -94,7 +99,7 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let integrator = integrator.unwrap_or_else(|| default_integrator(kind));
     let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
     let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
-    let handler = handler.or(old_handler).unwrap_or(Handler::Plain);
+    let handler = handler.or(old_handler).unwrap_or(default_handler);
     session.output.recorders.print = print;
     session.parts = Parts {
         handler: Some(handler),
@@ -105,7 +110,6 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         variable_steps: variable,
     };
     session.engine.set_up(Setup { kind, handler, algorithm, integrator, test });
-    Ok(Value::EMPTY)
 }
 
 fn default_integrator(kind: Kind) -> Box<dyn Integrator> {
@@ -169,7 +173,10 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         Mode::Check => {
             session.check.waits_for_results = true;
-            session.engine.rehearse(steps as usize, dt)
+            session.overview.before_analysis(&mut session.engine);
+            let done = session.engine.rehearse(steps as usize, dt);
+            session.overview.after_analysis(&session.engine, call.span(0));
+            done
         }
         Mode::Run => {
             session.output.recorders.print = session.parts.print;
@@ -278,7 +285,8 @@ fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> 
     let Some(what) = moved.or(tied) else { return Ok(()) };
     interp.host.warnings.reported.insert("plain", 1);
     let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
-    warn(interp, Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this"))
+    let d = Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this");
+    warn(interp, d.coded("plain-constraints"))
 }
 
 /// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
@@ -294,6 +302,7 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     interp.host.warnings.reported.insert("pseudo-time", 1);
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
     let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
+    let d = d.coded("pseudo-time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
 }
 
@@ -306,7 +315,8 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         session.warnings.reported.insert("pivot", 1);
         let message =
             format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
-        warn(interp, Diagnostic::warning(message).at(span, "few digits of the results are right"))?;
+        let d = Diagnostic::warning(message).at(span, "few digits of the results are right");
+        warn(interp, d.coded("nearly-singular"))?;
     }
     let session = &mut interp.host;
     let told = session.warnings.reported.contains_key("balance");
@@ -319,7 +329,8 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
             i.place
         );
         session.warnings.reported.insert("balance", 1);
-        warn(interp, Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it"))?;
+        let d = Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it");
+        warn(interp, d.coded("out-of-balance"))?;
     }
     report_overload(interp, span);
     report_softening(interp, span);
@@ -334,7 +345,7 @@ fn report_softening(interp: &mut Tcl, span: Option<Span>) {
     }
     let Some(d) = session.output.recorders.backbones.warning(span) else { return };
     session.warnings.reported.insert("softening", 1);
-    crate::report(interp, d);
+    crate::report(interp, d.coded("softening-bearing"));
 }
 
 /// Report once a bearing under more than its critical load.
@@ -352,7 +363,7 @@ fn report_overload(interp: &mut Tcl, span: Option<Span>) {
         e.tag
     );
     session.warnings.reported.insert("overload", 1);
-    crate::report(interp, Diagnostic::warning(message).at(span, "it has buckled"));
+    crate::report(interp, Diagnostic::warning(message).at(span, "it has buckled").coded("overloaded-bearing"));
 }
 
 const SOLVERS: &[&str] = &[
@@ -397,6 +408,13 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let count = a.count("number of modes")?;
     let span = a.last_span();
+    if interp.host.mode == Mode::Check {
+        interp.host.overview.note_analysis(call.span(0));
+    }
+    // OpenSees makes a transient analysis where there is none. In Python it is gone after the command.
+    if interp.host.kind().is_none() && !interp.host.called_by_host {
+        set_up(&mut interp.host, Kind::Transient, false, Handler::Transformation);
+    }
     if interp.host.mode == Mode::Check && interp.host.check.rejected {
         interp.host.check.waits_for_results = true;
         let count = count.min(MAX_PASSED_OVER);

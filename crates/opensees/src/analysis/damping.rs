@@ -6,6 +6,7 @@ use crate::session::Region;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
+use hysteron_engine::record::Missing;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -144,7 +145,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tag = a.int("tag of the region")?;
     let mut region = Region::default();
     let (mut damping, mut own) = (None, None);
-    let mut absent: Vec<String> = vec![];
+    let mut absent: Vec<Missing> = vec![];
     while let Some(option) = a.option() {
         let option = option.as_ref();
         let is_range = option.ends_with("Range");
@@ -153,7 +154,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 let model = interp.host.engine.model();
                 let tags = chosen(&mut a, is_range, model.element_tags())?;
                 let ids: Vec<ElementId> = tags.iter().filter_map(|t| model.element(*t)).collect();
-                absent.extend(tags.iter().filter(|t| model.element(**t).is_none()).map(|t| format!("element {t}")));
+                absent.extend(tags.iter().filter(|t| model.element(**t).is_none()).map(|t| Missing::Element(*t)));
                 if !option.starts_with("-eleOnly") {
                     region.nodes.extend(ids.iter().flat_map(|id| model.elements[id.0].nodes.iter().copied()));
                 }
@@ -163,7 +164,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 let model = interp.host.engine.model();
                 let tags = chosen(&mut a, is_range, model.node_tags())?;
                 let ids: Vec<NodeId> = tags.iter().filter_map(|t| model.node(*t)).collect();
-                absent.extend(tags.iter().filter(|t| model.node(**t).is_none()).map(|t| format!("node {t}")));
+                absent.extend(tags.iter().filter(|t| model.node(**t).is_none()).map(|t| Missing::Node(*t)));
                 if !option.starts_with("-nodeOnly") {
                     // Elements all of whose nodes are in the region.
                     let inside = |e: &&hysteron_engine::model::ElementEntry| e.nodes.iter().all(|n| ids.contains(n));
@@ -180,9 +181,10 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     }
-    absent.retain(|what| !interp.host.check.holds_back(&format!("there is no {what}")));
+    let check = &mut interp.host.check;
+    absent.retain(|m| m.thing().is_none_or(|thing| !check.holds_back(&format!("there is no {thing}"))));
     if !absent.is_empty() {
-        let message = format!("region {tag}: the model has no {}", absent.join(", no "));
+        let message = format!("region {tag}: the model has no {}", Missing::list(&absent));
         warn(interp, Diagnostic::warning(message).at(call.whole_span(), "left out of the region"))?;
     }
     // In the order in which they are met, as recorders show them.

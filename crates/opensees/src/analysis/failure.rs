@@ -1,6 +1,7 @@
 //! Messages about steps that failed.
 
-use crate::session::{Mode, Session};
+use crate::host::Mode;
+use crate::session::Session;
 use hysteron_engine::analysis::{Cause, Failure, Kind};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 

@@ -27,11 +27,16 @@ pub(crate) struct IsolatorDamping {
     force: f64,
 }
 
+/// Returns true if a class of elements is that of bearings.
+pub(super) fn is_bearing(class: &str) -> bool {
+    ISOLATORS.iter().any(|part| class.contains(part))
+}
+
 fn is_isolator(e: &ElementEntry) -> bool {
     let (class, traits) = (e.element.class(), e.element.traits());
     let r = &e.rayleigh;
     let is_damped = traits.rayleigh && [r.beta_k, r.beta_k0, r.beta_kc].iter().any(|b| *b != 0.0);
-    is_damped && (ISOLATORS.iter().any(|part| class.contains(part)) || !traits.linear && LINKS.contains(&class))
+    is_damped && (is_bearing(class) || !traits.linear && LINKS.contains(&class))
 }
 
 impl IsolatorDamping {

@@ -36,6 +36,10 @@ pub(crate) struct Looked {
     before: Option<(u64, f64)>,
     /// Revision of the model and step for which the stability of an explicit integrator was examined.
     stability: Option<(u64, f64)>,
+    /// Largest displacement at the ends of the analyses so far.
+    largest_displacement: f64,
+    /// Patterns that a static analysis under load control has applied.
+    static_patterns: BTreeSet<Tag>,
     /// Euler loads of the beams of a revision of the model.
     euler_loads: Option<(u64, Vec<(ElementId, f64)>)>,
 }
@@ -52,6 +56,7 @@ pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<()
     }
     interp.host.looked.before = Some(state);
     fixed_and_tied(interp, span)?;
+    growing_pattern(interp, dt, span)?;
     if interp.host.kind() != Some(Kind::Transient) {
         return Ok(());
     }
@@ -66,9 +71,12 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
     }
     excess(interp, span)?;
     loose_constraint(interp, span)?;
+    let session = &mut interp.host;
+    session.looked.largest_displacement =
+        session.looked.largest_displacement.max(session.engine.largest_displacement());
     buckled_beam(interp, span)?;
     match interp.host.output.recorders.isolator_damping.warning(span) {
-        Some(d) => warn_once(interp, "damped isolators", d),
+        Some(d) => warn_once(interp, "damped-isolators", d),
         None => Ok(()),
     }
 }
@@ -76,7 +84,7 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 /// Returns true if [`after`] has nothing to look at more closely.
 pub(super) fn is_plausible(session: &mut Session) -> bool {
     (session.engine.excess.is_none() || is_reported(session, EXCESS))
-        && session.engine.loose_constraint(MAX_LOOSENESS).is_none()
+        && session.engine.loose_constraint(MAX_LOOSENESS, session.looked.largest_displacement).is_none()
         && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())
         && !session.output.recorders.isolator_damping.is_suspect()
 }
@@ -91,9 +99,9 @@ fn euler_loads<T>(session: &mut Session, look: impl FnOnce(&Engine, &[(ElementId
     look(engine, looked.euler_loads.as_ref().map_or(&[], |(_, loads)| loads))
 }
 
-/// Warn once for each key.
-fn warn_once(interp: &mut Tcl, key: &'static str, warning: Diagnostic) -> Result<(), Exception> {
-    if interp.host.warnings.reported.insert(key, 1).is_some() { Ok(()) } else { warn(interp, warning) }
+/// Warn once for each code.
+fn warn_once(interp: &mut Tcl, code: &'static str, warning: Diagnostic) -> Result<(), Exception> {
+    if interp.host.warnings.reported.insert(code, 1).is_some() { Ok(()) } else { warn(interp, warning.coded(code)) }
 }
 
 fn is_reported(session: &Session, key: &str) -> bool {
@@ -102,7 +110,7 @@ fn is_reported(session: &Session, key: &str) -> bool {
 
 /// A degree of freedom that is held and follows another one, which is not held.
 fn fixed_and_tied(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "fixed and tied";
+    const KEY: &str = "fixed-and-tied";
     let model = interp.host.engine.model();
     if is_reported(&interp.host, KEY) || model.multi_points.is_empty() {
         return Ok(());
@@ -118,6 +126,42 @@ fn fixed_and_tied(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception>
         format!("node {node} is held in degree of freedom {dof}, and a constraint ties it to node {retained} too");
     let d = Diagnostic::warning(message).at(span, "expected one of both");
     warn_once(interp, KEY, d.help(format!("hold node {retained}, which node {node} follows")))
+}
+
+/// Steps ahead at which a factor that has only grown is that of a load which grows without end.
+const STEPS_AHEAD: f64 = 1000.0;
+
+/// A pattern whose static loads are not held and grow on in the analysis that follows.
+///
+/// In a check also one that follows a path: a run tells of it where a step fails.
+fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
+    const KEY: &str = "growing-pattern";
+    let Session { engine, looked, mode, .. } = &mut interp.host;
+    let (model, time) = (engine.model(), engine.state().time);
+    let Some(setup) = engine.setup() else { return Ok(()) };
+    let plain = |p: &Pattern| matches!(p.kind, PatternKind::Plain { .. }) && p.held.is_none() && p.has_loads();
+    let going = || model.patterns.iter().filter(|(_, p)| plain(p)).map(|(tag, _)| *tag);
+    if setup.kind == Kind::Static && setup.integrator.elapses() {
+        looked.static_patterns = going().collect();
+        return Ok(());
+    }
+    let has_new = going().any(|tag| !looked.static_patterns.contains(&tag));
+    if setup.kind == Kind::Static && (*mode == Mode::Run || !has_new) {
+        return Ok(());
+    }
+    let step = if dt > 0.0 { dt } else { 1.0 };
+    let grows = |tag: &Tag| {
+        let pattern = &model.patterns[tag];
+        let at = |steps: f64| pattern.factor(time + steps * step).abs();
+        at(0.0) < at(1.0) && at(1.0) < at(STEPS_AHEAD) && !series(pattern).is_some_and(|s| s.end().is_some())
+    };
+    let Some(tag) = going().filter(|tag| looked.static_patterns.contains(tag)).find(grows) else { return Ok(()) };
+    let factor = model.patterns[&tag].factor(time);
+    let message = format!(
+        "pattern {tag} still grows with the time: its factor is {factor} after the static analysis, and is not held"
+    );
+    let d = Diagnostic::warning(message).at(span, "expected \"loadConst -time 0.0\" before this");
+    warn_once(interp, KEY, d)
 }
 
 /// The series of the ground motions or loads of a pattern that go on.
@@ -145,20 +189,20 @@ fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exce
             let message =
                 format!("the series of pattern {tag} ends at time {end:.6}, and the analysis begins at {time:.6}");
             let d = Diagnostic::warning(message).at(span, "the record is over before it begins");
-            warnings.push(("record is over", d.help("\"loadConst -time 0.0\" after the gravity loads sets the time")));
+            warnings.push(("record-is-over", d.help("\"loadConst -time 0.0\" after the gravity loads sets the time")));
         }
         let PatternKind::Uniform(e) = &pattern.kind else { continue };
         if !engine.has_mass_along(e.direction) {
             let message =
                 format!("pattern {tag} moves the ground along {}, where the model has no mass", e.direction + 1);
             let d = Diagnostic::warning(message).at(span, "the excitation has no effect");
-            warnings.push(("no mass", d.help("\"mass\" of nodes, or a density of elements, gives it one")));
+            warnings.push(("no-mass", d.help("\"mass\" of nodes, or a density of elements, gives it one")));
         }
         if let Some(step) = series.step().filter(|step| dt > MAX_STEP_RATIO * step) {
             let message =
                 format!("the steps of {dt} are {:.1} times those of the record of pattern {tag}, {step}", dt / step);
             let d = Diagnostic::warning(message).at(span, "most of the record is passed over");
-            warnings.push(("coarse steps", d.help("expected steps not longer than those of the record")));
+            warnings.push(("coarse-steps", d.help("expected steps not longer than those of the record")));
         }
     }
     warnings.into_iter().try_for_each(|(key, d)| warn_once(interp, key, d))
@@ -166,7 +210,7 @@ fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exce
 
 /// An explicit integrator beyond its stable step.
 fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "unstable steps";
+    const KEY: &str = "unstable-steps";
     let session = &mut interp.host;
     let setup = session.engine.setup();
     let Some((name, limit)) = setup.and_then(|s| Some((s.integrator.name(), s.integrator.stability_limit()?))) else {
@@ -207,11 +251,12 @@ fn excess(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
 
 /// A penalty that does not hold its constraint.
 fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "loose constraint";
+    const KEY: &str = "loose-constraint";
     if is_reported(&interp.host, KEY) {
         return Ok(());
     }
-    let Some(loose) = interp.host.engine.loose_constraint(MAX_LOOSENESS) else { return Ok(()) };
+    let earlier = interp.host.looked.largest_displacement;
+    let Some(loose) = interp.host.engine.loose_constraint(MAX_LOOSENESS, earlier) else { return Ok(()) };
     let (node, dof) = loose.node;
     let to = loose.retained.map_or("its support".into(), |n| format!("node {n}"));
     let message = format!(
@@ -230,7 +275,7 @@ fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 ///
 /// The script may study exactly this, and its results up to there are right.
 fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "buckled beam";
+    const KEY: &str = "buckled-beam";
     if is_reported(&interp.host, KEY) {
         return Ok(());
     }

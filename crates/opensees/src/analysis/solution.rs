@@ -20,27 +20,28 @@ const NUMBERER: &str = "numberer Plain | RCM | AMD";
 const SYSTEM: &str = "system BandGeneral | BandSPD | ProfileSPD | SparseGeneral | UmfPack | FullGeneral | ...";
 const TEST: &str = "test $kind $tolerance $maxIterations <$printFlag> <$norm>";
 
-type MakeHandler = fn(&mut Args<'_>) -> Result<Handler, Exception>;
+type MakeHandler = fn(&mut Tcl, &mut Args<'_>) -> Result<Handler, Exception>;
 
 const HANDLERS: &[Kind<MakeHandler>] = &[
-    Kind { names: &["Plain"], usage: "constraints Plain", make: |_| Ok(Handler::Plain) },
+    Kind { names: &["Plain"], usage: "constraints Plain", make: |_, _| Ok(Handler::Plain) },
     // `Auto` chooses penalties; eliminating is exact and as general.
     Kind { names: &["Transformation", "Auto"], usage: "constraints Transformation", make: transformation },
     Kind { names: &["Penalty"], usage: "constraints Penalty $alphaS $alphaM", make: penalty },
     Kind { names: &["Lagrange"], usage: "constraints Lagrange <$alphaS $alphaM>", make: lagrange },
 ];
 
-fn transformation(a: &mut Args<'_>) -> Result<Handler, Exception> {
+fn transformation(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
     while a.option().is_some() {}
     Ok(Handler::Transformation)
 }
 
-fn penalty(a: &mut Args<'_>) -> Result<Handler, Exception> {
-    let single = a.positive("penalty alphaS of single-point constraints")?;
-    Ok(Handler::Penalty { single, multi: a.positive("penalty alphaM of multi-point constraints")? })
+fn penalty(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
+    let single = a.usually_positive(interp, "penalty alphaS of single-point constraints")?;
+    let multi = a.usually_positive(interp, "penalty alphaM of multi-point constraints")?;
+    Ok(Handler::Penalty { single, multi })
 }
 
-fn lagrange(a: &mut Args<'_>) -> Result<Handler, Exception> {
+fn lagrange(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
     let single = a.optional_float("factor alphaS")?.unwrap_or(1.0);
     Ok(Handler::Lagrange { single, multi: a.optional_float("factor alphaM")?.unwrap_or(1.0) })
 }
@@ -48,7 +49,7 @@ fn lagrange(a: &mut Args<'_>) -> Result<Handler, Exception> {
 fn constraints(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, CONSTRAINTS);
     let kind = kind::take(&mut a, "kind of constraint handler", "constraint handler", HANDLERS.iter())?;
-    let handler = (kind.make)(&mut a)?;
+    let handler = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     interp.host.parts.handler = Some(handler);
     interp.host.engine.change_setup(|s| s.handler = handler);
@@ -143,11 +144,22 @@ const TESTS: &[Kind<Measure>] = &[
 /// Largest number of iterations of the test that OpenSees takes where a script has none.
 const DEFAULT_ITERATIONS: usize = 25;
 
+/// OpenSees makes one iteration whatever the number is.
+fn iterations(interp: &mut Tcl, a: &mut Args<'_>) -> Result<usize, Exception> {
+    let n = a.int("largest number of iterations")?;
+    if n < 1 {
+        let label = "expected the largest number of iterations, at least 1";
+        a.doubt(interp, format!("largest number of iterations is {n}"), label)?;
+    }
+    Ok(n.max(1) as usize)
+}
+
 fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, TEST);
     let measure = &kind::take(&mut a, "kind of test", "convergence test", TESTS.iter())?.make;
     let two = matches!(measure, Measure::DispAndUnbalance | Measure::DispOrUnbalance);
-    let tolerance = if *measure == Measure::FixedIterations { 0.0 } else { a.not_negative("tolerance")? };
+    let tolerance =
+        if *measure == Measure::FixedIterations { 0.0 } else { a.usually_not_negative(interp, "tolerance")? };
     let second = if two { a.not_negative("tolerance of the unbalance")? } else { tolerance };
     let iterations = if a.left() == 0 && *measure != Measure::FixedIterations {
         let message =
@@ -155,7 +167,7 @@ fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected the number after this"))?;
         DEFAULT_ITERATIONS
     } else {
-        a.count("largest number of iterations")?
+        iterations(interp, &mut a)?
     };
     let mut t = Test::new(*measure, tolerance, iterations);
     t.second_tolerance = second;

@@ -106,7 +106,7 @@ pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
 
 /// A property of a section. Zero is a mechanism or a beam without torsion, which OpenSees lets pass.
 fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let value = a.not_negative(what)?;
+    let value = a.usually_not_negative(interp, what)?;
     if value == 0.0 {
         let d = Diagnostic::warning(format!("the {what} is 0: the beam has no stiffness there"));
         warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
@@ -123,23 +123,28 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
     match (ndm, n) {
         (_, 2) => Ok(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0)),
         (2, _) => {
-            let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
+            let (area, e) =
+                (property(interp, a, "cross-sectional area A")?, a.usually_positive(interp, "elastic modulus E")?);
             let iz = property(interp, a, "second moment of area Iz")?;
             let (mut g, mut shear) = (0.0, None);
             // Any other count is OpenSees' form without shear areas, with words left over behind the transformation.
             if has_shear {
-                g = a.positive("shear modulus G")?;
-                shear = Some(a.positive("shear area Avy")?);
+                g = a.usually_positive(interp, "shear modulus G")?;
+                shear = Some(a.usually_positive(interp, "shear area Avy")?);
             }
             Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
         }
         _ => {
-            let (area, e) = (property(interp, a, "cross-sectional area A")?, a.positive("elastic modulus E")?);
-            let (g, j) = (a.positive("shear modulus G")?, property(interp, a, "torsion constant J")?);
+            let (area, e) =
+                (property(interp, a, "cross-sectional area A")?, a.usually_positive(interp, "elastic modulus E")?);
+            let (g, j) = (a.usually_positive(interp, "shear modulus G")?, property(interp, a, "torsion constant J")?);
             let (iy, iz) =
                 (property(interp, a, "second moment of area Iy")?, property(interp, a, "second moment of area Iz")?);
             let shear = if has_shear {
-                (Some(a.positive("shear area Avy")?), Some(a.positive("shear area Avz")?))
+                (
+                    Some(a.usually_positive(interp, "shear area Avy")?),
+                    Some(a.usually_positive(interp, "shear area Avz")?),
+                )
             } else {
                 (None, None)
             };

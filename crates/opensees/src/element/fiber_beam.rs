@@ -4,13 +4,13 @@ use super::beam::{Place, no_transform, numbers_ahead};
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
-use crate::section::beam_integration::{integration, simple};
+use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
-    AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, MAX_DEFORMATIONS,
-    Mixed, Rule,
+    AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, Lacking,
+    MAX_DEFORMATIONS, Mixed, Rule,
 };
 use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform::{self, TransformSpec};
@@ -85,7 +85,7 @@ struct Words {
 fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     let words = take(interp, a, ends, Rule::Legendre, None)?;
-    build(|_: &[f64]| Ok(DisplacementBased), a, words, ends, nodes)
+    build(|_: &[f64]| Ok(DisplacementBased), (interp, a), words, ends, nodes)
 }
 
 fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -126,14 +126,14 @@ fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Re
         shear: false,
         damping: None,
     };
-    build(|_: &[f64]| Ok(AxialEquilibrium { tolerance, iterations }), a, words, ends, nodes)
+    build(|_: &[f64]| Ok(AxialEquilibrium { tolerance, iterations }), (interp, a), words, ends, nodes)
 }
 
 fn make_force(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     let words = take(interp, a, ends, Rule::Lobatto, None)?;
     let force_based = words.force_based;
-    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
+    build(|_: &[f64]| Ok(force_based), (interp, a), words, ends, nodes)
 }
 
 fn make_curvature(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -158,10 +158,10 @@ fn make_deflected(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, shear: bool) 
     if compat {
         let formulation =
             |places: &[f64]| CurvatureBased::as_opensees(iteration, places, shear, plane).ok_or_else(refusal);
-        return build(formulation, a, words, ends, nodes);
+        return build(formulation, (interp, a), words, ends, nodes);
     }
     let formulation = |places: &[f64]| CurvatureBased::new(iteration, places, shear).ok_or_else(refusal);
-    build(formulation, a, words, ends, nodes)
+    build(formulation, (interp, a), words, ends, nodes)
 }
 
 fn make_mixed(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -172,7 +172,7 @@ fn make_mixed(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
     }
     let words = take(interp, a, ends, Rule::Lobatto, None)?;
     let mixed = Mixed { natural: words.force_based };
-    build(|_: &[f64]| Ok(mixed), a, words, ends, nodes)
+    build(|_: &[f64]| Ok(mixed), (interp, a), words, ends, nodes)
 }
 
 fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
@@ -276,14 +276,14 @@ fn take(
                 let Some(found) = simple(&name) else {
                     return Err(a.unknown_name("rule of integration", ["Lobatto", "Legendre", "Radau", "NewtonCotes"]));
                 };
-                if found.points(sections.len(), 1.0).is_none() {
-                    let message = format!("{name} has no rule with {} points", sections.len());
-                    return Err(a.refuse(message, "expected a rule for as many points"));
-                }
                 rule = found;
             }
             _ => ignore_option(interp, a, &["-mass", "-cMass", "-iter", "-integration", "-damp"])?,
         }
+    }
+    if rule.points(sections.len(), 1.0).is_none() && !matches!(rule, Rule::Hinges(..)) {
+        let message = format!("the rule of integration has no form with {} points", sections.len());
+        rule = without_weight(interp, a, rule, sections.len(), message)?;
     }
     let integration = Integration { rule, sections };
     Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear, damping })
@@ -306,7 +306,7 @@ fn iterations(interp: &mut Tcl, a: &mut Args<'_>, force_based: &mut ForceBased) 
 }
 
 /// A rule of integration in the words of an element: its name and numbers in a list.
-fn in_words(interp: &Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Exception> {
+fn in_words(interp: &mut Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Exception> {
     let list = value.to_list().map(|l| l.to_vec()).unwrap_or_default();
     let numbers: Option<Vec<f64>> = list.iter().skip(1).map(Value::as_f64).collect();
     match (list.first(), numbers) {
@@ -321,7 +321,7 @@ fn in_words(interp: &Tcl, a: &Args<'_>, value: &Value) -> Result<Integration, Ex
 /// The beam of words, of a formulation for the places of its sections.
 fn build<F>(
     formulation: impl FnOnce(&[f64]) -> Result<F, Exception>,
-    a: &Args<'_>,
+    (interp, a): (&mut Tcl, &Args<'_>),
     w: Words,
     ends: &Ends,
     nodes: Place,
@@ -333,7 +333,7 @@ where
     let wrong = |e| no_transform(a, w.transform_at, nodes, e);
     let mass = (w.rho, w.consistent);
     let sections = w.integration.sections;
-    deformable(a, &sections, (ends.ndm, <F as Formulation<12, 6>>::NEEDS_TORSION), nodes)?;
+    deformable(interp, a, &sections, (ends.ndm, <F as Formulation<12, 6>>::LACKING), nodes)?;
     let points = |length: f64| {
         let found = w.integration.rule.points(sections.len(), length);
         let good = found.filter(|(x, w)| x.iter().chain(w).all(|x| x.is_finite()));
@@ -353,20 +353,32 @@ where
     damped(beam, w.damping).map_err(|e| refused(a, nodes, e))
 }
 
-/// Refuse sections that leave the beam without a stiffness.
+/// Refuse sections that leave the beam without a stiffness, and warn of those that lack a resultant that others have.
 fn deformable(
+    interp: &mut Tcl,
     a: &Args<'_>,
     sections: &[(SharedSection, i32)],
-    (ndm, torsion): (usize, bool),
+    (ndm, lacking): (usize, Lacking),
     at: Place,
 ) -> Result<(), Exception> {
-    let count = if ndm == 2 { 2 } else { 3 + usize::from(torsion) };
-    let needed = &[Resultant::P, Resultant::Mz, Resultant::My, Resultant::T][..count];
-    for (section, tag) in sections {
-        if let Some(r) = needed.iter().find(|r| !section.resultants().contains(r)) {
-            let message = format!("section {tag} has no {}, which the beam needs", r.name());
-            return Err(a.refuse_at(at, message, "expected another section, or one with more resultants (Aggregator)"));
-        }
+    let needed = &[Resultant::P, Resultant::Mz, Resultant::My, Resultant::T][..if ndm == 2 { 2 } else { 4 }];
+    for r in needed {
+        let without: Vec<i32> =
+            sections.iter().filter(|(s, _)| !s.resultants().contains(r)).map(|(_, tag)| *tag).collect();
+        let Some(tag) = without.first() else { continue };
+        // OpenSees takes a beam of sections without torsion for nearly rigid, or for one without that stiffness.
+        let some = without.len() < sections.len() || *r == Resultant::T;
+        let consequence = match lacking {
+            Lacking::Rigid if some => Some("the beam is rigid there"),
+            Lacking::Free if some => Some("the beam has no stiffness there"),
+            Lacking::Rigid | Lacking::Free | Lacking::Refused => None,
+        };
+        let message = format!("section {tag} has no {}", r.name());
+        let Some(consequence) = consequence else {
+            let label = "expected another section, or one with more resultants (Aggregator)";
+            return Err(a.refuse_at(at, format!("{message}, which the beam needs"), label));
+        };
+        warn(interp, Diagnostic::warning(format!("{message}: {consequence}")).at(at, "expected a section with it"))?;
     }
     Ok(())
 }
@@ -409,5 +421,5 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         shear: false,
         damping: None,
     };
-    build(|_: &[f64]| Ok(force_based), a, words, ends, nodes)
+    build(|_: &[f64]| Ok(force_based), (interp, a), words, ends, nodes)
 }

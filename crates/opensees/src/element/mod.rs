@@ -16,6 +16,7 @@ mod inerter;
 mod joint_2d;
 mod joints;
 mod kikuchi;
+mod lead_units;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;

@@ -1,5 +1,6 @@
 //! `element HDR`, `ElastomericX` and `LeadRubberX`.
 
+use super::lead_units::ThermalUnits;
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
@@ -357,7 +358,8 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
         c.cover(a)?;
     }
     let (mut density, mut heat, mut conductivity, mut diffusivity) = (11200.0, 130.0, 50.0, 1.41e-5);
-    if a.left() > 0 {
+    let is_default = a.left() == 0;
+    if !is_default {
         density = a.positive("density of lead qL")?;
         heat = a.positive("specific heat of lead cL")?;
         conductivity = a.positive("thermal conductivity of steel kS")?;
@@ -381,8 +383,12 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
         slips::RUBBER_REST,
         slips::LEAD_HEATING,
     ]);
-    let rubber = layers.bearing();
     let radius = 0.5 * layers.inner;
+    if heats {
+        let units = ThermalUnits { density, heat, conductivity, diffusivity, rubber: layers.g, radius, is_default };
+        units.finding(a.last_span()).map_or(Ok(()), |d| warn(interp, d))?;
+    }
+    let rubber = layers.bearing();
     let core = (radius > 0.0).then(|| LeadCore {
         radius,
         area: PI * radius * radius,

@@ -20,7 +20,7 @@ pub(super) const TIMOSHENKO: Kind = Kind {
 };
 
 /// The section of the beam: by its tag, or number after number.
-fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
+fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
     if numbers_ahead(a) == 2 {
         let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let mut s = elastic_part(&section);
@@ -34,16 +34,16 @@ fn section(interp: &Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection,
         s.shear = (s.shear.0.or(Some(s.area)), s.shear.1.or(Some(s.area)));
         return Ok(s);
     }
-    let (e, g) = (a.positive("elastic modulus E")?, a.positive("shear modulus G")?);
-    let area = a.positive("cross-sectional area A")?;
+    let (e, g) = (a.usually_positive(interp, "elastic modulus E")?, a.usually_positive(interp, "shear modulus G")?);
+    let area = a.usually_positive(interp, "cross-sectional area A")?;
     let (mut j, mut iy) = (0.0, 0.0);
     if ndm == 3 {
-        j = a.positive("torsion constant J")?;
-        iy = a.positive("second moment of area Iy")?;
+        j = a.usually_positive(interp, "torsion constant J")?;
+        iy = a.usually_positive(interp, "second moment of area Iy")?;
     }
-    let iz = a.positive("second moment of area Iz")?;
-    let avy = a.positive("shear area Avy")?;
-    let avz = if ndm == 3 { Some(a.positive("shear area Avz")?) } else { None };
+    let iz = a.usually_positive(interp, "second moment of area Iz")?;
+    let avy = a.usually_positive(interp, "shear area Avy")?;
+    let avz = if ndm == 3 { Some(a.usually_positive(interp, "shear area Avz")?) } else { None };
     Ok(ElasticSection { e, area, iz, iy, g, j, shear: (Some(avy), avz) })
 }
 

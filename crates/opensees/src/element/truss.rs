@@ -37,9 +37,15 @@ pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let span = a.last_span();
     let mut initial = ends.initial();
-    let (material, tag, options) = words(interp, a, ends, Some(&mut initial))?;
+    let (material, tag, mut options) = words(interp, a, ends, Some(&mut initial))?;
     let line = ends.place.1 - ends.place.0;
-    let line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
+    let mut line: Vec<f64> = (0..ends.ndm).map(|i| line[i] + initial[i]).collect();
+    if line.iter().all(|x| *x == 0.0) {
+        a.doubt_at(interp, span, "the truss has no length", "expected a node at another place")?;
+        // In OpenSees it has neither stiffness nor mass.
+        line[0] = 1.0;
+        (options.area, options.rho) = (0.0, 0.0);
+    }
     let truss = Truss::new(material, tag, &line, ends.ndf, &initial, options);
     Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
 }
@@ -54,7 +60,7 @@ fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
 }
 
 /// Area and material, or, with one number instead of two, a section whose axial force is the bar's.
-fn axial(interp: &Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exception> {
+fn axial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exception> {
     if numbers_ahead(a) == 1 {
         let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let Some(axial) = Axial::new(section, tag) else {
@@ -62,7 +68,7 @@ fn axial(interp: &Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Excepti
         };
         return Ok((1.0, Arc::new(axial), tag));
     }
-    let area = a.positive("cross-sectional area A")?;
+    let area = a.usually_positive(interp, "cross-sectional area A")?;
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     Ok((area, material, tag))
 }

@@ -53,10 +53,19 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     dirs.push((if turns { 6 } else { direction }, a.last_span()));
                 }
             }
-            "-doRayleigh" => match a.optional_int("flag")? {
-                None | Some(1) => damping = RayleighDamping::Model,
-                _ => damping = RayleighDamping::None,
-            },
+            "-doRayleigh" => {
+                let at = a.last_span();
+                let flag = a.optional_int("flag")?;
+                if matches!(damping, RayleighDamping::Materials(_)) {
+                    let d =
+                        Diagnostic::warning("zeroLength: -doRayleigh takes the damping materials away, as in OpenSees");
+                    warn(interp, d.at(at, "expected it before -dampMats"))?;
+                }
+                damping = match flag {
+                    None | Some(1) => RayleighDamping::Model,
+                    _ => RayleighDamping::None,
+                };
+            }
             "-dampMats" => damping = RayleighDamping::Materials(materials(interp, a)?),
             "-damp" => own = Some(of_tag(interp, a)?),
             "-orient" => {

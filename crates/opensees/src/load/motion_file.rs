@@ -1,8 +1,9 @@
 //! `motionFile`: a time series from a measured file.
 
 use crate::args::Args;
+use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
-use hysteron_engine::series::Path;
+use hysteron_engine::series::{self, Path};
 use hysteron_recordings::unit::Quantity;
 use hysteron_recordings::{Measured, Series, Told};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -71,7 +72,11 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         warn(interp, warning)?;
     }
     let count = series.values.len();
-    let series = Arc::new(Path { values: series.values, dt, factor, use_last, start: 0.0 });
+    let in_g = series.unit.is_some_and(|u| u.name == "g");
+    let series: series::Series = Arc::new(Path { values: series.values, dt, factor, use_last, start: 0.0 });
+    if in_g && interp.host.mode == Mode::Check {
+        interp.host.overview.records_in_g.push((series.clone(), name));
+    }
     if !interp.host.builder.definitions.series.add(tag, series) {
         return Err(a.refuse_at(tag_span, format!("there is a time series {tag} already"), "expected a new tag"));
     }

@@ -2,8 +2,10 @@
 
 use super::ground_motion;
 use crate::args::Args;
-use crate::load::series::series_of;
+use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{need_model, node_of};
+use crate::host::Mode;
+use crate::session::Session;
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::element::ElementLoad;
@@ -67,6 +69,7 @@ fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
 }
 
 fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
+    need_series(&a)?;
     let series = series_of(interp, &mut a)?;
     let mut factor = 1.0;
     while a.at_option() {
@@ -97,6 +100,18 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
         done?;
     }
     Ok(Value::EMPTY)
+}
+
+/// Refuse a pattern whose only word is its loads: no tag, no kind of series, and more than one word or none.
+fn need_series(a: &Args<'_>) -> Result<(), Exception> {
+    let mut ahead = a.ahead();
+    let (Some(word), None) = (ahead.next(), ahead.next()) else { return Ok(()) };
+    let is_body = word.to_list().map_or(true, |list| list.len() != 1);
+    if a.at_number() || names_kind(word) || !is_body {
+        return Ok(());
+    }
+    let label = "expected the tag of a time series before the loads";
+    Err(a.refuse_at(a.next_span(), "pattern: the time series is missing", label))
 }
 
 fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
@@ -315,7 +330,10 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     // Loads stay as an analysis has applied them, whatever the time has been set to since.
     let applied = interp.host.builder.loads_time.take();
-    let engine = &mut interp.host.engine;
+    let Session { engine, overview, mode, .. } = &mut interp.host;
+    if *mode == Mode::Check {
+        overview.keep_statics(engine);
+    }
     let now = applied.unwrap_or(engine.state().time);
     engine.change_model(|m| m.patterns.values_mut().for_each(|p| p.hold(now)));
     if let Some(t) = time {

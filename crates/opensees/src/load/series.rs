@@ -1,6 +1,7 @@
 //! `timeSeries`.
 
 use crate::args::Args;
+use crate::files::motion;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -55,6 +56,12 @@ fn take_kind(a: &mut Args<'_>) -> Result<&'static Kind, Exception> {
     kind::take(a, "kind of time series", "time series", KINDS.iter())
 }
 
+/// Returns true if a word begins with the name of a kind of series.
+pub(crate) fn names_kind(word: &Value) -> bool {
+    let first = word.to_list().ok().and_then(|list| list.first().cloned());
+    first.is_some_and(|name| KINDS.iter().any(|k| k.names.contains(&name.as_str().as_ref())))
+}
+
 /// A series by its tag, or given in place: a name (`Linear`) or a list (`{Series -dt 0.01 -filePath gm.txt}`).
 pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     if a.at_number() {
@@ -62,7 +69,9 @@ pub(crate) fn series_of(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Ex
     }
     let value = a.value("time series")?;
     let list = value.to_list().map_err(|_| a.refuse("not a time series", "expected a tag, a name or a list"))?;
-    series_of_words(interp, &list)
+    // The words of a list have no places of their own.
+    let span = a.last_span();
+    series_of_words(interp, &list).map_err(|e| e.at(span, "expected a time series"))
 }
 
 /// A series by the words behind its tag.
@@ -171,13 +180,16 @@ const PATH_OPTIONS: &[&str] = &[
 fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let (mut values, mut times, mut dt) = (None, None, None);
     let (mut factor, mut start, mut use_last, mut prepend) = (1.0, 0.0, false, false);
-    let command = a.last_span();
+    let (command, mut pairs) = (a.last_span(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-dt" | "-dT" => dt = Some(a.positive("step of time dt")?),
-            "-values" => values = Some(a.floats("value")?),
-            "-time" => times = Some((a.floats("time")?, a.last_span())),
-            "-filePath" => values = Some(file(interp, a)?),
+            "-values" => values = Some(numbers(interp, a, "value")?),
+            "-time" => times = Some((numbers(interp, a, "time")?, a.last_span())),
+            "-filePath" => {
+                values = Some(file(interp, a)?);
+                pairs = Some(a.last_span()).filter(|_| file_has_pairs(interp, &a.last_word()));
+            }
             "-fileTime" => times = Some((file(interp, a)?, a.last_span())),
             "-file" => {
                 let pairs = file(interp, a)?;
@@ -221,8 +233,25 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             }
             Ok(Arc::new(PathTimes { times, values, factor, use_last }))
         }
-        (None, Some(dt)) => Ok(Arc::new(Path { values, dt, factor, use_last, start })),
+        (None, Some(dt)) => {
+            if let Some(span) = pairs {
+                let message =
+                    format!("the file has two columns, times and values, read as one of {} values", values.len());
+                let d = Diagnostic::warning(message).at(span, "expected one column of values").coded("two-columns");
+                warn(interp, d.help("\"-file\" in its place takes times and values, and so does \"motionFile\""))?;
+            }
+            Ok(Arc::new(Path { values, dt, factor, use_last, start }))
+        }
         (None, None) => Err(a.refuse_at(command, "the path has no times", "expected -dt, -time or -fileTime")),
+    }
+}
+
+/// Numbers in words of their own or in a list. OpenSees leaves out a word that is no list of numbers.
+fn numbers(interp: &Tcl, a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
+    let numbers = a.floats(what)?;
+    match a.next_is_no_list("numbers, with blanks between them").filter(|_| !interp.host.follows(&[])) {
+        Some(e) => Err(e),
+        None => Ok(numbers),
     }
 }
 
@@ -270,6 +299,25 @@ fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
     Ok(out)
 }
 
+/// Rows from which on two columns are told from a table of a few numbers.
+const MIN_ROWS: usize = 10;
+/// Relative difference of the steps of a column of times, which are rounded.
+const STEP_TOLERANCE: f64 = 0.01;
+
+/// Returns true if a file has two columns, the first of which rises in equal steps.
+fn file_has_pairs(interp: &mut Tcl, name: &str) -> bool {
+    let Ok(text) = crate::read_text(interp, name) else { return false };
+    let row = |line: &str| -> Option<f64> {
+        let mut words = line.split_ascii_whitespace();
+        let (time, value) = (words.next()?.parse().ok()?, words.next()?.parse::<f64>());
+        (value.is_ok() && words.next().is_none()).then_some(time)
+    };
+    let rows = text.lines().filter(|line| !line.trim().is_empty());
+    let Some(times) = rows.map(row).collect::<Option<Vec<f64>>>().filter(|t| t.len() >= MIN_ROWS) else { return false };
+    let step = (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64;
+    step > 0.0 && times.windows(2).all(|w| (w[1] - w[0] - step).abs() <= STEP_TOLERANCE * step)
+}
+
 /// Report a word of a file that is no number: an error at the start of the file, else a warning.
 ///
 /// OpenSees leaves out the rest of the file without a message.
@@ -285,8 +333,11 @@ fn report_non_number(
     let source = interp.sources.add(name, text);
     let place = Span { source, start: at, end: at + word.len() as u32 };
     let mut d = if read == 0 {
-        Diagnostic::error(format!("\"{name}\" does not begin with a number: \"{word}\""))
-            .help("remove the header lines, or read the file with a procedure of your own")
+        let d = Diagnostic::error(format!("\"{name}\" does not begin with a number: \"{word}\""));
+        d.help(match motion::parse(text) {
+            Ok(_) => format!("\"motionFile $series {name}\" reads this file of a ground motion with its step of time"),
+            Err(_) => "remove the header lines, or read the file with a procedure of your own".into(),
+        })
     } else {
         let message = format!("\"{name}\" is read up to \"{word}\" only, which is not a number ({read} numbers read)");
         Diagnostic::warning(message)

@@ -60,7 +60,7 @@ fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
 
 fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
-    let k = a.positive("stiffness K")?;
+    let k = a.usually_positive(interp, "stiffness K")?;
     let c = a.positive("damping coefficient C")?;
     let alpha = exponent(a)?;
     let gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);

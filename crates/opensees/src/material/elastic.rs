@@ -78,7 +78,7 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic modulus E")?;
+    let e = a.usually_positive(interp, "elastic modulus E")?;
     let tension = a.float("yield strain in tension epsyP")?;
     yield_strain(interp, a, "yield strain in tension epsyP", tension, 1.0)?;
     let compression = a.optional_float("yield strain in compression epsyN")?;
@@ -87,7 +87,7 @@ fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     }
     let compression = compression.unwrap_or(-tension);
     if tension == 0.0 && compression == 0.0 {
-        return Err(a.refuse("ElasticPP: both yield strains are 0", "expected a strain other than 0"));
+        a.doubt(interp, "ElasticPP: both yield strains are 0", "expected a strain other than 0")?;
     }
     let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
     Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))

@@ -6,7 +6,7 @@ use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     BarFatigue, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material,
-    MultiLinear, ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelMpf, UvcUniaxial,
+    MultiLinear, ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelFractureDi, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_tcl::Exception;
@@ -72,6 +72,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Bond_SP01 $tag $fy $sy $fu $su $b $R <$Cd $db $fc $la>",
         make: bond_sp01,
     },
+    Kind {
+        names: &["SteelFractureDI"],
+        usage: "uniaxialMaterial SteelFractureDI $tag $Fy $FyC $E0 $b $R0 $cR1 $cR2 $a1 $a2 $a3 $a4 $sigcr $m $sigmin $FI_lim",
+        make: steel_fracture_di,
+    },
     Kind { names: &["GNG"], usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>", make: gng },
 ];
 
@@ -88,8 +93,8 @@ fn hardening_ratio(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception>
 }
 
 fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.positive("yield strength Fy")?;
-    let e0 = a.positive("elastic modulus E0")?;
+    let fy = a.usually_positive(interp, "yield strength Fy")?;
+    let e0 = a.usually_positive(interp, "elastic modulus E0")?;
     let b = hardening_ratio(interp, a)?;
     let isotropic = isotropic(a, Steel01::NO_ISOTROPIC)?;
     Ok(Arc::new(Steel01 { fy, e0, b, a: isotropic }))
@@ -127,9 +132,35 @@ fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     Ok(Arc::new(Steel03 { fy, e0, b, r, c_r, a: isotropic }))
 }
 
-fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.positive("yield strength Fy")?;
+fn steel_fracture_di(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let tension = a.positive("yield strength in tension Fy")?;
+    let fy = [a.positive("yield strength in compression FyC")?, tension];
     let e0 = a.positive("elastic modulus E0")?;
+    let b = hardening_ratio(interp, a)?;
+    if b == 1.0 {
+        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet"));
+    }
+    let r0 = a.positive("sharpness of the transition R0")?;
+    let c_r = [a.float("cR1")?, a.positive("cR2")?];
+    if c_r[0] > 1.0 {
+        return Err(a.refuse(format!("cR1 is {}", c_r[0]), "the sharpness would become negative: expected at most 1"));
+    }
+    let mut isotropic = [0.0; 4];
+    for (i, value) in isotropic.iter_mut().enumerate() {
+        let what = format!("isotropic hardening parameter a{}", i + 1);
+        *value = if i % 2 == 0 { a.float(&what)? } else { a.positive(&what)? };
+    }
+    let critical = a.positive("critical sum of stresses sigcr")?;
+    let healing = a.not_negative("share of compression that heals, m")?;
+    let threshold = a.not_negative("stress sigmin up to which nothing counts")?;
+    let limit = a.positive("index FI_lim at which the steel breaks")?;
+    let law = SteelFractureDi { fy, e0, b, r0, c_r, a: isotropic, critical, healing, threshold, limit };
+    Ok(Arc::new(law))
+}
+
+fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let fy = a.usually_positive(interp, "yield strength Fy")?;
+    let e0 = a.usually_positive(interp, "elastic modulus E0")?;
     let b = hardening_ratio(interp, a)?;
     if b == 1.0 {
         let d = Diagnostic::warning("the hardening ratio is 1: the steel never yields");
@@ -137,13 +168,13 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
     if a.left() > 0 {
-        r0 = a.positive("sharpness of the transition R0")?;
+        r0 = a.usually_positive(interp, "sharpness of the transition R0")?;
         c_r1 = a.float("cR1")?;
         if c_r1 > 1.0 {
             let label = "the sharpness of the transition would come to be negative: expected at most 1";
             return Err(a.refuse(format!("cR1 is {c_r1}"), label));
         }
-        c_r2 = a.positive("cR2")?;
+        c_r2 = a.usually_positive(interp, "cR2")?;
     }
     let isotropic = isotropic(a, Steel02::NO_ISOTROPIC)?;
     for [growth, scale] in [[isotropic[0], isotropic[1]], [isotropic[2], isotropic[3]]] {
@@ -187,8 +218,8 @@ fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
 }
 
 fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic modulus E")?;
-    let sigma_y = a.not_negative("yield stress sigmaY")?;
+    let e = a.usually_positive(interp, "elastic modulus E")?;
+    let sigma_y = a.usually_not_negative(interp, "yield stress sigmaY")?;
     let h_iso = a.float("isotropic hardening modulus Hiso")?;
     let h_kin = a.float("kinematic hardening modulus Hkin")?;
     if e + h_iso + h_kin <= 0.0 {

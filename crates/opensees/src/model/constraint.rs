@@ -171,7 +171,9 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         if arm[normal].abs() > 1e-9 * arm.norm().max(1.0) {
             let axis = ["x", "y", "z"][normal];
             let message = format!("the node does not lie in the diaphragm: its {axis} differs by {}", arm[normal]);
-            return Err(a.refuse(message, "expected a node in the plane of the retained one"));
+            a.doubt(interp, message, "expected a node in the plane of the retained one")?;
+            // OpenSees leaves it out.
+            continue;
         }
         let matrix = vec![1.0, 0.0, -arm[q], 0.0, 1.0, arm[p], 0.0, 0.0, 1.0];
         let dofs = vec![p, q, 3 + normal];

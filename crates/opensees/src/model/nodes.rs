@@ -13,12 +13,14 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("mass", MASS, mass),
     Command::new("pset", PSET, pset),
     Command::new("setNodeCoord", SET_COORD, set_node_coord),
+    Command::new("setStartNodeTag", START_TAG, set_start_node_tag),
 ];
 
 const MODEL: &str = "model BasicBuilder -ndm $ndm <-ndf $ndf>";
 const NODE: &str = "node $tag $x <$y <$z>> <-ndf $ndf> <-mass $m ...> <-disp $u ...> <-vel $v ...>";
 const MASS: &str = "mass $node $m1 <$m2 ...>";
 const PSET: &str = "pset $name $value";
+const START_TAG: &str = "setStartNodeTag $tag";
 const SET_COORD: &str = "setNodeCoord $node $direction $value";
 
 /// The node with the tag that comes next.
@@ -30,6 +32,14 @@ pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<N
         let label = near.map_or_else(|| "no node has been made".into(), |t| format!("the nearest tag is {t}"));
         args.refuse(format!("there is no node {tag}"), label)
     })
+}
+
+/// The first tag of nodes that OpenSees makes by itself. Only its meshes do, which are not known here.
+fn set_start_node_tag(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    let mut a = Args::new(call, START_TAG);
+    a.int("first tag of nodes that are made by themselves")?;
+    finish(interp, &a)?;
+    Ok(Value::EMPTY)
 }
 
 fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -1,6 +1,7 @@
 //! `recorder Collapse`: infill walls that fail are removed while an analysis runs, and nodes that are left alone.
 
-use super::recorder::{make_room, range, region};
+use super::recorder::{range, region};
+use super::recorder_file::make_room;
 use crate::args::Args;
 use crate::host::Mode;
 use crate::model::nodes::node_of;

@@ -11,6 +11,7 @@ pub(crate) mod print;
 mod pvd;
 pub(crate) mod query;
 pub(crate) mod recorder;
+mod recorder_file;
 pub(crate) mod recorders;
 pub(crate) mod verify;
 

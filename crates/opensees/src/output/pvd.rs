@@ -1,6 +1,7 @@
 //! `recorder PVD`: a file of the Visualization Toolkit for each step, and the list of them in time.
 
-use super::recorder::{add, make_room};
+use super::recorder::{Placed, add};
+use super::recorder_file::make_room;
 use crate::args::Args;
 use crate::files::series::FileSeries;
 use crate::files::vtu::{CellField, PointField, collection, grid};
@@ -8,11 +9,10 @@ use crate::{Outcome, Tcl, warn};
 use hysteron_engine::analysis::{Engine, ReactionKind};
 use hysteron_engine::model::Model;
 use hysteron_engine::record::{
-    Cadence, ElementResponse, Group, Known, LiveFile, Output, RecordError, Recorder, Source,
+    Cadence, ElementResponse, Group, Known, LiveFile, Missing, Output, RecordError, Recorder, Source,
 };
 use hysteron_tcl::Call;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -133,7 +133,7 @@ fn masses(model: &Model) -> Vec<f64> {
 }
 
 impl Source for Grids {
-    fn find(&mut self, _: &Engine, _: &mut Vec<String>) -> Result<(), RecordError> {
+    fn find(&mut self, _: &Engine, _: &mut Vec<Missing>) -> Result<(), RecordError> {
         Ok(())
     }
 
@@ -254,5 +254,5 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
     let list = List(Arc::new(SharedList { files: files.clone(), folder, times: Mutex::default() }));
     let grids = Grids { files, fields, response, written: 0, before: vec![], known: Known::default() };
     let recorder = Recorder::history(Box::new(grids), Box::new(list), cadence);
-    Ok(add(interp, call, recorder, Some((name, path)), BTreeMap::new()))
+    Ok(add(interp, call, Placed::without_tags(recorder), Some((name, path))))
 }

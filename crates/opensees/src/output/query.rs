@@ -1,5 +1,6 @@
 //! Queries of a script: responses of nodes and elements, time, tags. Commands that set them by hand.
 
+use super::recorder::unknown_response;
 use crate::args::Args;
 use crate::model::nodes::node_of;
 use crate::session::Session;
@@ -54,6 +55,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     // Scripts that may be run in parallel ask how many they are: this one is alone.
     Command::new("getPID", "getPID", |_, _| Ok(Value::from(0i64))),
     Command::new("getNP", "getNP", |_, _| Ok(Value::from(1i64))),
+    Command::new("barrier", "barrier", alone),
+    Command::new("partition", "partition <$element>", alone),
+    Command::new("send", "send -pid $process $data", alone),
+    Command::new("recv", "recv -pid $process $variable", alone),
+    Command::new("Bcast", "Bcast $data", alone),
     Command::new("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64))),
     Command::new("getNDF", "getNDF <$node>", ndf),
     Command::new("nodeDOFs", "nodeDOFs $node", node_dofs),
@@ -65,6 +71,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("numFact", "numFact", factorizations),
     Command::new("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION")))),
 ];
+
+/// What processes tell each other: a process that is alone has nobody to wait for or to talk to, as in OpenSees.
+fn alone(_: &mut Tcl, _: &Call<'_>) -> Outcome {
+    Ok(Value::EMPTY)
+}
 
 fn list(values: &[f64]) -> Value {
     Value::list(values.iter().map(|x| Value::from(*x)))
@@ -215,30 +226,15 @@ fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RESPONSE);
     let id = element_of(interp, &mut a)?;
     a.word("name of the response")?;
-    let span = a.last_span();
     let words: Vec<_> = call.args()[1..].iter().map(Value::as_str).collect();
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     match evaluate(interp, id, &words) {
         Some(values) => Ok(list(&values)),
-        None => Err(no_response(interp, &a, id, &words, span)),
+        None => {
+            let (index, d) = unknown_response(&interp.host.engine, id, &words);
+            Err(Exception::diagnosed(d.at(call.span(index + 2), "not known here")))
+        }
     }
-}
-
-fn no_response(
-    interp: &Tcl,
-    a: &Args<'_>,
-    id: ElementId,
-    words: &[&str],
-    span: Option<hysteron_tcl::diagnostic::Span>,
-) -> Exception {
-    let engine = &interp.host.engine;
-    let class = engine.model().elements[id.0].element.class();
-    let known: Vec<&str> = ElementResponse::names(engine, id).collect();
-    a.refuse_at(
-        span,
-        format!("{class} has no response \"{}\"", words.join(" ")),
-        format!("known: {}", known.join(", ")),
-    )
 }
 
 const OF_SECTION: &str = "sectionForce $element $section <$dof>";
@@ -272,7 +268,10 @@ fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
     let id = element_of(interp, &mut a)?;
     match evaluate(interp, id, &[response]) {
         Some(values) => pick(interp, &mut a, &values, "number of the column"),
-        None => Err(no_response(interp, &a, id, &[response], call.span(0))),
+        None => {
+            let (_, d) = unknown_response(&interp.host.engine, id, &[response]);
+            Err(Exception::diagnosed(d.at(call.span(0), "not known here")))
+        }
     }
 }
 

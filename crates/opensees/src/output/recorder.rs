@@ -1,19 +1,22 @@
 //! `recorder` and `record`.
 
+use super::recorder_file::make_room;
 use super::recorders::PlacedRecorder;
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::files::outputs::FileFormat;
 use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
-use hysteron_engine::model::Tag;
+use hysteron_engine::analysis::Engine;
+use hysteron_engine::model::{ElementId, Tag};
 use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{
-    Cadence, Drift, ElementResponse, Layout, NodeQuantity, NodeResponse, Output, Recorder, Separator, Source,
+    Cadence, Drift, ElementResponse, Layout, Misspelled, NodeQuantity, NodeResponse, Output, Recorder, Separator,
+    Source,
 };
 use hysteron_engine::series::Series;
-use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
-use hysteron_tcl::{Call, Exception, FileKind, Value};
+use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span, nearest};
+use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -97,8 +100,10 @@ struct Common {
     layout: Option<Layout>,
     close_on_write: bool,
     cadence: Cadence,
-    /// Places of the tags of nodes and elements, for messages.
+    /// Places of the tags of nodes and elements and of the degrees of freedom, for messages.
     tags: BTreeMap<String, Span>,
+    /// None of the elements that are there has the response, which has been said.
+    knows_missing_response: bool,
 }
 
 const COMMON: &[&str] =
@@ -150,6 +155,19 @@ impl Common {
         placed.into_iter().map(|(tag, _)| tag).collect()
     }
 
+    /// Degrees of freedom or columns, counted from 0.
+    fn take_dofs(&mut self, a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
+        let mut out = vec![];
+        for (d, span) in a.placed_ints() {
+            match usize::try_from(d - 1) {
+                Ok(from_zero) => out.push(from_zero),
+                Err(_) => return Err(a.refuse(format!("there is no degree of freedom {d}"), "expected 1, 2, ...")),
+            }
+            self.tags.extend(span.map(|s| (format!("degree of freedom {d}"), s)));
+        }
+        Ok(out)
+    }
+
     /// Open the output and add the recorder; its tag.
     fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, keep: Keep) -> Outcome {
         let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
@@ -172,100 +190,40 @@ impl Common {
         };
         let recorder = keep(source, output, self.cadence);
         let file = self.file.map(|(name, _)| name).zip(path);
-        Ok(add(interp, call, recorder, file, self.tags))
+        let placed = Placed { recorder, tags: self.tags, knows_missing_response: self.knows_missing_response };
+        Ok(add(interp, call, placed, file))
+    }
+}
+
+/// A recorder with the places of the tags in its command.
+pub(super) struct Placed {
+    pub(super) recorder: Recorder,
+    pub(super) tags: BTreeMap<String, Span>,
+    pub(super) knows_missing_response: bool,
+}
+
+impl Placed {
+    /// A recorder whose command names no tags.
+    pub(super) fn without_tags(recorder: Recorder) -> Self {
+        Self { recorder, tags: BTreeMap::new(), knows_missing_response: false }
     }
 }
 
 /// Add a recorder to the session, with the name of its file and where that is; its tag.
-pub(super) fn add(
-    interp: &mut Tcl,
-    call: &Call<'_>,
-    recorder: Recorder,
-    file: Option<(String, String)>,
-    tags: BTreeMap<String, Span>,
-) -> Value {
+pub(super) fn add(interp: &mut Tcl, call: &Call<'_>, placed: Placed, file: Option<(String, String)>) -> Value {
+    let Placed { recorder, tags, knows_missing_response } = placed;
     let (file, path) = file.unzip();
     if let Some(path) = &path {
         interp.host.output.recorders.live.add(path, recorder.live().as_ref());
     }
     let (span, words) = (call.whole_span(), words(call));
-    let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false };
+    let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false, knows_missing_response };
     Value::from(i64::from(interp.host.output.recorders.add(placed)))
 }
 
-/// See to it that a recorder can write a file: its folder is there, and no other recorder writes it.
-///
-/// # Errors
-/// It is a folder, or another recorder's.
-pub(super) fn make_room(
-    interp: &mut Tcl,
-    call: &Call<'_>,
-    (name, path): (&str, &str),
-    span: Option<Span>,
-) -> Result<(), Exception> {
-    if interp.files.info(path, true).is_ok_and(|i| i.kind == FileKind::Directory) {
-        let d = Diagnostic::error(format!("cannot write {path}: it is a folder"));
-        return Err(Exception::diagnosed(d.at(span, "cannot write here")));
-    }
-    make_missing_folder(interp, name, path, span)?;
-    replace_recorder(interp, call, name, span)
-}
-
-fn words(call: &Call<'_>) -> Vec<String> {
+/// The words of a command.
+pub(super) fn words(call: &Call<'_>) -> Vec<String> {
     call.args().iter().map(|w| w.as_str().into_owned()).collect()
-}
-
-/// Finish a recorder that writes the same file, with a warning: its rows are lost. OpenSees lets both write, and mixes
-/// their rows.
-///
-/// # Errors
-/// The two are different recorders. OpenSees' answer is wanted: then it is a warning.
-fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<Span>) -> Result<(), Exception> {
-    let path = interp.absolute(name);
-    let Some(other) = interp.host.output.recorders.of_file(&path) else { return Ok(()) };
-    let (place, is_same) = (other.span, other.words == words(call));
-    let message = format!("another recorder writes {name}{}", if is_same { ": its rows are lost" } else { "" });
-    let mut d = Diagnostic::warning(message).at(span, "expected a file of its own");
-    if let Some(place) = place {
-        d = d.help(format!("{}: the other one", interp.sources.location(place)));
-    }
-    d = d.help("\"remove recorders\" or \"wipe\" ends the recorders of an earlier analysis");
-    if !is_same && !interp.host.follows(&[]) {
-        d.severity = Severity::Error;
-        return Err(Exception::diagnosed(d));
-    }
-    warn(interp, d)?;
-    let finished = interp.host.output.recorders.finish_file(&path);
-    finished.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(span, "")))
-}
-
-/// Make the folder of a recorder's file, with a warning. OpenSees goes on without the file.
-fn make_missing_folder(interp: &mut Tcl, name: &str, path: &str, span: Option<Span>) -> Result<(), Exception> {
-    let is_folder = |interp: &Tcl, p: &str| interp.files.info(p, true).is_ok_and(|i| i.kind == FileKind::Directory);
-    let folder = path.rsplit_once('/').map_or("/", |(f, _)| if f.is_empty() { "/" } else { f });
-    if is_folder(interp, folder) {
-        return Ok(());
-    }
-    let named = name.rsplit_once('/').map_or(folder, |(f, _)| f).to_owned();
-    let d = Diagnostic::warning(format!("there is no folder {named}; it is made"));
-    let help = format!("OpenSees would keep nothing: make it before, with \"file mkdir {named}\"");
-    warn(interp, d.at(span, "cannot write here otherwise").help(help))?;
-    if interp.host.mode == Mode::Check {
-        return Ok(());
-    }
-    let ends = folder.match_indices('/').map(|(i, _)| i).filter(|i| *i > 0).chain([folder.len()]);
-    for end in ends {
-        let part = &folder[..end];
-        if !is_folder(interp, part) {
-            interp.files.make_dir(part).map_err(|e| {
-                let d = Diagnostic::error(format!(
-                    "cannot write {name}: there is no folder {named}, and it cannot be made: {e}"
-                ));
-                Exception::diagnosed(d.at(span, "cannot write here"))
-            })?;
-        }
-    }
-    Ok(())
 }
 
 /// An output that keeps nothing.
@@ -314,18 +272,6 @@ pub(super) fn range(interp: &mut Tcl, a: &mut Args<'_>, what: &str, there: Vec<T
     Ok(found)
 }
 
-/// Degrees of freedom or columns, counted from 0.
-fn dofs(a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
-    let mut out = vec![];
-    for d in a.ints() {
-        match usize::try_from(d - 1) {
-            Ok(d) => out.push(d),
-            Err(_) => return Err(a.refuse(format!("there is no degree of freedom {d}"), "expected 1, 2, ...")),
-        }
-    }
-    Ok(out)
-}
-
 fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {
     let mut common = Common::new(interp);
     let (mut nodes, mut columns, mut series): (Option<Vec<Tag>>, _, Vec<Option<Series>>) = (None, vec![], vec![]);
@@ -346,7 +292,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
                 nodes.get_or_insert_default().extend(range(interp, &mut a, "node", there)?);
             }
             "-region" => nodes.get_or_insert_default().extend(region(interp, &mut a, true)?),
-            "-dof" | "-dofs" => columns = dofs(&mut a)?,
+            "-dof" | "-dofs" => columns = common.take_dofs(&mut a)?,
             "-timeSeries" => {
                 while a.at_number() {
                     let zero = a.peek().is_some_and(|w| matches!(w.as_ref(), "0" | "-1"));
@@ -384,7 +330,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
         Some((name, span)) => NodeQuantity::parse(name).ok_or_else(|| {
             let mut d =
                 Diagnostic::error(format!("unknown response of a node \"{name}\"")).at(*span, "expected a response");
-            if let Some(near) = hysteron_tcl::diagnostic::nearest(name, NodeQuantity::NAMES.iter().copied()) {
+            if let Some(near) = nearest(name, NodeQuantity::NAMES.iter().copied()) {
                 d = d.help(format!("did you mean \"{near}\"?"));
             }
             Exception::diagnosed(d.help(format!("known: {}", NodeQuantity::NAMES.join(", "))))
@@ -397,7 +343,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
 fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {
     let mut common = Common::new(interp);
     let (mut elements, mut columns, mut words): (Option<Vec<Tag>>, _, Vec<String>) = (None, vec![], vec![]);
-    let mut named = None;
+    let mut places = vec![];
     while let Some(option) = a.option() {
         if common.take(&option, &mut a)? {
             continue;
@@ -414,13 +360,14 @@ fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Ou
                 elements.get_or_insert_default().extend(range(interp, &mut a, "element", there)?);
             }
             "-region" => elements.get_or_insert_default().extend(region(interp, &mut a, false)?),
-            "-dof" | "-dofs" => columns = dofs(&mut a)?,
+            "-dof" | "-dofs" => columns = common.take_dofs(&mut a)?,
             word => {
                 // The first word that is no option begins the response, which takes all that follows.
-                named = a.last_span();
                 words.push(word.to_owned());
+                places.push(a.last_span());
                 while let Some(w) = a.option() {
                     words.push(w.into_owned());
+                    places.push(a.last_span());
                 }
             }
         }
@@ -428,35 +375,44 @@ fn element(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Ou
     if words.is_empty() {
         return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance force"));
     }
-    check_response(interp, elements.as_deref(), &words, named)?;
+    common.knows_missing_response = check_response(interp, elements.as_deref(), &words, &places)?;
     let source = ElementResponse::new(elements, words, columns);
     common.finish(interp, call, Box::new(source), keep)
 }
 
-/// Warn where none of the elements that are there has the response.
+/// Warn where none of the elements that are there has the response. Returns true if so.
 fn check_response(
     interp: &mut Tcl,
     elements: Option<&[Tag]>,
     words: &[String],
-    span: Option<Span>,
-) -> Result<(), Exception> {
+    places: &[Option<Span>],
+) -> Result<bool, Exception> {
     let engine = &interp.host.engine;
     let model = engine.model();
     let tags: Vec<Tag> = elements.map_or_else(|| model.element_tags().collect(), <[Tag]>::to_vec);
     let ids: Vec<_> = tags.iter().filter_map(|t| model.element(*t)).collect();
     let list: Vec<&str> = words.iter().map(String::as_str).collect();
-    let Some(first) = ids.first() else { return Ok(()) };
+    let Some(first) = ids.first() else { return Ok(false) };
     if ids.iter().any(|id| ElementResponse::is_known(engine, *id, &list)) {
-        return Ok(());
+        return Ok(false);
     }
-    let class = model.elements[first.0].element.class();
-    let known: Vec<&str> = ElementResponse::names(engine, *first).collect();
-    let message = format!("{class} has no response \"{}\"", words.join(" "));
-    let mut d = Diagnostic::warning(message).at(span, "nothing is recorded");
-    if let Some(near) = hysteron_tcl::diagnostic::nearest(&words[0], known.iter().copied()) {
+    let (index, mut d) = unknown_response(engine, *first, &list);
+    d.severity = Severity::Warning;
+    warn(interp, d.at(places.get(index).copied().flatten(), "nothing is recorded"))?;
+    Ok(true)
+}
+
+/// The message about a response that an element does not have, and the index of the word that is wrong.
+pub(super) fn unknown_response(engine: &Engine, id: ElementId, words: &[&str]) -> (usize, Diagnostic) {
+    let class = engine.model().elements[id.0].element.class();
+    let Misspelled { index, known, fitting } = ElementResponse::misspelled(engine, id, words);
+    let mut d = Diagnostic::error(format!("{class} has no response \"{}\"", words.join(" ")));
+    let word = words.get(index).copied().unwrap_or_default();
+    if let Some(near) = nearest(word, fitting.iter().copied().filter(|name| *name != word)) {
         d = d.help(format!("did you mean \"{near}\"?"));
     }
-    warn(interp, d.help(format!("known: {}", known.join(", "))))
+    let after = if index > 0 { format!(" after \"{}\"", words[..index].join(" ")) } else { String::new() };
+    (index, d.help(format!("known{after}: {}", known.join(", "))))
 }
 
 fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {

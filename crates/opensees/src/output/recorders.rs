@@ -9,7 +9,7 @@ use crate::files::live::LiveFiles;
 use crate::host::{MotionObserver, Progress};
 use hysteron_engine::analysis::{Engine, Observer};
 use hysteron_engine::model::Tag;
-use hysteron_engine::record::{RecordError, Recorder};
+use hysteron_engine::record::{Missing, RecordError, Recorder};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,6 +28,8 @@ pub(crate) struct PlacedRecorder {
     /// The words of the command.
     pub(crate) words: Vec<String>,
     pub(crate) reported: bool,
+    /// None of the elements that were there with the command had the response, which has been said.
+    pub(crate) knows_missing_response: bool,
 }
 
 /// The recorders of a model, and who else wants to know about steps.
@@ -141,18 +143,23 @@ impl Recorders {
     /// Warnings about responses that recorders asked for in vain, once for each recorder. What `held_back` tells of
     /// is left out.
     pub(crate) fn missing(&mut self, mut held_back: impl FnMut(&str) -> bool) -> Vec<Diagnostic> {
-        let mut warning = |r: &mut PlacedRecorder| {
+        let mut warnings = vec![];
+        for r in self.by_tag.values_mut() {
             if r.recorder.missing.is_empty() || std::mem::replace(&mut r.reported, true) {
-                return None;
+                continue;
             }
-            let missing = r.recorder.missing.iter().filter(|m| !held_back(m));
-            let missing: Vec<&str> = missing.map(String::as_str).collect();
-            let first = missing.first()?;
-            let place = r.tags.get(*first).copied().or(r.span);
-            let message = format!("recorder: the model has no {}", missing.join(", no "));
-            Some(Diagnostic::warning(message).at(place, "left out of the record"))
-        };
-        self.by_tag.values_mut().filter_map(&mut warning).collect()
+            let known = |m: &&Missing| r.knows_missing_response && matches!(m, Missing::Response { .. });
+            let missing = r.recorder.missing.iter().filter(|m| !known(m));
+            let missing = missing.filter(|m| m.thing().is_none_or(|thing| !held_back(&thing)));
+            let (zero, absent): (Vec<&Missing>, Vec<&Missing>) = missing.partition(|m| m.is_zero());
+            for (group, label) in [(absent, "left out of the record"), (zero, "its column is zero, as in OpenSees")] {
+                let Some(first) = group.first() else { continue };
+                let place = first.thing().and_then(|thing| r.tags.get(&thing).copied()).or(r.span);
+                let message = format!("recorder: the model has no {}", Missing::list(group.iter().copied()));
+                warnings.push(Diagnostic::warning(message).at(place, label));
+            }
+        }
+        warnings
     }
 }
 

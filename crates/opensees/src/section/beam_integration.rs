@@ -126,8 +126,28 @@ pub(crate) fn simple(name: &str) -> Option<Rule> {
     }
 }
 
+/// One point of Gauss and Lobatto: a section that OpenSees gives no weight.
+pub(crate) fn without_weight(
+    interp: &mut Tcl,
+    a: &Args<'_>,
+    rule: Rule,
+    points: usize,
+    message: String,
+) -> Result<Rule, Exception> {
+    if rule != Rule::Lobatto || points != 1 {
+        return Err(a.refuse(message, "expected a rule for as many points"));
+    }
+    a.doubt(interp, message, "expected at least 2 points")?;
+    Ok(Rule::Given(vec![0.0], vec![0.0]))
+}
+
 /// The rule of this name with its sections, made from the numbers after the tag.
-pub(crate) fn integration(interp: &Tcl, a: &Args<'_>, name: &str, numbers: &[f64]) -> Result<Integration, Exception> {
+pub(crate) fn integration(
+    interp: &mut Tcl,
+    a: &Args<'_>,
+    name: &str,
+    numbers: &[f64],
+) -> Result<Integration, Exception> {
     let wrong = |message: String| a.refuse(message, "expected as below");
     let section = |tag: f64| {
         let tag = tag as i32;
@@ -154,7 +174,8 @@ pub(crate) fn integration(interp: &Tcl, a: &Args<'_>, name: &str, numbers: &[f64
                 _ => return Err(few()),
             };
             if rule.points(sections.len(), 1.0).is_none() {
-                return Err(wrong(format!("{name} has no rule with {} points", sections.len())));
+                let message = format!("{name} has no rule with {} points", sections.len());
+                return Ok(Integration { rule: without_weight(interp, a, rule, sections.len(), message)?, sections });
             }
             Ok(Integration { rule, sections })
         }

@@ -85,8 +85,7 @@ fn add(
 fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIBER);
     let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
-    let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
-    let area = if keeps_negative { a.float("area of the fiber")? } else { a.not_negative("area of the fiber")? };
+    let area = a.usually_not_negative(interp, "area of the fiber")?;
     let at = a.last_span();
     let material = material(interp, &mut a)?;
     if area == 0.0 {
@@ -122,7 +121,8 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         "circ" | "circular" => {
             let centre = point(&mut a, "centre")?;
-            let (mut inner, mut outer) = (a.not_negative("inner radius")?, a.not_negative("outer radius")?);
+            let mut inner = a.usually_not_negative(interp, "inner radius")?;
+            let mut outer = a.usually_not_negative(interp, "outer radius")?;
             let radii_at = a.last_span();
             if inner == outer {
                 return Err(a.refuse(format!("the outer radius {outer} is not greater than the inner one"), ""));
@@ -137,12 +137,9 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 warn(interp, d.at(radii_at, "expected the inner radius before the outer one"))?;
                 std::mem::swap(&mut inner, &mut outer);
                 angles.reverse();
-            } else if inner > outer && !interp.host.follows(&[slips::NEGATIVE_AREAS]) {
-                return Err(a.refuse_at(
-                    radii_at,
-                    format!("the outer radius {outer} is not greater than the inner one"),
-                    "",
-                ));
+            } else if inner > outer {
+                let message = format!("the outer radius {outer} is not greater than the inner one");
+                a.doubt_at(interp, radii_at, message, "expected the inner radius before the outer one")?;
             }
             ring(centre, [inner, outer], angles, n, m)
         }
@@ -251,7 +248,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let material = material(interp, &mut a)?;
     let [n] = a.parts(["number of bars"])?;
-    let area = a.positive("area of a bar")?;
+    let area = a.usually_positive(interp, "area of a bar")?;
     let places: Vec<[f64; 2]> = if kind == "straight" {
         let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);
         if n == 1 {
@@ -261,7 +258,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             (0..n).map(|i| [0, 1].map(|k| first[k] + step[k] * i as f64)).collect()
         }
     } else {
-        let (centre, radius) = (point(&mut a, "centre")?, a.positive("radius")?);
+        let (centre, radius) = (point(&mut a, "centre")?, a.usually_positive(interp, "radius")?);
         let [first, mut last] = match a.optional_float("first angle")? {
             Some(first) => [first, a.float("last angle")?],
             None => [0.0, 360.0],

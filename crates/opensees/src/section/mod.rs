@@ -107,21 +107,22 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
-    let iz = a.positive("second moment of area Iz")?;
+    let (e, area) =
+        (a.usually_positive(interp, "elastic modulus E")?, a.usually_positive(interp, "cross-sectional area A")?);
+    let iz = a.usually_positive(interp, "second moment of area Iz")?;
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     let plane = interp.host.builder.ndm != 3;
     if !plane {
-        s.iy = a.positive("second moment of area Iy")?;
-        s.g = a.positive("shear modulus G")?;
-        s.j = a.positive("torsion constant J")?;
+        s.iy = a.usually_positive(interp, "second moment of area Iy")?;
+        s.g = a.usually_positive(interp, "shear modulus G")?;
+        s.j = a.usually_positive(interp, "torsion constant J")?;
         if a.left() > 0 {
-            s.shear.0 = Some(area * a.positive("shear factor alphaY")?);
-            s.shear.1 = Some(area * a.positive("shear factor alphaZ")?);
+            s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
+            s.shear.1 = Some(area * a.usually_positive(interp, "shear factor alphaZ")?);
         }
     } else if a.left() > 0 {
-        s.g = a.positive("shear modulus G")?;
-        s.shear.0 = Some(area * a.positive("shear factor alphaY")?);
+        s.g = a.usually_positive(interp, "shear modulus G")?;
+        s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
     }
     Ok(Arc::new(Elastic::new(s, plane)))
 }
@@ -144,11 +145,11 @@ fn elastic_frame(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Ex
         if !a.at_number() {
             break;
         }
-        *value = Some(a.positive(meaning)?);
+        *value = Some(a.usually_positive(interp, meaning)?);
     }
     while let Some(option) = a.option() {
         match NAMES.iter().position(|n| *n == option.as_ref()) {
-            Some(i) => values[i] = Some(a.positive(MEANINGS[i])?),
+            Some(i) => values[i] = Some(a.usually_positive(interp, MEANINGS[i])?),
             None => ignore_option(interp, a, &NAMES)?,
         }
     }

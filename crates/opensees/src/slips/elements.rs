@@ -1,7 +1,7 @@
 //! Beams, trusses and links.
 
 use super::Shown::{Case, Nowhere, Test};
-use super::{Slip, differs, slips};
+use super::{Slip, differs, shared, slips};
 
 slips! {
     COROTATIONAL_OFFSETS, Command, Test("tests/analysis/opensees.rs", "corotational_offsets_are_ignored_in_space"),
@@ -10,8 +10,18 @@ slips! {
     "They count.",
     "The beam would end elsewhere.";
 
+    DOMAINS, Command, Test("tests/analysis/domains.rs", "numbers_that_opensees_takes_are_warnings"),
+    "Numbers without a meaning: `section Elastic`, `elasticBeamColumn`, `ElasticTimoshenkoBeam`, `truss` with a stiffness of 0 or less, \
+     `layer` with a radius or an area of 0 or less, `patch circ` with a negative radius, `Steel01`, `Steel02`, `Hardening`, `ElasticPP` \
+     with a strength or a modulus of 0 or less, `ViscousDamper` without stiffness, `truss` without length, a node out of the plane of its \
+     `rigidDiaphragm`, one point of `Lobatto`, `constraints Penalty` with a penalty of 0 or less, `test` with less than one iteration",
+    "It computes with them: a truss without length and a beam of one Lobatto point carry nothing, the node out of the plane is left out, \
+     the test allows one iteration.",
+    "They are refused.",
+    "A slip of the pen would become a result.";
+
     NEGATIVE_AREAS, Command, Test("tests/analysis/opensees.rs", "fibers_of_negative_area"),
-    "`patch` with corners, radii or angles the other way round; `fiber` with a negative area",
+    "`patch` with corners or angles the other way round",
     "The fibers have negative areas.",
     "The command is refused.",
     "The section would lose what it was meant to gain.";
@@ -175,6 +185,16 @@ pub(super) const OTHERS: &[Slip] = &[
         "`beamIntegration CompositeSimpson` with other than three points",
         "The weights do not add up to the length.",
         "The rule is that of Simpson.",
+    ),
+    differs(
+        "`ShellDKGT`, `enhancedQuad`: Rayleigh damping by the initial stiffness, and algorithms with the initial tangent",
+        "The initial stiffness is another matrix than the tangent at rest.",
+        "It is the tangent at rest.",
+    ),
+    shared(
+        "`zeroLength` with `-dampMats` and `-doRayleigh`",
+        "The last of the two options holds: `-doRayleigh` behind `-dampMats` takes the damping materials away. A warning says so.",
+        "The materials damp in either order.",
     ),
     differs(
         "`ShellNLDKGQ`: tangent",

@@ -25,6 +25,8 @@ pub enum Kind {
     Differs,
     /// The script is refused, or there is a warning.
     Refused,
+    /// The answer is that of OpenSees, and may not be the one that is expected.
+    Shared,
 }
 
 /// The code that acts on a slip which is followed.
@@ -86,6 +88,11 @@ const fn differs(place: &'static str, opensees: &'static str, hysteron: &'static
 /// A script that is refused, or that there is a warning for.
 const fn refused(place: &'static str, opensees: &'static str, hysteron: &'static str) -> Slip {
     Slip { kind: Kind::Refused, ..differs(place, opensees, hysteron) }
+}
+
+/// An answer that both programs give, and the one that may be expected.
+const fn shared(place: &'static str, both: &'static str, expected: &'static str) -> Slip {
+    Slip { kind: Kind::Shared, ..differs(place, both, expected) }
 }
 
 /// Declare slips that are followed, and the list `FOLLOWED` of them: name, acting code, place, OpenSees' answer, hysteron's, reason, test.
@@ -160,16 +167,19 @@ pub fn page() -> String {
             let _ = writeln!(out, "| {} | {} | {} | {reason} | {shown} |", s.place, s.opensees, s.hysteron);
         }
     }
-    for (kind, title) in
-        [(Kind::Differs, "Different with the switch and without it"), (Kind::Refused, "Refused, or with a warning")]
-    {
+    for (kind, title) in [
+        (Kind::Differs, "Different with the switch and without it"),
+        (Kind::Refused, "Refused, or with a warning"),
+        (Kind::Shared, "The same as in OpenSees, with the switch and without it"),
+    ] {
         out += &format!("\n## {title}\n");
         for family in &FAMILIES {
             let mut entries = family.others.iter().filter(|s| s.kind == kind).peekable();
             if entries.peek().is_none() {
                 continue;
             }
-            out += &format!("\n### {}\n\n| place | OpenSees | hysteron |\n| --- | --- | --- |\n", family.title);
+            let columns = if kind == Kind::Shared { "both | may be expected" } else { "OpenSees | hysteron" };
+            out += &format!("\n### {}\n\n| place | {columns} |\n| --- | --- | --- |\n", family.title);
             for s in entries {
                 let _ = writeln!(out, "| {} | {} | {} |", s.place, s.opensees, s.hysteron);
             }

@@ -1,7 +1,7 @@
 //! Recorders, reactions and the exit status.
 
 use super::Shown::{Case, Nowhere, Test};
-use super::{Slip, differs, slips};
+use super::{Slip, differs, shared, slips};
 
 slips! {
     INCR_DISP, Analysis, Case("truss2d_loadcontrol"),
@@ -47,6 +47,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "Elements that an integrator leaves behind (`AlphaOS` without `-updateElemDisp`, `...HSFixedNumIter`)",
         "Elastic beams show the force at the displacement of the nodes, other elements that at which they were asked.",
         "All elements show the force of the equations.",
+    ),
+    shared(
+        "`recorder` with `-dT`",
+        "The first step is a row. The next one is due an interval after the last: rows come late by up to a step, and the delays add up.",
+        "Rows stand at the multiples of the interval.",
     ),
     differs(
         "`printA`, `printB`",

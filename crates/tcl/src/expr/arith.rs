@@ -7,6 +7,7 @@ use num_integer::Integer as _;
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 
 use super::super::error::Exception;
+use super::super::lookalike::lookalike;
 use super::super::number::{Number, looks_like_bad_octal};
 use super::super::value::{Rep, Value};
 use super::num::{self, Num};
@@ -51,7 +52,8 @@ fn unfit(value: &Value, symbol: &str) -> Exception {
         None if looks_like_bad_octal(&value.as_str()) => "invalid octal number",
         None => "non-numeric string",
     };
-    Exception::coded(format!("can't use {what} as operand of \"{symbol}\""), &["ARITH", "DOMAIN", what])
+    let e = Exception::coded(format!("can't use {what} as operand of \"{symbol}\""), &["ARITH", "DOMAIN", what]);
+    lookalike(&value.as_str()).into_iter().fold(e, Exception::help)
 }
 
 fn numeric(value: &Value, symbol: &str) -> Result<Number, Exception> {

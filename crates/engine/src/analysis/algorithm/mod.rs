@@ -15,7 +15,7 @@ mod secant_newton;
 use super::convergence::{Test, TestOutcome};
 use super::failure::{Cause, Failure};
 use super::integrator::Integrator;
-use super::opensees::Stage;
+use super::opensees::{Phase, Stage};
 use super::system::System;
 use super::workspace::TangentMix;
 use cycle::Cycle;
@@ -49,8 +49,10 @@ impl Iteration<'_, '_> {
         self.system.work.enter(Stage::Correction);
         self.system.work.progress = (self.test.iteration + 1, self.test.max_iterations.max(1));
         let mut x = std::mem::take(&mut self.system.work.x);
+        self.system.enter_phase(Phase::Within);
         let result = self.integrator.update(self.system, &mut x);
         self.system.impose_linked_rates();
+        self.system.follow_correction();
         self.system.work.x = x;
         result
     }

@@ -5,7 +5,7 @@ use crate::analysis::algorithm::Iteration;
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
 use crate::analysis::integrator::Adaptive;
-use crate::analysis::opensees::Stage;
+use crate::analysis::opensees::{Parts, Phase, Stage};
 use crate::analysis::system::System;
 use crate::analysis::workspace::TangentMix;
 use crate::model::Model;
@@ -195,12 +195,13 @@ impl Engine {
             self.excess.get_or_insert(excess);
             Ok(iterations)
         });
+        system.leave_phases(result.is_err());
         match result {
             Ok(iterations) => {
                 self.fresh = false;
                 self.iterations += iterations as u64;
                 if setup.integrator.balances() {
-                    note_imbalance(&system, &mut self.imbalance);
+                    note_imbalance(&system, &mut self.imbalance, &mut self.largest_force);
                 }
                 let keeps_rates = system.still && !system.work.loads.moves;
                 let duration = if system.elapses { system.new.time - system.old.time } else { 0.0 };
@@ -245,6 +246,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     }
     if fresh {
         system.work.enter(Stage::Preparation);
+        system.enter_phase(Phase::Preparation);
         prepare(system, setup)?;
         system.work.enter(Stage::Outside);
         system.work.elements.is_current = false;
@@ -253,11 +255,13 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
             system.work.commit_tangents(true);
         }
     }
+    system.enter_phase(Phase::Begin(begin_parts(system, setup)?));
     setup.integrator.begin(system, length)?;
     system.work.enter(Stage::Begin);
     let mut iteration = Iteration { system, integrator: setup.integrator.as_mut(), test: &mut setup.test };
     let iterations = setup.algorithm.solve(&mut iteration)?;
     system.work.enter(Stage::End);
+    system.enter_phase(Phase::End);
     setup.integrator.commit(system, iterations).map_err(|f| f.with_code(-4))?;
     system.work.enter(Stage::Outside);
     if system.work.wants_committed_tangent() {
@@ -269,20 +273,45 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
     Ok(iterations)
 }
 
+/// Parts of the motion that OpenSees sets when a step begins.
+///
+/// # Errors
+/// Constrained nodes are moved late, and how the integrator moves them is not known.
+fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
+    let late = system.work.transformed.as_ref().and_then(|nodes| nodes.first_late());
+    match (setup.integrator.opensees_begin(), late) {
+        (Some(parts), _) => Ok(parts),
+        (None, None) => Ok([false; 3]),
+        (None, Some(dof)) => {
+            let message = format!(
+                "--compat opensees does not follow integrator {} with constraints Transformation where a node follows one that is \
+                 constrained or held itself, as {} does",
+                setup.integrator.name(),
+                system.model.dof_name(dof)
+            );
+            Err(system.failure(Cause::Model(message)))
+        }
+    }
+}
+
 /// Keep the imbalance of a step that counted as converged though forces were left over.
 #[inline]
-fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>) {
+fn note_imbalance(system: &System<'_>, worst: &mut Option<Imbalance>, largest_force: &mut f64) {
     let unbalanced = largest(&system.work.b);
     // Mostly one of the first forces is large enough to show that there is nothing to report.
-    let dwarfs = |f: &f64| Imbalance::LIMIT * f.abs() >= unbalanced;
-    if unbalanced != 0.0 && !system.new.force.iter().any(dwarfs) && !system.work.loads.nodal.iter().any(dwarfs) {
-        measure_imbalance(system, unbalanced, worst);
+    let dwarfs = |f: &&f64| Imbalance::LIMIT * f.abs() >= unbalanced;
+    if unbalanced == 0.0 {
+        return;
+    }
+    match system.new.force.iter().find(dwarfs).or_else(|| system.work.loads.nodal.iter().find(dwarfs)) {
+        Some(force) => *largest_force = largest_force.max(force.abs()),
+        None => measure_imbalance(system, unbalanced, worst, *largest_force),
     }
 }
 
 #[cold]
-fn measure_imbalance(system: &System<'_>, unbalanced: f64, worst: &mut Option<Imbalance>) {
-    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal));
+fn measure_imbalance(system: &System<'_>, unbalanced: f64, worst: &mut Option<Imbalance>, earlier: f64) {
+    let force = largest(&system.new.force).max(largest(&system.work.loads.nodal)).max(earlier);
     let ratio = unbalanced / force;
     if ratio > Imbalance::LIMIT {
         let steps = worst.as_ref().map_or(0, |w| w.steps) + 1;

@@ -3,6 +3,7 @@
 use super::Integrator;
 use super::newmark::{Form, Newmark};
 use crate::analysis::failure::Failure;
+use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
 
 /// Parameters of [`GeneralizedAlpha`].
@@ -72,6 +73,9 @@ impl GeneralizedAlpha {
 impl Integrator for GeneralizedAlpha {
     fn name(&self) -> &'static str {
         self.name
+    }
+    fn opensees_begin(&self) -> Option<Parts> {
+        Some([false, true, true])
     }
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.old.disp.len();

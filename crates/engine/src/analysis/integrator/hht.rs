@@ -3,6 +3,7 @@
 use super::Integrator;
 use super::newmark::{Form, Newmark};
 use crate::analysis::failure::Failure;
+use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
 
 /// `integrator HHT` (Hilber, Hughes and Taylor, 1977): stiffness and damping forces, and the loads, count at the
@@ -35,6 +36,9 @@ impl Hht {
 impl Integrator for Hht {
     fn name(&self) -> &'static str {
         "HHT"
+    }
+    fn opensees_begin(&self) -> Option<Parts> {
+        Some([false, true, true])
     }
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         self.disp.resize(s.old.disp.len(), 0.0);

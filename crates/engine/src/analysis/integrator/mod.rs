@@ -32,6 +32,7 @@ mod trbdf2;
 mod trbdf3;
 
 use super::failure::Failure;
+use super::opensees::Parts;
 use super::system::System;
 use std::fmt;
 
@@ -100,6 +101,12 @@ pub trait Integrator: fmt::Debug + Send {
     /// Returns true if the tangents of the elements are multiplied with displacements that are in no equation.
     fn multiplies_tangents(&self) -> bool {
         false
+    }
+
+    /// Parts of the motion that OpenSees sets at the nodes when a step begins. `None` where they are not known, or other rules
+    /// hold: nodes that its handler moves late cannot be followed then.
+    fn opensees_begin(&self) -> Option<Parts> {
+        self.is_static().then_some([false; 3])
     }
 
     /// Increment of the load factor, where that is all of a step.

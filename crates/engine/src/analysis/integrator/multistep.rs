@@ -3,6 +3,7 @@
 
 use super::Integrator;
 use crate::analysis::failure::Failure;
+use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
 use std::fmt;
 
@@ -83,6 +84,9 @@ impl<M: Method> Multistep<M> {
 impl<M: Method> Integrator for Multistep<M> {
     fn name(&self) -> &'static str {
         self.method.name()
+    }
+    fn opensees_begin(&self) -> Option<Parts> {
+        Some([false, true, true])
     }
     fn prepare(&mut self, s: &mut System<'_>) -> Result<(), Failure> {
         let n = s.old.disp.len();

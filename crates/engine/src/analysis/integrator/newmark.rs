@@ -2,6 +2,7 @@
 
 use super::Integrator;
 use crate::analysis::failure::Failure;
+use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
 
 /// Unknown of the equations.
@@ -44,6 +45,12 @@ impl Integrator for Newmark {
     fn name(&self) -> &'static str {
         "Newmark"
     }
+
+    fn opensees_begin(&self) -> Option<Parts> {
+        let unknown_is_not = |form| self.form != form;
+        Some([Form::Displacement, Form::Velocity, Form::Acceleration].map(unknown_is_not))
+    }
+
     /// Predictor: the unknown does not change, the two others follow by Newmark's formulas. Degrees of freedom that
     /// are held keep their velocity and acceleration.
     fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {

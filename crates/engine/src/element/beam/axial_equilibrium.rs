@@ -2,7 +2,7 @@
 
 use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
-use super::member::{Formulation, Member};
+use super::member::{Formulation, Lacking, Member};
 use super::per_section::PerSection;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -59,6 +59,7 @@ fn stiffness<'a, const N: usize, const B: usize>(
 
 impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
     const CLASS: [&'static str; 2] = ["AxEqDispBeamColumn2d", "AxEqDispBeamColumn3d"];
+    const LACKING: Lacking = Lacking::Refused;
 
     fn load_len(points: usize) -> usize {
         <DisplacementBased as Formulation<N, B>>::load_len(points)

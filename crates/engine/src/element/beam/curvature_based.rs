@@ -4,7 +4,7 @@ mod opensees;
 
 use super::basic::Basic;
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
-use super::member::{Formulation, Member, Trace};
+use super::member::{Formulation, Lacking, Member, Trace};
 use super::point::SUPPORT;
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
@@ -427,7 +427,7 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
     const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
-    const NEEDS_TORSION: bool = true;
+    const LACKING: Lacking = Lacking::Refused;
     const STATE_LEN: usize = if R::CALL_DEPENDENT { Trace::<N, B>::LEN } else { 0 };
 
     fn continues_from_last_trial(&self) -> bool {

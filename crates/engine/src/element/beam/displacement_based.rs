@@ -2,7 +2,7 @@
 
 use super::basic::Basic;
 use super::elastic::{Bending, Release, add_clamped_load};
-use super::member::{Formulation, Member, bending_at, set};
+use super::member::{Formulation, Lacking, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{ElementError, ElementInput};
@@ -82,6 +82,7 @@ impl DisplacementBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
     const CLASS: [&'static str; 2] = ["DispBeamColumn2d", "DispBeamColumn3d"];
+    const LACKING: Lacking = Lacking::Free;
     const DAMPABLE: bool = true;
 
     fn load_len(_: usize) -> usize {

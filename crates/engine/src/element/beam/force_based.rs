@@ -1,7 +1,7 @@
 //! The force-based beam: `forceBeamColumn`.
 
 use super::basic::Basic;
-use super::member::{Formulation, Member, Trace, bending_at, set};
+use super::member::{Formulation, Lacking, Member, Trace, bending_at, set};
 use super::opensees::settle;
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
@@ -329,6 +329,7 @@ impl ForceBased {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
+    const LACKING: Lacking = Lacking::Rigid;
     const LOCALISES: bool = true;
     const DAMPABLE: bool = true;
     const STATE_LEN: usize = Trace::<N, B>::LEN;

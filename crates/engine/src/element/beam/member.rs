@@ -18,6 +18,17 @@ use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_lo
 use super::per_section::PerSection;
 use super::shortfall::exhausted;
 
+/// Effect of an axial force, a moment or a torque that a section of a beam does not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lacking {
+    /// Each section needs it.
+    Refused,
+    /// The section adds no flexibility: it is rigid.
+    Rigid,
+    /// The section adds no stiffness.
+    Free,
+}
+
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
     /// OpenSees' class names in the plane and in space.
@@ -28,8 +39,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const DEFLECTS: bool = false;
     /// Softening localises in one section.
     const LOCALISES: bool = false;
-    /// In space the sections need a torque.
-    const NEEDS_TORSION: bool = false;
+    /// Effect of a resultant that a section lacks.
+    const LACKING: Lacking;
     /// OpenSees' element takes a damping of its own.
     const DAMPABLE: bool = false;
     /// Number of state variables of the formulation, after those of the sections.

@@ -2,7 +2,7 @@
 
 use super::basic::Basic;
 use super::force_based::{ForceBased, internal_forces};
-use super::member::{Formulation, Member, Trace};
+use super::member::{Formulation, Lacking, Member, Trace};
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
 use crate::element::load::ElementLoad;
@@ -130,7 +130,7 @@ impl Mixed {
 
 impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
     const CLASS: [&'static str; 2] = ["MixedBeamColumn2d", "MixedBeamColumn3d"];
-    const NEEDS_TORSION: bool = true;
+    const LACKING: Lacking = Lacking::Refused;
     const STATE_LEN: usize = Trace::<N, B>::LEN + NATURAL * B;
 
     fn continues_from_last_trial(&self) -> bool {
