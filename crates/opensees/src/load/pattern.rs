@@ -2,9 +2,9 @@
 
 use super::ground_motion;
 use crate::args::Args;
+use crate::host::Mode;
 use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{need_model, node_of};
-use crate::host::Mode;
 use crate::session::Session;
 use crate::slips;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};

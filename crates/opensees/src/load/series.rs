@@ -1,9 +1,9 @@
 //! `timeSeries`.
 
 use crate::args::Args;
-use crate::files::motion;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
+use hysteron_recordings::{Measured, Told};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -334,9 +334,12 @@ fn report_non_number(
     let place = Span { source, start: at, end: at + word.len() as u32 };
     let mut d = if read == 0 {
         let d = Diagnostic::error(format!("\"{name}\" does not begin with a number: \"{word}\""));
-        d.help(match motion::parse(text) {
-            Ok(_) => format!("\"motionFile $series {name}\" reads this file of a ground motion with its step of time"),
-            Err(_) => "remove the header lines, or read the file with a procedure of your own".into(),
+        let series = Measured::read(name, text.as_bytes()).and_then(|m| m.series(&Told::default()));
+        let has_step = series.is_ok_and(|all| all.iter().any(|s| s.clock.dt().is_some()));
+        d.help(if has_step {
+            format!("\"motionFile $series {name}\" reads this file of a ground motion with its step of time")
+        } else {
+            "remove the header lines, or read the file with a procedure of your own".into()
         })
     } else {
         let message = format!("\"{name}\" is read up to \"{word}\" only, which is not a number ({read} numbers read)");

@@ -5,7 +5,6 @@ use super::recorders::PlacedRecorder;
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::files::outputs::FileFormat;
-use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
