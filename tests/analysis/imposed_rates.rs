@@ -221,7 +221,9 @@ fn a_law_without_a_speed_is_named() {
         ("sp 2 1 1.0", load_control, false),
         ("sp 2 1 1.0", transient, false),
     ] {
-        let ran = Script { mode: Mode::Check, ..Script::default() }.run(&script(load, analysis));
+        let mut checked = Script::default();
+        checked.mode = Mode::Check;
+        let ran = checked.run(&script(load, analysis));
         let words = "ZeroLength 7 depends on velocity";
         let found = ran.warnings().iter().any(|w| w.message.contains(words));
         assert_eq!(found, named, "{load} {analysis}: {:?}", ran.warnings());

@@ -6,7 +6,7 @@ use super::script::run;
 use hysteron::material::{
     Fatigue, FatigueParameters, InitialState, InitialStrain, Iteration, LimitCurve, Material, MinMax, Mullins,
     Multiaxial, ObservedColumns, PLANE, Parallel, ParallelSolids, SOLID, Series, SeriesSolids, SeriesTolerance,
-    SharedMultiaxial, Slot, Softening, Uniaxial, WatchesColumns, WeightedLaws,
+    SharedMultiaxial, Slot, Softening, WatchesColumns, WeightedLaws,
 };
 use hysteron::model::Definitions;
 use hysteron::section::plate::{LayeredPlate, PlateFromPlaneStress, PlateRebar};
@@ -237,7 +237,7 @@ fn every_section_is_whole_inside_an_aggregator() {
         let own: BTreeSet<String> = words.iter().filter(|w| base.probe(&[w.as_str()]).is_some()).cloned().collect();
         compare(&format!("section {tag}"), &own, (&bare, &around), (&[], &[], false), &mut lost);
         for words in [["fiber", "0", "strain"], ["fiber", "0.1", "0"], ["addition", "Vy", "stress"]] {
-            if base.probe(&words).is_some() && bare.response(&words) != around.response(&words) {
+            if base.probe(&words).is_some() && Owned::response(&bare, &words) != Owned::response(&around, &words) {
                 lost.push(format!("section {tag}: {words:?}"));
             }
         }

@@ -1,6 +1,6 @@
 //! Uniaxial materials that count how often they are asked, in the place of those that a script defines.
 
-use hysteron::material::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial, WatchesColumns};
+use hysteron::material::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
 use hysteron::opensees::Tcl;
 use hysteron::probe::Probe;
 use hysteron::run::Run;

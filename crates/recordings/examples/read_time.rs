@@ -2,13 +2,13 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
-use hysteron_recordings::{Measured, read_file};
+use hysteron_recordings::Measured;
 use std::time::Instant;
 
 fn main() {
     let Some(file) = std::env::args().nth(1) else { return eprintln!("expected a file") };
     let start = Instant::now();
-    let bytes = match read_file(file.as_ref()) {
+    let bytes = match std::fs::read(&file) {
         Ok(bytes) => bytes,
         Err(e) => return eprintln!("cannot read {file}: {e}"),
     };

@@ -138,8 +138,8 @@ fn bearing_on_its_side(engine: &Engine, axis: usize) -> Option<Diagnostic> {
     let (e, along, across) = bearings.filter(|e| !e.nodes.iter().all(|n| is_held(n.0))).find_map(|e| {
         let stiffness = engine.axis_stiffness(e.tag)?;
         let across = (0..3).filter(|i| *i != axis).map(|i| stiffness[i]).fold(0.0, f64::max);
-        // A bearing with both nodes free carries its load along its own axis.
-        (stiffness[axis] < MIN_AXIAL_RATIO * across).then_some((e, stiffness[axis], across))
+        // A bearing with both nodes free carries its load along its own axis. Springs of shear alone carry none.
+        (stiffness[axis] > 0.0 && stiffness[axis] < MIN_AXIAL_RATIO * across).then_some((e, stiffness[axis], across))
     })?;
     let message = format!(
         "the local x of {} {} lies across its load: its stiffness is {} along {}, and {} across it",
