@@ -20,9 +20,14 @@ const ABOUT_Y: &str = "sp 2 5 1";
 
 fn bent_section(ndm: usize, section: &str, bent: &str) -> String {
     let (nodes, fixes) = if ndm == 2 {
-        ("node 1 0 0; node 2 0 0; node 3 0 0", "fix 1 1 1 1; fix 2 1 1 0; fix 3 0 1 1")
+        ("node 1 0 0; node 2 0 0; node 3 0 0", "fix 1 1 1 1; fix 2 1 1 0; fix 3 0 1 1".to_owned())
     } else {
-        ("node 1 0 0 0; node 2 0 0 0; node 3 0 0 0", "fix 1 1 1 1 1 1 1; fix 2 1 1 1 1 0 0; fix 3 0 1 1 1 1 1")
+        // A line of fibers has no stiffness about itself, and the other rotation must not mix in.
+        let held = if bent == ABOUT_Y { "0 1" } else { "1 0" };
+        (
+            "node 1 0 0 0; node 2 0 0 0; node 3 0 0 0",
+            format!("fix 1 1 1 1 1 1 1; fix 2 1 1 1 1 {held}; fix 3 0 1 1 1 1 1"),
+        )
     };
     format!(
         "model basic -ndm {ndm} -ndf {}

@@ -125,7 +125,7 @@ fn limits_of_studies_and_batches() {
 fn inputs_without_an_end_are_refused() {
     let place = Place::new();
     let recording = "model = \"m.tcl\"\n[[parameter]]\nname = \"k\"\nlower = 1.0\nupper = 4.0\n[[run]]\nname = \"a\"\n\
-        recording = \"/dev/zero\"\n[[run.observe]]\nchannel = \"u\"\noutput = \"d.out\"\n";
+        recording = \"/dev/zero\"\n[[run.observe]]\nchannel = \"u\"\noutput = \"d.out\"\ncolumn = 1\n";
     place.write("study.toml", recording);
     place.write("m.tcl", "pset k 2.0\n");
     for words in [

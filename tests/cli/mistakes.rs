@@ -51,7 +51,7 @@ const REFUSED: &[(&str, usize, &[&str])] = &[
     ("analysis Transient; analyze 1 0", 31, &["greater than 0"]),
     ("recorder Nod -file a.txt -node 1 -dof 1 disp", 10, &["did you mean \"Node\"?"]),
     ("pattern Plain x 1 {}", 0, &["\"x\""]),
-    ("pattern UniformExcitation 2 1", 0, &["no acceleration"]),
+    ("pattern UniformExcitation 2 1", 0, &["no motion"]),
     ("pattern UniformExcitation 2 9 -accel 1", 29, &["1 to 3"]),
     ("pattern UniformExcitation 2 1 -accel 9", 38, &["there is no time series 9"]),
     ("pattern Plain 2 1 { load 77 1 0 0 }", 26, &["there is no node 77"]),

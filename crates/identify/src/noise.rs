@@ -38,6 +38,8 @@ const MIN_SAMPLES: usize = 60;
 const MIN_CYCLE: usize = 16;
 /// Correlation of neighbouring cycles from which they are repetitions of one motion.
 const MIN_REPETITION: f64 = 0.98;
+/// Relative difference of the deviations of cycles of one amplitude, at most: cycles that grow repeat nothing.
+const SAME_AMPLITUDE: f64 = 0.02;
 /// Points of a series at which its period is sought, at most.
 const MAX_POINTS: usize = 4000;
 /// Number of stretches of a record, and their share that must be at rest.
@@ -94,9 +96,16 @@ fn repeated_cycles(x: &[f64]) -> Option<f64> {
     let period = period(x)?;
     let pairs = (0..x.len() / period).filter_map(|k| {
         let (a, b) = (x.get(k * period..(k + 1) * period)?, x.get((k + 1) * period..(k + 2) * period)?);
-        half_difference(a, b)
+        let is_repeated = (deviation(a) / deviation(b) - 1.0).abs() <= SAME_AMPLITUDE;
+        is_repeated.then(|| half_difference(a, b)).flatten()
     });
     pairs.min_by(f64::total_cmp)
+}
+
+/// Standard deviation.
+fn deviation(x: &[f64]) -> f64 {
+    let mean = x.iter().sum::<f64>() / x.len() as f64;
+    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len() as f64).sqrt()
 }
 
 /// Period in samples at which a series repeats; none if it does not.

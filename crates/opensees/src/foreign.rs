@@ -39,7 +39,7 @@ mod tests {
     fn python_is_recognized_by_its_imports_or_its_name() {
         for text in ["# frame\nimport openseespy.opensees as ops\nops.wipe()\n", "from openseespy.opensees import *\n"]
         {
-            let found = recognize("frame.txt", text).unwrap();
+            let found = recognize("frame.txt", text).expect("a script in Python");
             assert!(text[found.place].contains("openseespy"), "{text}");
         }
         assert!(recognize("frame.py", "ops.wipe()\n").is_some());

@@ -152,9 +152,14 @@ pub struct Session {
 }
 
 impl Session {
+    /// Returns true under `--compat opensees`.
+    pub(crate) fn is_compat(&self) -> bool {
+        self.engine.options.compat
+    }
+
     /// Returns true if OpenSees' answer is wanted where these slips differ from it; of no slips, where any does.
     pub fn follows(&self, slips: &[Slip]) -> bool {
-        self.engine.options.compat && slips.iter().all(Slip::is_followed)
+        self.is_compat() && slips.iter().all(Slip::is_followed)
     }
 
     /// A session whose recorders write to `outputs`.

@@ -149,7 +149,7 @@ pub struct Diagnostic {
     pub count: usize,
 }
 
-/// What makes two warnings the same: the place, and the code, or without one the words under the place.
+/// What makes two warnings the same: the place, and the code, or without one the message but for its numbers.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct WarningKind {
     span: Option<Span>,
@@ -167,8 +167,7 @@ impl Diagnostic {
     pub(crate) fn kind(&self) -> WarningKind {
         let words = match self.code {
             Some(_) => String::new(),
-            None if self.label.is_empty() => self.message.clone(),
-            None => self.label.clone(),
+            None => self.message.chars().filter(|c| !c.is_ascii_digit()).collect(),
         };
         WarningKind { span: self.span, code: self.code, words }
     }

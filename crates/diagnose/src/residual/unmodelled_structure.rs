@@ -289,7 +289,8 @@ mod tests {
         study.runs[0].observe.push(second);
         study.runs[0].observe[1].channel = "second".into();
         let n = study.runs[0].observe[0].values.len();
-        let loud = |t: usize| if t % 150 > 110 { 12.0 } else { 1.0 };
+        // At times that the motion does not repeat.
+        let loud = |t: usize| if [60..97, 211..243, 389..402].iter().any(|s| s.contains(&t)) { 12.0 } else { 1.0 };
         let bursts = |seed: u64| white_noise(seed, n).iter().enumerate().map(|(t, x)| x * loud(t)).collect::<Vec<_>>();
         let structure = |residuals: [Vec<f64>; 2]| {
             let size = 0.02 * study.runs[0].observe[0].variance.sqrt();

@@ -15,13 +15,9 @@ fn share_above_noise(c: &SummaryContext<'_>) -> String {
     let Some(fitted) = share(b.fit_nmse, r.fit_nmse, noise.noise) else { return String::new() };
     let held_out = b.holdout_nmse.zip(r.holdout_nmse).zip(noise.holdout_noise);
     let of_held_out = held_out.and_then(|((before, after), noise)| share(before, after, noise));
-    let of_held_out = of_held_out.map_or_else(String::new, |share| format!(", and {share} in those held out"));
-    format!(
-        " Of the error above the noise of the recordings, the repair takes {fitted} in the fitted runs{of_held_out}; NMSE {} is \
-         left beside a noise of {}.",
-        digits(r.fit_nmse, 2),
-        digits(noise.noise, 2)
-    )
+    let of_held_out = of_held_out.map_or_else(String::new, |share| format!(", {share} of that of the held-out ones"));
+    let noise = digits(noise.noise, 2);
+    format!(" It takes {fitted} of the fitted error above the noise (NMSE {noise}){of_held_out}.")
 }
 
 /// Error over the noise below which no share of it is told. A choice.

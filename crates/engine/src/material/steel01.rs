@@ -114,8 +114,10 @@ impl UniaxialLaw for Steel01 {
 }
 
 impl Steel01 {
+    /// Returns true if turns shift the envelopes. Without a yield strain above 0 the shift is not a number, as in OpenSees, so
+    /// that there is no envelope after a turn.
     fn is_isotropic(&self) -> bool {
-        self.a[0] != 0.0 || self.a[2] != 0.0
+        self.a[0] != 0.0 || self.a[2] != 0.0 || self.fy / self.e0 <= 0.0
     }
 
     /// Trial state, stress and tangent without a branch, and 1 for a turn towards tension, -1 for one towards

@@ -138,8 +138,11 @@ impl Section for Aggregator {
         if let ["addition" | "material", which, rest @ ..] = words {
             let names = self.resultants[self.base_order()..].iter().map(|r| r.name());
             let tag = which.parse::<i32>().ok();
-            let i = names.zip(&self.additions).position(|(name, s)| name == *which || tag == Some(s.tag))?;
-            return Some(self.additions[i].probe(rest)?.inside(&[ADDITION, i as u32]));
+            let found = names.zip(&self.additions).position(|(name, s)| name == *which || tag == Some(s.tag));
+            // Another may be an addition of the base section itself.
+            if let Some(i) = found {
+                return Some(self.additions[i].probe(rest)?.inside(&[ADDITION, i as u32]));
+            }
         }
         Some(self.base.as_ref()?.probe(words)?.inside(&[BASE]))
     }

@@ -153,7 +153,7 @@ fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), 
     let grows = |tag: &Tag| {
         let pattern = &model.patterns[tag];
         let at = |steps: f64| pattern.factor(time + steps * step).abs();
-        at(0.0) < at(1.0) && at(1.0) < at(STEPS_AHEAD) && !series(pattern).is_some_and(|s| s.end().is_some())
+        at(0.0) < at(1.0) && at(1.0) < at(STEPS_AHEAD) && series(pattern).is_none_or(|s| s.end().is_none())
     };
     let Some(tag) = going().filter(|tag| looked.static_patterns.contains(tag)).find(grows) else { return Ok(()) };
     let factor = model.patterns[&tag].factor(time);

@@ -19,7 +19,7 @@ pub fn warn_of_speedless(session: &Session) -> Option<Diagnostic> {
         names += &format!(" and {} more", all.len() - MAX_NAMED);
     }
     let message = format!("{names} {depends} on velocity, and no analysis of the script gives {its} nodes one");
-    let help = if session.engine.options.compat {
+    let help = if session.is_compat() {
         "without --compat opensees a node that sp moves in time has the velocity of its series"
     } else {
         "a transient analysis gives it, or an imposed displacement (sp) in time, also under LoadControl"
