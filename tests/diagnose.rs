@@ -190,7 +190,7 @@ fn a_stop_is_found_and_what_it_explains_is_not_explained_without_it() {
     assert!(summary.what.contains(&format!("({})", o.verdict.cause)), "{}", summary.what);
     assert_eq!((&summary.places[0].elements[..], summary.places[0].level.as_str()), (&[1][..], "at the base"));
     let text = summary.text(80);
-    assert!(text.lines().count() <= 20 && text.lines().all(|l| l.chars().count() <= 80), "{text}");
+    assert!(text.lines().count() <= 24 && text.lines().all(|l| l.chars().count() <= 80), "{text}");
     if let Some(gap) = summary.sizes.iter().find(|s| s.name == "hy_gap") {
         let [lower, upper] = gap.interval.unwrap();
         assert!(lower < 0.0301 && upper > 0.0299 && upper - lower < 0.002, "{gap:?}");

@@ -42,7 +42,7 @@ const TABLE: &[Row] = &[
     ("slow noise", "none", "none", 90),
     ("two storeys", "none", "none", 90),
     ("ridges", "unknown", "unknown", 95),
-    ("pinching unnamed", "unknown", "unknown", 95),
+    ("pinching unnamed", "unknown", "unknown", 90),
     ("maxwell", "rate_dependence", "rate_dependence", 95),
     ("heating", "self_heating", "self_heating", 80),
     ("cold", "ambient_temperature", "ambient_temperature", 90),
@@ -58,12 +58,12 @@ const TABLE: &[Row] = &[
     ("soft ground", "foundation_flexibility", "foundation_flexibility + damping", 95),
     ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 85),
     ("undamped model", "damping", "damping", 85),
-    ("eccentric", "torsion", "torsion", 80),
+    ("eccentric", "torsion", "torsion", 50),
     ("pinching", "pinching", "pinching", 90),
     ("gain", "sensor_gain", "sensor_gain", 85),
     ("late", "sensor_lag", "sensor_lag", 85),
     ("jump", "sensor_drift", "sensor_drift", 85),
-    ("clipped", "sensor_clipping", "sensor_clipping", 95),
+    ("clipped", "sensor_clipping", "sensor_clipping", 90),
     ("late stop", "gap_impact + sensor_lag", "sensor_lag + gap_impact", 85),
 ];
 

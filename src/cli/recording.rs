@@ -345,7 +345,7 @@ fn write(path: &Path, series: &[Series]) -> Result<String, String> {
             }
             write_atomically(path, &csv(&columns))?;
         }
-        Some("npz") => write_whole(path, &npz(&columns)).map_err(|e| format!("cannot write {shown}: {e}"))?,
+        Some("npz") => write_whole(path, npz(&columns)).map_err(|e| format!("cannot write {shown}: {e}"))?,
         _ => {
             let [one] = series else {
                 return Err(format!(

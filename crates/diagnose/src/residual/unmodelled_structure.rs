@@ -274,38 +274,8 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{common_share, silent_share, unmodelled_structure, unsteady_share, variance_normalised};
-    use crate::inspect::response::ResponseRanges;
-    use crate::test_support::{pad_study, white_noise};
-    use hysteron_identify::study::{Role, Score, ScoredRun};
-
-    /// Bursts of one sensor are its noise; bursts that move two channels are not.
-    #[test]
-    fn bursts_of_one_channel_are_noise_of_its_sensor() {
-        let mut study = pad_study();
-        study.runs.retain(|r| r.role == Role::Fit);
-        study.runs.truncate(1);
-        let second = study.runs[0].observe[0].clone();
-        study.runs[0].observe.push(second);
-        study.runs[0].observe[1].channel = "second".into();
-        let n = study.runs[0].observe[0].values.len();
-        // At times that the motion does not repeat.
-        let loud = |t: usize| if [60..97, 211..243, 389..402].iter().any(|s| s.contains(&t)) { 12.0 } else { 1.0 };
-        let bursts = |seed: u64| white_noise(seed, n).iter().enumerate().map(|(t, x)| x * loud(t)).collect::<Vec<_>>();
-        let structure = |residuals: [Vec<f64>; 2]| {
-            let size = 0.02 * study.runs[0].observe[0].variance.sqrt();
-            let channels = study.runs[0].observe.iter().zip(&residuals);
-            let channels = channels.map(|(o, r)| o.values.iter().zip(r).map(|(v, r)| v + size * r).collect()).collect();
-            let scores = vec![Score { nmse: 0.01, samples: n, dropped: 0 }; 2];
-            unmodelled_structure(&study, &ResponseRanges::default(), &[ScoredRun { channels, scores }], true)
-        };
-        let alone = structure([bursts(3), white_noise(5, n)]);
-        assert_eq!(alone.unsteady_channels, ["force"], "{alone:?}");
-        assert!(alone.share < 0.2, "{alone:?}");
-        let shared = bursts(3);
-        let both = structure([shared.clone(), shared]);
-        assert!(both.share > 0.3 && both.unsteady_channels.is_empty(), "{both:?}");
-    }
+    use super::{common_share, silent_share, unsteady_share, variance_normalised};
+    use crate::test_support::white_noise;
 
     #[test]
     fn independent_sensor_noise_has_no_common_share() {

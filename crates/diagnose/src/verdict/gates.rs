@@ -35,8 +35,11 @@ pub(super) struct GatedRepair<'a> {
     /// Diagonal of the box around all nodes.
     pub(super) extent: f64,
     /// Channels of a variant in a run, at values of all of its parameters.
-    pub(super) simulate: &'a dyn Fn(&Arc<Variant>, usize, &[f64]) -> Option<ScoredRun>,
+    pub(super) simulate: &'a Simulate<'a>,
 }
+
+/// Simulation of a variant in a run, at values of all of its parameters.
+type Simulate<'a> = dyn Fn(&Arc<Variant>, usize, &[f64]) -> Option<ScoredRun> + 'a;
 
 impl GatedRepair<'_> {
     /// Limits of the probability of its cause; none if all gates are open.

@@ -188,8 +188,11 @@ pub(super) fn impossible_heat(variant: &Variant, values: &[f64], work: Option<Re
     })
 }
 
-/// An eccentricity beyond the half of the model's extent.
+/// An eccentricity beyond the half of the model's extent. A model in one point has none.
 pub(super) fn eccentricity(variant: &Variant, values: &[f64], extent: f64) -> Option<String> {
+    if extent <= 0.0 {
+        return None;
+    }
     let is_far = |n: &&str| value_of(variant, values, "torsion", n).is_some_and(|e| e.abs() > 0.5 * extent);
     let far = ["ex", "ey"].into_iter().find(is_far)?;
     Some(format!("the eccentricity {far} puts the mass outside the model"))

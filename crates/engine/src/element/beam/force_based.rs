@@ -163,12 +163,14 @@ pub(super) fn of_load(resultant: Resultant, internal: &[f64]) -> f64 {
 }
 
 impl ForceBased {
-    /// Returns true if the sections carry the forces along the beam.
+    /// Returns true if the sections carry the forces along the beam. In the last iteration the wider bound decides alone: what
+    /// is left then is a slow end of the iterations, and no strength that is exceeded.
     fn is_balanced<const N: usize, const B: usize, const M: usize>(
         &self,
         member: &Member<N, B>,
         points: &PerSection<Point<B, M>>,
         q: &[f64; B],
+        is_last: bool,
     ) -> bool {
         let (mut unbalanced, mut whole) = (0.0, 0.0);
         for ((.., weight), point) in member.along().zip(points) {
@@ -176,7 +178,8 @@ impl ForceBased {
             unbalanced += weight.abs() * of_point;
             whole += weight.abs() * of_section;
         }
-        let capped = self.tolerance.min((BALANCE[1] * whole).max(NEGLIGIBLE));
+        let widest = (BALANCE[1] * whole).max(NEGLIGIBLE);
+        let capped = if is_last { widest } else { self.tolerance.min(widest) };
         unbalanced <= capped.max(BALANCE[0] * whole)
     }
 
@@ -243,7 +246,7 @@ impl ForceBased {
                     && (energy <= ROUND_OFF * dot(&basic.q, v).abs()
                         || extra_iterations > MAX_EXTRA_ITERATIONS
                         || iteration == limit)
-                    && self.is_balanced(member, &points, &basic.q)
+                    && self.is_balanced(member, &points, &basic.q, iteration == limit)
                 {
                     break;
                 }
