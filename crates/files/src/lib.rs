@@ -1,7 +1,7 @@
 //! The one door to the file system: no other crate uses `std::fs`, which `tests/architecture.rs` holds.
 //!
 //! - Reading is bounded ([`read`], [`read_text`]): a device without an end takes no memory.
-//! - A file is written anew and renamed ([`write`], [`write_durably`]): a link under its name is replaced and not followed, and
+//! - A file is written anew and renamed ([`write()`], [`write_durably`]): a link under its name is replaced and not followed, and
 //!   nobody sees half a file.
 //! - The file of a recorder has whole rows at any time, and one writer ([`ResultFile`]).
 //! - A folder of results has one run at a time ([`FolderLock`]). A [`Scratch`] folder has a name that nobody can guess.
