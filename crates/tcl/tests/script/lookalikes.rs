@@ -95,11 +95,11 @@ fn warnings_are_counted_by_kind_and_place() {
         let first = i.warn(Diagnostic::warning(format!("at {time}")).label("returns -3"));
         assert_eq!(first.is_some(), time == 0);
     }
-    i.warn(Diagnostic::warning("at 0").label("another kind"));
+    i.warn(Diagnostic::warning("of another kind at 0").label("returns -3"));
     i.warn(Diagnostic::warning("at 9").coded("a-check"));
     i.warn(Diagnostic::warning("at 10").coded("a-check"));
     let all: Vec<(&str, usize)> = i.warnings.iter().map(|w| (w.message.as_str(), w.count)).collect();
-    assert_eq!(all, [("at 0", 5), ("at 0", 1), ("at 9", 2)]);
+    assert_eq!(all, [("at 0", 5), ("of another kind at 0", 1), ("at 9", 2)]);
     i.clear_warnings();
     assert!(i.warn(Diagnostic::warning("at 0").label("returns -3")).is_some());
 }
