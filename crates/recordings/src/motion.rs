@@ -26,7 +26,7 @@ pub struct Channel {
 pub struct Channels {
     /// The channels.
     pub channels: Vec<Channel>,
-    /// What was left out or converted.
+    /// Remarks: samples left out or converted.
     pub notes: Vec<String>,
 }
 

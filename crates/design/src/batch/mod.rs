@@ -24,7 +24,7 @@ pub struct Plan {
     pub cases: Vec<Case>,
     /// Number of cases that were left out because another has the same inputs.
     pub repeated: usize,
-    /// What is to be said about the files of the motions.
+    /// Remarks on the files of the motions.
     pub notes: Vec<String>,
 }
 

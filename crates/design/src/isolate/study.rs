@@ -115,7 +115,7 @@ pub struct Study {
     pub weight: f64,
     /// Values of the study beside those of the script.
     pub agreement: Agreement,
-    /// What is to be said about the files of the motions.
+    /// Remarks on the files of the motions.
     pub notes: Vec<String>,
 }
 

@@ -27,7 +27,7 @@ fn one() -> f64 {
 }
 
 impl MotionEntry {
-    /// What the entry says about its files.
+    /// Options of the reader that the entry states.
     ///
     /// # Errors
     /// The layout or the step has no meaning.

@@ -4,7 +4,7 @@ use super::Motion;
 use hysteron_recordings::check::doubts;
 use hysteron_recordings::{Channel, Measured, Told};
 
-/// What the user says about files that do not say it themselves.
+/// Statements of the user about files that do not state them.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Unit, step, quantity, layout.
@@ -20,7 +20,7 @@ pub struct ReadOptions {
 pub struct ReadMotions {
     /// One motion for each channel of accelerations.
     pub motions: Vec<Motion>,
-    /// What was left out or converted, and what is doubtful. Each names the file.
+    /// Remarks: samples left out or converted, doubts. Each names the file.
     pub notes: Vec<String>,
 }
 

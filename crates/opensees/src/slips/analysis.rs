@@ -78,7 +78,7 @@ slips! {
     "`constraints Transformation` with a node that follows one which is held in some of the degrees of freedom",
     "Where loads are applied, the constrained node goes to where the held ones take it: of the others no more than the last increment \
      counts. `--compat opensees` refuses this, and nodes that follow late, for integrators other than static ones, `Newmark`, `HHT`, \
-     `GeneralizedAlpha`, `HHTGeneralized`, `TRBDF2` and other multistep methods.",
+     `GeneralizedAlpha`, `HHTGeneralized`, `TRBDF2` and other multistep methods. Under `algorithm Linear` in transient analyses the numbers are not OpenSees'.",
     "All degrees of freedom of the retained node count.",
     "The constraint would not hold.";
 
