@@ -37,6 +37,8 @@ pub(crate) struct Parts {
     pub(crate) test: Option<Test>,
     pub(crate) algorithm: Option<Box<dyn Algorithm>>,
     pub(crate) integrator: Option<Box<dyn Integrator>>,
+    /// The system of equations holds every term.
+    pub(crate) full_matrix: Option<bool>,
     /// Print flag of the test.
     pub(crate) print: i32,
     /// Steps of time may change their length: `analysis VariableTransient`.

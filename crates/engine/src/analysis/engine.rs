@@ -42,6 +42,8 @@ pub struct Setup {
     pub integrator: Box<dyn Integrator>,
     /// Convergence test.
     pub test: Test,
+    /// The system of equations holds every term (`FullGeneral`). OpenSees' others drop terms that no element has.
+    pub full_matrix: bool,
 }
 
 /// Settings that hold for all analyses of an engine.

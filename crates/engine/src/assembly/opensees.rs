@@ -1,6 +1,6 @@
 //! The multi-point constraints as OpenSees' `Transformation` handler has them.
 
-use crate::model::{Model, MultiPoint};
+use crate::model::{ElementEntry, Model, MultiPoint};
 use std::collections::BTreeMap;
 
 /// A degree of freedom that follows, and what it follows: degrees of freedom and coefficients.
@@ -20,6 +20,9 @@ pub struct TransformedNode {
     pub moves_first: bool,
     /// What has no equation moves, or takes a motion of the equations with it.
     pub late: bool,
+    /// Its mass joins degrees of freedom of several nodes that no element joins. OpenSees' matrices drop such terms, all but
+    /// that of `FullGeneral`.
+    pub joins_alone: bool,
 }
 
 /// A constrained degree of freedom of a [`TransformedNode`].
@@ -57,7 +60,7 @@ pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool)
         let without: Vec<usize> =
             mp.retained_dofs.iter().filter(|&&d| equation(d).is_none()).map(|d| retained.offset + d).collect();
         let (own, moves_first) = (free(model, mp), retained.tag > tag);
-        let mut node = TransformedNode { rows: vec![], own, retained: without, moves_first, late: false };
+        let mut node = TransformedNode { rows: vec![], own, retained: without, moves_first, late: false, joins_alone: false };
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
             let terms = || mp.row(i).filter(|(_, k)| *k != 0.0);
             let own: Vec<_> = terms().filter_map(|(d, k)| Some((equation(d)?, k))).collect();
@@ -68,6 +71,7 @@ pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool)
         }
         let moves = node.rows.iter().any(|r| !r.equations.is_empty()) || node.retained.iter().any(|&dof| !stands(dof));
         node.late = !node.retained.is_empty() && moves;
+        node.joins_alone = joins_alone(model, mp.constrained.0, &node);
         let own = node.own.iter().copied().map(Some);
         let list = own.chain(mp.retained_dofs.iter().map(|&d| at(d))).collect();
         equations.insert(tag, list);
@@ -94,4 +98,20 @@ pub(super) fn frozen(model: &Model, held: &[bool]) -> Vec<usize> {
 fn free(model: &Model, mp: &MultiPoint) -> Vec<usize> {
     let offset = model.nodes[mp.constrained.0].offset;
     model.nodes[mp.constrained.0].dofs().filter(|d| !mp.constrained_dofs.contains(&(d - offset))).collect()
+}
+
+/// A mass of the node moves with equations of two nodes which no element joins.
+fn joins_alone(model: &Model, index: usize, node: &TransformedNode) -> bool {
+    let constrained = &model.nodes[index];
+    let place = |dof: usize| model.nodes.partition_point(|n| n.offset <= dof) - 1;
+    let heavy = node.rows.iter().filter(|r| constrained.mass.get(r.dof - constrained.offset).is_some_and(|&m| m != 0.0));
+    heavy.filter_map(|r| {
+        let nodes = || r.equations.iter().map(|&(dof, _)| place(dof));
+        let first = nodes().next()?;
+        Some((first, nodes().find(|&n| n != first)?))
+    })
+    .any(|(a, b)| {
+        let has = |e: &ElementEntry, node| e.nodes.iter().any(|n| n.0 == node);
+        !model.elements.iter().any(|e| has(e, a) && has(e, b))
+    })
 }

@@ -69,30 +69,33 @@ fn numberer(_: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-const SYSTEMS: &[Kind<()>] = &[
-    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: () },
-    Kind { names: &["BandSPD"], usage: "system BandSPD", make: () },
-    Kind { names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], usage: "system ProfileSPD", make: () },
+/// True for a matrix that holds every term.
+const SYSTEMS: &[Kind<bool>] = &[
+    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: false },
+    Kind { names: &["BandSPD"], usage: "system BandSPD", make: false },
+    Kind { names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], usage: "system ProfileSPD", make: false },
     Kind {
         names: &["SparseGeneral", "SparseGEN", "SparseGen", "SuperLU", "Sparse"],
         usage: "system SparseGeneral",
-        make: (),
+        make: false,
     },
-    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: () },
-    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: () },
-    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: () },
-    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: () },
-    Kind { names: &["Mumps"], usage: "system Mumps", make: () },
-    Kind { names: &["Petsc"], usage: "system Petsc", make: () },
-    Kind { names: &["Itpack"], usage: "system Itpack", make: () },
-    Kind { names: &["CuSP"], usage: "system CuSP", make: () },
-    Kind { names: &["PFEM"], usage: "system PFEM", make: () },
+    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: false },
+    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: false },
+    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: true },
+    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: false },
+    Kind { names: &["Mumps"], usage: "system Mumps", make: false },
+    Kind { names: &["Petsc"], usage: "system Petsc", make: false },
+    Kind { names: &["Itpack"], usage: "system Itpack", make: false },
+    Kind { names: &["CuSP"], usage: "system CuSP", make: false },
+    Kind { names: &["PFEM"], usage: "system PFEM", make: false },
 ];
 
 /// The solver is our own: it fits the size and the symmetry of the equations.
-fn system(_: &mut Tcl, call: &Call<'_>) -> Outcome {
+fn system(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SYSTEM);
-    kind::take(&mut a, "kind of system", "system of equations", SYSTEMS.iter())?;
+    let full_matrix = kind::take(&mut a, "kind of system", "system of equations", SYSTEMS.iter())?.make;
+    interp.host.parts.full_matrix = Some(full_matrix);
+    interp.host.engine.change_setup(|s| s.full_matrix = full_matrix);
     Ok(Value::EMPTY)
 }
 

@@ -78,7 +78,8 @@ slips! {
     "`constraints Transformation` with a node that follows one which is held in some of the degrees of freedom",
     "Where loads are applied, the constrained node goes to where the held ones take it: of the others no more than the last increment \
      counts. `--compat opensees` refuses this, and nodes that follow late, for integrators other than static ones, `Newmark`, `HHT`, \
-     `GeneralizedAlpha`, `HHTGeneralized`, `TRBDF2` and other multistep methods. Under `algorithm Linear` in transient analyses the numbers are not OpenSees'.",
+     `GeneralizedAlpha`, `HHTGeneralized`, `TRBDF2` and other multistep methods. It refuses `algorithm Linear` in transient analyses where the mass of such a node joins degrees \
+     of freedom that no element joins: OpenSees drops these terms in every system but `FullGeneral`.",
     "All degrees of freedom of the retained node count.",
     "The constraint would not hold.";
 

@@ -24,6 +24,9 @@ impl Algorithm for Linear {
     fn name(&self) -> &'static str {
         "Linear"
     }
+    fn iterates(&self) -> bool {
+        false
+    }
     fn prepare(&mut self, _: &super::System<'_>) {
         self.factored = false;
     }

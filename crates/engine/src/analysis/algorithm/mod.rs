@@ -123,6 +123,11 @@ pub trait Algorithm: fmt::Debug + Send {
         None
     }
 
+    /// It corrects until a test is passed, so that terms missing in the matrix cost no more than iterations.
+    fn iterates(&self) -> bool {
+        true
+    }
+
     /// The model has changed.
     fn prepare(&mut self, _system: &System<'_>) {}
 

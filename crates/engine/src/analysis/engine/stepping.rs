@@ -276,21 +276,29 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
 /// Parts of the motion that OpenSees sets when a step begins.
 ///
 /// # Errors
-/// Constrained nodes are moved late, and how the integrator moves them is not known.
+/// Constrained nodes are moved late, and how the integrator moves them is not known. Or OpenSees makes one correction with a
+/// matrix that drops terms of the mass, and which ones depends on its numbering.
 fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
-    let late = system.work.transformed.as_ref().and_then(|nodes| nodes.first_late());
-    match (setup.integrator.opensees_begin(), late) {
+    let Some(nodes) = system.work.transformed.as_ref() else { return Ok([false; 3]) };
+    let refuse = |message| Err(system.failure(Cause::Model(message)));
+    let loses_terms = system.dynamic && !setup.full_matrix && !setup.algorithm.iterates();
+    if let Some(dof) = nodes.first_joined_alone().filter(|_| loses_terms) {
+        return refuse(format!(
+            "--compat opensees does not follow algorithm {} here: the mass at {} joins degrees of freedom that no element joins, and \
+             OpenSees drops such terms in every system but FullGeneral; use algorithm Newton or system FullGeneral",
+            setup.algorithm.name(),
+            system.model.dof_name(dof)
+        ));
+    }
+    match (setup.integrator.opensees_begin(), nodes.first_late()) {
         (Some(parts), _) => Ok(parts),
         (None, None) => Ok([false; 3]),
-        (None, Some(dof)) => {
-            let message = format!(
-                "--compat opensees does not follow integrator {} with constraints Transformation where a node follows one that is \
-                 constrained or held itself, as {} does",
-                setup.integrator.name(),
-                system.model.dof_name(dof)
-            );
-            Err(system.failure(Cause::Model(message)))
-        }
+        (None, Some(dof)) => refuse(format!(
+            "--compat opensees does not follow integrator {} with constraints Transformation where a node follows one that is \
+             constrained or held itself, as {} does",
+            setup.integrator.name(),
+            system.model.dof_name(dof)
+        )),
     }
 }
 

@@ -80,6 +80,11 @@ impl TransformedNodes {
         self.late().flat_map(|n| &n.rows).map(|r| r.dof).next()
     }
 
+    /// The first degree of freedom of a node whose mass joins what no element joins.
+    pub(in crate::analysis) fn first_joined_alone(&self) -> Option<usize> {
+        self.nodes.iter().filter(|n| n.joins_alone).flat_map(|n| &n.rows).map(|r| r.dof).next()
+    }
+
     /// Put late nodes where the degrees of freedom without an equation are; the greatest tag comes first. True if one has moved.
     fn follow_loads(&self, now: &mut State) -> bool {
         let mut moved = false;
