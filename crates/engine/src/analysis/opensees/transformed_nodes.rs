@@ -158,7 +158,6 @@ impl System<'_> {
         nodes.phase = phase;
         let late = nodes.late().map(|n| n.retained.len()).sum();
         if phase == Phase::Preparation || nodes.followed.len() != late {
-            nodes.lost = None;
             nodes.followed = nodes.late().flat_map(|n| &n.retained).map(|&dof| self.new.disp[dof]).collect();
         }
         if matches!(phase, Phase::Begin(_)) {
@@ -175,7 +174,7 @@ impl System<'_> {
     /// The step has failed, or is over.
     pub(in crate::analysis) fn leave_phases(&mut self, failed: bool) {
         let Some(nodes) = &mut self.work.transformed else { return };
-        if failed && self.dynamic && nodes.phase != Phase::Preparation {
+        if failed && self.dynamic && nodes.phase != Phase::Outside && nodes.phase != Phase::Preparation {
             nodes.keep_lost(self.new, self.old);
         }
         nodes.phase = Phase::Outside;
