@@ -116,7 +116,8 @@ fn lost_terms_of_a_mass_are_refused_under_one_correction() {
         timeSeries Linear 1; pattern Plain 1 1 { load 2 10 5 0; load 4 3 1 0.5 }
         constraints Transformation; system BandGeneral; algorithm Linear; integrator Newmark 0.5 0.25
         analysis Transient; analyze 3 0.01; puts \"[nodeDisp 2 1] [nodeDisp 3 2] [nodeDisp 4 1]\"";
-    let failure = |script: &str| Script::compat().run(script).interp.host.last_failure.as_ref().map(ToString::to_string);
+    let failure =
+        |script: &str| Script::compat().run(script).interp.host.last_failure.as_ref().map(ToString::to_string);
     let refused = failure(script).unwrap_or_default();
     assert!(refused.contains("algorithm Linear") && refused.contains("node 4"), "{refused}");
     for same in [script.replace("BandGeneral", "FullGeneral"), script.replace("mass 4 2 3 0.1", "mass 4 0 3 0.1")] {
@@ -157,7 +158,10 @@ fn a_failed_step_is_missing_in_tied_nodes() {
         analyze 1 0.01
         test NormDispIncr 1e-30 2; analyze 1 0.01; test NormDispIncr 1e-10 20
         analyze 2 0.01; puts \"[nodeDisp 2 1] [nodeDisp 5 1] [nodeDisp 5 2] [nodeDisp 7 1]\"";
-    check(&Script::compat().run(script).numbers(), &[0.0002224532961981918, 0.00016203290452781728, -5.956728740831118e-5, 0.00016203290452781728]);
+    check(
+        &Script::compat().run(script).numbers(),
+        &[0.0002224532961981918, 0.00016203290452781728, -5.956728740831118e-5, 0.00016203290452781728],
+    );
     let own = Script::default().run(script).numbers();
     assert!(close(own[0], own[1], 1e-12) && close(own[0], own[3], 1e-12), "{own:?}");
 }

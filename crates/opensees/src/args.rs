@@ -1,9 +1,12 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
+mod number_words;
+
 use crate::{Tcl, elsewhere, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
+use number_words::{as_int, no_list_of_numbers, numbers};
 use std::borrow::Cow;
 use std::fmt::Display;
 
@@ -479,38 +482,4 @@ impl<'a> Args<'a> {
         let comment = word.starts_with('#');
         Some(d.help(if comment { COMMENT.into() } else { self.usage_line() }))
     }
-}
-
-fn as_int(value: &Value) -> Option<i32> {
-    if let Some(i) = value.as_i64() {
-        return i32::try_from(i).ok();
-    }
-    let x = value.as_f64()?;
-    (x.fract() == 0.0 && x.abs() < f64::from(i32::MAX)).then_some(x as i32)
-}
-
-/// Help about a word that was meant as a list of numbers: the first thing in it that is none.
-fn no_list_of_numbers(value: &Value) -> Option<String> {
-    let text = value.as_str();
-    let is_number = |w: &str| w.parse::<f64>().is_ok();
-    let mut parts = text.split([',', ';']).map(str::trim).filter(|w| !w.is_empty());
-    if text.contains([',', ';']) && parts.all(|part| part.split_whitespace().all(is_number)) {
-        return Some("blanks stand between the numbers of a list, no commas and no semicolons".into());
-    }
-    let list = value.to_list().ok().filter(|l| !l.is_empty())?;
-    if list.iter().all(|v| numbers(v).is_some()) {
-        return Some("it is a list of lists: \"[concat {*}$list]\" makes one list of them".into());
-    }
-    let (i, wrong) = list.iter().enumerate().find(|(_, v)| v.as_f64().is_none_or(|x| !x.is_finite()))?;
-    if i == 0 {
-        return None;
-    }
-    let help = format!("element {} of the list is no number: \"{wrong}\"", i + 1);
-    Some(lookalike(&wrong.as_str()).map_or(help.clone(), |why| format!("{help}; {why}")))
-}
-
-/// The elements of a list of numbers.
-fn numbers(value: &Value) -> Option<Vec<f64>> {
-    let list = value.to_list().ok()?;
-    list.iter().map(|v| v.as_f64().filter(|x| x.is_finite())).collect()
 }

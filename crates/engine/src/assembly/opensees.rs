@@ -60,7 +60,8 @@ pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool)
         let without: Vec<usize> =
             mp.retained_dofs.iter().filter(|&&d| equation(d).is_none()).map(|d| retained.offset + d).collect();
         let (own, moves_first) = (free(model, mp), retained.tag > tag);
-        let mut node = TransformedNode { rows: vec![], own, retained: without, moves_first, late: false, joins_alone: false };
+        let mut node =
+            TransformedNode { rows: vec![], own, retained: without, moves_first, late: false, joins_alone: false };
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
             let terms = || mp.row(i).filter(|(_, k)| *k != 0.0);
             let own: Vec<_> = terms().filter_map(|(d, k)| Some((equation(d)?, k))).collect();
@@ -104,14 +105,16 @@ fn free(model: &Model, mp: &MultiPoint) -> Vec<usize> {
 fn joins_alone(model: &Model, index: usize, node: &TransformedNode) -> bool {
     let constrained = &model.nodes[index];
     let place = |dof: usize| model.nodes.partition_point(|n| n.offset <= dof) - 1;
-    let heavy = node.rows.iter().filter(|r| constrained.mass.get(r.dof - constrained.offset).is_some_and(|&m| m != 0.0));
-    heavy.filter_map(|r| {
-        let nodes = || r.equations.iter().map(|&(dof, _)| place(dof));
-        let first = nodes().next()?;
-        Some((first, nodes().find(|&n| n != first)?))
-    })
-    .any(|(a, b)| {
-        let has = |e: &ElementEntry, node| e.nodes.iter().any(|n| n.0 == node);
-        !model.elements.iter().any(|e| has(e, a) && has(e, b))
-    })
+    let heavy =
+        node.rows.iter().filter(|r| constrained.mass.get(r.dof - constrained.offset).is_some_and(|&m| m != 0.0));
+    heavy
+        .filter_map(|r| {
+            let nodes = || r.equations.iter().map(|&(dof, _)| place(dof));
+            let first = nodes().next()?;
+            Some((first, nodes().find(|&n| n != first)?))
+        })
+        .any(|(a, b)| {
+            let has = |e: &ElementEntry, node| e.nodes.iter().any(|n| n.0 == node);
+            !model.elements.iter().any(|e| has(e, a) && has(e, b))
+        })
 }

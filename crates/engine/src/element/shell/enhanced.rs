@@ -3,6 +3,7 @@
 //! Strains are small. The axes stay, or follow the nodes. Internal modes of the membrane are condensed by Newton's method.
 
 mod frame;
+mod options;
 mod point;
 mod quadrilateral;
 mod triangle;
@@ -15,6 +16,7 @@ use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, P
 use crate::state_struct::StateStruct;
 use frame::{Following, Frame, NodalTurns};
 use nalgebra::{Matrix4, Vector3, Vector4};
+pub use options::{Drilling, EnhancedShellOptions};
 use point::LocalPoint;
 use std::ops::Range;
 
@@ -32,35 +34,6 @@ const DIFFERENCE: f64 = 1e-6;
 const LEAST_INCREMENT: f64 = 1e-10;
 /// Largest damage of the drilling stiffness.
 const LARGEST_DAMAGE: f64 = 0.999;
-
-/// Stiffness against drilling.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Drilling {
-    /// Elastic; the fully integrated share of the penalty is 0 to 1 (quadrilaterals).
-    Elastic(f64),
-    /// Elastic less the damage of the section.
-    Damaged,
-}
-
-/// Properties of a shell.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EnhancedShellOptions {
-    /// The axes follow the nodes.
-    pub corotational: bool,
-    /// The membrane of a quadrilateral has internal modes.
-    pub internal: bool,
-    /// A triangle has one point and a drilling penalty instead of three points without one.
-    pub reduced: bool,
-    /// Drilling stiffness.
-    pub drilling: Drilling,
-    /// Direction of axis 1 of the section, to be projected onto the shell.
-    pub axis: Option<[f64; 3]>,
-    /// As in OpenSees 3.7, axis 1 of the section is square to the side from node 1 to node 2 where none is given, and the
-    /// transverse shear strains turn the other way round.
-    pub opensees_axes: bool,
-    /// Increments of rotation start from the last trial state, and the tangent is that of fixed axes, as in OpenSees.
-    pub by_trials: bool,
-}
 
 /// A shell of four or three nodes with transverse shear.
 #[derive(Clone, Debug)]
