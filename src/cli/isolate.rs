@@ -7,7 +7,8 @@ use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, report, script_text, summary};
+use hysteron::design::isolate::{self, script_text};
+use hysteron::design::review;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -35,7 +36,11 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
     args.limits.enforce(&stop);
-    let result = load(Path::new(&args.model), &stop).map(|study| {
+    let checked = load(Path::new(&args.model), &stop).and_then(|study| {
+        review::periods(&study).agree(&study)?;
+        Ok(study)
+    });
+    let result = checked.map(|study| {
         let table = study.agreement.table();
         if args.json {
             return (format!("{}\n", table.json()), 0);
@@ -49,6 +54,8 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
 
 fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
     let study = load(&a.jobs.study, stop)?;
+    let periods = review::periods(&study);
+    periods.agree(&study)?;
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
@@ -61,31 +68,28 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
         let outcome = jobs.one(job)?;
         isolate::runaway(&study, &outcome).map_or(Ok(outcome), Err)
     })?;
-    let results = summary(&study, &outcomes);
-    let json = report::json(&study, &outcomes, &results);
-    let checks = check_table(&results.checks);
-    for (name, text) in [
-        ("schedule.csv", results.schedule.csv()),
-        ("structure.csv", results.structure.csv()),
-        ("checks.csv", checks.csv()),
-        ("isolation.json", json.clone()),
-        ("report.html", report::html(&study, &outcomes, &results)),
-    ] {
+    let results = review::review(&study, &outcomes, periods);
+    for (name, text) in review::files(&study, &outcomes, &results) {
         write_atomically(&a.out.join(name), &text)?;
     }
     let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
     for o in outcomes.iter().filter(|o| !o.failure.is_empty()).take(3) {
         eprintln!("warning: {} bound, {}: {}", o.bound, o.motion, o.failure);
     }
+    let status = if failed > 0 { FAILURE } else { 0 };
+    if a.jobs.json {
+        return Ok((review::json(&study, &outcomes, &results), status));
+    }
     let missed = results.checks.iter().filter(|c| c.status == Status::NotMet).count();
-    let text = format!(
-        "{}\n{}\n{}\n{}\n{missed} of {} checks are not met; {}\n",
-        study.agreement.table().text(),
-        results.structure.text(),
-        results.schedule.text(),
-        checks.text(),
-        results.checks.len(),
-        study.code.remark()
-    );
-    Ok((if a.jobs.json { json } else { text }, if failed > 0 { FAILURE } else { 0 }))
+    let tables = [
+        study.agreement.table(),
+        results.procedure(&study),
+        results.structure(&study, &outcomes),
+        results.schedule(&study),
+        results.design_values(),
+        check_table(&results.checks),
+    ];
+    let text: String = tables.iter().map(|t| t.text() + "\n").collect();
+    let remark = study.code.remark();
+    Ok((format!("{text}{missed} of {} checks are not met; {remark}\n", results.checks.len()), status))
 }

@@ -155,6 +155,7 @@ fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Res
     }
     let by_mass = model.mass_above() * study.gravity;
     study.agreement.add("mass above the bearings times gravity".into(), &force, Some(study.weight), by_mass);
+    study.mass_over_weight = by_mass / study.weight;
     let ratio = by_mass / carried;
     if !(MASS[0]..=MASS[1]).contains(&ratio) {
         return Err(format!(

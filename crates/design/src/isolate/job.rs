@@ -117,10 +117,14 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
     let list = |k: usize| Value::list(pair.components[k].acceleration.iter().map(|a| Value::from(factor * a)));
     let [ex, ey] = study.eccentricities[job.eccentricity];
     let points = pair.components[0].acceleration.len();
+    // Without a vertical component the ground rests.
+    let rest = vec![0.0; points];
+    let vertical = pair.vertical.as_ref().map_or(&rest, |m| &m.acceleration).iter().map(|a| Value::from(factor * a));
     let mut out = vec![
         ("bound".to_owned(), Value::from(job.bound)),
         ("ax".to_owned(), list(0)),
         ("ay".to_owned(), list(1)),
+        ("az".to_owned(), Value::list(vertical)),
         ("dt".to_owned(), Value::from(pair.components[0].dt)),
         ("points".to_owned(), Value::from(points as i64)),
         ("ex".to_owned(), Value::from(ex)),
@@ -288,7 +292,8 @@ fn thinned(a: &[f64], b: &[f64]) -> Vec<[f64; 2]> {
 fn measure_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, out: &mut JobOutcome) {
     let mut total: Vec<Vec<f64>> = vec![];
     for kind in &study.bearings {
-        for (k, &tag) in kind.tags.iter().enumerate() {
+        let first = out.bearings.len();
+        for &tag in &kind.tags {
             let all = ["lower", "upper", "force"].map(|what| rows(&format!("{tag}/{what}")));
             let [Some(lower), Some(upper), Some(force)] = all else {
                 if out.failure.is_empty() {
@@ -311,8 +316,15 @@ fn measure_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, out: &mu
             for (sum, f) in total.iter_mut().zip(&f) {
                 sum.iter_mut().zip(f).for_each(|(s, f)| *s += f);
             }
-            let b = bearing(kind, tag, &u[horizontal.clone()], &f[horizontal], &u[vertical], &f[vertical], k == 0);
+            let b = bearing(kind, tag, &u[horizontal.clone()], &f[horizontal], &u[vertical], &f[vertical]);
             out.bearings.push(b);
+        }
+        // Histories of the bearing of the type that moves farthest.
+        let mine = &mut out.bearings[first..];
+        let farthest = mine.iter().map(|b| b.displacement).fold(0.0, f64::max);
+        let kept = mine.iter().position(|b| b.displacement == farthest);
+        for (_, b) in mine.iter_mut().enumerate().filter(|(k, _)| Some(*k) != kept) {
+            (b.hysteresis, b.orbit) = (vec![], vec![]);
         }
     }
     out.base_shear = largest_length(&total);
@@ -325,7 +337,6 @@ fn bearing(
     f: &[Vec<f64>],
     rise: &[f64],
     axial: &[f64],
-    keeps: bool,
 ) -> BearingOutcome {
     let n = axial.len();
     let compression: Vec<f64> = axial.iter().map(|f| -f).collect();
@@ -354,8 +365,8 @@ fn bearing(
         shear: largest_length(f),
         energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
         stability,
-        hysteresis: if keeps { thinned(&u[0], &f[0]) } else { vec![] },
-        orbit: if keeps { thinned(&u[0], second) } else { vec![] },
+        hysteresis: thinned(&u[0], &f[0]),
+        orbit: thinned(&u[0], second),
     }
 }
 

@@ -27,7 +27,7 @@ pub struct BearingOutcome {
     pub energy: f64,
     /// Largest P/P_cr with the overlapping area at each time; none without a critical load.
     pub stability: Option<f64>,
-    /// Displacements and forces in the first direction, thinned, of the first bearing of a type.
+    /// Displacements and forces in the first direction, thinned, of the bearing of a type that moves farthest.
     pub hysteresis: Vec<[f64; 2]>,
     /// Orbit, thinned, of such a bearing.
     pub orbit: Vec<[f64; 2]>,

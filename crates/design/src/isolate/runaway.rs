@@ -2,8 +2,8 @@
 
 use super::BOUNDS;
 use super::outcome::JobOutcome;
+use super::procedures::procedures;
 use super::study::Study;
-use super::summary::procedures;
 
 /// Displacement over D_M of the same bound, beyond which the model or the motion is wrong. Near-fault motions and torsion reach
 /// twice D_M; a wrong unit, a lost restoring force or a bearing without strength reach any number.

@@ -1,8 +1,8 @@
 //! A study that has been read with its motions and settled with its script.
 
 use super::agreement::{Agreement, StatedValues, settle};
-use super::study_file::{BearingEntry, Causes, Stated, StudyFile, Transition};
-use crate::codes::Code;
+use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, StudyFile, Transition};
+use crate::codes::{Code, Structure};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
@@ -97,8 +97,22 @@ pub struct Study {
     pub eccentricities: Vec<[f64; 2]>,
     /// Target spectrum of 5 % damping.
     pub target: Target,
+    /// Words that the study gives the target in.
+    pub target_words: String,
     /// R of the structure above.
     pub response_modification: f64,
+    /// Kind of structure.
+    pub structure: Structure,
+    /// The structure above is regular.
+    pub regular: bool,
+    /// Factors of the bounds come from full-scale tests of the project.
+    pub project_tests: bool,
+    /// Live load of the load combinations.
+    pub live: LiveLoad,
+    /// S_MS in g for the vertical part of the load combinations.
+    pub sms: Option<f64>,
+    /// Periods between which the pairs are scaled.
+    pub scale: Option<[f64; 2]>,
     /// Floors from the base level upwards.
     pub floors: Vec<Floor>,
     /// Types of bearings.
@@ -113,6 +127,8 @@ pub struct Study {
     pub structure_damping: f64,
     /// Weight that the bearings carry: that of the floors, or the axial forces of the bearings under gravity.
     pub weight: f64,
+    /// Mass above the bearings times gravity over that weight.
+    pub mass_over_weight: f64,
     /// Values of the study beside those of the script.
     pub agreement: Agreement,
     /// Remarks on the files of the motions.
@@ -120,7 +136,7 @@ pub struct Study {
 }
 
 /// Version of the results of an analysis: those of another one are made again.
-const FORMAT: &str = "3";
+const FORMAT: &str = "4";
 
 /// Hash of texts.
 fn fingerprint(texts: &[&str]) -> u64 {
@@ -162,12 +178,17 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
         let rest = vec![0.0; components[0].acceleration.len()];
         components.push(Motion { name: "none".into(), azimuth: None, acceleration: rest, ..components[0].clone() });
     }
+    let vertical = if components.len() == 3 { components.pop() } else { None };
     let [mut x, y] = <[Motion; 2]>::try_from(components)
-        .map_err(|c| format!("the motion {:?} has {} components: expected 1 or 2", entry.files, c.len()))?;
+        .map_err(|c| format!("the motion {:?} has {} components: expected 1, 2 or 3", entry.files, c.len()))?;
     if let Some(name) = &entry.name {
         x.name.clone_from(name);
     }
-    Pair::new(x.scaled(entry.factor), y.scaled(entry.factor))
+    let pair = Pair::new(x.scaled(entry.factor), y.scaled(entry.factor))?;
+    match vertical {
+        Some(z) => pair.with_vertical(z.scaled(entry.factor)),
+        None => Ok(pair),
+    }
 }
 
 /// Read a study and its motions, and settle it with its script, which runs up to its first transient analysis at each bound
@@ -213,18 +234,25 @@ pub fn is_isolation_study(path: &Path) -> bool {
 fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<Study, String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let script = folder.join(&file.script);
-    texts.push(text_of(&script)?);
+    let script_text = text_of(&script)?;
     let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
     let mut notes = vec![];
     let read = |m| pair(m, folder, texts, &mut notes);
     let mut motions = file.motion.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    if motions.iter().any(|p| p.vertical.is_some()) && !script_text.contains("isolate(az)") {
+        notes.push(format!(
+            "the motions have vertical components, but \"{}\" does not name isolate(az): are they applied?",
+            script.display()
+        ));
+    }
+    texts.push(script_text);
     texts.extend(file.motion.iter().map(MotionEntry::identity));
     let factors = match file.scale {
         Some([from, to]) => factors(&motions, &target, [from, to])?,
         None => vec![1.0; motions.len()],
     };
     for (pair, f) in motions.iter_mut().zip(&factors) {
-        pair.components.iter_mut().for_each(|m| *m = m.scaled(*f));
+        pair.components.iter_mut().chain(&mut pair.vertical).for_each(|m| *m = m.scaled(*f));
     }
     let performance = Performance {
         intensity: file.intensity,
@@ -240,16 +268,28 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         let weight = f.weight.as_ref().map_or(f64::NAN, |w| *w.get_ref());
         Floor { node: f.node, weight, height: f.height }
     };
+    let code = Code::named(&file.code)?;
+    let short = match target {
+        Target::TwoPeriod { short, .. } => Some(short),
+        _ => None,
+    };
     Ok(Study {
+        structure: file.structure.unwrap_or(code.structure),
+        regular: file.regular,
+        project_tests: file.project_tests,
+        live: file.live,
+        sms: file.sms.or(short),
+        scale: file.scale,
         title: if file.title.is_empty() { file.script.clone() } else { file.title },
         script,
         fingerprint: 0,
-        code: Code::named(&file.code)?,
+        code,
         gravity: *file.gravity.get_ref(),
         units: file.units,
         plan: file.plan,
         eccentricities: mirrored(&file.eccentricities),
         target,
+        target_words: file.target.join(" "),
         response_modification: file.response_modification,
         floors: file.floor.iter().map(floor).collect(),
         bearings: file.bearing.into_iter().map(BearingType::new).collect(),
@@ -258,6 +298,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         performance,
         structure_damping: file.structure_damping,
         weight: f64::NAN,
+        mass_over_weight: 1.0,
         agreement: Agreement::default(),
         notes,
     })

@@ -1,5 +1,6 @@
 //! The file of an isolation study: its keys, and what can be said of them without the script.
 
+use crate::codes::Structure;
 use crate::motion::MotionEntry;
 use crate::performance::{Collapse, Hunt, Intensity, LimitState, Stripes};
 use serde::Deserialize;
@@ -90,6 +91,22 @@ pub(super) struct BearingEntry {
     pub(super) tension: Option<f64>,
 }
 
+/// Live load beside the dead load that a script applies under gravity.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct LiveLoad {
+    /// Full live load over dead load.
+    pub over_dead: f64,
+    /// Share of the live load that the script applies.
+    pub in_script: f64,
+}
+
+impl Default for LiveLoad {
+    fn default() -> Self {
+        Self { over_dead: 0.0, in_script: 0.0 }
+    }
+}
+
 /// A floor, as the file names it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -102,6 +119,10 @@ pub(super) struct FloorEntry {
 
 fn one() -> f64 {
     1.0
+}
+
+fn yes() -> bool {
+    true
 }
 
 fn no_eccentricity() -> Vec<[f64; 2]> {
@@ -133,6 +154,19 @@ pub(super) struct StudyFile {
     /// Response modification coefficient of the structure above.
     #[serde(default = "one")]
     pub(super) response_modification: f64,
+    /// Kind of structure; that of the code without it.
+    pub(super) structure: Option<Structure>,
+    /// The structure above is regular.
+    #[serde(default = "yes")]
+    pub(super) regular: bool,
+    /// Factors of the bounds come from full-scale tests of the project.
+    #[serde(default)]
+    pub(super) project_tests: bool,
+    /// Live load of the load combinations.
+    #[serde(default)]
+    pub(super) live: LiveLoad,
+    /// S_MS in g for the vertical part of the load combinations; that of the target without it.
+    pub(super) sms: Option<f64>,
     #[serde(default)]
     pub(super) floor: Vec<FloorEntry>,
     pub(super) bearing: Vec<BearingEntry>,
@@ -196,6 +230,9 @@ impl StudyFile {
     pub(super) fn check(&self) -> Result<(), String> {
         positive("gravity", *self.gravity.get_ref())?;
         positive("response_modification", self.response_modification)?;
+        not_negative("live.over_dead", self.live.over_dead)?;
+        not_negative("live.in_script", self.live.in_script)?;
+        self.sms.map_or(Ok(()), |s| not_negative("sms", s))?;
         if !(0.0..1.0).contains(&self.structure_damping) {
             return Err(format!("structure_damping is {}: expected 0 to less than 1", self.structure_damping));
         }

@@ -2,7 +2,7 @@
 
 use super::trends::is_same;
 use super::{PrototypeTest, TestCycle};
-use crate::check::Check;
+use crate::check::{Check, Citation};
 use crate::codes::Code;
 
 /// Nominal properties at the design displacement.
@@ -148,11 +148,11 @@ impl Bounds {
         else {
             return vec![];
         };
-        let clause = code.clause("limits_of_factors");
+        let cite = || Citation::of(code, "limits_of_factors");
         let subject = |what: &str| format!("{what} beside the limit that holds without tests of the project");
         vec![
-            Check::at_least(subject("λ_max of Q_d"), clause, self.lambda_max.q_d, upper),
-            Check::at_most(subject("λ_min of Q_d"), clause, self.lambda_min.q_d, lower),
+            Check::at_least(subject("λ_max of Q_d"), cite(), self.lambda_max.q_d, upper),
+            Check::at_most(subject("λ_min of Q_d"), cite(), self.lambda_min.q_d, lower),
         ]
     }
 }
