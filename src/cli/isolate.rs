@@ -17,6 +17,9 @@ use std::sync::atomic::AtomicBool;
 pub(super) struct IsolateArgs {
     #[command(flatten)]
     jobs: StudyJobsArgs,
+    /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
+    #[arg(long, value_name = "DIR")]
+    compare: Option<PathBuf>,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "isolation")]
     out: PathBuf,
@@ -28,7 +31,26 @@ pub(super) struct IsolateArgs {
 /// Run the command; the exit status.
 pub(super) fn isolate(a: &IsolateArgs) -> i32 {
     let stop = a.jobs.stop_flag();
-    finish(study(a, &stop), &stop)
+    let result = match &a.compare {
+        Some(second) => compared(&a.jobs.study, second, a.jobs.json),
+        None => study(a, &stop),
+    };
+    finish(result, &stop)
+}
+
+/// The difference of two results.
+fn compared(first: &Path, second: &Path, as_json: bool) -> Result<(String, i32), String> {
+    let read = |path: &Path| -> Result<serde_json::Value, String> {
+        let file = if path.is_dir() { path.join("isolation.json") } else { path.to_owned() };
+        let text = hysteron_files::read_text(&file).map_err(|e| format!("cannot read \"{}\": {e}", file.display()))?;
+        serde_json::from_str(&text).map_err(|e| format!("\"{}\": {e}", file.display()))
+    };
+    let found = review::compare(&read(first)?, &read(second)?)?;
+    if as_json {
+        return Ok((found.table.json(), 0));
+    }
+    let differences = found.table.rows.len();
+    Ok((format!("{}\n{differences} values differ, {} are the same\n", found.table.text(), found.same), 0))
 }
 
 /// Check an isolation study: its keys, and its values beside those of the script; the exit status.

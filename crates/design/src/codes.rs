@@ -29,9 +29,9 @@ impl Reading {
     /// Words for tables.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Text => "text read",
-            Self::Secondary => "secondary source read",
-            Self::Knowledge => "text not read",
+            Self::Text => "text",
+            Self::Secondary => "secondary",
+            Self::Knowledge => "not read",
         }
     }
 }

@@ -112,7 +112,8 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
 
 /// Place of a type in the script, for messages.
 fn place(study: &Study, bearing: &ScriptBearing) -> String {
-    format!("\"{}\", element {} {}", study.script.display(), bearing.class, bearing.tag)
+    let line = if bearing.line.is_empty() { study.script.display().to_string() } else { bearing.line.clone() };
+    format!("{line}, element {} {}", bearing.class, bearing.tag)
 }
 
 fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {

@@ -27,6 +27,8 @@ pub(super) struct ScriptBearing {
     pub(super) gravity: f64,
     /// Elevation of its upper node.
     elevation: f64,
+    /// File and line of the script that made it; empty if they are not known.
+    pub(super) line: String,
 }
 
 /// The model under gravity.
@@ -57,7 +59,13 @@ impl ScriptModel {
         let mut bearings = vec![];
         for (kind, b) in study.bearings.iter().enumerate() {
             for &tag in &b.tags {
-                bearings.push(bearing(engine, kind, tag).map_err(|e| format!("{} {tag} {e}", b.name))?);
+                let mut found = bearing(engine, kind, tag).map_err(|e| format!("{} {tag} {e}", b.name))?;
+                let made_at = i32::try_from(tag).ok().and_then(|t| run.interp.host.builder.made_at.get(&t));
+                found.line = made_at.map_or(String::new(), |span| {
+                    let at = run.interp.sources.location(*span);
+                    format!("{}:{}", at.name, at.line)
+                });
+                bearings.push(found);
             }
         }
         let masses = masses(model);
@@ -118,7 +126,7 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
     engine.element_force(id, &mut force);
     let gravity = -force[force.len() / 2 + node.ndm() - 1];
     let elevation = node.coords[node.ndm() - 1];
-    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation })
+    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation, line: String::new() })
 }
 
 /// Mass in the first direction and elevation of each node. A row of a consistent mass matrix counts for its node.

@@ -10,6 +10,9 @@ use hysteron_opensees::run::Run;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// Share of the effective mass below which a mode has none in a direction.
+const NO_MASS: f64 = 1.0e-9;
+
 type Bearing = (Arc<dyn Element>, ElementId, usize, [usize; 2]);
 
 /// The model of a study before its transient analysis.
@@ -135,7 +138,7 @@ impl ModalModel {
         model.linearize(study, stiffnesses)?;
         let mode = |k: usize, direction: usize| PeriodMode {
             period: TAU / model.modes.lambda[k].sqrt(),
-            mass: model.masses[k][direction],
+            mass: if model.masses[k][direction] < NO_MASS { 0.0 } else { model.masses[k][direction] },
         };
         let of = |direction: usize| (0..model.modes.lambda.len()).map(|k| mode(k, direction)).collect();
         Ok((0..model.horizontal()).map(of).collect())

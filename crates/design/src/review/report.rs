@@ -17,6 +17,8 @@ const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-
     @media print{.two{grid-template-columns:1fr 1fr}.wide{overflow:visible}.wide td,.wide th{font-size:.72em;padding:.1em .25em}.new{break-before:page}h2{margin-top:.8em}}</style>\n";
 /// Bearings in the schedule of the page; the file has all.
 const MAX_BEARINGS: usize = 40;
+/// Kinds of checks on the first page, unless more are not met.
+const MAX_CHECKS: usize = 14;
 /// Floors with a picture of their spectra.
 const MAX_FLOORS: usize = 4;
 /// Rows of the table of modes.
@@ -125,8 +127,16 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
     }
     *out += "<h2>Design values</h2>\n";
     wide(out, &design_table(review));
-    *out += "<h2>Checks</h2>\n<p>The bound with the worst result of each kind; <code>checks.csv</code> has all.</p>\n";
-    wide(out, &check_table(&worst));
+    *out += "<h2>Checks</h2>\n";
+    // What is not met is never cut.
+    let shown = worst.iter().filter(|c| c.status != Status::Met).count().max(MAX_CHECKS).min(worst.len());
+    wide(out, &check_table(&worst[..shown]));
+    *out += &format!(
+        "<p>The bound with the worst result of each kind, {shown} of {} kinds; <code>checks.csv</code> has all {} checks. Wording: whether the \
+         text of the clause, a secondary source or neither was read.</p>\n",
+        worst.len(),
+        review.checks.len()
+    );
 }
 
 /// Design values: quantities by rows, the design value of each bound and the largest factor by columns.
