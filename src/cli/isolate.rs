@@ -7,7 +7,8 @@ use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, script_text};
+use hysteron::design::isolate::{self, Study, script_text};
+use hysteron::design::prototype::Posterior;
 use hysteron::design::review;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,6 +21,13 @@ pub(super) struct IsolateArgs {
     /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
     #[arg(long, value_name = "DIR")]
     compare: Option<PathBuf>,
+    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, for several
+    /// types several times
+    #[arg(long, value_name = "NAME=FILE", conflicts_with = "compare")]
+    posterior: Vec<String>,
+    /// Draws of --posterior; the motions are taken in turn
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    draws: u32,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "isolation")]
     out: PathBuf,
@@ -74,10 +82,40 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     finish(result, &stop)
 }
 
+/// Analyses of draws of the properties.
+fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
+    let read = |text: &String| -> Result<(String, Posterior), String> {
+        let (name, file) = text.split_once('=').ok_or_else(|| format!("--posterior {text}: expected NAME=FILE"))?;
+        let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+        let posterior = serde_json::from_str(&json).map_err(|e| format!("\"{file}\": {e}"))?;
+        Ok((name.to_owned(), posterior))
+    };
+    let posteriors = a.posterior.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    study.draw(&posteriors, a.draws as usize)?;
+    let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
+    let all = isolate::draw_jobs(study);
+    let outcomes = jobs.all(&all, all.len(), |job| {
+        let outcome = jobs.one(job)?;
+        isolate::runaway(study, &outcome).map_or(Ok(outcome), Err)
+    })?;
+    let [percentiles, draws] = review::draw_tables(study, &outcomes);
+    write_atomically(&a.out.join("percentiles.csv"), &percentiles.csv())?;
+    write_atomically(&a.out.join("draws.csv"), &draws.csv())?;
+    let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
+    let status = if failed > 0 { FAILURE } else { 0 };
+    if a.jobs.json {
+        return Ok((percentiles.json(), status));
+    }
+    Ok((format!("{}\n{} draws, {failed} without convergence\n", percentiles.text(), outcomes.len()), status))
+}
+
 fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.jobs.study, stop)?;
+    let mut study = load(&a.jobs.study, stop)?;
     let periods = review::periods(&study);
     periods.agree(&study)?;
+    if !a.posterior.is_empty() {
+        return drawn(a, &mut study, stop);
+    }
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {

@@ -199,7 +199,7 @@ fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], String> 
         system.yield_displacement = if system.q_d > 0.0 { system.yield_displacement / system.q_d } else { 0.0 };
         let found = match system.procedure(spectrum, &study.code) {
             Ok(found) => found,
-            // Bearings are compared all the same, at the displacement that has been come to.
+            // Bearings are compared all the same, at the last displacement.
             Err(_) => break,
         };
         let change = (found.displacement / amplitude - 1.0).abs();

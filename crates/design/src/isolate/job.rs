@@ -12,6 +12,7 @@ use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
 use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -26,13 +27,20 @@ pub struct Job {
     pub eccentricity: usize,
     /// Factor on the motion, for stripes.
     pub level: f64,
+    /// Draw of the properties in place of the bound, counted from 0.
+    pub draw: Option<usize>,
 }
 
 impl Job {
     /// Name for files.
     pub fn name(&self) -> String {
         let level = if self.level == 1.0 { String::new() } else { format!("_x{}", self.level) };
-        format!("{}_motion{}_ecc{}{level}", self.bound, self.motion + 1, self.eccentricity + 1)
+        format!("{}_motion{}_ecc{}{level}", self.label(), self.motion + 1, self.eccentricity + 1)
+    }
+
+    /// Name of the bound, or of the draw.
+    pub fn label(&self) -> String {
+        self.draw.map_or(self.bound.to_owned(), |d| format!("draw{}", d + 1))
     }
 }
 
@@ -42,11 +50,23 @@ pub fn jobs(study: &Study) -> Vec<Job> {
     for bound in BOUNDS {
         for motion in 0..study.motions.len() {
             for eccentricity in 0..study.eccentricities.len() {
-                all.push(Job { bound, motion, eccentricity, level: 1.0 });
+                all.push(Job { bound, motion, eccentricity, level: 1.0, draw: None });
             }
         }
     }
     all
+}
+
+/// Analyses of draws of the properties: each draw with one motion, in turn, and without eccentricity.
+pub fn draw_jobs(study: &Study) -> Vec<Job> {
+    let of = |draw: usize| Job {
+        bound: "nominal",
+        motion: draw % study.motions.len(),
+        eccentricity: 0,
+        level: 1.0,
+        draw: Some(draw),
+    };
+    (0..study.draws.len()).map(of).collect()
 }
 
 /// Periods of floor spectra.
@@ -130,9 +150,12 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
         ("ex".to_owned(), Value::from(ex)),
         ("ey".to_owned(), Value::from(ey)),
     ];
-    for b in &study.bearings {
-        out.push((format!("Q,{}", b.name), Value::from(study.factor(b, job.bound, 0))));
-        out.push((format!("K,{}", b.name), Value::from(study.factor(b, job.bound, 1))));
+    for (k, b) in study.bearings.iter().enumerate() {
+        for (of, letter) in ["Q", "K"].into_iter().enumerate() {
+            let drawn = job.draw.map(|d| study.draws[d][k][of]);
+            let factor = drawn.unwrap_or_else(|| study.factor(b, job.bound, of));
+            out.push((format!("{letter},{}", b.name), Value::from(factor)));
+        }
     }
     out
 }
@@ -166,13 +189,31 @@ pub(crate) fn run_to_transient(
     eccentricity: usize,
     stop: &Arc<AtomicBool>,
 ) -> Result<Run, String> {
+    let job = Job { bound, motion: 0, eccentricity, level: 1.0, draw: None };
+    run_prepared(&study.script, |interp| prepare(interp, study, &job, STOP_BEFORE), stop)
+}
+
+/// Run a script with its own values up to its first transient analysis.
+///
+/// # Errors
+/// Those of [`run_to_transient`].
+pub(super) fn run_alone(script: &Path, stop: &Arc<AtomicBool>) -> Result<Run, String> {
+    let failed = |_| "the script cannot be prepared".to_owned();
+    run_prepared(script, |interp| interp.eval_str("isolation study", STOP_BEFORE).map(|_| ()).map_err(failed), stop)
+}
+
+fn run_prepared(
+    script: &Path,
+    prepare: impl FnOnce(&mut Tcl) -> Result<(), String>,
+    stop: &Arc<AtomicBool>,
+) -> Result<Run, String> {
     let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
     let files = OverlayFiles::new(Box::new(OsFiles));
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
     let interrupt = run.interp.interrupt.clone();
     run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: Arc::default() }));
-    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity, level: 1.0 }, STOP_BEFORE)?;
-    let end = run.script(&study.script.to_string_lossy(), &[]);
+    prepare(&mut run.interp)?;
+    let end = run.script(&script.to_string_lossy(), &[]);
     match end {
         End::Exit(0) => Ok(run),
         End::Done => Err("the script has no transient analysis".into()),
@@ -238,7 +279,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: time.clone() }));
     let mut out = JobOutcome {
         fingerprint: study.fingerprint,
-        bound: job.bound.into(),
+        bound: job.label(),
         motion: study.motions[job.motion].components[0].name.clone(),
         eccentricity: study.eccentricities[job.eccentricity],
         ..JobOutcome::default()

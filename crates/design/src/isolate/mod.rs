@@ -7,6 +7,7 @@
 
 mod agreement;
 mod capture;
+mod draft;
 mod inputs;
 mod job;
 mod outcome;
@@ -17,10 +18,11 @@ mod shear_test;
 mod study;
 mod study_file;
 
+pub use draft::draft;
 pub use agreement::{Agreement, Comparison};
 pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
-pub use job::{Job, jobs, run_job, script_text};
+pub use job::{Job, draw_jobs, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome};
 pub use procedures::{isolator_displacements, procedures, system};
 pub use runaway::runaway;

@@ -44,9 +44,9 @@ pub struct JobOutcome {
     pub motion: String,
     /// Accidental eccentricities.
     pub eccentricity: [f64; 2],
-    /// Description of a failure; empty if the analysis came to its end.
+    /// Description of a failure; empty if the analysis is complete.
     pub failure: String,
-    /// Time that it came to.
+    /// Last time of the analysis.
     pub time: f64,
     /// True if the script's own steps failed, and shorter ones with other algorithms were tried.
     pub retried: bool,

@@ -48,7 +48,8 @@ fn has_substructures(study: &Study) -> bool {
 fn bridge(study: &Study, bound: &str) -> Result<BridgeResponse, String> {
     let supports: Vec<Support> = study.bearings.iter().map(|b| support(study, b, bound)).collect();
     let spectrum = |t: f64| study.meter() * study.target.at(t);
-    simplified_method(|_| supports.clone(), study.weight, study.gravity, spectrum, &study.code)
+    let weight = study.weight + study.substructure_weight;
+    simplified_method(|_| supports.clone(), weight, study.gravity, spectrum, &study.code)
 }
 
 /// Displacements of the bearings of each type in the procedure of a bound.

@@ -5,9 +5,13 @@ use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, StudyFile, Trans
 use crate::codes::{Code, Structure};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
+use crate::prototype::Posterior;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
+use hysteron_tcl::diagnostic::nearest;
+use rand::SeedableRng as _;
+use rand_pcg::Pcg32;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -103,6 +107,8 @@ pub struct Study {
     pub response_modification: f64,
     /// Kind of structure.
     pub structure: Structure,
+    /// Weight of substructures that moves with the superstructure.
+    pub substructure_weight: f64,
     /// The structure above is regular.
     pub regular: bool,
     /// Factors of the bounds come from full-scale tests of the project.
@@ -129,11 +135,16 @@ pub struct Study {
     pub weight: f64,
     /// Mass above the bearings times gravity over that weight.
     pub mass_over_weight: f64,
+    /// Draws of the factors on Q_d and K_d, by draw and type of bearing.
+    pub draws: Vec<Vec<[f64; 2]>>,
     /// Values of the study beside those of the script.
     pub agreement: Agreement,
     /// Remarks on the files of the motions.
     pub notes: Vec<String>,
 }
+
+/// Seed of the draws of properties.
+const DRAW_SEED: u64 = 1;
 
 /// Version of the results of an analysis: those of another one are made again.
 const FORMAT: &str = "4";
@@ -275,6 +286,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     };
     Ok(Study {
         structure: file.structure.unwrap_or(code.structure),
+        substructure_weight: file.substructure_weight,
         regular: file.regular,
         project_tests: file.project_tests,
         live: file.live,
@@ -299,6 +311,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         structure_damping: file.structure_damping,
         weight: f64::NAN,
         mass_over_weight: 1.0,
+        draws: vec![],
         agreement: Agreement::default(),
         notes,
     })
@@ -316,6 +329,36 @@ fn factors(motions: &[Pair], target: &Target, [from, to]: [f64; 2]) -> Result<Ve
 }
 
 impl Study {
+    /// Draw factors on Q_d and K_d of types of bearings from posteriors of their tests, times the mean of the bounds' factors
+    /// of aging and environment. Bearings of one type share a draw. The seed is that of the study.
+    ///
+    /// # Errors
+    /// There is no type of a name, or the numbers of a posterior have no meaning.
+    pub fn draw(&mut self, posteriors: &[(String, Posterior)], count: usize) -> Result<(), String> {
+        for (name, p) in posteriors {
+            p.check().map_err(|e| format!("posterior of {name}: {e}"))?;
+            if !self.bearings.iter().any(|b| b.name == *name) {
+                let names = self.bearings.iter().map(|b| b.name.as_str());
+                let near = nearest(name, names).map_or(String::new(), |n| format!("; did you mean {n}?"));
+                return Err(format!("there is no type of bearing \"{name}\"{near}"));
+            }
+        }
+        let mut random = Pcg32::seed_from_u64(DRAW_SEED);
+        let share = self.code.value("system_adjustment", "share").unwrap_or(1.0);
+        let one = |b: &BearingType, random: &mut Pcg32| match posteriors.iter().find(|(name, _)| *name == b.name) {
+            Some((_, p)) => {
+                let drawn = p.draw(random);
+                [0, 1].map(|of| drawn[of] * 0.5 * (b.lower.environment(of, share) + b.upper.environment(of, share)))
+            }
+            None => [1.0, 1.0],
+        };
+        let bearings = &self.bearings;
+        self.draws = (0..count).map(|_| bearings.iter().map(|b| one(b, &mut random)).collect()).collect();
+        // Results of other draws are not these.
+        self.fingerprint = fingerprint(&[&self.fingerprint.to_string(), &format!("{:?}", self.draws)]);
+        Ok(())
+    }
+
     /// Factor on Q_d (0) or K_d (1) of a type of bearing at a bound.
     pub fn factor(&self, bearing: &BearingType, bound: &str, of: usize) -> f64 {
         let share = self.code.value("system_adjustment", "share").unwrap_or(1.0);

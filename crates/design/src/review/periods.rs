@@ -70,8 +70,9 @@ impl Periods {
         }
         for (k, procedure) in procedures(study).iter().enumerate() {
             let Ok(LateralForce { period, .. }) = procedure else { continue };
-            // The procedure moves the weight, the model its mass.
-            let t = period * study.mass_over_weight.sqrt();
+            // The procedure moves the weight, the model its mass. Substructures that move with it are in neither.
+            let whole = 1.0 + study.substructure_weight / study.weight;
+            let t = period * (study.mass_over_weight / whole).sqrt();
             let [from, to] = [(1.0 - DEVIATION) * t, (1.0 + DEVIATION) * t.hypot(fixed)];
             for (mode, direction) in self.main(k).iter().zip(["x", "y"]) {
                 if !(from..=to).contains(&mode.period) {
