@@ -54,11 +54,18 @@ fn near(got: f64, expected: f64) {
 #[test]
 fn rules_by_hand() {
     let place = Place::new();
-    place.write("study.toml", small(&[("response_modification = 2.0", "response_modification = 4.0\nlive = { over_dead = 0.2, in_script = 0.5 }")]));
+    place.write(
+        "study.toml",
+        small(&[(
+            "response_modification = 2.0",
+            "response_modification = 4.0\nlive = { over_dead = 0.2, in_script = 0.5 }",
+        )]),
+    );
     let (status, _, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
     assert_eq!(status, Some(0), "{said}");
     let r = result(&place, "out");
-    let elf = |quantity: &str, bound: &str| row(&r, "lateral_force", &[("quantity", quantity)])[bound].as_f64().unwrap();
+    let elf =
+        |quantity: &str, bound: &str| row(&r, "lateral_force", &[("quantity", quantity)])[bound].as_f64().unwrap();
     let fixed = r["modes"].as_array().unwrap().iter().filter(|m| m["structure"] == "fixed base");
     let t_fb = fixed.map(|m| m["T"].as_f64().unwrap()).fold(0.0, f64::max);
     let share: f64 = 3.0 / 4.0;
@@ -72,7 +79,10 @@ fn rules_by_hand() {
         near(elf("V_s by activation", bound), most * share.powf(1.0 - 2.5 * beta));
         near(elf("V_s on a fixed base", bound), 2.0 / 3.0 * 0.6 / elf("T_M", "upper") / 4.0 * 3.0 * 1177.2);
         let v_s = elf("V_s", bound);
-        near(v_s, (elf("V_st", bound) / 1.5).max(elf("V_s by activation", bound)).max(elf("V_s on a fixed base", bound)));
+        near(
+            v_s,
+            (elf("V_st", bound) / 1.5).max(elf("V_s by activation", bound)).max(elf("V_s on a fixed base", bound)),
+        );
         let k = elf("k of the heights", bound);
         near(k, 14.0 * beta * t_fb);
         let sum: f64 = (1..=3).map(|n| f64::powf(f64::from(n), k)).sum();
@@ -95,7 +105,9 @@ fn rules_by_hand() {
     let size = fs::metadata(place.0.join("out/isolation.json")).unwrap().len();
     assert!(size < 100_000, "{size}");
     let page = fs::read_to_string(place.0.join("out/report.html")).unwrap();
-    for part in ["Key plan", "Design values", "Bearing schedule", "Mean over target", "Not checked", "engineer of record"] {
+    for part in
+        ["Key plan", "Design values", "Bearing schedule", "Mean over target", "Not checked", "engineer of record"]
+    {
         assert!(page.contains(part), "{part}");
     }
     let histories = r["analyses"][0]["histories"].as_str().unwrap();
@@ -168,14 +180,20 @@ fn a_study_is_drafted_from_the_script() {
     place.write("building.tcl", fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap());
     fs::create_dir_all(place.0.join("../ground_motions")).ok();
     let script = fs::read_to_string(place.0.join("building.tcl")).unwrap();
-    place.write("building.tcl", script.replace("[file join $here .. ground_motions]", &format!("{{{INPUTS}/ground_motions}}")));
+    place.write(
+        "building.tcl",
+        script.replace("[file join $here .. ground_motions]", &format!("{{{INPUTS}/ground_motions}}")),
+    );
     let (status, _, said) = place.run(&["init", "--isolation", "building.tcl", "--out", "draft.toml"]);
     assert_eq!(status, Some(0), "{said}");
     let draft = fs::read_to_string(place.0.join("draft.toml")).unwrap();
-    for part in ["gravity = 9.81", "tags = [1, 2, 3, 4, 5, 6, 7, 8, 9]", "node = 103\nheight = 3.5", "plan = [12.0, 12.0]"] {
+    for part in
+        ["gravity = 9.81", "tags = [1, 2, 3, 4, 5, 6, 7, 8, 9]", "node = 103\nheight = 3.5", "plan = [12.0, 12.0]"]
+    {
         assert!(draft.contains(part), "{part}: {draft}");
     }
-    let (motions, files) = (format!("{INPUTS}/ground_motions/riodell_1992_360_g.txt"), "files = [\"TODO_x.at2\", \"TODO_y.at2\"]");
+    let (motions, files) =
+        (format!("{INPUTS}/ground_motions/riodell_1992_360_g.txt"), "files = [\"TODO_x.at2\", \"TODO_y.at2\"]");
     let filled = draft
         .replace("name = \"B1\"", "name = \"LRB\"")
         .replace(files, &format!("files = [\"{motions}\"]\nunit = \"g\"\ndt = 0.02"));
@@ -225,9 +243,21 @@ fn a_contradiction_names_the_line_of_the_element() {
 fn draws_of_the_properties_give_percentiles() {
     let place = Place::new();
     place.write("study.toml", small(&[]));
-    place.write("p.json", "{\"median\": [1.0, 1.0], \"dispersion\": [0.1, 0.05], \"correlation\": 0.5, \"cycles\": 12}");
+    place
+        .write("p.json", "{\"median\": [1.0, 1.0], \"dispersion\": [0.1, 0.05], \"correlation\": 0.5, \"cycles\": 12}");
     for threads in ["1", "2"] {
-        let words = ["isolate", "study.toml", "--posterior", "LRB=p.json", "--draws", "5", "--threads", threads, "--out", threads];
+        let words = [
+            "isolate",
+            "study.toml",
+            "--posterior",
+            "LRB=p.json",
+            "--draws",
+            "5",
+            "--threads",
+            threads,
+            "--out",
+            threads,
+        ];
         let (status, printed, said) = place.run(&words);
         assert_eq!(status, Some(0), "{said}");
         assert!(printed.contains("LRB: displacement") && printed.contains("5 draws, 0 without"), "{printed}");
@@ -236,7 +266,10 @@ fn draws_of_the_properties_give_percentiles() {
         let [one, two] = ["1", "2"].map(|t| fs::read_to_string(place.0.join(t).join(file)).unwrap());
         assert!(one == two && one.lines().count() > 4, "{file}: {one}");
     }
-    place.write("none.json", "{\"median\": [1.0, 1.0], \"dispersion\": [0.0, 0.0], \"correlation\": 0.0, \"cycles\": 3}");
+    place.write(
+        "none.json",
+        "{\"median\": [1.0, 1.0], \"dispersion\": [0.0, 0.0], \"correlation\": 0.0, \"cycles\": 3}",
+    );
     let words = ["isolate", "study.toml", "--posterior", "LRB=none.json", "--draws", "1", "--out", "none", "--json"];
     let (status, printed, said) = place.run(&words);
     assert_eq!(status, Some(0), "{said}");

@@ -93,7 +93,8 @@ pub fn text() -> (String, Vec<String>) {
          the script.\n",
     );
     for (heading, file, name) in TABLES {
-        let source = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/design/src").join(file)).unwrap();
+        let source =
+            fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/design/src").join(file)).unwrap();
         out += &format!("\n## {heading}\n\n| key | value | needed | meaning |\n| --- | --- | --- | --- |\n");
         for [key, kind, need, meaning] in rows(&source, name, &mut blank) {
             out += &format!("| `{key}` | {kind} | {need} | {} |\n", meaning.replace('|', "\\|"));

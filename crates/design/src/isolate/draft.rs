@@ -105,7 +105,8 @@ fn masses(engine: &Engine) -> Vec<(f64, f64, i32)> {
 
 /// Levels with mass from the base upwards: elevation, and the node with the largest mass.
 fn levels(masses: &[(f64, f64, i32)], lowest: f64) -> Vec<(f64, i32)> {
-    let mut all: Vec<&(f64, f64, i32)> = masses.iter().filter(|m| m.1 >= lowest - LEVEL * lowest.abs() && m.0 > 0.0).collect();
+    let mut all: Vec<&(f64, f64, i32)> =
+        masses.iter().filter(|m| m.1 >= lowest - LEVEL * lowest.abs() && m.0 > 0.0).collect();
     all.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.cmp(&b.2)));
     let height = all.last().map_or(0.0, |m| m.1 - lowest).abs();
     let total: f64 = all.iter().map(|m| m.0).sum();
@@ -144,7 +145,16 @@ pub fn draft(script: &Path, name: &str, stop: &Arc<AtomicBool>) -> Result<String
     // The types are told apart at a displacement in the unit of the script.
     let found = bearings(engine, gravity / GRAVITIES[0].0);
     let text = hysteron_files::read_lossy(script).map_err(|e| format!("cannot read \"{}\": {e}", script.display()))?;
-    Ok(write(name, gravity, length, known.is_some(), carried, &found, &levels(&masses, lowest), text.contains("isolate(")))
+    Ok(write(
+        name,
+        gravity,
+        length,
+        known.is_some(),
+        carried,
+        &found,
+        &levels(&masses, lowest),
+        text.contains("isolate("),
+    ))
 }
 
 #[allow(clippy::too_many_arguments, reason = "the parts of one text")]
@@ -158,14 +168,22 @@ fn write(
     floors: &[(f64, i32)],
     is_prepared: bool,
 ) -> String {
-    let mut out = String::from("# A first isolation study. Lines with TODO are to be filled in; then: hysteron check FILE\n");
+    let mut out =
+        String::from("# A first isolation study. Lines with TODO are to be filled in; then: hysteron check FILE\n");
     if !is_prepared {
         out += "# TODO The script does not use the array isolate yet: its bearings take the factors isolate(Q,NAME) and isolate(K,NAME), its\n\
                 # motions isolate(ax), isolate(ay) with isolate(dt), its masses the eccentricities isolate(ex), isolate(ey).\n";
     }
     let _ = writeln!(out, "title = \"TODO\"\nscript = \"{name}\"\ncode = \"asce7-16\" # or asce7-22, aashto, en1998");
-    let remark = if is_known { "weight over mass of the model is near it" } else { "TODO weight over mass of the model, which is no known value" };
-    let _ = writeln!(out, "gravity = {gravity:?} # {remark}\nunits = [\"\", \"{length}\"] # TODO name of the unit of force");
+    let remark = if is_known {
+        "weight over mass of the model is near it"
+    } else {
+        "TODO weight over mass of the model, which is no known value"
+    };
+    let _ = writeln!(
+        out,
+        "gravity = {gravity:?} # {remark}\nunits = [\"\", \"{length}\"] # TODO name of the unit of force"
+    );
     let plan = [0, 1].map(|k| {
         let all = bearings.iter().filter_map(|b| b.place.get(k).copied());
         all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
@@ -175,7 +193,8 @@ fn write(
         out += "eccentricities = [[0.0, 0.0], [0.05, 0.05]] # mirrored\n";
     }
     out += "target = [\"asce7\", \"sms=1.0\", \"sm1=0.6\", \"tl=8\"] # TODO the site\n# scale = [1.5, 4.0]\n";
-    out += "response_modification = 1.0 # TODO R of the structure above\n# live = { over_dead = 0.2, in_script = 0.5 }\n";
+    out +=
+        "response_modification = 1.0 # TODO R of the structure above\n# live = { over_dead = 0.2, in_script = 0.5 }\n";
     out += "# project_tests = true # the factors below come from tests of the project\n";
     for (k, (elevation, node)) in floors.iter().enumerate() {
         let _ = write!(out, "\n[[floor]] # its weight is the mass of the script at this elevation\nnode = {node}\n");
@@ -183,7 +202,10 @@ fn write(
             let _ = writeln!(out, "height = {:?}", elevation - floors[k - 1].0);
         }
     }
-    let _ = writeln!(out, "\n# The bearings carry {carried:.6} under gravity. q_d, k_d and yield_displacement are the script's.");
+    let _ = writeln!(
+        out,
+        "\n# The bearings carry {carried:.6} under gravity. q_d, k_d and yield_displacement are the script's."
+    );
     let mut types: Vec<Vec<&Found>> = vec![];
     for b in bearings {
         match types.iter_mut().find(|t| t[0].is_like(b)) {

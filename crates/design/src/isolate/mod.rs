@@ -18,8 +18,8 @@ mod shear_test;
 mod study;
 mod study_file;
 
-pub use draft::draft;
 pub use agreement::{Agreement, Comparison};
+pub use draft::draft;
 pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
 pub use job::{Job, draw_jobs, jobs, run_job, script_text};

@@ -74,4 +74,3 @@ fn support(study: &Study, b: &BearingType, bound: &str) -> Support {
         substructure: b.substructure.map_or(f64::INFINITY, |k| n * k),
     }
 }
-

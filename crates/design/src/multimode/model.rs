@@ -1,7 +1,7 @@
 //! Modes of the model of a script with its bearings linearized.
 
-use super::{Mode, PeriodMode};
 use super::linearized::Linearized;
+use super::{Mode, PeriodMode};
 use crate::isolate::{Study, run_to_transient};
 use hysteron_engine::analysis::{ModalProperties, Modes, ModesError, Wanted};
 use hysteron_engine::element::Element;

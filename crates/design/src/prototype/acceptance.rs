@@ -97,7 +97,8 @@ fn by_loops(test: &PrototypeTest, nominal: &Nominal, design: &TestDesign, code: 
         ),
     ];
     for (rule, what, [low, high], found) in ranges {
-        let subject = |which: &str| format!("{}: {which} {what} of a cycle over nominal, beside λ_test of the design", test.name);
+        let subject =
+            |which: &str| format!("{}: {which} {what} of a cycle over nominal, beside λ_test of the design", test.name);
         let least = found.iter().copied().fold(f64::MAX, f64::min);
         let most = found.iter().copied().fold(f64::MIN, f64::max);
         out.push(Check::at_least(subject("least"), Citation::of(code, rule), least, low));
@@ -117,9 +118,7 @@ fn durability(tests: &[PrototypeTest], nominal: &Nominal, code: &Code, out: &mut
     let test = tests.iter().max_by_key(at).filter(|t| at(t) as f64 >= asked);
     let cycles: Vec<&TestCycle> = test.iter().flat_map(|t| of_amplitude(t)).collect();
     let first = cycles.first();
-    let change = |of: &dyn Fn(&TestCycle) -> f64| {
-        cycles.iter().map(|c| of(c)).fold(f64::NAN, f64::max)
-    };
+    let change = |of: &dyn Fn(&TestCycle) -> f64| cycles.iter().map(|c| of(c)).fold(f64::NAN, f64::max);
     let k = first.map_or(f64::NAN, |f| change(&|c| (c.k_eff / f.k_eff - 1.0).abs()));
     let b = first.map_or(f64::NAN, |f| change(&|c| 1.0 - c.beta / f.beta));
     let name = test.map_or("durability test, which is missing", |t| &t.name);
@@ -196,7 +195,8 @@ mod tests {
             TestDesign { factors: Some([of(low), of(high)]), ..DESIGN }
         };
         let at = |amplitude: f64, n: usize| test(vec![cycle(1.0, 1.0, amplitude, 0.2); n]);
-        let sequence = |last: PrototypeTest, durable: PrototypeTest| [at(0.075, 3), at(0.15, 3), at(0.201, 3), durable, last];
+        let sequence =
+            |last: PrototypeTest, durable: PrototypeTest| [at(0.075, 3), at(0.15, 3), at(0.201, 3), durable, last];
         let three = test(vec![cycle(1.1, 1.2, 0.3, 0.2), cycle(1.0, 1.1, 0.3, 0.2), cycle(0.96, 1.0, 0.3, 0.2)]);
         let checks = acceptance(&sequence(three.clone(), at(0.225, 10)), &NOMINAL, &design(0.95, 1.25), &code);
         assert!(checks.iter().all(|c| c.status == Status::Met), "{checks:?}");

@@ -39,12 +39,14 @@ impl Posterior {
             .collect();
         let n = logs.len();
         if n < 3 {
-            return Err(format!("{n} cycles at the displacement {} have a bilinear loop: expected 3", nominal.amplitude));
+            return Err(format!(
+                "{n} cycles at the displacement {} have a bilinear loop: expected 3",
+                nominal.amplitude
+            ));
         }
         let mean = [0, 1].map(|k| logs.iter().map(|l| l[k]).sum::<f64>() / n as f64);
-        let covariance = |a: usize, b: usize| {
-            logs.iter().map(|l| (l[a] - mean[a]) * (l[b] - mean[b])).sum::<f64>() / (n - 1) as f64
-        };
+        let covariance =
+            |a: usize, b: usize| logs.iter().map(|l| (l[a] - mean[a]) * (l[b] - mean[b])).sum::<f64>() / (n - 1) as f64;
         let dispersion = [0, 1].map(|k| covariance(k, k).sqrt());
         let both = dispersion[0] * dispersion[1];
         let correlation = if both > 0.0 { (covariance(0, 1) / both).clamp(-1.0, 1.0) } else { 0.0 };

@@ -159,7 +159,11 @@ fn design(
         uplift: most(by_bound(&|b| b.uplift)),
         shear: most(scaled(by_bound(&|b| b.shear), super::rules::SHEAR_BELOW)),
         energy: most(by_bound(&|b| b.energy)),
-        stability: if b.critical_load.is_some() { most(by_bound(&|b| b.stability.unwrap_or(f64::NAN))) } else { f64::NAN },
+        stability: if b.critical_load.is_some() {
+            most(by_bound(&|b| b.stability.unwrap_or(f64::NAN)))
+        } else {
+            f64::NAN
+        },
         stability_design: [at_displacement(further * displacement), at_displacement(further * design)],
     }
 }

@@ -30,7 +30,8 @@ fn text(out: &mut String, x: f64, y: f64, anchor: &str, words: &str) {
 
 /// Plan with the number of each bearing and its design displacement; none without coordinates in two directions.
 pub(super) fn key_plan(study: &Study, review: &Review) -> Option<String> {
-    let points: Vec<[f64; 2]> = review.bearings.iter().map(|b| <[f64; 2]>::try_from(b.place.clone()).ok()).collect::<Option<_>>()?;
+    let points: Vec<[f64; 2]> =
+        review.bearings.iter().map(|b| <[f64; 2]>::try_from(b.place.clone()).ok()).collect::<Option<_>>()?;
     let range = |k: usize| {
         let all = points.iter().map(|p| p[k]);
         (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
@@ -55,12 +56,21 @@ pub(super) fn key_plan(study: &Study, review: &Review) -> Option<String> {
             text(&mut out, px, py + 18.0, "middle", &number(b.design));
         }
     }
-    let _ = writeln!(out, "<path d=\"M14 {0}h36m-6 -4l6 4l-6 4M14 {0}v-36m-4 6l4 -6l4 6\" fill=\"none\" stroke=\"#222\"/>", SIZE[1] - 14.0);
+    let _ = writeln!(
+        out,
+        "<path d=\"M14 {0}h36m-6 -4l6 4l-6 4M14 {0}v-36m-4 6l4 -6l4 6\" fill=\"none\" stroke=\"#222\"/>",
+        SIZE[1] - 14.0
+    );
     text(&mut out, 56.0, SIZE[1] - 10.0, "start", "x");
     text(&mut out, 20.0, SIZE[1] - 46.0, "start", "y");
     let mut left = 90.0;
     for (k, b) in study.bearings.iter().enumerate() {
-        let _ = writeln!(out, "<circle cx=\"{left:.1}\" cy=\"{:.1}\" r=\"5\" fill=\"{}\"/>", SIZE[1] - 14.0, COLOURS[k % COLOURS.len()]);
+        let _ = writeln!(
+            out,
+            "<circle cx=\"{left:.1}\" cy=\"{:.1}\" r=\"5\" fill=\"{}\"/>",
+            SIZE[1] - 14.0,
+            COLOURS[k % COLOURS.len()]
+        );
         text(&mut out, left + 9.0, SIZE[1] - 10.0, "start", &b.name);
         left += 30.0 + 7.0 * b.name.chars().count() as f64;
     }
@@ -84,7 +94,11 @@ pub(super) fn elevation(study: &Study) -> Option<String> {
     for (k, f) in study.floors.iter().enumerate() {
         level += if k == 0 { 0.0 } else { f.height };
         let y = bottom - scale * level;
-        let _ = writeln!(out, "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#222\" stroke-width=\"{}\"/>", if k == 0 { 5 } else { 2 });
+        let _ = writeln!(
+            out,
+            "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#222\" stroke-width=\"{}\"/>",
+            if k == 0 { 5 } else { 2 }
+        );
         if k % every == 0 || k + 1 == n {
             text(&mut out, left - 8.0, y + 4.0, "end", &format!("node {}", f.node));
             let words = format!("{} {force}, {} {length}", number(f.weight), number(level));
@@ -100,7 +114,8 @@ pub(super) fn elevation(study: &Study) -> Option<String> {
         let _ = writeln!(out, "<path d=\"M{:.1} {:.1}h12v14h-12z\" fill=\"{}\"/>", x - 6.0, bottom + 3.0, COLOURS[0]);
     }
     let ground = bottom + 18.0;
-    let _ = writeln!(out, "<path d=\"M{} {ground}H{}\" stroke=\"#777\" stroke-width=\"3\"/>", left - 30.0, right + 30.0);
+    let _ =
+        writeln!(out, "<path d=\"M{} {ground}H{}\" stroke=\"#777\" stroke-width=\"3\"/>", left - 30.0, right + 30.0);
     let count: usize = study.bearings.iter().map(|b| b.tags.len()).sum();
     let words = format!("{count} bearings carry {} {force}", number(study.weight));
     text(&mut out, 0.5 * (left + right), ground + 18.0, "middle", &words);

@@ -28,7 +28,9 @@ fn quantities(study: &Study, o: &JobOutcome) -> Vec<(String, String, f64)> {
         }
     }
     out.push(("shear of all bearings".into(), force.clone(), o.base_shear));
-    for (what, unit, value) in [("storey drift ratio", "", top(&o.drifts)), ("floor acceleration", "g", top(&o.accelerations))] {
+    for (what, unit, value) in
+        [("storey drift ratio", "", top(&o.drifts)), ("floor acceleration", "g", top(&o.accelerations))]
+    {
         out.extend(value.map(|v| (what.to_owned(), unit.to_owned(), v)));
     }
     out

@@ -43,7 +43,12 @@ pub fn governing(
 }
 
 /// The value that counts; NaN without one.
-pub(super) fn value(study: &Study, outcomes: &[JobOutcome], bound: &str, of: &dyn Fn(&JobOutcome) -> Option<f64>) -> f64 {
+pub(super) fn value(
+    study: &Study,
+    outcomes: &[JobOutcome],
+    bound: &str,
+    of: &dyn Fn(&JobOutcome) -> Option<f64>,
+) -> f64 {
     governing(study, outcomes, bound, of).map_or(f64::NAN, |r| r.governing)
 }
 

@@ -86,7 +86,9 @@ fn not_checked(study: &Study, review: &Review) -> Vec<String> {
     if !has_vertical {
         let part = study.code.value("load_combinations", "vertical").filter(|v| *v > 0.0);
         out.push(match (part, study.sms) {
-            (Some(v), Some(sms)) => format!("vertical ground motion: {v} S_MS = {:.3} of the dead load stands for it", v * sms),
+            (Some(v), Some(sms)) => {
+                format!("vertical ground motion: {v} S_MS = {:.3} of the dead load stands for it", v * sms)
+            }
             _ => "vertical ground motion, unless the script applies it".to_owned(),
         });
     }

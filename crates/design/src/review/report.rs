@@ -104,11 +104,7 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
         .map(|v| format!("{} of the {} bound by {}", v.quantity, v.bound, number(v.factor)))
         .collect();
     let counts = if study.motions.len() >= super::governing::mean_from(study) { "mean" } else { "largest" };
-    let suite = format!(
-        "{} pairs, {} analyses; the {counts} of the suite counts",
-        study.motions.len(),
-        outcomes.len()
-    );
+    let suite = format!("{} pairs, {} analyses; the {counts} of the suite counts", study.motions.len(), outcomes.len());
     let count: usize = study.bearings.iter().map(|b| b.tags.len()).sum();
     let system = format!("{count} bearings under {} {}", number(study.weight), study.units[0]);
     page::summary(
@@ -245,7 +241,8 @@ fn schedule(out: &mut String, study: &Study, review: &Review) {
     page_table_in_parts(out, &table, 2, 9);
     *out += "</div>\n";
     let clause = page::escaped(&study.code.clause("load_combinations"));
-    *out += &format!("<p>Vertical loads by {clause}, compression positive; <code>loads.csv</code> has their parts.</p>\n");
+    *out +=
+        &format!("<p>Vertical loads by {clause}, compression positive; <code>loads.csv</code> has their parts.</p>\n");
 }
 
 /// Responses of the structure, the equivalent lateral force procedure, and profiles over the height.
@@ -292,10 +289,8 @@ fn structure(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &
     let drift = |o: &JobOutcome, k: usize| o.drifts.get(k.checked_sub(1)?).copied();
     let acceleration = |o: &JobOutcome, k: usize| o.accelerations.get(k).copied();
     *out += "<h2>Over the height</h2>\n";
-    let figures = [
-        profile("Storey drift ratio", "", &drift, true),
-        profile("Floor acceleration", "g", &acceleration, false),
-    ];
+    let figures =
+        [profile("Storey drift ratio", "", &drift, true), profile("Floor acceleration", "g", &acceleration, false)];
     side_by_side(out, &figures);
 }
 
@@ -371,7 +366,8 @@ fn open_matters(out: &mut String, study: &Study, outcomes: &[JobOutcome], review
         *out += &format!("<li>{}</li>\n", page::escaped(text));
     }
     for c in review.checks.iter().filter(|c| c.status == Status::NotChecked) {
-        let value = if c.demand.is_finite() { format!(": {}, without a limit", number(c.demand)) } else { String::new() };
+        let value =
+            if c.demand.is_finite() { format!(": {}, without a limit", number(c.demand)) } else { String::new() };
         *out += &format!("<li>{}{value}</li>\n", page::escaped(&c.subject));
     }
     *out += "</ul>\n";

@@ -38,7 +38,14 @@ pub struct DesignValue {
 }
 
 impl DesignValue {
-    fn new(bound: &'static str, quantity: &'static str, unit: &str, analysis: f64, least: f64, citation: Citation) -> Self {
+    fn new(
+        bound: &'static str,
+        quantity: &'static str,
+        unit: &str,
+        analysis: f64,
+        least: f64,
+        citation: Citation,
+    ) -> Self {
         let factor = (least / analysis).max(1.0);
         // Without a least value the analysis itself counts.
         let factor = if factor.is_finite() { factor } else { 1.0 };
@@ -77,7 +84,8 @@ pub(super) fn apply(study: &Study, outcomes: &[JobOutcome], out: &mut Review) {
     bearing_checks(study, out);
     for (k, bound) in BOUNDS.iter().enumerate() {
         procedure_checks(study, out, k, bound);
-        let least: Vec<Check> = out.values.iter().filter(|v| v.bound == *bound && v.least.is_finite()).map(DesignValue::check).collect();
+        let least: Vec<Check> =
+            out.values.iter().filter(|v| v.bound == *bound && v.least.is_finite()).map(DesignValue::check).collect();
         out.checks.extend(least);
         drift(study, outcomes, out, bound);
     }
@@ -184,8 +192,18 @@ fn procedure_checks(study: &Study, out: &mut Review, k: usize, bound: &'static s
     let alone = [
         Check::most_of(code, "elf_period", subject("T_M in s, lateral force alone"), l.period),
         Check::most_of(code, "elf_damping", subject("damping, lateral force alone"), l.damping),
-        Check::least_of(code, "elf_period_ratio", subject("T_M over T_fb, lateral force alone"), l.period / out.periods.fixed_base()),
-        Check::least_of(code, "elf_stiffness", subject("K_eff over that at a fifth of D_M, lateral force alone"), l.stiffness / fifth),
+        Check::least_of(
+            code,
+            "elf_period_ratio",
+            subject("T_M over T_fb, lateral force alone"),
+            l.period / out.periods.fixed_base(),
+        ),
+        Check::least_of(
+            code,
+            "elf_stiffness",
+            subject("K_eff over that at a fifth of D_M, lateral force alone"),
+            l.stiffness / fifth,
+        ),
     ];
     checks.extend(alone.into_iter().filter(|c| c.limit.is_finite()).map(|c| c.or_else(Status::NeedsHistory)));
 }
@@ -207,7 +225,8 @@ fn drift(study: &Study, outcomes: &[JobOutcome], out: &mut Review, bound: &'stat
 /// λ of the bounds against the limits that hold without tests of the project.
 fn factors_of_bounds(study: &Study, out: &mut Review) {
     let code = &study.code;
-    let (Some(upper), Some(lower)) = (code.value("limits_of_factors", "upper"), code.value("limits_of_factors", "lower"))
+    let (Some(upper), Some(lower)) =
+        (code.value("limits_of_factors", "upper"), code.value("limits_of_factors", "lower"))
     else {
         return;
     };

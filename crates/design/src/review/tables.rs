@@ -107,7 +107,8 @@ pub(super) fn loads(study: &Study, review: &Review) -> Table {
 pub(super) fn procedure(study: &Study, review: &Review) -> Table {
     let [force, length] = [study.units[0].as_str(), study.units[1].as_str()];
     let stiffness = if force.is_empty() { String::new() } else { format!("{force}/{length}") };
-    let mut table = Table::new([("quantity", ""), ("unit", ""), ("lower", ""), ("nominal", ""), ("upper", ""), ("clause", "")]);
+    let mut table =
+        Table::new([("quantity", ""), ("unit", ""), ("lower", ""), ("nominal", ""), ("upper", ""), ("clause", "")]);
     let mut add = |name: String, unit: &str, values: [f64; 3], clause: String| {
         if values.iter().any(|v| v.is_finite()) {
             let mut row: Vec<Cell> = vec![name.into(), unit.to_owned().into()];

@@ -28,7 +28,7 @@ pub(crate) struct IsolatorDamping {
 }
 
 /// Returns true if a class of elements is that of bearings.
-pub fn is_bearing(class: &str) -> bool {
+pub(super) fn is_bearing(class: &str) -> bool {
     ISOLATORS.iter().any(|part| class.contains(part))
 }
 
