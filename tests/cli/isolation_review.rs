@@ -102,6 +102,18 @@ fn rules_by_hand() {
     near(n("average"), 523.2);
     near(n("largest"), 1.4 * n("D") + n("L") + n("Q_E up"));
     near(n("least"), 0.7 * n("D") - n("Q_E down"));
+    // Local end forces of two storeys by combination, and the weights that the lowest one carries.
+    let members = fs::read_to_string(place.0.join("out/members.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = members.lines().skip(1).map(|l| l.split(',').collect()).collect();
+    assert_eq!(rows.len(), 24, "{members}");
+    let x = |i: usize, k: usize| rows[i][k].parse::<f64>().unwrap();
+    near(x(0, 2), 3.0 * 1177.2);
+    let (dead, live) = (x(0, 2) / 1.1, 0.2 * x(0, 2) / 1.1);
+    near(x(0, 7), 1.4 * dead + live + x(0, 3));
+    near(x(0, 10), 0.7 * dead + x(0, 5));
+    assert!(x(1, 3) > 100.0 && x(1, 5) < -100.0, "{members}");
+    let diaphragms = fs::read_to_string(place.0.join("out/diaphragms.csv")).unwrap();
+    assert_eq!(diaphragms.lines().count(), 5, "{diaphragms}");
     let size = fs::metadata(place.0.join("out/isolation.json")).unwrap().len();
     assert!(size < 100_000, "{size}");
     let page = fs::read_to_string(place.0.join("out/report.html")).unwrap();
@@ -133,6 +145,33 @@ fn results_below_a_least_value_are_scaled() {
     assert!(scaled.iter().any(|c| c["check"].as_str().unwrap().contains("scaled by")), "{checks:?}");
     let capacity = checks.iter().find(|c| c["check"] == "LRB: design displacement against capacity").unwrap();
     near(capacity["demand"].as_f64().unwrap(), n("design"));
+}
+
+/// A third component is vertical: the script finds it in isolate(az), and it stands for the part of S_MS.
+#[test]
+fn a_vertical_component_is_applied() {
+    let place = Place::new();
+    let motion = format!("\"{INPUTS}/ground_motions/meloland_1979_360_g.txt\"]");
+    let three = motion.replace(']', &format!(", {motion}"));
+    let study = small(&[(motion.as_str(), three.as_str())]);
+    place.write("study.toml", &study);
+    let (_, _, said) = place.run(&["check", "study.toml"]);
+    assert!(said.contains("does not name isolate(az)"), "{said}");
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    let horizontal = "pattern UniformExcitation 3 2 -accel 3\n";
+    let vertical = "timeSeries Path 4 -dt $isolate(dt) -values $isolate(az)\npattern UniformExcitation 4 3 -accel 4\n";
+    place.write("building.tcl", script.replace(horizontal, &format!("{horizontal}{vertical}")));
+    let folder = format!("{INPUTS}/isolation_study/building.tcl");
+    place.write("study.toml", study.replace(&folder, "building.tcl"));
+    let (status, _, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
+    assert!(status == Some(0) && !said.contains("isolate(az)"), "{said}");
+    let r = result(&place, "out");
+    let loads = row(&r, "loads", &[("type", "LRB")]);
+    let n = |key: &str| loads[key].as_f64().unwrap();
+    near(n("largest"), 1.2 * n("D") + n("Q_E up"));
+    // The vertical motion alone moves the bearing in the middle, which overturning leaves at rest.
+    let middle = &r["loads"][4];
+    assert!(middle["Q_E up"].as_f64().unwrap() > 10.0, "{middle}");
 }
 
 /// Displacements of isolators are magnified by EN 1998: 1.2 in buildings, 1.5 in bridges.

@@ -5,6 +5,7 @@ use super::shear_test::shear_test;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::Mass;
 use hysteron_engine::model::ElementId;
+use hysteron_identify::report::html;
 use hysteron_opensees::may_isolate;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -199,12 +200,14 @@ fn write(
     for (k, (elevation, node)) in floors.iter().enumerate() {
         let _ = write!(out, "\n[[floor]] # its weight is the mass of the script at this elevation\nnode = {node}\n");
         if k > 0 {
-            let _ = writeln!(out, "height = {:?}", elevation - floors[k - 1].0);
+            // Differences of elevations have the round-off of sums.
+            let _ = writeln!(out, "height = {:?}", ((elevation - floors[k - 1].0) * 1.0e6).round() / 1.0e6);
         }
     }
     let _ = writeln!(
         out,
-        "\n# The bearings carry {carried:.6} under gravity. q_d, k_d and yield_displacement are the script's."
+        "\n# The bearings carry {} under gravity. q_d, k_d and yield_displacement are the script's.",
+        html::number(carried)
     );
     let mut types: Vec<Vec<&Found>> = vec![];
     for b in bearings {

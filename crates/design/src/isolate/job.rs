@@ -3,7 +3,7 @@
 use super::BOUNDS;
 use super::capture::{Captured, Rows, StudyOutputs};
 use super::inputs::{HashedFiles, InputHashes};
-use super::outcome::{BearingOutcome, JobOutcome};
+use super::outcome::{BearingOutcome, JobOutcome, MemberOutcome};
 use super::study::{BearingType, Study};
 use crate::lateral_force::overlap;
 use crate::spectrum::{Oscillator, logarithmic};
@@ -94,6 +94,9 @@ proc analyze {args} {
         }
         foreach tag $::hysteron_contacts {
             recorder Element -file hysteron_isolate/contact$tag -ele $tag globalForce
+        }
+        foreach tag $::hysteron_members {
+            recorder Element -file hysteron_isolate/member$tag -ele $tag localForce
         }
         foreach node $::hysteron_floors {
             set dofs [lrange {1 2} 0 [expr {[llength [nodeCoord $node]] - 2}]]
@@ -232,6 +235,8 @@ fn prepare(interp: &mut Tcl, study: &Study, job: &Job, prologue: &str) -> Result
     let failed = |_| "the values of the study cannot be set".to_owned();
     interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
     interp.set_global("hysteron_floors", floors).map_err(failed)?;
+    let members = Value::list(study.members.iter().map(|t| Value::from(*t)));
+    interp.set_global("hysteron_members", members).map_err(failed)?;
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
     let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{prologue}");
     interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
@@ -302,12 +307,21 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     let found = places(&mut run.interp, out.bearings.len());
     out.bearings.iter_mut().zip(found).for_each(|(b, place)| b.place = place);
     measure_floors(study, job, &rows, &mut out);
+    out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
         r.rows.iter().map(|row| row[..row.len() / 2].iter().map(|f| f * f).sum::<f64>().sqrt()).fold(0.0, f64::max)
     };
     out.contact =
         study.contacts().map(|tag| (tag, rows(&format!("contact{tag}")).map_or(f64::NAN, |r| half(&r)))).collect();
     out
+}
+
+/// Extremes of the forces of a member.
+fn member(tag: i64, rows: &Rows) -> MemberOutcome {
+    let columns = (0..rows.width()).map(|i| rows.column(i));
+    let extremes = |c: Vec<f64>| c.iter().fold((f64::MIN, f64::MAX), |(a, b), x| (a.max(*x), b.min(*x)));
+    let (largest, least) = columns.map(extremes).unzip();
+    MemberOutcome { tag, gravity: rows.rows[0].clone(), largest, least }
 }
 
 /// Horizontal coordinates of `count` bearings, as the recorders found them.

@@ -33,6 +33,19 @@ pub struct BearingOutcome {
     pub orbit: Vec<[f64; 2]>,
 }
 
+/// Local end forces of a beam or column, as the recorder `localForce` has them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MemberOutcome {
+    /// Tag of the element.
+    pub tag: i64,
+    /// Forces before the motion.
+    pub gravity: Vec<f64>,
+    /// Largest forces.
+    pub largest: Vec<f64>,
+    /// Least forces.
+    pub least: Vec<f64>,
+}
+
 /// Extremes of an analysis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct JobOutcome {
@@ -66,6 +79,8 @@ pub struct JobOutcome {
     pub base_displacement: Vec<f64>,
     /// Largest forces of the elements of contact, by their tags.
     pub contact: Vec<(i64, f64)>,
+    /// Beams and columns, in the order of the study.
+    pub members: Vec<MemberOutcome>,
     /// Share of the energy that goes into the isolators and is taken by Rayleigh damping.
     pub damping_share: f64,
     /// Periods of the floor spectra in s.

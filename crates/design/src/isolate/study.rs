@@ -121,6 +121,8 @@ pub struct Study {
     pub scale: Option<[f64; 2]>,
     /// Floors from the base level upwards.
     pub floors: Vec<Floor>,
+    /// Beams and columns whose local end forces are listed.
+    pub members: Vec<i64>,
     /// Types of bearings.
     pub bearings: Vec<BearingType>,
     /// Pairs, scaled, in m/s².
@@ -221,6 +223,7 @@ pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
             .map(|b| [&b.q_d, &b.k_d, &b.yield_displacement].map(|v| v.as_ref().map(|v| Stated::of(v, &text))))
             .collect(),
         transitions: file.bearing.iter().map(|b| b.transition.is_some()).collect(),
+        members: file.members,
         floors: file.floor.iter().map(|f| f.weight.as_ref().map(|w| Stated::of(w, &text))).collect(),
     };
     let mut texts = vec![FORMAT.to_owned()];
@@ -228,8 +231,10 @@ pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
     settle(&mut study, &stated, stop)?;
     let share = study.code.value("system_adjustment", "share");
     let contacts: Vec<i64> = study.contacts().collect();
-    let Study { gravity, floors, bearings, factors, eccentricities, .. } = &study;
-    texts.push(format!("{gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {eccentricities:?}"));
+    let Study { gravity, floors, bearings, factors, eccentricities, members, .. } = &study;
+    texts.push(format!(
+        "{members:?} {gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {eccentricities:?}"
+    ));
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     study.fingerprint = fingerprint(&texts);
     Ok(study)
@@ -303,6 +308,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         target,
         target_words: file.target.join(" "),
         response_modification: file.response_modification,
+        members: file.members,
         floors: file.floor.iter().map(floor).collect(),
         bearings: file.bearing.into_iter().map(BearingType::new).collect(),
         motions,

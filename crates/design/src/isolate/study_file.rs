@@ -202,6 +202,9 @@ pub(super) struct StudyFile {
     pub(super) bearing: Vec<BearingEntry>,
     /// Pairs of ground motions.
     pub(super) motion: Vec<MotionEntry>,
+    /// Beams and columns whose local end forces are listed by load combination.
+    #[serde(default)]
+    pub(super) members: Vec<i64>,
     /// Measure of the intensity of a pair.
     #[serde(default)]
     pub(super) intensity: Intensity,

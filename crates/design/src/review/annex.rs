@@ -1,8 +1,8 @@
 //! Results of a review as files: tables, and JSON without histories.
 
-use super::{Review, tables};
+use super::{Review, members, tables};
 use crate::check::check_table;
-use crate::isolate::{BOUNDS, Job, JobOutcome, Study, jobs};
+use crate::isolate::{Job, JobOutcome, Study, jobs};
 use hysteron_identify::report::Table;
 use serde_json::{Value, json};
 
@@ -101,11 +101,12 @@ fn suite_table(study: &Study, review: &Review) -> Table {
 
 /// Files of the results with their texts.
 pub fn files(study: &Study, outcomes: &[JobOutcome], review: &Review) -> Vec<(&'static str, String)> {
-    debug_assert_eq!(review.lateral_force.len(), BOUNDS.len());
     vec![
         ("schedule.csv", tables::schedule(study, review).csv()),
         ("loads.csv", tables::loads(study, review).csv()),
         ("structure.csv", tables::structure(study, outcomes).csv()),
+        ("members.csv", members::members(study, outcomes, review).csv()),
+        ("diaphragms.csv", members::diaphragms(study, outcomes, review).csv()),
         ("storeys.csv", tables::storeys(study, outcomes).csv()),
         ("floor_spectra.csv", tables::floor_spectra(study, outcomes).csv()),
         ("design_values.csv", tables::design_values(review).csv()),

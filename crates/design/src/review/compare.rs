@@ -15,8 +15,9 @@ const TABLES: [(&str, &[&str]); 8] = [
     ("modes", &["structure", "mode"]),
     ("checks", &["check"]),
 ];
-/// Relative difference below which two numbers are the same.
-const SAME: f64 = 1.0e-9;
+/// Relative difference below which two numbers are the same: properties that are tested in the script depend a little on the
+/// displacement of the test.
+const SAME: f64 = 1.0e-4;
 
 /// Differences of two results.
 #[derive(Clone, Debug, Default, PartialEq)]

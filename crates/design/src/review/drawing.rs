@@ -111,7 +111,9 @@ pub(super) fn elevation(study: &Study) -> Option<String> {
     }
     for k in 0..5 {
         let x = left + (right - left) * f64::from(k) / 4.0;
-        let _ = writeln!(out, "<path d=\"M{:.1} {:.1}h12v14h-12z\" fill=\"{}\"/>", x - 6.0, bottom + 3.0, COLOURS[0]);
+        let (left, top) = (x - 6.0, bottom + 3.0);
+        let _ =
+            writeln!(out, "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"12\" height=\"14\" fill=\"{}\"/>", COLOURS[0]);
     }
     let ground = bottom + 18.0;
     let _ =

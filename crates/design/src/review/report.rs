@@ -35,7 +35,7 @@ pub fn html(study: &Study, outcomes: &[JobOutcome], review: &Review) -> String {
     structure(&mut out, study, outcomes, review);
     spectra(&mut out, study, outcomes);
     loops(&mut out, study, outcomes, review);
-    open_matters(&mut out, study, outcomes, review);
+    open_matters(&mut out, outcomes, review);
     page::end(out)
 }
 
@@ -95,7 +95,8 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
     let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status));
     let governs = governs.map_or("no check has a limit".to_owned(), |c| {
         let clause = if c.citation.clause.is_empty() { String::new() } else { format!(" ({})", c.citation.clause) };
-        format!("{}: {} for {}, ratio {}{clause}", c.subject, number(c.demand), number(c.limit), number(c.ratio))
+        let ratio = if c.ratio.is_finite() { format!(", ratio {}", number(c.ratio)) } else { String::new() };
+        format!("{}: {} for {}{ratio}{clause}", c.subject, number(c.demand), number(c.limit))
     });
     let scaled: Vec<String> = review
         .values
@@ -201,7 +202,7 @@ fn suite(out: &mut String, study: &Study, review: &Review) {
         x_label: "Period [s]".into(),
         y_label: "Ratio".into(),
         shaded: s.range.map(|r| (r[0], r[1])).into_iter().collect(),
-        curves: vec![curve("", &ratio, Mark::Line), curve("asked", &vec![s.least; ratio.len()], Mark::Wide)],
+        curves: vec![curve("mean", &ratio, Mark::Line), curve("least asked", &vec![s.least; ratio.len()], Mark::Wide)],
         ..Figure::default()
     };
     side_by_side(out, &[spectra, ratios]);
@@ -360,7 +361,7 @@ fn loops(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Revi
 }
 
 /// What was not checked, analyses that failed, places for signatures.
-fn open_matters(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Review) {
+fn open_matters(out: &mut String, outcomes: &[JobOutcome], review: &Review) {
     *out += "<h2>Not checked</h2>\n<ul>\n";
     for text in &review.not_checked {
         *out += &format!("<li>{}</li>\n", page::escaped(text));
@@ -379,5 +380,4 @@ fn open_matters(out: &mut String, study: &Study, outcomes: &[JobOutcome], review
     }
     *out += "<p>Files beside this page: tables as CSV, <code>isolation.json</code>, and <code>analyses/</code> with the histories of each \
              analysis.</p>\n<div class=\"sign\"><div>made by, date</div><div>checked by, date</div><div>engineer of record, date</div></div>\n";
-    debug_assert!(!study.title.is_empty());
 }
