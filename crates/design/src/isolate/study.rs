@@ -223,7 +223,6 @@ pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
             .map(|b| [&b.q_d, &b.k_d, &b.yield_displacement].map(|v| v.as_ref().map(|v| Stated::of(v, &text))))
             .collect(),
         transitions: file.bearing.iter().map(|b| b.transition.is_some()).collect(),
-        members: file.members,
         floors: file.floor.iter().map(|f| f.weight.as_ref().map(|w| Stated::of(w, &text))).collect(),
     };
     let mut texts = vec![FORMAT.to_owned()];
@@ -308,6 +307,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         target,
         target_words: file.target.join(" "),
         response_modification: file.response_modification,
+        members: file.members,
         members: file.members,
         floors: file.floor.iter().map(floor).collect(),
         bearings: file.bearing.into_iter().map(BearingType::new).collect(),
