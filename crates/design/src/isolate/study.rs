@@ -308,7 +308,6 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         target_words: file.target.join(" "),
         response_modification: file.response_modification,
         members: file.members,
-        members: file.members,
         floors: file.floor.iter().map(floor).collect(),
         bearings: file.bearing.into_iter().map(BearingType::new).collect(),
         motions,
