@@ -58,7 +58,7 @@ fn rules_by_hand() {
         "study.toml",
         small(&[(
             "response_modification = 2.0",
-            "response_modification = 4.0\nlive = { over_dead = 0.2, in_script = 0.5 }",
+            "response_modification = 4.0\nlive = { over_dead = 0.2, in_script = 0.5 }\nmembers = [100, 102]",
         )]),
     );
     let (status, _, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
