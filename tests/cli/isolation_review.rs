@@ -318,3 +318,24 @@ fn draws_of_the_properties_give_percentiles() {
     let (status, _, said) = place.run(&["isolate", "study.toml", "--posterior", "LRX=p.json"]);
     assert!(status == Some(2) && said.contains("did you mean LRB"), "{said}");
 }
+
+/// Piers that are softer across a bridge than along it: the direction with the larger displacement counts, and one number stands for
+/// both directions.
+#[test]
+fn substructures_along_and_across() {
+    let place = Place::new();
+    let lower = "tension = 0.0\n";
+    let displacement = |name: &str, stiffness: &str| -> f64 {
+        let value = format!("substructure = {stiffness}\n{lower}");
+        place.write("study.toml", changed(&[(lower, value.as_str()), ("code = \"asce7-16\"", "code = \"aashto\"")]));
+        let (status, printed, said) = place.run(&["check", "study.toml"]);
+        // The model has no such piers, which its period shows.
+        assert!(status == Some(2) && said.contains("with the same mass"), "{name}: {printed} {said}");
+        let text = said.split("procedure has ").nth(1).and_then(|t| t.split(' ').next()).unwrap();
+        text.parse().unwrap()
+    };
+    let [same, both] = ["800.0", "[800.0, 800.0]"].map(|k| displacement("same", k));
+    assert!((same / both - 1.0).abs() < 1e-12 && same > 2.0, "{same} {both}");
+    let along = displacement("along", "[800.0, 1.0e9]");
+    assert!((along / same - 1.0).abs() < 1e-12, "{along}");
+}

@@ -24,7 +24,7 @@ pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
 pub use job::{Job, draw_jobs, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome, MemberOutcome};
-pub use procedures::{isolator_displacements, procedures, system};
+pub use procedures::{isolator_displacements, procedure_along, procedures, system};
 pub use runaway::runaway;
 pub use study::{BearingType, Floor, Study, is_isolation_study, load};
 pub use study_file::{Causes, LiveLoad, Transition};

@@ -31,7 +31,8 @@ pub fn system(study: &Study, bound: &str) -> System {
     }
 }
 
-/// The equivalent lateral force procedure of each bound; the simplified method for bridges where substructures are given.
+/// The equivalent lateral force procedure of each bound; the simplified method for bridges where substructures are given, in the
+/// direction with the larger displacement.
 pub fn procedures(study: &Study) -> Vec<Result<LateralForce, String>> {
     let of = |bound: &&str| match has_substructures(study) {
         true => bridge(study, bound).map(LateralForce::from),
@@ -40,13 +41,31 @@ pub fn procedures(study: &Study) -> Vec<Result<LateralForce, String>> {
     BOUNDS.iter().map(of).collect()
 }
 
+/// The procedure of a bound along x (0) or y (1).
+///
+/// # Errors
+/// Those of the procedure.
+pub fn procedure_along(study: &Study, bound: &str, direction: usize) -> Result<LateralForce, String> {
+    match has_substructures(study) {
+        true => bridge_along(study, bound, direction).map(LateralForce::from),
+        false => system(study, bound).procedure(|t| study.meter() * study.target.at(t), &study.code),
+    }
+}
+
 fn has_substructures(study: &Study) -> bool {
     study.bearings.iter().any(|b| b.substructure.is_some())
 }
 
-/// The simplified method at a bound, with one support for each type of bearing.
+/// The simplified method at a bound in the direction with the larger displacement.
 fn bridge(study: &Study, bound: &str) -> Result<BridgeResponse, String> {
-    let supports: Vec<Support> = study.bearings.iter().map(|b| support(study, b, bound)).collect();
+    let [x, y] = [0, 1].map(|direction| bridge_along(study, bound, direction));
+    let (x, y) = (x?, y?);
+    Ok(if y.displacement > x.displacement { y } else { x })
+}
+
+/// The simplified method at a bound, with one support for each type of bearing.
+fn bridge_along(study: &Study, bound: &str, direction: usize) -> Result<BridgeResponse, String> {
+    let supports: Vec<Support> = study.bearings.iter().map(|b| support(study, b, bound, direction)).collect();
     let spectrum = |t: f64| study.meter() * study.target.at(t);
     let weight = study.weight + study.substructure_weight;
     simplified_method(|_| supports.clone(), weight, study.gravity, spectrum, &study.code)
@@ -65,12 +84,12 @@ pub fn isolator_displacements(study: &Study, bound: &str) -> Result<Vec<f64>, St
 }
 
 /// All bearings of a type on their substructures.
-fn support(study: &Study, b: &BearingType, bound: &str) -> Support {
+fn support(study: &Study, b: &BearingType, bound: &str, direction: usize) -> Support {
     let n = b.tags.len() as f64;
     Support {
         q_d: n * b.q_d * study.factor(b, bound, 0),
         k_d: n * b.k_d * study.factor(b, bound, 1),
         yield_displacement: b.yield_displacement,
-        substructure: b.substructure.map_or(f64::INFINITY, |k| n * k),
+        substructure: b.substructure.map_or(f64::INFINITY, |k| n * k[direction]),
     }
 }

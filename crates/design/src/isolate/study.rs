@@ -1,7 +1,7 @@
 //! A study that has been read with its motions and settled with its script.
 
 use super::agreement::{Agreement, StatedValues, settle};
-use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, StudyFile, Transition};
+use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, Stiffness, StudyFile, Transition};
 use crate::codes::{Code, Structure};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
@@ -31,8 +31,8 @@ pub struct BearingType {
     pub yield_displacement: f64,
     /// Shape of the loop at the yield displacement.
     pub transition: Transition,
-    /// Lateral stiffness of the substructure below one bearing; rigid without it.
-    pub substructure: Option<f64>,
+    /// Lateral stiffness of the substructure below one bearing along x and y; rigid without it.
+    pub substructure: Option<[f64; 2]>,
     /// Factors of the lower bound.
     pub lower: Causes,
     /// Factors of the upper bound.
@@ -56,7 +56,7 @@ impl BearingType {
             k_d: number(&entry.k_d),
             yield_displacement: number(&entry.yield_displacement),
             transition: entry.transition.unwrap_or(Transition::Smooth),
-            substructure: entry.substructure,
+            substructure: entry.substructure.map(Stiffness::by_direction),
             name: entry.name,
             tags: entry.tags,
             lower: entry.lower,

@@ -75,6 +75,25 @@ pub enum Transition {
     Smooth,
 }
 
+/// Lateral stiffness of a substructure: the same along and across a bridge, or of both.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Stiffness {
+    /// In any direction.
+    Same(f64),
+    /// Along x and y.
+    ByDirection([f64; 2]),
+}
+
+impl Stiffness {
+    pub(super) fn by_direction(self) -> [f64; 2] {
+        match self {
+            Self::Same(k) => [k; 2],
+            Self::ByDirection(k) => k,
+        }
+    }
+}
+
 /// Bearings of one type, as the file names them.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -91,8 +110,9 @@ pub(super) struct BearingEntry {
     pub(super) yield_displacement: Option<Spanned<f64>>,
     /// Shape of the loops, `abrupt` or `smooth`; as tested without it.
     pub(super) transition: Option<Transition>,
-    /// Lateral stiffness of the substructure below one bearing, for the simplified method of bridges; rigid without it.
-    pub(super) substructure: Option<f64>,
+    /// Lateral stiffness of the substructure below one bearing, for the simplified method of bridges: one number, or those along x
+    /// and y; rigid without it.
+    pub(super) substructure: Option<Stiffness>,
     /// Factors of the lower bound on Q_d and K_d, by cause.
     #[serde(default)]
     pub(super) lower: Causes,
@@ -290,7 +310,9 @@ impl StudyFile {
                 // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
                 value.as_ref().map_or(Ok(()), |v| not_negative(&format!("{name} of {}", b.name), *v.get_ref()))?;
             }
-            b.substructure.map_or(Ok(()), |k| positive(&format!("substructure of {}", b.name), k))?;
+            for k in b.substructure.iter().flat_map(|k| k.by_direction()) {
+                positive(&format!("substructure of {}", b.name), k)?;
+            }
             if b.tags.is_empty() {
                 return Err(format!("the bearings {} have no tags", b.name));
             }

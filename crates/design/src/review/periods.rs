@@ -1,6 +1,6 @@
 //! Periods of the structure on a fixed base and on its bearings, beside those of the equivalent lateral force procedure.
 
-use crate::isolate::{BOUNDS, Study, isolator_displacements, procedures};
+use crate::isolate::{BOUNDS, Study, isolator_displacements, procedure_along};
 use crate::lateral_force::LateralForce;
 use crate::multimode::{ModalModel, PeriodMode};
 
@@ -68,21 +68,21 @@ impl Periods {
         if fixed.is_nan() {
             return Ok(());
         }
-        for (k, procedure) in procedures(study).iter().enumerate() {
-            let Ok(LateralForce { period, .. }) = procedure else { continue };
-            // The procedure moves the weight, the model its mass. Substructures that move with it are in neither.
-            let whole = 1.0 + study.substructure_weight / study.weight;
-            let t = period * (study.mass_over_weight / whole).sqrt();
-            let [from, to] = [(1.0 - DEVIATION) * t, (1.0 + DEVIATION) * t.hypot(fixed)];
-            for (mode, direction) in self.main(k).iter().zip(["x", "y"]) {
+        // The procedure moves the weight, the model its mass. Substructures that move with it are in neither.
+        let whole = 1.0 + study.substructure_weight / study.weight;
+        for (k, bound) in BOUNDS.iter().enumerate() {
+            for (direction, mode) in self.main(k).iter().enumerate() {
+                let Ok(LateralForce { period, .. }) = procedure_along(study, bound, direction) else { continue };
+                let t = period * (study.mass_over_weight / whole).sqrt();
+                let [from, to] = [(1.0 - DEVIATION) * t, (1.0 + DEVIATION) * t.hypot(fixed)];
                 if !(from..=to).contains(&mode.period) {
                     return Err(format!(
-                        "\"{}\": the period of the model in {direction} with its bearings at K_eff ({} bound) is {:.4} s, but the \
+                        "\"{}\": the period of the model in {} with its bearings at K_eff ({bound} bound) is {:.4} s, but the \
                          equivalent lateral force procedure has {t:.4} s with the same mass: expected {from:.4} to {to:.4} s, \
                          since the structure on a fixed base has {fixed:.4} s. Members or springs bridge the isolation plane, \
                          bearings are missing in the study, or masses stand in the wrong place",
                         study.script.display(),
-                        BOUNDS[k],
+                        ["x", "y"][direction.min(1)],
                         mode.period,
                     ));
                 }
