@@ -135,6 +135,20 @@ fn contradictions_of_study_and_script_are_refused() {
         ("gravity", "gravity = 9.81", "gravity = 9810.0", ["gravity = 9810", "ratio 1000"]),
         ("bound", "name = \"LRB\"", "name = \"LRX\"", ["the lower bound", "isolate(Q,LRX)"]),
         ("list", "7, 8, 9]", "7, 8]", ["the floors weigh", "the list of bearings"]),
+        (
+            "storey",
+            "node = 102\nweight = 1177.2\nheight = 3.5",
+            "node = 102\nweight = 1177.2\nheight = 3500.0",
+            ["height = 3500 of the floor at node 102", "ratio 1000"],
+        ),
+        ("order", "node = 103", "node = 100", ["the floor at node 100 is", "from the base upwards"]),
+        ("node", "node = 103", "node = 203", ["has no node 203", "floor"]),
+        (
+            "plan",
+            "plan = [12.0, 12.0]",
+            "plan = [12000.0, 1.2]",
+            ["smaller than the grid of the bearings in y", "ratio 0.1000"],
+        ),
         ("tag", "7, 8, 9]", "7, 8, 99]", ["LRB 99", "is no element"]),
         ("key", "k_d = 440.0", "k_D = 440.0", ["k_D", "k_d"]),
     ] {

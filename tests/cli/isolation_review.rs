@@ -226,9 +226,7 @@ fn a_study_is_drafted_from_the_script() {
     let (status, _, said) = place.run(&["init", "--isolation", "building.tcl", "--out", "draft.toml"]);
     assert_eq!(status, Some(0), "{said}");
     let draft = fs::read_to_string(place.0.join("draft.toml")).unwrap();
-    for part in
-        ["gravity = 9.81", "tags = [1, 2, 3, 4, 5, 6, 7, 8, 9]", "node = 103\nheight = 3.5", "plan = [12.0, 12.0]"]
-    {
+    for part in ["gravity = 9.81", "tags = [1, 2, 3, 4, 5, 6, 7, 8, 9]", "node = 103", "plan = [12.0, 12.0]"] {
         assert!(draft.contains(part), "{part}: {draft}");
     }
     let (motions, files) =

@@ -23,6 +23,8 @@ const WEIGHT: f64 = 0.05;
 const MASS: [f64; 2] = [0.7, 1.4];
 /// Difference of the factors of a bound that the script's bearings show, at most: a law need not be linear in them.
 const FACTOR: f64 = 0.05;
+/// Difference of lengths from the script's, at most.
+const HEIGHT: f64 = 0.01;
 /// Change of a bearing's axial force under gravity by an accidental eccentricity, as a share of the mean, at most.
 const MOVED_GRAVITY: f64 = 0.01;
 /// Relative change of the design displacement at which its iteration ends, and iterations at most.
@@ -38,6 +40,8 @@ pub(super) struct StatedValues {
     pub(super) transitions: Vec<bool>,
     /// Weights of the floors.
     pub(super) floors: Vec<Option<Stated>>,
+    /// Heights of the floors.
+    pub(super) heights: Vec<Option<Stated>>,
 }
 
 /// A value of the study beside the script's.
@@ -97,6 +101,8 @@ struct TypeLoops {
 /// The script fails, or study and script contradict each other. The message has both places and the ratio.
 pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), String> {
     let model = ScriptModel::new(study, "nominal", 0, stop)?;
+    heights(study, stated, &model)?;
+    plan(study, stated, &model)?;
     weights(study, stated, &model)?;
     let design = design_loops(study, &model)?;
     let [amplitude, period] = design;
@@ -114,6 +120,60 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
 fn place(study: &Study, bearing: &ScriptBearing) -> String {
     let line = if bearing.line.is_empty() { study.script.display().to_string() } else { bearing.line.clone() };
     format!("{line}, element {} {}", bearing.class, bearing.tag)
+}
+
+/// Heights of the floors are differences of the elevations of their nodes.
+fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let script = study.script.display().to_string();
+    let length = study.units[1].clone();
+    let mut below: Option<f64> = None;
+    for (k, floor) in study.floors.iter_mut().enumerate() {
+        let missing = || format!("\"{script}\" has no node {} of a floor", floor.node);
+        let elevation = model.elevation(floor.node).ok_or_else(missing)?;
+        let Some(lower) = below.replace(elevation) else {
+            floor.height = 0.0;
+            continue;
+        };
+        let found = elevation - lower;
+        if found.is_nan() || found <= 0.0 {
+            return Err(format!(
+                "{}: the floor at node {} is {found:.6} above the floor before it (\"{script}\"): expected floors from the base upwards",
+                stated.file, floor.node
+            ));
+        }
+        if let Some(s) = stated.heights[k].filter(|s| (s.value / found - 1.0).abs() > HEIGHT) {
+            return Err(format!(
+                "{}:{}: height = {} of the floor at node {}, but the nodes of \"{script}\" are {found:.6} apart: ratio {:.4}. \
+                 Without the key the script's value is taken",
+                stated.file,
+                s.line,
+                s.value,
+                floor.node,
+                s.value / found
+            ));
+        }
+        let subject = format!("height of the floor at node {}", floor.node);
+        study.agreement.add(subject, &length, stated.heights[k].map(|s| s.value), found);
+        floor.height = found;
+    }
+    Ok(())
+}
+
+/// The plan is no smaller than the grid of its bearings.
+fn plan(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let (Some(plan), Some(grid)) = (study.plan, model.grid()) else { return Ok(()) };
+    for (k, axis) in ["x", "y"].into_iter().enumerate() {
+        if plan[k] < (1.0 - HEIGHT) * grid[k] {
+            return Err(format!(
+                "{}: plan = {plan:?} is smaller than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}",
+                stated.file,
+                grid[k],
+                study.script.display(),
+                plan[k] / grid[k]
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {

@@ -104,8 +104,8 @@ fn masses(engine: &Engine) -> Vec<(f64, f64, i32)> {
     all
 }
 
-/// Levels with mass from the base upwards: elevation, and the node with the largest mass.
-fn levels(masses: &[(f64, f64, i32)], lowest: f64) -> Vec<(f64, i32)> {
+/// Levels with mass from the base upwards: the node with the largest mass of each.
+fn levels(masses: &[(f64, f64, i32)], lowest: f64) -> Vec<i32> {
     let mut all: Vec<&(f64, f64, i32)> =
         masses.iter().filter(|m| m.1 >= lowest - LEVEL * lowest.abs() && m.0 > 0.0).collect();
     all.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.2.cmp(&b.2)));
@@ -117,7 +117,7 @@ fn levels(masses: &[(f64, f64, i32)], lowest: f64) -> Vec<(f64, i32)> {
         let mass: f64 = level.iter().map(|m| m.0).sum();
         let heaviest = level.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a });
         if let Some(m) = heaviest.filter(|_| mass >= FLOOR * total) {
-            out.push((m.1, m.2));
+            out.push(m.2);
         }
     }
     out
@@ -166,7 +166,7 @@ fn write(
     is_known: bool,
     carried: f64,
     bearings: &[Found],
-    floors: &[(f64, i32)],
+    floors: &[i32],
     is_prepared: bool,
 ) -> String {
     let mut out =
@@ -197,12 +197,9 @@ fn write(
     out +=
         "response_modification = 1.0 # TODO R of the structure above\n# live = { over_dead = 0.2, in_script = 0.5 }\n";
     out += "# project_tests = true # the factors below come from tests of the project\n";
-    for (k, (elevation, node)) in floors.iter().enumerate() {
-        let _ = write!(out, "\n[[floor]] # its weight is the mass of the script at this elevation\nnode = {node}\n");
-        if k > 0 {
-            // Differences of elevations have the round-off of sums.
-            let _ = writeln!(out, "height = {:?}", ((elevation - floors[k - 1].0) * 1.0e6).round() / 1.0e6);
-        }
+    out += "\n# Weights are the masses of the script at each elevation, heights those between the nodes.\n";
+    for node in floors {
+        let _ = write!(out, "\n[[floor]]\nnode = {node}\n");
     }
     let _ = writeln!(
         out,

@@ -89,6 +89,25 @@ impl ScriptModel {
         Some(level.map(|m| m[0]).sum())
     }
 
+    /// Elevation of a node.
+    pub(super) fn elevation(&self, node: i64) -> Option<f64> {
+        let model = self.run.interp.host.engine.model();
+        let id = i32::try_from(node).ok().and_then(|t| model.node(t))?;
+        model.nodes[id.0].coords.last().copied()
+    }
+
+    /// Horizontal extent of the bearings' upper nodes; none in a plane model.
+    pub(super) fn grid(&self) -> Option<[f64; 2]> {
+        let model = self.run.interp.host.engine.model();
+        let extent = |k: usize| {
+            let x = self.bearings.iter().map(|b| model.nodes[model.elements[b.id.0].nodes[1].0].coords.clone());
+            let all: Option<Vec<f64>> = x.map(|c| (c.len() == 3).then(|| c[k])).collect();
+            let all = all?;
+            Some(all.iter().copied().fold(f64::MIN, f64::max) - all.iter().copied().fold(f64::MAX, f64::min))
+        };
+        Some([extent(0)?, extent(1)?])
+    }
+
     /// Axial forces of all bearings under gravity together.
     pub(super) fn gravity(&self) -> f64 {
         self.bearings.iter().map(|b| b.gravity).sum()

@@ -224,6 +224,7 @@ pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
             .collect(),
         transitions: file.bearing.iter().map(|b| b.transition.is_some()).collect(),
         floors: file.floor.iter().map(|f| f.weight.as_ref().map(|w| Stated::of(w, &text))).collect(),
+        heights: file.floor.iter().map(|f| f.height.as_ref().map(|h| Stated::of(h, &text))).collect(),
     };
     let mut texts = vec![FORMAT.to_owned()];
     let mut study = unsettled(file, path, &mut texts)?;
@@ -281,7 +282,8 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     performance.check(&types, &super::BOUNDS)?;
     let floor = |f: &super::study_file::FloorEntry| {
         let weight = f.weight.as_ref().map_or(f64::NAN, |w| *w.get_ref());
-        Floor { node: f.node, weight, height: f.height }
+        let height = f.height.as_ref().map_or(f64::NAN, |h| *h.get_ref());
+        Floor { node: f.node, weight, height }
     };
     let code = Code::named(&file.code)?;
     let short = match target {

@@ -153,9 +153,8 @@ pub(super) struct FloorEntry {
     pub(super) node: i64,
     /// Weight; without it the mass of the script at its elevation times `gravity`.
     pub(super) weight: Option<Spanned<f64>>,
-    /// Height above the floor below; 0 at the base level.
-    #[serde(default)]
-    pub(super) height: f64,
+    /// Height above the floor below, which the base level has not; without it that of the script's nodes.
+    pub(super) height: Option<Spanned<f64>>,
 }
 
 fn one() -> f64 {
@@ -326,7 +325,8 @@ impl StudyFile {
             }
         }
         for f in self.floor.iter().skip(1) {
-            positive(&format!("the height of the floor at node {}", f.node), f.height)?;
+            let what = format!("the height of the floor at node {}", f.node);
+            f.height.as_ref().map_or(Ok(()), |h| positive(&what, *h.get_ref()))?;
         }
         Ok(())
     }

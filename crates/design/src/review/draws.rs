@@ -8,8 +8,11 @@ use hysteron_identify::report::{Cell, Table};
 /// Percentiles that are given, as shares.
 const SHARES: [f64; 5] = [0.05, 0.16, 0.5, 0.84, 0.95];
 
-/// Quantities of a complete analysis, with names and units.
-fn quantities(study: &Study, o: &JobOutcome) -> Vec<(String, String, f64)> {
+/// Name, unit and value of a quantity.
+type Quantity = (String, String, f64);
+
+/// Quantities of a complete analysis.
+fn quantities(study: &Study, o: &JobOutcome) -> Vec<Quantity> {
     let [force, length] = &study.units;
     let mut out = vec![];
     let mut at = 0;
@@ -46,7 +49,7 @@ fn percentile(sorted: &[f64], share: f64) -> f64 {
 
 /// Percentiles over the complete analyses of draws, and the draws with their factors.
 pub fn draw_tables(study: &Study, outcomes: &[JobOutcome]) -> [Table; 2] {
-    let complete: Vec<(usize, Vec<(String, String, f64)>)> = outcomes
+    let complete: Vec<(usize, Vec<Quantity>)> = outcomes
         .iter()
         .enumerate()
         .filter(|(_, o)| o.failure.is_empty())

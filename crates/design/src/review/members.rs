@@ -35,7 +35,7 @@ pub(super) fn members(study: &Study, outcomes: &[JobOutcome], review: &Review) -
                 };
                 let by_bound =
                     |b: &&'static str| (value(study, outcomes, b, &of) * factor(&review.values, b, SHEAR_ABOVE), *b);
-                let found = BOUNDS.iter().map(|b| by_bound(&b)).filter(|v| v.0.is_finite());
+                let found = BOUNDS.iter().map(by_bound).filter(|v| v.0.is_finite());
                 found.reduce(|a, b| if b.0 > a.0 { b } else { a }).unwrap_or((f64::NAN, ""))
             };
             let ((up, up_bound), (down, down_bound)) = (change(1.0), change(-1.0));

@@ -149,8 +149,7 @@ pub(super) fn structure(study: &Study, outcomes: &[JobOutcome]) -> Table {
         columns.extend(["mean", "largest"].map(|w| (format!("{bound} {w}"), String::new())));
     }
     let mut table = table_of(columns);
-    type Of = fn(&JobOutcome) -> Option<f64>;
-    let rows: [(&str, &str, Of); 6] = [
+    let rows: [(&str, &str, Plain); 6] = [
         ("displacement of bearings", length, |o| o.bearings.iter().map(|b| b.displacement).reduce(f64::max)),
         ("shear of all bearings", force, |o| Some(o.base_shear)),
         ("shear above, unreduced", force, |o| Some(o.shear_above).filter(|v| *v > 0.0)),
@@ -170,6 +169,11 @@ pub(super) fn structure(study: &Study, outcomes: &[JobOutcome]) -> Table {
     table
 }
 
+/// A response of an analysis, by a plain function.
+type Plain = fn(&JobOutcome) -> Option<f64>;
+/// A response of an analysis.
+type Of<'a> = &'a dyn Fn(&JobOutcome) -> Option<f64>;
+
 /// Drifts and accelerations over the height: mean and largest of each bound.
 pub(super) fn storeys(study: &Study, outcomes: &[JobOutcome]) -> Table {
     let length = study.units[1].clone();
@@ -187,8 +191,7 @@ pub(super) fn storeys(study: &Study, outcomes: &[JobOutcome]) -> Table {
         let mut row: Vec<Cell> = vec![(floor.node as f64).into(), height.into()];
         let drift = |o: &JobOutcome| o.drifts.get(k.checked_sub(1)?).copied();
         let acceleration = |o: &JobOutcome| o.accelerations.get(k).copied();
-        let of: [&dyn Fn(&JobOutcome) -> Option<f64>; 2] = [&drift, &acceleration];
-        for f in of {
+        for f in [&drift as Of<'_>, &acceleration] {
             for bound in BOUNDS {
                 let found = governing(study, outcomes, bound, f);
                 row.extend(found.map_or([f64::NAN; 2], |r| [r.mean, r.largest]).map(cell));
