@@ -163,6 +163,18 @@ fn contradictions_of_study_and_script_are_refused() {
     }
 }
 
+/// An eccentricity that the script does not use is refused.
+#[test]
+fn an_eccentricity_moves_the_mass() {
+    let place = Place::new();
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    place.write("building.tcl", script.replace("$isolate(ey)*$side", "0.0*$side"));
+    let folder = format!("{INPUTS}/isolation_study/building.tcl");
+    place.write("study.toml", changed(&[]).replace(&folder, "building.tcl"));
+    let (status, _, said) = place.run(&["check", "study.toml"]);
+    assert!(status == Some(2) && said.contains("does it use isolate(ey)?"), "{said}");
+}
+
 /// An eccentricity that moves the gravity loads with the mass is refused.
 #[test]
 fn an_eccentricity_moves_no_gravity() {

@@ -27,6 +27,8 @@ const FACTOR: f64 = 0.05;
 const HEIGHT: f64 = 0.01;
 /// Change of a bearing's axial force under gravity by an accidental eccentricity, as a share of the mean, at most.
 const MOVED_GRAVITY: f64 = 0.01;
+/// Movement of the center of mass over eccentricity times plan, at least and at most.
+const MOVED_MASS: [f64; 2] = [0.5, 2.0];
 /// Relative change of the design displacement at which its iteration ends, and iterations at most.
 const ITERATION: (f64, usize) = (0.01, 30);
 
@@ -406,6 +408,7 @@ fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicB
     let mean = first.gravity() / first.bearings.len() as f64;
     for (k, [x, y]) in study.eccentricities.iter().enumerate().skip(1) {
         let model = ScriptModel::new(study, "nominal", k, stop)?;
+        moved_mass(study, first, &model, [*x, *y])?;
         for (before, after) in first.bearings.iter().zip(&model.bearings) {
             if (after.gravity - before.gravity).abs() > MOVED_GRAVITY * mean {
                 return Err(format!(
@@ -416,6 +419,26 @@ fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicB
                     place(study, after)
                 ));
             }
+        }
+    }
+    Ok(())
+}
+
+/// The center of mass moves by the change of the eccentricity times the plan. Without a plan the grid of the bearings stands for it.
+fn moved_mass(study: &Study, first: &ScriptModel, model: &ScriptModel, to: [f64; 2]) -> Result<(), String> {
+    let (Some(before), Some(after)) = (first.center_of_mass(), model.center_of_mass()) else { return Ok(()) };
+    let Some(plan) = study.plan.or_else(|| first.grid()) else { return Ok(()) };
+    for (axis, name) in ["x", "y"].into_iter().enumerate() {
+        let asked = (to[axis] - study.eccentricities[0][axis]) * plan[axis];
+        let found = after[axis] - before[axis];
+        if asked != 0.0 && !(MOVED_MASS[0]..=MOVED_MASS[1]).contains(&(found / asked)) {
+            return Err(format!(
+                "the eccentricity {} {} asks for the center of mass to move by {asked:.6} in {name}, but in \"{}\" it moves by \
+                 {found:.6}: does it use isolate(e{name})?",
+                to[0],
+                to[1],
+                study.script.display()
+            ));
         }
     }
     Ok(())

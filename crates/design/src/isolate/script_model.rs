@@ -96,6 +96,21 @@ impl ScriptModel {
         model.nodes[id.0].coords.last().copied()
     }
 
+    /// Center of the mass at and above the lowest upper node of the bearings; none in a plane model, or without mass.
+    pub(super) fn center_of_mass(&self) -> Option<[f64; 2]> {
+        let model = self.run.interp.host.engine.model();
+        let lowest = self.bearings.iter().map(|b| b.elevation).fold(f64::MAX, f64::min);
+        let (mut sum, mut moment) = (0.0, [0.0; 2]);
+        for ([mass, elevation], node) in self.masses.iter().zip(&model.nodes) {
+            let [x, y, _] = node.coords[..] else { return None };
+            if *elevation >= lowest - LEVEL * self.height {
+                sum += mass;
+                moment = [moment[0] + mass * x, moment[1] + mass * y];
+            }
+        }
+        (sum > 0.0).then(|| moment.map(|m| m / sum))
+    }
+
     /// Horizontal extent of the bearings' upper nodes; none in a plane model.
     pub(super) fn grid(&self) -> Option<[f64; 2]> {
         let model = self.run.interp.host.engine.model();
