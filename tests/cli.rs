@@ -21,6 +21,8 @@ mod findings;
 mod guard;
 #[path = "cli/isolation.rs"]
 mod isolation;
+#[path = "cli/isolation_review.rs"]
+mod isolation_review;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
 #[path = "cli/limits.rs"]

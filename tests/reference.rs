@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
 
+#[path = "reference/keys.rs"]
+mod keys;
 #[path = "reference/page.rs"]
 mod page;
 #[path = "reference/probe.rs"]
@@ -46,6 +48,17 @@ fn the_pages_are_those_of_the_commands() {
     }
     assert!(blank.is_empty(), "tests/reference/*.txt lack\n{}", blank.join("\n"));
     assert!(stale.is_empty(), "HYSTERON_WRITE=1 cargo test --release --test reference writes {stale:?} anew");
+}
+
+#[test]
+fn the_page_of_study_keys_is_that_of_the_declarations() {
+    let (text, blank) = keys::text();
+    assert!(blank.is_empty(), "keys without a meaning: {blank:?}");
+    if std::env::var_os("HYSTERON_WRITE").is_some() {
+        fs::write(keys::path(), &text).unwrap();
+    }
+    let page = fs::read_to_string(keys::path()).unwrap_or_default();
+    assert!(page == text, "HYSTERON_WRITE=1 cargo test --test reference writes isolation-keys.md anew");
 }
 
 #[test]

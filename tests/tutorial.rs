@@ -164,6 +164,16 @@ fn a_shaken_building() {
 }
 
 #[test]
+fn from_prototype_tests_to_the_design_table() {
+    assert_eq!(follow("isolation.md"), 8);
+}
+
+#[test]
+fn an_isolated_bridge() {
+    assert_eq!(follow("bridge.md"), 4);
+}
+
+#[test]
 fn an_output_that_differs_is_seen() {
     assert_eq!(missing("peak ... mm\n", "peak 3 mm\n"), None);
     assert_eq!(missing("a\n...\nc\n", "a\nb\nc\n"), None);

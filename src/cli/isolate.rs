@@ -7,7 +7,9 @@ use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, report, script_text, summary};
+use hysteron::design::isolate::{self, Study, script_text};
+use hysteron::design::prototype::Posterior;
+use hysteron::design::review;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -16,6 +18,16 @@ use std::sync::atomic::AtomicBool;
 pub(super) struct IsolateArgs {
     #[command(flatten)]
     jobs: StudyJobsArgs,
+    /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
+    #[arg(long, value_name = "DIR")]
+    compare: Option<PathBuf>,
+    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, for several
+    /// types several times
+    #[arg(long, value_name = "NAME=FILE", conflicts_with = "compare")]
+    posterior: Vec<String>,
+    /// Draws of --posterior; the motions are taken in turn
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    draws: u32,
     /// Where the results go
     #[arg(long, value_name = "DIR", default_value = "isolation")]
     out: PathBuf,
@@ -27,7 +39,26 @@ pub(super) struct IsolateArgs {
 /// Run the command; the exit status.
 pub(super) fn isolate(a: &IsolateArgs) -> i32 {
     let stop = a.jobs.stop_flag();
-    finish(study(a, &stop), &stop)
+    let result = match &a.compare {
+        Some(second) => compared(&a.jobs.study, second, a.jobs.json),
+        None => study(a, &stop),
+    };
+    finish(result, &stop)
+}
+
+/// The difference of two results.
+fn compared(first: &Path, second: &Path, as_json: bool) -> Result<(String, i32), String> {
+    let read = |path: &Path| -> Result<serde_json::Value, String> {
+        let file = if path.is_dir() { path.join("isolation.json") } else { path.to_owned() };
+        let text = hysteron_files::read_text(&file).map_err(|e| format!("cannot read \"{}\": {e}", file.display()))?;
+        serde_json::from_str(&text).map_err(|e| format!("\"{}\": {e}", file.display()))
+    };
+    let found = review::compare(&read(first)?, &read(second)?)?;
+    if as_json {
+        return Ok((found.table.json(), 0));
+    }
+    let differences = found.table.rows.len();
+    Ok((format!("{}\n{differences} values differ, {} are the same\n", found.table.text(), found.same), 0))
 }
 
 /// Check an isolation study: its keys, and its values beside those of the script; the exit status.
@@ -35,7 +66,11 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
     args.limits.enforce(&stop);
-    let result = load(Path::new(&args.model), &stop).map(|study| {
+    let checked = load(Path::new(&args.model), &stop).and_then(|study| {
+        review::periods(&study).agree(&study)?;
+        Ok(study)
+    });
+    let result = checked.map(|study| {
         let table = study.agreement.table();
         if args.json {
             return (format!("{}\n", table.json()), 0);
@@ -47,8 +82,40 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     finish(result, &stop)
 }
 
+/// Analyses of draws of the properties.
+fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
+    let read = |text: &String| -> Result<(String, Posterior), String> {
+        let (name, file) = text.split_once('=').ok_or_else(|| format!("--posterior {text}: expected NAME=FILE"))?;
+        let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+        let posterior = serde_json::from_str(&json).map_err(|e| format!("\"{file}\": {e}"))?;
+        Ok((name.to_owned(), posterior))
+    };
+    let posteriors = a.posterior.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    study.draw(&posteriors, a.draws as usize)?;
+    let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
+    let all = isolate::draw_jobs(study);
+    let outcomes = jobs.all(&all, all.len(), |job| {
+        let outcome = jobs.one(job)?;
+        isolate::runaway(study, &outcome).map_or(Ok(outcome), Err)
+    })?;
+    let [percentiles, draws] = review::draw_tables(study, &outcomes);
+    write_atomically(&a.out.join("percentiles.csv"), &percentiles.csv())?;
+    write_atomically(&a.out.join("draws.csv"), &draws.csv())?;
+    let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
+    let status = if failed > 0 { FAILURE } else { 0 };
+    if a.jobs.json {
+        return Ok((percentiles.json(), status));
+    }
+    Ok((format!("{}\n{} draws, {failed} without convergence\n", percentiles.text(), outcomes.len()), status))
+}
+
 fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let study = load(&a.jobs.study, stop)?;
+    let mut study = load(&a.jobs.study, stop)?;
+    let periods = review::periods(&study);
+    periods.agree(&study)?;
+    if !a.posterior.is_empty() {
+        return drawn(a, &mut study, stop);
+    }
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
     if let Some(folder) = &a.scripts {
@@ -61,31 +128,28 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
         let outcome = jobs.one(job)?;
         isolate::runaway(&study, &outcome).map_or(Ok(outcome), Err)
     })?;
-    let results = summary(&study, &outcomes);
-    let json = report::json(&study, &outcomes, &results);
-    let checks = check_table(&results.checks);
-    for (name, text) in [
-        ("schedule.csv", results.schedule.csv()),
-        ("structure.csv", results.structure.csv()),
-        ("checks.csv", checks.csv()),
-        ("isolation.json", json.clone()),
-        ("report.html", report::html(&study, &outcomes, &results)),
-    ] {
+    let results = review::review(&study, &outcomes, periods);
+    for (name, text) in review::files(&study, &outcomes, &results) {
         write_atomically(&a.out.join(name), &text)?;
     }
     let failed = outcomes.iter().filter(|o| !o.failure.is_empty()).count();
     for o in outcomes.iter().filter(|o| !o.failure.is_empty()).take(3) {
         eprintln!("warning: {} bound, {}: {}", o.bound, o.motion, o.failure);
     }
+    let status = if failed > 0 { FAILURE } else { 0 };
+    if a.jobs.json {
+        return Ok((review::json(&study, &outcomes, &results), status));
+    }
     let missed = results.checks.iter().filter(|c| c.status == Status::NotMet).count();
-    let text = format!(
-        "{}\n{}\n{}\n{}\n{missed} of {} checks are not met; {}\n",
-        study.agreement.table().text(),
-        results.structure.text(),
-        results.schedule.text(),
-        checks.text(),
-        results.checks.len(),
-        study.code.remark()
-    );
-    Ok((if a.jobs.json { json } else { text }, if failed > 0 { FAILURE } else { 0 }))
+    let tables = [
+        study.agreement.table(),
+        results.procedure(&study),
+        results.structure(&study, &outcomes),
+        results.schedule(&study),
+        results.design_values(),
+        check_table(&results.checks),
+    ];
+    let text: String = tables.iter().map(|t| t.text() + "\n").collect();
+    let remark = study.code.remark();
+    Ok((format!("{text}{missed} of {} checks are not met; {remark}\n", results.checks.len()), status))
 }

@@ -23,7 +23,7 @@ pub(super) struct LimitArgs {
 pub(super) const LIMIT_STATUS: i32 = 1;
 /// Time between two looks.
 const INTERVAL: Duration = Duration::from_millis(20);
-/// Time that a script has to come to an end. Results so far are written in it.
+/// Time within which a script has to end. Results so far are written in it.
 const GRACE: Duration = Duration::from_secs(10);
 /// Memory over the limit at which the process ends at once.
 const EXCESS: f64 = 1.25;

@@ -5,8 +5,8 @@ use clap::Args;
 use hysteron::design::check::check_table;
 use hysteron::design::codes::Code;
 use hysteron::design::prototype::{
-    BoundFactors, Bounds, Factors, Nominal, PrototypeTest, Rubber, TestRecord, acceptance, cycle_table, report,
-    script_lines, trends,
+    BoundFactors, Bounds, Factors, Nominal, Posterior, PrototypeTest, Rubber, TestDesign, TestRecord, acceptance,
+    cycle_table, report, script_lines, trends,
 };
 use hysteron::measure::CycleDetection;
 use hysteron::recordings::Table as Columns;
@@ -54,13 +54,19 @@ pub(super) struct PrototypeArgs {
     /// Factors of the specification of the upper bound, on Q_d and K_d
     #[arg(long, num_args = 2, value_names = ["Q_D", "K_D"], default_values_t = [1.0, 1.0])]
     spec_max: Vec<f64>,
+    /// Least λ_test of the design, on Q_d and K_d, within which each cycle has to stay
+    #[arg(long, num_args = 2, value_names = ["Q_D", "K_D"], requires = "test_max")]
+    test_min: Vec<f64>,
+    /// Largest λ_test of the design, on Q_d and K_d
+    #[arg(long, num_args = 2, value_names = ["Q_D", "K_D"], requires = "test_min")]
+    test_max: Vec<f64>,
     /// Load on the bearing, for the lines of friction pendulums
     #[arg(long, value_name = "W")]
     weight: Option<f64>,
     /// Layers of the bearing, for the line of LeadRubberX: inner and outer diameter, shim, layer, layers, bulk modulus
     #[arg(long, num_args = 6, value_names = ["D1", "D2", "TS", "TR", "N", "KBULK"])]
     rubber: Vec<f64>,
-    /// Write cycles.csv, checks.csv, prototype.json, bounds.tcl and report.html into this folder
+    /// Write cycles.csv, checks.csv, prototype.json, posterior.json, bounds.tcl and report.html into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print the results as JSON
@@ -123,8 +129,14 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
         specification: factors("--spec-max", &a.spec_max)?,
     };
     let bounds = Bounds::new(&tests, &nominal, lower, upper, &code);
-    let mut checks = acceptance(&tests, &nominal, &code);
-    checks.extend(bounds.checks(&code));
+    let specification = a.spec_min.iter().chain(&a.spec_max).map(|f| (f - 1.0).abs()).fold(0.0, f64::max);
+    let stated = match (&a.test_min[..], &a.test_max[..]) {
+        ([], []) => None,
+        (low, high) => Some([factors("--test-min", low)?, factors("--test-max", high)?]),
+    };
+    let design = TestDesign { specification, factors: stated, ratio: a.elastic_ratio };
+    let checks = acceptance(&tests, &nominal, &design, &code);
+    let posterior = Posterior::of(&tests, &nominal);
     let units = match &a.units[..] {
         [force, length] => [force.as_str(), length.as_str()],
         _ => ["", ""],
@@ -136,12 +148,13 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
     let lines = script_lines(&bounds, a.elastic_ratio, a.weight, rubber.as_ref());
     let table = cycle_table(&tests, &nominal, units);
     let seen = trends(&tests);
-    let json = report::json(&tests, &nominal, &seen, &bounds, &checks, &code);
+    let json = report::json(&tests, &nominal, &seen, &bounds, posterior.as_ref().ok(), &checks, &code);
+    let trend_lines = report::trend_lines(&seen) + &report::posterior_lines(&posterior);
     if let Some(folder) = &a.out {
         make_folder(folder)?;
         let loops: Vec<_> =
             tests.iter().zip(&records).map(|(t, r)| (t.name.as_str(), r.u.as_slice(), r.f.as_slice())).collect();
-        let page = report::html(&loops, &table, &seen, &bounds, &checks, &code, units);
+        let page = report::html(&loops, &table, &trend_lines, &bounds, &checks, &code, units);
         for (name, text) in [
             ("cycles.csv", table.csv()),
             ("checks.csv", check_table(&checks).csv()),
@@ -151,12 +164,15 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
         ] {
             write_atomically(&folder.join(name), &text)?;
         }
+        if let Ok(p) = &posterior {
+            let text = serde_json::to_string_pretty(p).map_err(|e| e.to_string())?;
+            write_atomically(&folder.join("posterior.json"), &(text + "\n"))?;
+        }
     }
     if a.json {
         return Ok(json);
     }
     let bounds_table = report::bounds_table(&bounds, units).text();
-    let trend_lines = report::trend_lines(&seen);
     let checks = check_table(&checks).text();
     Ok(format!("{}\n{bounds_table}\n{trend_lines}\n{checks}{}\n", table.text(), code.remark()))
 }

@@ -68,7 +68,7 @@ pub(super) fn write(path: &Path, args: &RunArgs<'_>, observed: &Observed, run: &
     write_atomically(path, &page.html())
 }
 
-/// Peaks of the recorders with half the steps, from a run in a folder of its own; `None` if it does not come to its end.
+/// Peaks of the recorders with half the steps, from a run in a folder of its own; `None` if it is not completed.
 fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BTreeMap<String, Vec<Peak>>> {
     let scratch = Scratch::new("review").ok()?;
     let out = Some(scratch.path().to_owned());
@@ -86,7 +86,7 @@ fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BT
     if matches!(end, End::Done | End::Exit(0)) {
         return Some(observed.peaks.take());
     }
-    eprintln!("note: the run with half the steps did not come to its end: the review has no error of the steps");
+    eprintln!("note: the run with half the steps was not completed: the review has no error of the steps");
     None
 }
 

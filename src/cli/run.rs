@@ -266,7 +266,7 @@ fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &s
 /// Names of files that a message lists.
 const MAX_LISTED: usize = 12;
 
-/// Say which recorder files are whole rows of an analysis that did not come to its end.
+/// Say which recorder files are whole rows of an analysis that was not completed.
 fn print_partial(files: &[String]) {
     if files.is_empty() {
         return;

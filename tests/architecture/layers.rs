@@ -199,6 +199,7 @@ pub const LAYERS: &[Layers] = &[
             "isolate",
             "incremental",
             "multimode",
+            "review",
             "batch",
         ],
         upward: &[],

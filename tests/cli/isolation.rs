@@ -135,6 +135,20 @@ fn contradictions_of_study_and_script_are_refused() {
         ("gravity", "gravity = 9.81", "gravity = 9810.0", ["gravity = 9810", "ratio 1000"]),
         ("bound", "name = \"LRB\"", "name = \"LRX\"", ["the lower bound", "isolate(Q,LRX)"]),
         ("list", "7, 8, 9]", "7, 8]", ["the floors weigh", "the list of bearings"]),
+        (
+            "storey",
+            "node = 102\nweight = 1177.2\nheight = 3.5",
+            "node = 102\nweight = 1177.2\nheight = 3500.0",
+            ["height = 3500 of the floor at node 102", "ratio 1000"],
+        ),
+        ("order", "node = 103", "node = 100", ["the floor at node 100 is", "from the base upwards"]),
+        ("node", "node = 103", "node = 203", ["has no node 203", "floor"]),
+        (
+            "plan",
+            "plan = [12.0, 12.0]",
+            "plan = [12000.0, 1.2]",
+            ["smaller than the grid of the bearings in y", "ratio 0.1000"],
+        ),
         ("tag", "7, 8, 9]", "7, 8, 99]", ["LRB 99", "is no element"]),
         ("key", "k_d = 440.0", "k_D = 440.0", ["k_D", "k_d"]),
     ] {
@@ -147,6 +161,18 @@ fn contradictions_of_study_and_script_are_refused() {
         }
         assert!(!place.0.join("isolation/analyses").exists(), "{name}: the suite ran");
     }
+}
+
+/// An eccentricity that the script does not use is refused.
+#[test]
+fn an_eccentricity_moves_the_mass() {
+    let place = Place::new();
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    place.write("building.tcl", script.replace("$isolate(ey)*$side", "0.0*$side"));
+    let folder = format!("{INPUTS}/isolation_study/building.tcl");
+    place.write("study.toml", changed(&[]).replace(&folder, "building.tcl"));
+    let (status, _, said) = place.run(&["check", "study.toml"]);
+    assert!(status == Some(2) && said.contains("does it use isolate(ey)?"), "{said}");
 }
 
 /// An eccentricity that moves the gravity loads with the mass is refused.

@@ -1,6 +1,6 @@
 //! A check of a rule: demand against limit.
 
-use crate::codes::Code;
+use crate::codes::{Code, Reading};
 use hysteron_identify::report::{Cell, Table};
 
 /// Result of a check.
@@ -12,16 +12,38 @@ pub enum Status {
     NotMet,
     /// There is no limit or no demand: the reason is in the subject.
     NotChecked,
+    /// A least value of a dynamic procedure is not reached: results are multiplied by the ratio, and checked with it.
+    Scaled,
+    /// A limit of a simpler procedure is passed: the design rests on the response history analysis.
+    NeedsHistory,
 }
 
 impl Status {
-    /// A word for tables.
+    /// Words for tables.
     pub fn word(self) -> &'static str {
         match self {
             Self::Met => "met",
             Self::NotMet => "NOT MET",
             Self::NotChecked => "not checked",
+            Self::Scaled => "scaled up",
+            Self::NeedsHistory => "history needed",
         }
+    }
+}
+
+/// Clause of a rule and where its wording comes from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Citation {
+    /// Edition and clause; empty for a rule of this program.
+    pub clause: String,
+    /// Where the wording comes from.
+    pub reading: Option<Reading>,
+}
+
+impl Citation {
+    /// Of a rule of a code.
+    pub fn of(code: &Code, rule: &str) -> Self {
+        Self { clause: code.clause(rule), reading: code.reading(rule) }
     }
 }
 
@@ -31,7 +53,7 @@ pub struct Check {
     /// Subject: quantity and place.
     pub subject: String,
     /// Clause of the code.
-    pub clause: String,
+    pub citation: Citation,
     /// Demand.
     pub demand: f64,
     /// Limit.
@@ -43,52 +65,69 @@ pub struct Check {
 }
 
 impl Check {
-    fn new(subject: String, clause: &str, demand: f64, limit: f64, is_met: bool, ratio: f64) -> Self {
+    fn new(subject: String, citation: Citation, demand: f64, limit: f64, is_met: bool, ratio: f64) -> Self {
         let known = demand.is_finite() && limit.is_finite();
         let status = match (known, is_met) {
             (false, _) => Status::NotChecked,
             (_, true) => Status::Met,
             (_, false) => Status::NotMet,
         };
-        Self { subject, clause: clause.to_owned(), demand, limit, ratio, status }
+        Self { subject, citation, demand, limit, ratio, status }
     }
 
     /// A demand that may not exceed a limit.
-    pub fn at_most(subject: impl Into<String>, clause: &str, demand: f64, limit: f64) -> Self {
+    pub fn at_most(subject: impl Into<String>, citation: Citation, demand: f64, limit: f64) -> Self {
         let ratio = if limit == 0.0 { if demand > 0.0 { f64::INFINITY } else { 0.0 } } else { demand / limit };
-        Self::new(subject.into(), clause, demand, limit, demand <= limit, ratio)
+        Self::new(subject.into(), citation, demand, limit, demand <= limit, ratio)
     }
 
     /// A value that may not fall below a limit.
-    pub fn at_least(subject: impl Into<String>, clause: &str, value: f64, limit: f64) -> Self {
+    pub fn at_least(subject: impl Into<String>, citation: Citation, value: f64, limit: f64) -> Self {
         let ratio = if value == 0.0 { if limit > 0.0 { f64::INFINITY } else { 0.0 } } else { limit / value };
-        Self::new(subject.into(), clause, value, limit, value >= limit, ratio)
+        Self::new(subject.into(), citation, value, limit, value >= limit, ratio)
     }
 
     /// A demand that may not exceed a number of a rule; not checked if the code has none.
     pub fn most_of(code: &Code, rule: &str, subject: impl Into<String>, demand: f64) -> Self {
-        Self::at_most(subject, code.clause(rule), demand, code.value(rule, "most").unwrap_or(f64::NAN))
+        Self::at_most(subject, Citation::of(code, rule), demand, code.value(rule, "most").unwrap_or(f64::NAN))
     }
 
     /// A value that may not fall below a number of a rule; not checked if the code has none.
     pub fn least_of(code: &Code, rule: &str, subject: impl Into<String>, value: f64) -> Self {
-        Self::at_least(subject, code.clause(rule), value, code.value(rule, "least").unwrap_or(f64::NAN))
+        Self::at_least(subject, Citation::of(code, rule), value, code.value(rule, "least").unwrap_or(f64::NAN))
+    }
+
+    /// The same check with another result where it is not met.
+    #[must_use]
+    pub fn or_else(mut self, status: Status) -> Self {
+        if self.status == Status::NotMet {
+            self.status = status;
+        }
+        self
     }
 }
 
 /// Checks as a table.
 pub fn check_table(checks: &[Check]) -> Table {
-    let mut table =
-        Table::new([("check", ""), ("clause", ""), ("demand", ""), ("limit", ""), ("ratio", ""), ("result", "")]);
+    let mut table = Table::new([
+        ("check", ""),
+        ("clause", ""),
+        ("demand", ""),
+        ("limit", ""),
+        ("ratio", ""),
+        ("result", ""),
+        ("wording", ""),
+    ]);
     let number = |x: f64| if x.is_finite() { Cell::Number(x) } else { Cell::Word("-") };
     for c in checks {
         table.rows.push(vec![
             c.subject.clone().into(),
-            c.clause.clone().into(),
+            c.citation.clause.clone().into(),
             number(c.demand),
             number(c.limit),
             number(c.ratio),
             Cell::Word(c.status.word()),
+            Cell::Word(c.citation.reading.map_or("", Reading::word)),
         ]);
     }
     table
@@ -96,14 +135,16 @@ pub fn check_table(checks: &[Check]) -> Table {
 
 #[cfg(test)]
 mod tests {
-    use super::{Check, Status};
+    use super::{Check, Citation, Status};
 
     #[test]
     fn ratios_and_results_at_both_kinds_of_limits() {
-        let c = Check::at_most("a", "1", 3.0, 2.0);
+        let c = Check::at_most("a", Citation::default(), 3.0, 2.0);
         assert!(c.status == Status::NotMet && c.ratio == 1.5);
-        let c = Check::at_least("a", "1", 3.0, 2.0);
+        assert_eq!(c.or_else(Status::Scaled).status, Status::Scaled);
+        let c = Check::at_least("a", Citation::default(), 3.0, 2.0);
         assert!(c.status == Status::Met && (c.ratio - 2.0 / 3.0).abs() < 1e-12);
-        assert_eq!(Check::at_most("a", "1", 3.0, f64::NAN).status, Status::NotChecked);
+        assert_eq!(c.or_else(Status::Scaled).status, Status::Met);
+        assert_eq!(Check::at_most("a", Citation::default(), 3.0, f64::NAN).status, Status::NotChecked);
     }
 }

@@ -12,17 +12,68 @@ const BUILT_IN: [(&str, &str); 4] = [
     ("en1998", include_str!("../codes/en1998.toml")),
 ];
 
+/// Where the wording of a rule comes from.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Reading {
+    /// The text of the code itself was read.
+    Text,
+    /// A source that uses the rule was read.
+    Secondary,
+    /// Neither was read.
+    #[default]
+    Knowledge,
+}
+
+impl Reading {
+    /// Words for tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Secondary => "secondary",
+            Self::Knowledge => "not read",
+        }
+    }
+}
+
+/// Kind of structure, on which some rules depend.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Structure {
+    /// A building.
+    #[default]
+    Building,
+    /// A bridge.
+    Bridge,
+}
+
+impl Structure {
+    /// Name, as files have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Building => "building",
+            Self::Bridge => "bridge",
+        }
+    }
+}
+
 /// A rule of a code.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Rule {
     /// Clause, table or equation.
     pub clause: String,
+    /// Where the wording comes from.
+    #[serde(default)]
+    pub read: Reading,
     /// The rule in own words.
     pub text: String,
     /// Numbers by name.
     #[serde(default)]
     pub values: BTreeMap<String, f64>,
+    /// Words by name.
+    #[serde(default)]
+    pub words: BTreeMap<String, String>,
     /// Rows of a table with rising abscissas.
     #[serde(default)]
     pub table: Vec<[f64; 2]>,
@@ -44,8 +95,13 @@ pub struct SpectrumShapes {
 pub struct Code {
     /// Name.
     pub name: String,
+    /// Short name with the edition, for tables.
+    pub label: String,
     /// Edition.
     pub edition: String,
+    /// Kind of structure that the code is for.
+    #[serde(default)]
+    pub structure: Structure,
     /// True if the rules were compared with the text of the code itself.
     pub text_read: bool,
     /// Source of the rules.
@@ -89,9 +145,22 @@ impl Code {
         self.rule.get(rule)?.values.get(name).copied()
     }
 
-    /// Clause of a rule; empty without one.
-    pub fn clause(&self, rule: &str) -> &str {
-        self.rule.get(rule).map_or("", |r| &r.clause)
+    /// A word of a rule, if the code has both.
+    pub fn word(&self, rule: &str, name: &str) -> Option<&str> {
+        self.rule.get(rule)?.words.get(name).map(String::as_str)
+    }
+
+    /// Edition and clause of a rule; empty without one.
+    pub fn clause(&self, rule: &str) -> String {
+        self.rule.get(rule).map_or(String::new(), |r| match r.clause.starts_with("EN ") {
+            true => r.clause.clone(),
+            false => format!("{}, {}", self.label, r.clause),
+        })
+    }
+
+    /// Where the wording of a rule comes from; `None` without the rule.
+    pub fn reading(&self, rule: &str) -> Option<Reading> {
+        self.rule.get(rule).map(|r| r.read)
     }
 
     /// Remark on the source that a result must carry; empty if the text was read.
@@ -137,6 +206,28 @@ mod tests {
             assert!(code.rule.values().all(|r| !r.clause.is_empty() && !r.text.is_empty()), "{name}");
         }
         assert!(Code::named("asce7-61").expect_err("none").contains("asce7-16"));
+    }
+
+    /// Every rule of every file is used somewhere by its name.
+    #[test]
+    fn no_rule_is_listed_without_being_applied() {
+        fn texts(folder: &std::path::Path, out: &mut String) {
+            for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+                let path = entry.path();
+                if path.is_dir() {
+                    texts(&path, out);
+                } else if path.file_name().is_some_and(|n| n != "codes.rs") {
+                    *out += &std::fs::read_to_string(&path).expect("a file");
+                }
+            }
+        }
+        let mut all = String::from("rule.get(\"damping_coefficient\")");
+        texts(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+        for name in Code::names() {
+            for rule in Code::named(name).expect(name).rule.keys() {
+                assert!(all.contains(&format!("\"{rule}\"")), "{name}: {rule} is not applied");
+            }
+        }
     }
 
     #[test]

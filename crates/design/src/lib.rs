@@ -15,6 +15,7 @@ pub mod motion;
 pub mod multimode;
 pub mod performance;
 pub mod prototype;
+pub mod review;
 pub mod scaling;
 pub mod spectrum;
 pub mod suite;

@@ -203,6 +203,45 @@ mod tests {
         }
     }
 
+    /// The multimode method on bridge 1.0 of the same source, whose first mode has 10 K_d as elastic stiffness, so that D_y is
+    /// Q_d/(9 K_d): d 1.7264 in, xi 0.2686, B_L 1.656, K_eff 36.314 kip/in, T 1.4600 s. One pass from the printed d = 1.72 in is
+    /// compared; the hand calculation stopped there, 0.25 % before the fixed point.
+    #[test]
+    fn published_bridge_by_the_multimode_method() {
+        let code = Code::named("aashto").expect("a code");
+        let supports = |d: f64| {
+            let of = |(w, substructure): (&f64, f64)| {
+                let (q_d, k_d) = (0.05 * w, 0.05 * w / d);
+                Support { q_d, k_d, yield_displacement: q_d / (9.0 * k_d), substructure }
+            };
+            FIRST.weights.iter().zip([10_000.0, 172.0, 172.0, 10_000.0]).map(of).collect::<Vec<_>>()
+        };
+        let weight = FIRST.weights.iter().sum::<f64>() + FIRST.pier_weight;
+        let found = simplified_method(supports, weight, G, |t| G * FIRST.s_d1 / t, &code).expect("a result");
+        for (got, expected) in [
+            (found.displacement, 1.7264),
+            (found.period, 1.4600),
+            (found.stiffness, 36.314),
+            (found.damping, 0.2686),
+            (found.coefficient, 1.656),
+        ] {
+            assert!((got / expected - 1.0).abs() < 6.0e-3, "{got}, not {expected}");
+        }
+        // A spectrum that gives 1.72 in at any period makes that displacement the fixed point.
+        let fixed = |t: f64| 1.72 * (std::f64::consts::TAU / t).powi(2);
+        let uncapped = Code::parse(
+            "name = \"\"\nlabel = \"\"\nedition = \"\"\ntext_read = false\nsource = \"\"\n[rule.damping_coefficient]\nclause = \"\"\ntext = \
+             \"\"\ntable = [[0.0, 1.0]]",
+        );
+        let pass = simplified_method(supports, weight, G, fixed, &uncapped.expect("a code")).expect("a result");
+        for (got, expected) in [(pass.stiffness, 36.314), (pass.period, 1.4600), (pass.damping, 0.2686)] {
+            assert!((got / expected - 1.0).abs() < 1.0e-3, "{got}, not {expected}");
+        }
+        let coefficient = code.damping_coefficient(pass.damping).expect("B_L");
+        let next = 9.79 * FIRST.s_d1 * pass.period / coefficient;
+        assert!((coefficient / 1.656 - 1.0).abs() < 1.0e-3 && (next / 1.7264 - 1.0).abs() < 1.0e-3, "{next}");
+    }
+
     #[test]
     fn on_rigid_supports_it_is_the_method_of_one_mass() {
         let code = Code::named("aashto").expect("a code");

@@ -147,7 +147,7 @@ fn capacities_are_those_of_an_analysis_at_their_level() {
         let Some(Observation::Exact(capacity)) = t.capacity(0, 0.2) else { panic!("{t:?}") };
         // The same motion at this level moves the bearing by the limit.
         let level = capacity / intensities(&study).unwrap()[t.motion];
-        let o = made(&study, &Job { bound: "lower", motion: t.motion, eccentricity: 0, level });
+        let o = made(&study, &Job { bound: "lower", motion: t.motion, eccentricity: 0, level, draw: None });
         assert!((o.bearings[0].displacement / 0.2 - 1.0).abs() < 0.02, "{capacity}: {}", o.bearings[0].displacement);
     }
     // The first motion is nearer to resonance.
@@ -180,7 +180,7 @@ fn loss_of_convergence_is_told_from_collapse() {
     assert!(t.points.iter().all(|p| p.ending != Ending::Unresolved));
     assert!(matches!(t.capacity(1, 0.0), Some(Observation::Between(..))));
     // An analysis that failed was tried again with shorter steps.
-    let o = made(&study, &Job { bound: "lower", motion: 0, eccentricity: 0, level: 5.0 });
+    let o = made(&study, &Job { bound: "lower", motion: 0, eccentricity: 0, level: 5.0, draw: None });
     assert!(o.retried && o.failure.starts_with("the analysis failed") && o.time > 0.0);
 }
 
@@ -274,7 +274,7 @@ fn larger_examples_run_and_their_scripts_are_complete() {
         for m in &mut study.motions[0].components {
             m.acceleration.truncate(700);
         }
-        let job = Job { bound: "upper", motion: 0, eccentricity: 0, level: 1.0 };
+        let job = Job { bound: "upper", motion: 0, eccentricity: 0, level: 1.0, draw: None };
         let o = made(&study, &job);
         assert!(o.failure.is_empty() && !o.contact.is_empty(), "{name}: {}", o.failure);
         assert!(o.bearings.iter().all(|b| b.displacement > 0.01 && b.gravity > 100.0 && b.place.len() + 1 >= 2));

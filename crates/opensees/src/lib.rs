@@ -37,6 +37,7 @@ use hysteron_tcl::{Call, Exception, Interp, Value, decode};
 use std::io::{Error, ErrorKind};
 
 pub use analysis::again::Again;
+pub use analysis::isolator_damping::may_isolate;
 pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;

@@ -61,6 +61,8 @@ pub struct ModelBuilder {
     pub definitions: Definitions,
     /// Definitions that each element was made of.
     pub(crate) made_of: MadeOf,
+    /// Place in the script of the command that made each element.
+    pub made_at: BTreeMap<i32, Span>,
     /// Number of dimensions.
     pub(crate) ndm: usize,
     /// Degrees of freedom of a node, unless it has its own number.

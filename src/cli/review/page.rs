@@ -29,7 +29,7 @@ pub(super) struct Page<'a> {
     pub(super) interp: &'a Tcl,
     pub(super) inputs: &'a Inputs,
     pub(super) peaks: &'a BTreeMap<String, Vec<Peak>>,
-    /// Peaks with half the steps; `None` if that run was not made or did not come to its end.
+    /// Peaks with half the steps; `None` if that run was not made or not completed.
     pub(super) refined: Option<&'a BTreeMap<String, Vec<Peak>>>,
 }
 
@@ -67,7 +67,7 @@ impl Page<'_> {
     fn summary(&self, out: &mut String, changes: &[Change<'_>]) {
         let messages = Messages::new();
         let first = match self.end {
-            End::Done | End::Exit(0) => "The script came to its end.".to_owned(),
+            End::Done | End::Exit(0) => "The script was completed.".to_owned(),
             End::Exit(n) => format!("The script ended itself with status {n}."),
             End::Failed(f) => format!("The last analysis failed: {f}."),
             End::Ignored(f) => format!("An analysis failed, and the script went on: {f}."),

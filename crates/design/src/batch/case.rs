@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 const ROW: &str = "row.csv";
 /// File of the hashes of what the case has read.
 const INPUTS: &str = "inputs.json";
-/// Status of a case whose script came to its end.
+/// Status of a case whose script was completed.
 const DONE: &str = "done";
 
 /// Head of the table, a line.
@@ -29,7 +29,7 @@ fn header(plan: &Plan) -> String {
     line(columns.chain(["message".into()]))
 }
 
-/// Returns true if a row is that of a case whose script came to its end.
+/// Returns true if a row is that of a case whose script was completed.
 fn is_done(row: &str) -> bool {
     row.split(',').nth(1) == Some(DONE)
 }
@@ -39,7 +39,7 @@ fn is_done(row: &str) -> bool {
 pub struct Table {
     /// A line with the names of the columns, and a line for each case, as CSV.
     pub csv: String,
-    /// Number of cases whose script did not come to its end with all results.
+    /// Number of cases whose script was not completed with all results.
     pub failed: usize,
 }
 
@@ -163,7 +163,7 @@ fn outcome(plan: &Plan, run: &mut Run, end: &End) -> (&'static str, String, Vec<
         (End::Done | End::Exit(0), Some(p), _) => ("rejected", format!("the script has no \"pset {p}\"")),
         (End::Done | End::Exit(0), None, None) => (DONE, String::new()),
         (_, _, Some(failure)) => ("failed", failure.to_string()),
-        _ => ("failed", "the script did not come to its end".into()),
+        _ => ("failed", "the script was not completed".into()),
     };
     let mut values = vec![];
     for name in &plan.results {

@@ -16,7 +16,7 @@ use crate::performance::LimitState;
 /// End of an analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// It came to its end without collapse.
+    /// Complete, without collapse.
     Complete,
     /// It passed a limit of collapse.
     Collapsed,
@@ -116,7 +116,7 @@ impl Point {
 
 /// An analysis of a motion at a level, given the intensity of the motion as the study scales it.
 fn job(bound: &'static str, motion: usize, level: f64, intensity: f64) -> Job {
-    Job { bound, motion, eccentricity: 0, level: level / intensity }
+    Job { bound, motion, eccentricity: 0, level: level / intensity, draw: None }
 }
 
 /// Intensities of the motions as the study scales them.

@@ -23,8 +23,12 @@ const WEIGHT: f64 = 0.05;
 const MASS: [f64; 2] = [0.7, 1.4];
 /// Difference of the factors of a bound that the script's bearings show, at most: a law need not be linear in them.
 const FACTOR: f64 = 0.05;
+/// Difference of lengths from the script's, at most.
+const HEIGHT: f64 = 0.01;
 /// Change of a bearing's axial force under gravity by an accidental eccentricity, as a share of the mean, at most.
 const MOVED_GRAVITY: f64 = 0.01;
+/// Movement of the center of mass over eccentricity times plan, at least and at most.
+const MOVED_MASS: [f64; 2] = [0.5, 2.0];
 /// Relative change of the design displacement at which its iteration ends, and iterations at most.
 const ITERATION: (f64, usize) = (0.01, 30);
 
@@ -38,6 +42,8 @@ pub(super) struct StatedValues {
     pub(super) transitions: Vec<bool>,
     /// Weights of the floors.
     pub(super) floors: Vec<Option<Stated>>,
+    /// Heights of the floors.
+    pub(super) heights: Vec<Option<Stated>>,
 }
 
 /// A value of the study beside the script's.
@@ -97,6 +103,8 @@ struct TypeLoops {
 /// The script fails, or study and script contradict each other. The message has both places and the ratio.
 pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), String> {
     let model = ScriptModel::new(study, "nominal", 0, stop)?;
+    heights(study, stated, &model)?;
+    plan(study, stated, &model)?;
     weights(study, stated, &model)?;
     let design = design_loops(study, &model)?;
     let [amplitude, period] = design;
@@ -112,7 +120,62 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
 
 /// Place of a type in the script, for messages.
 fn place(study: &Study, bearing: &ScriptBearing) -> String {
-    format!("\"{}\", element {} {}", study.script.display(), bearing.class, bearing.tag)
+    let line = if bearing.line.is_empty() { study.script.display().to_string() } else { bearing.line.clone() };
+    format!("{line}, element {} {}", bearing.class, bearing.tag)
+}
+
+/// Heights of the floors are differences of the elevations of their nodes.
+fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let script = study.script.display().to_string();
+    let length = study.units[1].clone();
+    let mut below: Option<f64> = None;
+    for (k, floor) in study.floors.iter_mut().enumerate() {
+        let missing = || format!("\"{script}\" has no node {} of a floor", floor.node);
+        let elevation = model.elevation(floor.node).ok_or_else(missing)?;
+        let Some(lower) = below.replace(elevation) else {
+            floor.height = 0.0;
+            continue;
+        };
+        let found = elevation - lower;
+        if found.is_nan() || found <= 0.0 {
+            return Err(format!(
+                "{}: the floor at node {} is {found:.6} above the floor before it (\"{script}\"): expected floors from the base upwards",
+                stated.file, floor.node
+            ));
+        }
+        if let Some(s) = stated.heights[k].filter(|s| (s.value / found - 1.0).abs() > HEIGHT) {
+            return Err(format!(
+                "{}:{}: height = {} of the floor at node {}, but the nodes of \"{script}\" are {found:.6} apart: ratio {:.4}. \
+                 Without the key the script's value is taken",
+                stated.file,
+                s.line,
+                s.value,
+                floor.node,
+                s.value / found
+            ));
+        }
+        let subject = format!("height of the floor at node {}", floor.node);
+        study.agreement.add(subject, &length, stated.heights[k].map(|s| s.value), found);
+        floor.height = found;
+    }
+    Ok(())
+}
+
+/// The plan is no smaller than the grid of its bearings.
+fn plan(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let (Some(plan), Some(grid)) = (study.plan, model.grid()) else { return Ok(()) };
+    for (k, axis) in ["x", "y"].into_iter().enumerate() {
+        if plan[k] < (1.0 - HEIGHT) * grid[k] {
+            return Err(format!(
+                "{}: plan = {plan:?} is smaller than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}",
+                stated.file,
+                grid[k],
+                study.script.display(),
+                plan[k] / grid[k]
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
@@ -155,6 +218,7 @@ fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Res
     }
     let by_mass = model.mass_above() * study.gravity;
     study.agreement.add("mass above the bearings times gravity".into(), &force, Some(study.weight), by_mass);
+    study.mass_over_weight = by_mass / study.weight;
     let ratio = by_mass / carried;
     if !(MASS[0]..=MASS[1]).contains(&ratio) {
         return Err(format!(
@@ -197,7 +261,7 @@ fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], String> 
         system.yield_displacement = if system.q_d > 0.0 { system.yield_displacement / system.q_d } else { 0.0 };
         let found = match system.procedure(spectrum, &study.code) {
             Ok(found) => found,
-            // Bearings are compared all the same, at the displacement that has been come to.
+            // Bearings are compared all the same, at the last displacement.
             Err(_) => break,
         };
         let change = (found.displacement / amplitude - 1.0).abs();
@@ -344,6 +408,7 @@ fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicB
     let mean = first.gravity() / first.bearings.len() as f64;
     for (k, [x, y]) in study.eccentricities.iter().enumerate().skip(1) {
         let model = ScriptModel::new(study, "nominal", k, stop)?;
+        moved_mass(study, first, &model, [*x, *y])?;
         for (before, after) in first.bearings.iter().zip(&model.bearings) {
             if (after.gravity - before.gravity).abs() > MOVED_GRAVITY * mean {
                 return Err(format!(
@@ -354,6 +419,26 @@ fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicB
                     place(study, after)
                 ));
             }
+        }
+    }
+    Ok(())
+}
+
+/// The center of mass moves by the change of the eccentricity times the plan. Without a plan the grid of the bearings stands for it.
+fn moved_mass(study: &Study, first: &ScriptModel, model: &ScriptModel, to: [f64; 2]) -> Result<(), String> {
+    let (Some(before), Some(after)) = (first.center_of_mass(), model.center_of_mass()) else { return Ok(()) };
+    let Some(plan) = study.plan.or_else(|| first.grid()) else { return Ok(()) };
+    for (axis, name) in ["x", "y"].into_iter().enumerate() {
+        let asked = (to[axis] - study.eccentricities[0][axis]) * plan[axis];
+        let found = after[axis] - before[axis];
+        if asked != 0.0 && !(MOVED_MASS[0]..=MOVED_MASS[1]).contains(&(found / asked)) {
+            return Err(format!(
+                "the eccentricity {} {} asks for the center of mass to move by {asked:.6} in {name}, but in \"{}\" it moves by \
+                 {found:.6}: does it use isolate(e{name})?",
+                to[0],
+                to[1],
+                study.script.display()
+            ));
         }
     }
     Ok(())

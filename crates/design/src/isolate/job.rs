@@ -3,7 +3,7 @@
 use super::BOUNDS;
 use super::capture::{Captured, Rows, StudyOutputs};
 use super::inputs::{HashedFiles, InputHashes};
-use super::outcome::{BearingOutcome, JobOutcome};
+use super::outcome::{BearingOutcome, JobOutcome, MemberOutcome};
 use super::study::{BearingType, Study};
 use crate::lateral_force::overlap;
 use crate::spectrum::{Oscillator, logarithmic};
@@ -12,6 +12,7 @@ use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
 use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -26,13 +27,20 @@ pub struct Job {
     pub eccentricity: usize,
     /// Factor on the motion, for stripes.
     pub level: f64,
+    /// Draw of the properties in place of the bound, counted from 0.
+    pub draw: Option<usize>,
 }
 
 impl Job {
     /// Name for files.
     pub fn name(&self) -> String {
         let level = if self.level == 1.0 { String::new() } else { format!("_x{}", self.level) };
-        format!("{}_motion{}_ecc{}{level}", self.bound, self.motion + 1, self.eccentricity + 1)
+        format!("{}_motion{}_ecc{}{level}", self.label(), self.motion + 1, self.eccentricity + 1)
+    }
+
+    /// Name of the bound, or of the draw.
+    pub fn label(&self) -> String {
+        self.draw.map_or(self.bound.to_owned(), |d| format!("draw{}", d + 1))
     }
 }
 
@@ -42,11 +50,23 @@ pub fn jobs(study: &Study) -> Vec<Job> {
     for bound in BOUNDS {
         for motion in 0..study.motions.len() {
             for eccentricity in 0..study.eccentricities.len() {
-                all.push(Job { bound, motion, eccentricity, level: 1.0 });
+                all.push(Job { bound, motion, eccentricity, level: 1.0, draw: None });
             }
         }
     }
     all
+}
+
+/// Analyses of draws of the properties: each draw with one motion, in turn, and without eccentricity.
+pub fn draw_jobs(study: &Study) -> Vec<Job> {
+    let of = |draw: usize| Job {
+        bound: "nominal",
+        motion: draw % study.motions.len(),
+        eccentricity: 0,
+        level: 1.0,
+        draw: Some(draw),
+    };
+    (0..study.draws.len()).map(of).collect()
 }
 
 /// Periods of floor spectra.
@@ -74,6 +94,9 @@ proc analyze {args} {
         }
         foreach tag $::hysteron_contacts {
             recorder Element -file hysteron_isolate/contact$tag -ele $tag globalForce
+        }
+        foreach tag $::hysteron_members {
+            recorder Element -file hysteron_isolate/member$tag -ele $tag localForce
         }
         foreach node $::hysteron_floors {
             set dofs [lrange {1 2} 0 [expr {[llength [nodeCoord $node]] - 2}]]
@@ -117,18 +140,25 @@ fn values(study: &Study, job: &Job) -> Vec<(String, Value)> {
     let list = |k: usize| Value::list(pair.components[k].acceleration.iter().map(|a| Value::from(factor * a)));
     let [ex, ey] = study.eccentricities[job.eccentricity];
     let points = pair.components[0].acceleration.len();
+    // Without a vertical component the ground rests.
+    let rest = vec![0.0; points];
+    let vertical = pair.vertical.as_ref().map_or(&rest, |m| &m.acceleration).iter().map(|a| Value::from(factor * a));
     let mut out = vec![
         ("bound".to_owned(), Value::from(job.bound)),
         ("ax".to_owned(), list(0)),
         ("ay".to_owned(), list(1)),
+        ("az".to_owned(), Value::list(vertical)),
         ("dt".to_owned(), Value::from(pair.components[0].dt)),
         ("points".to_owned(), Value::from(points as i64)),
         ("ex".to_owned(), Value::from(ex)),
         ("ey".to_owned(), Value::from(ey)),
     ];
-    for b in &study.bearings {
-        out.push((format!("Q,{}", b.name), Value::from(study.factor(b, job.bound, 0))));
-        out.push((format!("K,{}", b.name), Value::from(study.factor(b, job.bound, 1))));
+    for (k, b) in study.bearings.iter().enumerate() {
+        for (of, letter) in ["Q", "K"].into_iter().enumerate() {
+            let drawn = job.draw.map(|d| study.draws[d][k][of]);
+            let factor = drawn.unwrap_or_else(|| study.factor(b, job.bound, of));
+            out.push((format!("{letter},{}", b.name), Value::from(factor)));
+        }
     }
     out
 }
@@ -162,13 +192,31 @@ pub(crate) fn run_to_transient(
     eccentricity: usize,
     stop: &Arc<AtomicBool>,
 ) -> Result<Run, String> {
+    let job = Job { bound, motion: 0, eccentricity, level: 1.0, draw: None };
+    run_prepared(&study.script, |interp| prepare(interp, study, &job, STOP_BEFORE), stop)
+}
+
+/// Run a script with its own values up to its first transient analysis.
+///
+/// # Errors
+/// Those of [`run_to_transient`].
+pub(super) fn run_alone(script: &Path, stop: &Arc<AtomicBool>) -> Result<Run, String> {
+    let failed = |_| "the script cannot be prepared".to_owned();
+    run_prepared(script, |interp| interp.eval_str("isolation study", STOP_BEFORE).map(|_| ()).map_err(failed), stop)
+}
+
+fn run_prepared(
+    script: &Path,
+    prepare: impl FnOnce(&mut Tcl) -> Result<(), String>,
+    stop: &Arc<AtomicBool>,
+) -> Result<Run, String> {
     let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
     let files = OverlayFiles::new(Box::new(OsFiles));
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
     let interrupt = run.interp.interrupt.clone();
     run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: Arc::default() }));
-    prepare(&mut run.interp, study, &Job { bound, motion: 0, eccentricity, level: 1.0 }, STOP_BEFORE)?;
-    let end = run.script(&study.script.to_string_lossy(), &[]);
+    prepare(&mut run.interp)?;
+    let end = run.script(&script.to_string_lossy(), &[]);
     match end {
         End::Exit(0) => Ok(run),
         End::Done => Err("the script has no transient analysis".into()),
@@ -187,6 +235,8 @@ fn prepare(interp: &mut Tcl, study: &Study, job: &Job, prologue: &str) -> Result
     let failed = |_| "the values of the study cannot be set".to_owned();
     interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
     interp.set_global("hysteron_floors", floors).map_err(failed)?;
+    let members = Value::list(study.members.iter().map(|t| Value::from(*t)));
+    interp.set_global("hysteron_members", members).map_err(failed)?;
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
     let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{prologue}");
     interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
@@ -234,7 +284,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: time.clone() }));
     let mut out = JobOutcome {
         fingerprint: study.fingerprint,
-        bound: job.bound.into(),
+        bound: job.label(),
         motion: study.motions[job.motion].components[0].name.clone(),
         eccentricity: study.eccentricities[job.eccentricity],
         ..JobOutcome::default()
@@ -257,12 +307,21 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     let found = places(&mut run.interp, out.bearings.len());
     out.bearings.iter_mut().zip(found).for_each(|(b, place)| b.place = place);
     measure_floors(study, job, &rows, &mut out);
+    out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
         r.rows.iter().map(|row| row[..row.len() / 2].iter().map(|f| f * f).sum::<f64>().sqrt()).fold(0.0, f64::max)
     };
     out.contact =
         study.contacts().map(|tag| (tag, rows(&format!("contact{tag}")).map_or(f64::NAN, |r| half(&r)))).collect();
     out
+}
+
+/// Extremes of the forces of a member.
+fn member(tag: i64, rows: &Rows) -> MemberOutcome {
+    let columns = (0..rows.width()).map(|i| rows.column(i));
+    let extremes = |c: Vec<f64>| c.iter().fold((f64::MIN, f64::MAX), |(a, b), x| (a.max(*x), b.min(*x)));
+    let (largest, least) = columns.map(extremes).unzip();
+    MemberOutcome { tag, gravity: rows.rows[0].clone(), largest, least }
 }
 
 /// Horizontal coordinates of `count` bearings, as the recorders found them.
@@ -288,7 +347,8 @@ fn thinned(a: &[f64], b: &[f64]) -> Vec<[f64; 2]> {
 fn measure_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, out: &mut JobOutcome) {
     let mut total: Vec<Vec<f64>> = vec![];
     for kind in &study.bearings {
-        for (k, &tag) in kind.tags.iter().enumerate() {
+        let first = out.bearings.len();
+        for &tag in &kind.tags {
             let all = ["lower", "upper", "force"].map(|what| rows(&format!("{tag}/{what}")));
             let [Some(lower), Some(upper), Some(force)] = all else {
                 if out.failure.is_empty() {
@@ -311,8 +371,15 @@ fn measure_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, out: &mu
             for (sum, f) in total.iter_mut().zip(&f) {
                 sum.iter_mut().zip(f).for_each(|(s, f)| *s += f);
             }
-            let b = bearing(kind, tag, &u[horizontal.clone()], &f[horizontal], &u[vertical], &f[vertical], k == 0);
+            let b = bearing(kind, tag, &u[horizontal.clone()], &f[horizontal], &u[vertical], &f[vertical]);
             out.bearings.push(b);
+        }
+        // Histories of the bearing of the type that moves farthest.
+        let mine = &mut out.bearings[first..];
+        let farthest = mine.iter().map(|b| b.displacement).fold(0.0, f64::max);
+        let kept = mine.iter().position(|b| b.displacement == farthest);
+        for (_, b) in mine.iter_mut().enumerate().filter(|(k, _)| Some(*k) != kept) {
+            (b.hysteresis, b.orbit) = (vec![], vec![]);
         }
     }
     out.base_shear = largest_length(&total);
@@ -325,7 +392,6 @@ fn bearing(
     f: &[Vec<f64>],
     rise: &[f64],
     axial: &[f64],
-    keeps: bool,
 ) -> BearingOutcome {
     let n = axial.len();
     let compression: Vec<f64> = axial.iter().map(|f| -f).collect();
@@ -354,8 +420,8 @@ fn bearing(
         shear: largest_length(f),
         energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
         stability,
-        hysteresis: if keeps { thinned(&u[0], &f[0]) } else { vec![] },
-        orbit: if keeps { thinned(&u[0], second) } else { vec![] },
+        hysteresis: thinned(&u[0], &f[0]),
+        orbit: thinned(&u[0], second),
     }
 }
 

@@ -2,31 +2,32 @@
 //!
 //! The script gets its values in the global array `isolate` before it runs, and has values of its own where they are not
 //! set: `isolate(bound)`, the factors `isolate(Q,NAME)` and `isolate(K,NAME)` of each type of bearing, the accelerations
-//! `isolate(ax)` and `isolate(ay)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
+//! `isolate(ax)`, `isolate(ay)` and `isolate(az)` as lists in its own unit, `isolate(dt)` and `isolate(points)`, and the accidental
 //! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
 
 mod agreement;
 mod capture;
+mod draft;
 mod inputs;
 mod job;
 mod outcome;
-pub mod report;
+mod procedures;
 mod runaway;
 mod script_model;
 mod shear_test;
 mod study;
 mod study_file;
-mod summary;
 
 pub use agreement::{Agreement, Comparison};
+pub use draft::draft;
 pub use inputs::{HashedFiles, InputHashes, is_current};
 pub(crate) use job::run_to_transient;
-pub use job::{Job, jobs, run_job, script_text};
-pub use outcome::{BearingOutcome, JobOutcome};
+pub use job::{Job, draw_jobs, jobs, run_job, script_text};
+pub use outcome::{BearingOutcome, JobOutcome, MemberOutcome};
+pub use procedures::{isolator_displacements, procedure_along, procedures, system};
 pub use runaway::runaway;
 pub use study::{BearingType, Floor, Study, is_isolation_study, load};
-pub use study_file::{Causes, Transition};
-pub use summary::{Summary, summary};
+pub use study_file::{Causes, LiveLoad, Transition};
 
 /// Names of the bounds, in the order in which they are run.
 pub const BOUNDS: [&str; 3] = ["lower", "nominal", "upper"];

@@ -27,10 +27,23 @@ pub struct BearingOutcome {
     pub energy: f64,
     /// Largest P/P_cr with the overlapping area at each time; none without a critical load.
     pub stability: Option<f64>,
-    /// Displacements and forces in the first direction, thinned, of the first bearing of a type.
+    /// Displacements and forces in the first direction, thinned, of the bearing of a type that moves farthest.
     pub hysteresis: Vec<[f64; 2]>,
     /// Orbit, thinned, of such a bearing.
     pub orbit: Vec<[f64; 2]>,
+}
+
+/// Local end forces of a beam or column, as the recorder `localForce` has them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MemberOutcome {
+    /// Tag of the element.
+    pub tag: i64,
+    /// Forces before the motion.
+    pub gravity: Vec<f64>,
+    /// Largest forces.
+    pub largest: Vec<f64>,
+    /// Least forces.
+    pub least: Vec<f64>,
 }
 
 /// Extremes of an analysis.
@@ -44,9 +57,9 @@ pub struct JobOutcome {
     pub motion: String,
     /// Accidental eccentricities.
     pub eccentricity: [f64; 2],
-    /// Description of a failure; empty if the analysis came to its end.
+    /// Description of a failure; empty if the analysis is complete.
     pub failure: String,
-    /// Time that it came to.
+    /// Last time of the analysis.
     pub time: f64,
     /// True if the script's own steps failed, and shorter ones with other algorithms were tried.
     pub retried: bool,
@@ -66,6 +79,8 @@ pub struct JobOutcome {
     pub base_displacement: Vec<f64>,
     /// Largest forces of the elements of contact, by their tags.
     pub contact: Vec<(i64, f64)>,
+    /// Beams and columns, in the order of the study.
+    pub members: Vec<MemberOutcome>,
     /// Share of the energy that goes into the isolators and is taken by Rayleigh damping.
     pub damping_share: f64,
     /// Periods of the floor spectra in s.

@@ -2,16 +2,20 @@
 
 use super::BOUNDS;
 use super::outcome::JobOutcome;
+use super::procedures::procedures;
 use super::study::Study;
-use super::summary::procedures;
 
 /// Displacement over D_M of the same bound, beyond which the model or the motion is wrong. Near-fault motions and torsion reach
 /// twice D_M; a wrong unit, a lost restoring force or a bearing without strength reach any number.
 const RUNAWAY: f64 = 3.0;
 
+/// Place of the nominal properties among the bounds.
+const NOMINAL: usize = 1;
+
 /// Description of an analysis of a suite whose displacement cannot be believed, with what to look at.
 pub fn runaway(study: &Study, outcome: &JobOutcome) -> Option<String> {
-    let bound = BOUNDS.iter().position(|b| *b == outcome.bound)?;
+    // A draw of the properties is nearest to the nominal ones.
+    let bound = BOUNDS.iter().position(|b| *b == outcome.bound).unwrap_or(NOMINAL);
     let expected = procedures(study).into_iter().nth(bound)?.ok()?;
     let bearing = outcome.bearings.iter().max_by(|a, b| a.displacement.total_cmp(&b.displacement))?;
     if bearing.displacement <= RUNAWAY * expected.displacement {

@@ -27,6 +27,8 @@ pub(super) struct ScriptBearing {
     pub(super) gravity: f64,
     /// Elevation of its upper node.
     elevation: f64,
+    /// File and line of the script that made it; empty if they are not known.
+    pub(super) line: String,
 }
 
 /// The model under gravity.
@@ -57,7 +59,13 @@ impl ScriptModel {
         let mut bearings = vec![];
         for (kind, b) in study.bearings.iter().enumerate() {
             for &tag in &b.tags {
-                bearings.push(bearing(engine, kind, tag).map_err(|e| format!("{} {tag} {e}", b.name))?);
+                let mut found = bearing(engine, kind, tag).map_err(|e| format!("{} {tag} {e}", b.name))?;
+                let made_at = i32::try_from(tag).ok().and_then(|t| run.interp.host.builder.made_at.get(&t));
+                found.line = made_at.map_or(String::new(), |span| {
+                    let at = run.interp.sources.location(*span);
+                    format!("{}:{}", at.name, at.line)
+                });
+                bearings.push(found);
             }
         }
         let masses = masses(model);
@@ -79,6 +87,40 @@ impl ScriptModel {
         let elevation = *model.nodes[id.0].coords.last()?;
         let level = self.masses.iter().filter(|m| (m[1] - elevation).abs() <= LEVEL * self.height);
         Some(level.map(|m| m[0]).sum())
+    }
+
+    /// Elevation of a node.
+    pub(super) fn elevation(&self, node: i64) -> Option<f64> {
+        let model = self.run.interp.host.engine.model();
+        let id = i32::try_from(node).ok().and_then(|t| model.node(t))?;
+        model.nodes[id.0].coords.last().copied()
+    }
+
+    /// Center of the mass at and above the lowest upper node of the bearings; none in a plane model, or without mass.
+    pub(super) fn center_of_mass(&self) -> Option<[f64; 2]> {
+        let model = self.run.interp.host.engine.model();
+        let lowest = self.bearings.iter().map(|b| b.elevation).fold(f64::MAX, f64::min);
+        let (mut sum, mut moment) = (0.0, [0.0; 2]);
+        for ([mass, elevation], node) in self.masses.iter().zip(&model.nodes) {
+            let [x, y, _] = node.coords[..] else { return None };
+            if *elevation >= lowest - LEVEL * self.height {
+                sum += mass;
+                moment = [moment[0] + mass * x, moment[1] + mass * y];
+            }
+        }
+        (sum > 0.0).then(|| moment.map(|m| m / sum))
+    }
+
+    /// Horizontal extent of the bearings' upper nodes; none in a plane model.
+    pub(super) fn grid(&self) -> Option<[f64; 2]> {
+        let model = self.run.interp.host.engine.model();
+        let extent = |k: usize| {
+            let x = self.bearings.iter().map(|b| model.nodes[model.elements[b.id.0].nodes[1].0].coords.clone());
+            let all: Option<Vec<f64>> = x.map(|c| (c.len() == 3).then(|| c[k])).collect();
+            let all = all?;
+            Some(all.iter().copied().fold(f64::MIN, f64::max) - all.iter().copied().fold(f64::MAX, f64::min))
+        };
+        Some([extent(0)?, extent(1)?])
     }
 
     /// Axial forces of all bearings under gravity together.
@@ -118,7 +160,7 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
     engine.element_force(id, &mut force);
     let gravity = -force[force.len() / 2 + node.ndm() - 1];
     let elevation = node.coords[node.ndm() - 1];
-    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation })
+    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation, line: String::new() })
 }
 
 /// Mass in the first direction and elevation of each node. A row of a consistent mass matrix counts for its node.

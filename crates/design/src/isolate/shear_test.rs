@@ -56,7 +56,7 @@ impl BilinearLoop {
 /// those under gravity.
 ///
 /// # Errors
-/// The element does not come to an equilibrium.
+/// The element finds no equilibrium.
 pub(super) fn shear_test(
     engine: &Engine,
     id: ElementId,

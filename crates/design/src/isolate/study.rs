@@ -1,13 +1,17 @@
 //! A study that has been read with its motions and settled with its script.
 
 use super::agreement::{Agreement, StatedValues, settle};
-use super::study_file::{BearingEntry, Causes, Stated, StudyFile, Transition};
-use crate::codes::Code;
+use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, Stiffness, StudyFile, Transition};
+use crate::codes::{Code, Structure};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
+use crate::prototype::Posterior;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
+use hysteron_tcl::diagnostic::nearest;
+use rand::SeedableRng as _;
+use rand_pcg::Pcg32;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -27,8 +31,8 @@ pub struct BearingType {
     pub yield_displacement: f64,
     /// Shape of the loop at the yield displacement.
     pub transition: Transition,
-    /// Lateral stiffness of the substructure below one bearing; rigid without it.
-    pub substructure: Option<f64>,
+    /// Lateral stiffness of the substructure below one bearing along x and y; rigid without it.
+    pub substructure: Option<[f64; 2]>,
     /// Factors of the lower bound.
     pub lower: Causes,
     /// Factors of the upper bound.
@@ -52,7 +56,7 @@ impl BearingType {
             k_d: number(&entry.k_d),
             yield_displacement: number(&entry.yield_displacement),
             transition: entry.transition.unwrap_or(Transition::Smooth),
-            substructure: entry.substructure,
+            substructure: entry.substructure.map(Stiffness::by_direction),
             name: entry.name,
             tags: entry.tags,
             lower: entry.lower,
@@ -97,10 +101,28 @@ pub struct Study {
     pub eccentricities: Vec<[f64; 2]>,
     /// Target spectrum of 5 % damping.
     pub target: Target,
+    /// Words that the study gives the target in.
+    pub target_words: String,
     /// R of the structure above.
     pub response_modification: f64,
+    /// Kind of structure.
+    pub structure: Structure,
+    /// Weight of substructures that moves with the superstructure.
+    pub substructure_weight: f64,
+    /// The structure above is regular.
+    pub regular: bool,
+    /// Factors of the bounds come from full-scale tests of the project.
+    pub project_tests: bool,
+    /// Live load of the load combinations.
+    pub live: LiveLoad,
+    /// S_MS in g for the vertical part of the load combinations.
+    pub sms: Option<f64>,
+    /// Periods between which the pairs are scaled.
+    pub scale: Option<[f64; 2]>,
     /// Floors from the base level upwards.
     pub floors: Vec<Floor>,
+    /// Beams and columns whose local end forces are listed.
+    pub members: Vec<i64>,
     /// Types of bearings.
     pub bearings: Vec<BearingType>,
     /// Pairs, scaled, in m/s².
@@ -113,14 +135,21 @@ pub struct Study {
     pub structure_damping: f64,
     /// Weight that the bearings carry: that of the floors, or the axial forces of the bearings under gravity.
     pub weight: f64,
+    /// Mass above the bearings times gravity over that weight.
+    pub mass_over_weight: f64,
+    /// Draws of the factors on Q_d and K_d, by draw and type of bearing.
+    pub draws: Vec<Vec<[f64; 2]>>,
     /// Values of the study beside those of the script.
     pub agreement: Agreement,
     /// Remarks on the files of the motions.
     pub notes: Vec<String>,
 }
 
+/// Seed of the draws of properties.
+const DRAW_SEED: u64 = 1;
+
 /// Version of the results of an analysis: those of another one are made again.
-const FORMAT: &str = "3";
+const FORMAT: &str = "4";
 
 /// Hash of texts.
 fn fingerprint(texts: &[&str]) -> u64 {
@@ -162,12 +191,17 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
         let rest = vec![0.0; components[0].acceleration.len()];
         components.push(Motion { name: "none".into(), azimuth: None, acceleration: rest, ..components[0].clone() });
     }
+    let vertical = if components.len() == 3 { components.pop() } else { None };
     let [mut x, y] = <[Motion; 2]>::try_from(components)
-        .map_err(|c| format!("the motion {:?} has {} components: expected 1 or 2", entry.files, c.len()))?;
+        .map_err(|c| format!("the motion {:?} has {} components: expected 1, 2 or 3", entry.files, c.len()))?;
     if let Some(name) = &entry.name {
         x.name.clone_from(name);
     }
-    Pair::new(x.scaled(entry.factor), y.scaled(entry.factor))
+    let pair = Pair::new(x.scaled(entry.factor), y.scaled(entry.factor))?;
+    match vertical {
+        Some(z) => pair.with_vertical(z.scaled(entry.factor)),
+        None => Ok(pair),
+    }
 }
 
 /// Read a study and its motions, and settle it with its script, which runs up to its first transient analysis at each bound
@@ -190,14 +224,17 @@ pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
             .collect(),
         transitions: file.bearing.iter().map(|b| b.transition.is_some()).collect(),
         floors: file.floor.iter().map(|f| f.weight.as_ref().map(|w| Stated::of(w, &text))).collect(),
+        heights: file.floor.iter().map(|f| f.height.as_ref().map(|h| Stated::of(h, &text))).collect(),
     };
     let mut texts = vec![FORMAT.to_owned()];
     let mut study = unsettled(file, path, &mut texts)?;
     settle(&mut study, &stated, stop)?;
     let share = study.code.value("system_adjustment", "share");
     let contacts: Vec<i64> = study.contacts().collect();
-    let Study { gravity, floors, bearings, factors, eccentricities, .. } = &study;
-    texts.push(format!("{gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {eccentricities:?}"));
+    let Study { gravity, floors, bearings, factors, eccentricities, members, .. } = &study;
+    texts.push(format!(
+        "{members:?} {gravity:?} {floors:?} {bearings:?} {share:?} {contacts:?} {factors:?} {eccentricities:?}"
+    ));
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     study.fingerprint = fingerprint(&texts);
     Ok(study)
@@ -213,18 +250,25 @@ pub fn is_isolation_study(path: &Path) -> bool {
 fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<Study, String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let script = folder.join(&file.script);
-    texts.push(text_of(&script)?);
+    let script_text = text_of(&script)?;
     let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
     let mut notes = vec![];
     let read = |m| pair(m, folder, texts, &mut notes);
     let mut motions = file.motion.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    if motions.iter().any(|p| p.vertical.is_some()) && !script_text.contains("isolate(az)") {
+        notes.push(format!(
+            "the motions have vertical components, but \"{}\" does not name isolate(az): are they applied?",
+            script.display()
+        ));
+    }
+    texts.push(script_text);
     texts.extend(file.motion.iter().map(MotionEntry::identity));
     let factors = match file.scale {
         Some([from, to]) => factors(&motions, &target, [from, to])?,
         None => vec![1.0; motions.len()],
     };
     for (pair, f) in motions.iter_mut().zip(&factors) {
-        pair.components.iter_mut().for_each(|m| *m = m.scaled(*f));
+        pair.components.iter_mut().chain(&mut pair.vertical).for_each(|m| *m = m.scaled(*f));
     }
     let performance = Performance {
         intensity: file.intensity,
@@ -238,19 +282,34 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     performance.check(&types, &super::BOUNDS)?;
     let floor = |f: &super::study_file::FloorEntry| {
         let weight = f.weight.as_ref().map_or(f64::NAN, |w| *w.get_ref());
-        Floor { node: f.node, weight, height: f.height }
+        let height = f.height.as_ref().map_or(f64::NAN, |h| *h.get_ref());
+        Floor { node: f.node, weight, height }
+    };
+    let code = Code::named(&file.code)?;
+    let short = match target {
+        Target::TwoPeriod { short, .. } => Some(short),
+        _ => None,
     };
     Ok(Study {
+        structure: file.structure.unwrap_or(code.structure),
+        substructure_weight: file.substructure_weight,
+        regular: file.regular,
+        project_tests: file.project_tests,
+        live: file.live,
+        sms: file.sms.or(short),
+        scale: file.scale,
         title: if file.title.is_empty() { file.script.clone() } else { file.title },
         script,
         fingerprint: 0,
-        code: Code::named(&file.code)?,
+        code,
         gravity: *file.gravity.get_ref(),
         units: file.units,
         plan: file.plan,
         eccentricities: mirrored(&file.eccentricities),
         target,
+        target_words: file.target.join(" "),
         response_modification: file.response_modification,
+        members: file.members,
         floors: file.floor.iter().map(floor).collect(),
         bearings: file.bearing.into_iter().map(BearingType::new).collect(),
         motions,
@@ -258,6 +317,8 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         performance,
         structure_damping: file.structure_damping,
         weight: f64::NAN,
+        mass_over_weight: 1.0,
+        draws: vec![],
         agreement: Agreement::default(),
         notes,
     })
@@ -275,6 +336,36 @@ fn factors(motions: &[Pair], target: &Target, [from, to]: [f64; 2]) -> Result<Ve
 }
 
 impl Study {
+    /// Draw factors on Q_d and K_d of types of bearings from posteriors of their tests, times the mean of the bounds' factors
+    /// of aging and environment. Bearings of one type share a draw. The seed is that of the study.
+    ///
+    /// # Errors
+    /// There is no type of a name, or the numbers of a posterior have no meaning.
+    pub fn draw(&mut self, posteriors: &[(String, Posterior)], count: usize) -> Result<(), String> {
+        for (name, p) in posteriors {
+            p.check().map_err(|e| format!("posterior of {name}: {e}"))?;
+            if !self.bearings.iter().any(|b| b.name == *name) {
+                let names = self.bearings.iter().map(|b| b.name.as_str());
+                let near = nearest(name, names).map_or(String::new(), |n| format!("; did you mean {n}?"));
+                return Err(format!("there is no type of bearing \"{name}\"{near}"));
+            }
+        }
+        let mut random = Pcg32::seed_from_u64(DRAW_SEED);
+        let share = self.code.value("system_adjustment", "share").unwrap_or(1.0);
+        let one = |b: &BearingType, random: &mut Pcg32| match posteriors.iter().find(|(name, _)| *name == b.name) {
+            Some((_, p)) => {
+                let drawn = p.draw(random);
+                [0, 1].map(|of| drawn[of] * 0.5 * (b.lower.environment(of, share) + b.upper.environment(of, share)))
+            }
+            None => [1.0, 1.0],
+        };
+        let bearings = &self.bearings;
+        self.draws = (0..count).map(|_| bearings.iter().map(|b| one(b, &mut random)).collect()).collect();
+        // Results of other draws are not these.
+        self.fingerprint = fingerprint(&[&self.fingerprint.to_string(), &format!("{:?}", self.draws)]);
+        Ok(())
+    }
+
     /// Factor on Q_d (0) or K_d (1) of a type of bearing at a bound.
     pub fn factor(&self, bearing: &BearingType, bound: &str, of: usize) -> f64 {
         let share = self.code.value("system_adjustment", "share").unwrap_or(1.0);

@@ -1,5 +1,6 @@
 //! The file of an isolation study: its keys, and what can be said of them without the script.
 
+use crate::codes::Structure;
 use crate::motion::MotionEntry;
 use crate::performance::{Collapse, Hunt, Intensity, LimitState, Stripes};
 use serde::Deserialize;
@@ -47,10 +48,15 @@ impl Causes {
     /// Factor on Q_d (0) or K_d (1): [1 + share (product of aging and environment - 1)] times those of test and
     /// specification.
     pub fn factor(&self, of: usize, share: f64) -> f64 {
+        let tested = self.velocity[of] * self.scragging[of] * self.test[of] * self.specification[of];
+        self.environment(of, share) * tested
+    }
+
+    /// The part of aging and environment in it.
+    pub fn environment(&self, of: usize, share: f64) -> f64 {
         let environment = [&self.aging, &self.temperature, &self.travel, &self.contamination];
         let product: f64 = environment.iter().map(|c| c[of]).product();
-        let tested = self.velocity[of] * self.scragging[of] * self.test[of] * self.specification[of];
-        (1.0 + share * (product - 1.0)) * tested
+        1.0 + share * (product - 1.0)
     }
 
     pub(super) fn all(&self) -> [[f64; 2]; 8] {
@@ -69,39 +75,94 @@ pub enum Transition {
     Smooth,
 }
 
+/// Lateral stiffness of a substructure: the same along and across a bridge, or of both.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Stiffness {
+    /// In any direction.
+    Same(f64),
+    /// Along x and y.
+    ByDirection([f64; 2]),
+}
+
+impl Stiffness {
+    pub(super) fn by_direction(self) -> [f64; 2] {
+        match self {
+            Self::Same(k) => [k; 2],
+            Self::ByDirection(k) => k,
+        }
+    }
+}
+
 /// Bearings of one type, as the file names them.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BearingEntry {
+    /// Name, which the script finds in `isolate(Q,NAME)` and `isolate(K,NAME)`.
     pub(super) name: String,
+    /// Tags of the elements.
     pub(super) tags: Vec<i64>,
+    /// Nominal characteristic strength of one bearing; the script's without it.
     pub(super) q_d: Option<Spanned<f64>>,
+    /// Nominal post-elastic stiffness of one bearing; the script's without it.
     pub(super) k_d: Option<Spanned<f64>>,
+    /// Yield displacement; the script's without it.
     pub(super) yield_displacement: Option<Spanned<f64>>,
+    /// Shape of the loops, `abrupt` or `smooth`; as tested without it.
     pub(super) transition: Option<Transition>,
-    pub(super) substructure: Option<f64>,
+    /// Lateral stiffness of the substructure below one bearing, for the simplified method of bridges: one number, or those along x
+    /// and y; rigid without it.
+    pub(super) substructure: Option<Stiffness>,
+    /// Factors of the lower bound on Q_d and K_d, by cause.
     #[serde(default)]
     pub(super) lower: Causes,
+    /// Factors of the upper bound on Q_d and K_d, by cause.
     #[serde(default)]
     pub(super) upper: Causes,
+    /// Displacement capacity.
     pub(super) displacement: Option<f64>,
+    /// Critical load without displacement, compression positive.
     pub(super) critical_load: Option<f64>,
+    /// Diameter, for the overlapping area under a displacement.
     pub(super) diameter: Option<f64>,
+    /// Tension that it can bear.
     pub(super) tension: Option<f64>,
+}
+
+/// Live load beside the dead load that a script applies under gravity.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct LiveLoad {
+    /// Full live load over dead load.
+    pub over_dead: f64,
+    /// Share of the live load that the script applies.
+    pub in_script: f64,
+}
+
+impl Default for LiveLoad {
+    fn default() -> Self {
+        Self { over_dead: 0.0, in_script: 0.0 }
+    }
 }
 
 /// A floor, as the file names it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct FloorEntry {
+    /// Node whose motion stands for the floor.
     pub(super) node: i64,
+    /// Weight; without it the mass of the script at its elevation times `gravity`.
     pub(super) weight: Option<Spanned<f64>>,
-    #[serde(default)]
-    pub(super) height: f64,
+    /// Height above the floor below, which the base level has not; without it that of the script's nodes.
+    pub(super) height: Option<Spanned<f64>>,
 }
 
 fn one() -> f64 {
     1.0
+}
+
+fn yes() -> bool {
+    true
 }
 
 fn no_eccentricity() -> Vec<[f64; 2]> {
@@ -112,11 +173,16 @@ fn no_eccentricity() -> Vec<[f64; 2]> {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct StudyFile {
+    /// Title of the report; the name of the script without it.
     #[serde(default)]
     pub(super) title: String,
+    /// Path of the script.
     pub(super) script: String,
+    /// Code of the checks: `asce7-16`, `asce7-22`, `aashto` or `en1998`.
     #[serde(default = "default_code")]
     pub(super) code: String,
+    /// Kind of structure, `building` or `bridge`; that of the code without it.
+    pub(super) structure: Option<Structure>,
     /// Acceleration of gravity in the units of the script.
     pub(super) gravity: Spanned<f64>,
     /// Names of the units of force and length.
@@ -124,31 +190,57 @@ pub(super) struct StudyFile {
     pub(super) units: [String; 2],
     /// Plan dimensions b and d.
     pub(super) plan: Option<[f64; 2]>,
+    /// Accidental eccentricities as shares of the plan, mirrored.
     #[serde(default = "no_eccentricity")]
     pub(super) eccentricities: Vec<[f64; 2]>,
     /// Words of the target spectrum.
     pub(super) target: Vec<String>,
     /// Periods between which pairs are scaled; not scaled without them.
     pub(super) scale: Option<[f64; 2]>,
-    /// Response modification coefficient of the structure above.
+    /// Response modification coefficient R of the structure above.
     #[serde(default = "one")]
     pub(super) response_modification: f64,
+    /// Weight of substructures that moves with the superstructure, for the simplified method of bridges.
+    #[serde(default)]
+    pub(super) substructure_weight: f64,
+    /// True if the structure above is regular.
+    #[serde(default = "yes")]
+    pub(super) regular: bool,
+    /// True if the factors of the bounds come from full-scale tests of the project.
+    #[serde(default)]
+    pub(super) project_tests: bool,
+    /// Live load of the load combinations.
+    #[serde(default)]
+    pub(super) live: LiveLoad,
+    /// S_MS in g for the vertical part of the load combinations; that of the target without it.
+    pub(super) sms: Option<f64>,
+    /// Floors from the base level upwards.
     #[serde(default)]
     pub(super) floor: Vec<FloorEntry>,
+    /// Types of bearings.
     pub(super) bearing: Vec<BearingEntry>,
+    /// Pairs of ground motions.
     pub(super) motion: Vec<MotionEntry>,
+    /// Beams and columns whose local end forces are listed by load combination.
+    #[serde(default)]
+    pub(super) members: Vec<i64>,
+    /// Measure of the intensity of a pair.
     #[serde(default)]
     pub(super) intensity: Intensity,
+    /// Levels of intensity by hunting for collapse.
     pub(super) ida: Option<Hunt>,
+    /// The same levels of intensity for all records.
     pub(super) stripes: Option<Stripes>,
+    /// Limits beyond which an analysis counts as collapsed.
     #[serde(default)]
     pub(super) collapse: Collapse,
+    /// Limit states of fragility.
     #[serde(default)]
     pub(super) limit_state: Vec<LimitState>,
     /// Bounds of incremental analyses and stripes.
     #[serde(default = "nominal")]
     pub(super) fragility_bounds: Vec<String>,
-    /// Damping of the structure above in modal analyses.
+    /// Damping of the structure above in modal analyses, as a share of critical.
     #[serde(default = "structure_damping")]
     pub(super) structure_damping: f64,
 }
@@ -196,6 +288,10 @@ impl StudyFile {
     pub(super) fn check(&self) -> Result<(), String> {
         positive("gravity", *self.gravity.get_ref())?;
         positive("response_modification", self.response_modification)?;
+        not_negative("live.over_dead", self.live.over_dead)?;
+        not_negative("substructure_weight", self.substructure_weight)?;
+        not_negative("live.in_script", self.live.in_script)?;
+        self.sms.map_or(Ok(()), |s| not_negative("sms", s))?;
         if !(0.0..1.0).contains(&self.structure_damping) {
             return Err(format!("structure_damping is {}: expected 0 to less than 1", self.structure_damping));
         }
@@ -213,7 +309,9 @@ impl StudyFile {
                 // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
                 value.as_ref().map_or(Ok(()), |v| not_negative(&format!("{name} of {}", b.name), *v.get_ref()))?;
             }
-            b.substructure.map_or(Ok(()), |k| positive(&format!("substructure of {}", b.name), k))?;
+            for k in b.substructure.iter().flat_map(|k| k.by_direction()) {
+                positive(&format!("substructure of {}", b.name), k)?;
+            }
             if b.tags.is_empty() {
                 return Err(format!("the bearings {} have no tags", b.name));
             }
@@ -227,7 +325,8 @@ impl StudyFile {
             }
         }
         for f in self.floor.iter().skip(1) {
-            positive(&format!("the height of the floor at node {}", f.node), f.height)?;
+            let what = format!("the height of the floor at node {}", f.node);
+            f.height.as_ref().map_or(Ok(()), |h| positive(&what, *h.get_ref()))?;
         }
         Ok(())
     }

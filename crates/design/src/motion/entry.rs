@@ -8,16 +8,25 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MotionEntry {
+    /// Name; that of the first component without it.
     pub(crate) name: Option<String>,
+    /// Files of the components: one or two horizontal ones, and a third that is vertical.
     pub(crate) files: Vec<String>,
+    /// Factor on the motion.
     #[serde(default = "one")]
     pub(crate) factor: f64,
+    /// Unit, where the files do not say it.
     unit: Option<String>,
+    /// Step of time in s, where the files do not say it.
     dt: Option<f64>,
+    /// Quantity, where the files do not say it: `acceleration`, `velocity` or `displacement`.
     quantity: Option<String>,
+    /// Layout of the numbers, where it is not recognised.
     layout: Option<String>,
+    /// Channels of the files, by name or number from 1; all without them.
     #[serde(default)]
     channels: Vec<String>,
+    /// True if velocities or displacements are to be differentiated.
     #[serde(default)]
     differentiate: bool,
 }

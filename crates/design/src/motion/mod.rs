@@ -60,6 +60,8 @@ impl Motion {
 pub struct Pair {
     /// The components.
     pub components: [Motion; 2],
+    /// The vertical component, with the same step; none if there is none.
+    pub vertical: Option<Motion>,
 }
 
 impl Pair {
@@ -82,7 +84,21 @@ impl Pair {
         let n = first.acceleration.len().max(second.acceleration.len());
         first.acceleration.resize(n, 0.0);
         second.acceleration.resize(n, 0.0);
-        Ok(Self { components: [first, second] })
+        Ok(Self { components: [first, second], vertical: None })
+    }
+
+    /// The pair with a vertical component, which is cut or continued with zeros.
+    ///
+    /// # Errors
+    /// Its step of time differs.
+    pub fn with_vertical(mut self, mut vertical: Motion) -> Result<Self, String> {
+        let (a, b) = (self.components[0].dt, vertical.dt);
+        if (a - b).abs() > 1e-9 * a {
+            return Err(format!("{} has steps of {b} s: expected {a} s as of its pair", vertical.name));
+        }
+        vertical.acceleration.resize(self.components[0].acceleration.len(), 0.0);
+        self.vertical = Some(vertical);
+        Ok(self)
     }
 
     /// Name of the pair: its first component, and its second.
@@ -116,7 +132,7 @@ impl Pair {
         let [mut first, mut second] = [along(azimuth), along(azimuth + 90.0)];
         first.name = format!("{} at {}°", x.name, azimuth.rem_euclid(360.0));
         second.name = format!("{} at {}°", x.name, (azimuth + 90.0).rem_euclid(360.0));
-        Ok(Self { components: [first, second] })
+        Ok(Self { components: [first, second], vertical: self.vertical.clone() })
     }
 
     /// Fault-normal and fault-parallel components for a strike in degrees clockwise from north.

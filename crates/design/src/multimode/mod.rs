@@ -32,6 +32,15 @@ pub struct Mode {
     pub isolators: f64,
 }
 
+/// Period of a mode and its share of the effective mass in a direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PeriodMode {
+    /// Period in s.
+    pub period: f64,
+    /// Share of the effective mass in the direction.
+    pub mass: f64,
+}
+
 /// Response to a motion in one direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Direction {

@@ -1,7 +1,7 @@
 //! Modes of the model of a script with its bearings linearized.
 
-use super::Mode;
 use super::linearized::Linearized;
+use super::{Mode, PeriodMode};
 use crate::isolate::{Study, run_to_transient};
 use hysteron_engine::analysis::{ModalProperties, Modes, ModesError, Wanted};
 use hysteron_engine::element::Element;
@@ -9,6 +9,9 @@ use hysteron_engine::model::ElementId;
 use hysteron_opensees::run::Run;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+/// Share of the effective mass below which a mode has none in a direction.
+const NO_MASS: f64 = 1.0e-9;
 
 type Bearing = (Arc<dyn Element>, ElementId, usize, [usize; 2]);
 
@@ -121,6 +124,26 @@ impl ModalModel {
         self.modes.lambda[mode]
     }
 
+    /// Periods and shares of the effective mass by direction of motion, with a stiffness of the bearings of each type.
+    ///
+    /// # Errors
+    /// The script fails before its transient analysis, or the modes cannot be found.
+    pub(crate) fn periods(
+        study: &Study,
+        bound: &'static str,
+        stiffnesses: &[f64],
+        wanted: usize,
+    ) -> Result<Vec<Vec<PeriodMode>>, String> {
+        let mut model = Self::new(study, bound, wanted)?;
+        model.linearize(study, stiffnesses)?;
+        let mode = |k: usize, direction: usize| PeriodMode {
+            period: TAU / model.modes.lambda[k].sqrt(),
+            mass: if model.masses[k][direction] < NO_MASS { 0.0 } else { model.masses[k][direction] },
+        };
+        let of = |direction: usize| (0..model.modes.lambda.len()).map(|k| mode(k, direction)).collect();
+        Ok((0..model.horizontal()).map(of).collect())
+    }
+
     /// Periods, composite dampings and spectral values. The damping of a mode is Σ β k Δ²/λ of the bearings plus the damping
     /// of the structure on the rest of the energy; shapes have unit modal mass.
     pub(super) fn modes(
@@ -130,6 +153,7 @@ impl ModalModel {
         dampings: &[f64],
         direction: usize,
     ) -> Result<Vec<Mode>, String> {
+        let most = study.code.value("modal_damping", "most").unwrap_or(f64::INFINITY);
         let of = |mode: usize| {
             let lambda = self.modes.lambda[mode];
             let (mut energy, mut damped) = (0.0, 0.0);
@@ -140,6 +164,7 @@ impl ModalModel {
                 damped += dampings[self.kind(b)] * share;
             }
             let damping = damped + study.structure_damping * (1.0 - energy).max(0.0);
+            let damping = damping.min(most);
             let period = TAU / lambda.sqrt();
             let coefficient = study.code.damping_coefficient(damping).ok_or("the code has no damping coefficient")?;
             let acceleration = study.target.at(period) / crate::motion::G / coefficient;

@@ -2,7 +2,6 @@
 
 use super::trends::is_same;
 use super::{PrototypeTest, TestCycle};
-use crate::check::Check;
 use crate::codes::Code;
 
 /// Nominal properties at the design displacement.
@@ -140,21 +139,6 @@ impl Bounds {
             upper: of(lambda_max),
         }
     }
-
-    /// Checks of the factors against the limits that a code sets without tests of the project.
-    pub fn checks(&self, code: &Code) -> Vec<Check> {
-        let (Some(upper), Some(lower)) =
-            (code.value("limits_of_factors", "upper"), code.value("limits_of_factors", "lower"))
-        else {
-            return vec![];
-        };
-        let clause = code.clause("limits_of_factors");
-        let subject = |what: &str| format!("{what} beside the limit that holds without tests of the project");
-        vec![
-            Check::at_least(subject("λ_max of Q_d"), clause, self.lambda_max.q_d, upper),
-            Check::at_most(subject("λ_min of Q_d"), clause, self.lambda_min.q_d, lower),
-        ]
-    }
 }
 
 #[cfg(test)]
@@ -180,6 +164,5 @@ mod tests {
         assert!((b.lower.q_d - 100.0 * (1.0 - 0.75 * 0.1) * 0.7 * 0.85).abs() < 1e-9);
         assert!((b.upper.k_d - 500.0 * 1.02 * 1.15).abs() < 1e-9 && (b.lower.k_d - 500.0 * 0.96 * 0.85).abs() < 1e-9);
         assert!(Nominal::of(&tests, Some(1.0)).is_err());
-        assert_eq!(b.checks(&code).len(), 2);
     }
 }

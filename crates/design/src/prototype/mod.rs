@@ -5,12 +5,14 @@
 
 mod acceptance;
 mod bounds;
+mod posterior;
 pub mod report;
 mod script_lines;
 mod trends;
 
-pub use acceptance::acceptance;
+pub use acceptance::{TestDesign, acceptance};
 pub use bounds::{BoundFactors, Bounds, Factors, Nominal, Properties};
+pub use posterior::Posterior;
 pub use script_lines::{Rubber, script_lines};
 pub use trends::{Trends, trends};
 

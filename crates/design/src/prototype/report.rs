@@ -1,6 +1,6 @@
 //! Results of prototype tests as tables, JSON and a page.
 
-use super::{Bounds, Factors, Nominal, Properties, PrototypeTest, Trends};
+use super::{Bounds, Factors, Nominal, Posterior, Properties, PrototypeTest, Trends};
 use crate::check::{Check, check_table};
 use crate::codes::Code;
 use hysteron_identify::report::{Cell, Table, html as page};
@@ -31,6 +31,20 @@ pub fn bounds_table(bounds: &Bounds, units: [&str; 2]) -> Table {
     table
 }
 
+/// Bounds by the scatter of the tests: 5 and 95 % of Q_d and K_d over nominal, in words.
+pub fn posterior_lines(posterior: &Result<Posterior, String>) -> String {
+    let p = match posterior {
+        Ok(p) => p,
+        Err(e) => return format!("scatter of the tests: {e}\n"),
+    };
+    let [[q_low, q_high], [k_low, k_high]] = [0, 1].map(|of| p.range(of));
+    format!(
+        "scatter of {} cycles: 5 to 95 % of Q_d is {q_low:.3} to {q_high:.3}, of K_d {k_low:.3} to {k_high:.3} times nominal, \
+         correlation {:.2}\n",
+        p.cycles, p.correlation
+    )
+}
+
 /// Trends in words, one a line.
 pub fn trend_lines(t: &Trends) -> String {
     let line = |what: &str, x: f64, digits: usize| {
@@ -52,6 +66,7 @@ pub fn json(
     nominal: &Nominal,
     t: &Trends,
     bounds: &Bounds,
+    posterior: Option<&Posterior>,
     checks: &[Check],
     code: &Code,
 ) -> String {
@@ -71,6 +86,7 @@ pub fn json(
             "nominal": properties(bounds.nominal, Factors::ONE),
             "upper": properties(bounds.upper, bounds.lambda_max),
         },
+        "posterior": posterior,
         "checks": table_rows(&check_table(checks)),
         "code": {"name": code.name, "edition": code.edition, "text_read": code.text_read, "source": code.source},
     });
@@ -104,7 +120,7 @@ pub(crate) fn page_table_in_parts(out: &mut String, table: &Table, names: usize,
 pub fn html(
     loops: &[(&str, &[f64], &[f64])],
     cycles: &Table,
-    t: &Trends,
+    trends: &str,
     bounds: &Bounds,
     checks: &[Check],
     code: &Code,
@@ -115,7 +131,7 @@ pub fn html(
     page_table(&mut out, &check_table(checks));
     out += "<h2>Bounds</h2>\n";
     page_table(&mut out, &bounds_table(bounds, units));
-    out += &format!("<h2>Trends</h2>\n<pre>{}</pre>\n<h2>Loops</h2>\n", page::escaped(&trend_lines(t)));
+    out += &format!("<h2>Trends</h2>\n<pre>{}</pre>\n<h2>Loops</h2>\n", page::escaped(trends));
     for (name, u, f) in loops {
         let points = u.iter().copied().zip(f.iter().copied()).collect();
         let figure = Figure {

@@ -32,11 +32,17 @@ pub(super) fn is_bearing(class: &str) -> bool {
     ISOLATORS.iter().any(|part| class.contains(part))
 }
 
+/// Returns true if an element may be an isolator: a bearing, or a link that is not linear.
+pub fn may_isolate(e: &ElementEntry) -> bool {
+    let class = e.element.class();
+    is_bearing(class) || !e.element.traits().linear && LINKS.contains(&class)
+}
+
 fn is_isolator(e: &ElementEntry) -> bool {
-    let (class, traits) = (e.element.class(), e.element.traits());
+    let traits = e.element.traits();
     let r = &e.rayleigh;
     let is_damped = traits.rayleigh && [r.beta_k, r.beta_k0, r.beta_kc].iter().any(|b| *b != 0.0);
-    is_damped && (is_bearing(class) || !traits.linear && LINKS.contains(&class))
+    is_damped && may_isolate(e)
 }
 
 impl IsolatorDamping {
