@@ -63,6 +63,9 @@ pub(super) struct RecordingArgs {
     /// Integrate from 0 by the trapezoidal rule
     #[arg(long)]
     integrate: bool,
+    /// Multiply the values by this before other conversions, for instance by the sensitivity of an instrument
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    factor: Option<f64>,
     /// Change the sign of the values
     #[arg(long)]
     reverse: bool,
@@ -86,7 +89,10 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let shown = file.display();
     let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
     let of_file = |e: String| format!("\"{shown}\": {e}");
-    let measured = Measured::read(&file.to_string_lossy(), &bytes).map_err(|e| of_file(e.to_string()))?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let beside = |name: &str| hysteron_files::read_input(folder.join(name)).ok();
+    let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &beside);
+    let measured = measured.map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;
     let all = measured.series(&told).map_err(|e| of_file(e.to_string()))?;
     measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
@@ -186,6 +192,12 @@ fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, 
         }
         if let Some(remove) = remove {
             s.values = remove(&s.values);
+        }
+        if let Some(factor) = a.factor {
+            if factor == 0.0 || !factor.is_finite() {
+                return Err(format!("--factor {factor}: expected a number other than 0"));
+            }
+            s.values.iter_mut().for_each(|x| *x *= factor);
         }
         if a.reverse {
             s.values.iter_mut().for_each(|x| *x = -*x);

@@ -47,6 +47,26 @@ fn is_time_name(name: &str) -> bool {
     TIME_NAMES.contains(&name.trim().to_lowercase().as_str())
 }
 
+/// A name whose first or last word is that of a time: `Total Time`, `Time 1 - default sample rate`.
+fn has_time_name(name: &str) -> bool {
+    let lower = name.trim().to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty());
+    let (first, last) = (words.next().unwrap_or_default(), words.next_back());
+    let is = |w: &str| w.len() > 1 && TIME_NAMES.contains(&w);
+    is(first) || last.is_some_and(is)
+}
+
+/// The unit of the time column of a head and of the unit below it: a longer name needs a unit of time.
+pub(crate) fn time_column(cell: &str, below: &str) -> Option<Unit> {
+    if below.is_empty() {
+        let (name, unit) = name_and_unit(cell);
+        let longer = || time_unit(&unit).filter(|_| !unit.is_empty() && has_time_name(&name));
+        return time_head(cell).or_else(longer);
+    }
+    let is_time = time_head(cell).is_some() || has_time_name(&name_and_unit(cell).0);
+    time_unit(below).filter(|_| is_time)
+}
+
 /// The unit of a time, by its name in any case; seconds without a name.
 pub(crate) fn time_unit(name: &str) -> Option<Unit> {
     let name = if name.is_empty() { "s".into() } else { name.to_lowercase() };
