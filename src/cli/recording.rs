@@ -94,12 +94,9 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &beside);
     let measured = measured.map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;
-    let all = measured.series(&told).map_err(|e| of_file(e.to_string()))?;
+    let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
     measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
-    let mut series = chosen(all, a.told.channels()).map_err(of_file)?;
-    for s in &mut series {
-        say(s, &told).map_err(of_file)?;
-    }
+    let series = chosen(all, a.told.channels()).map_err(of_file)?;
     let series = converted(a, series).map_err(of_file)?;
     let mut out = header(&measured);
     for (i, s) in series.iter().enumerate() {
@@ -135,36 +132,6 @@ fn chosen(all: Vec<Series>, which: &[String]) -> Result<Vec<Series>, String> {
         })
     };
     which.iter().map(find).collect()
-}
-
-/// Give a channel the unit and the quantity that the user says, where the file has none.
-fn say(s: &mut Series, told: &Told) -> Result<(), String> {
-    if let Some(word) = &told.quantity {
-        let q = Quantity::named(word).ok_or_else(|| format!("\"{word}\" is no quantity"))?;
-        if s.quantity.is_some_and(|of| of != q) {
-            return Err(format!(
-                "the file says {}, and is told to be {}",
-                s.quantity.map_or("", Quantity::word),
-                q.word()
-            ));
-        }
-        s.quantity = Some(q);
-    }
-    if let Some(word) = &told.unit
-        && s.unit.is_none()
-    {
-        let u = unit::unit(word).ok_or_else(|| format!("\"{word}\" is no unit"))?;
-        if s.quantity.is_some_and(|of| of != u.quantity) {
-            return Err(format!(
-                "{word} is {}, the channel {} is {}",
-                u.quantity,
-                s.name,
-                s.quantity.map_or("", Quantity::word)
-            ));
-        }
-        *s = s.clone().with_unit(u);
-    }
-    Ok(())
 }
 
 /// The quantity after a derivative or an integral.

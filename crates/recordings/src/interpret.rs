@@ -27,6 +27,38 @@ impl Measured {
             Content::Table(sheet) => of_sheet(self, sheet, told),
         }
     }
+
+    /// The channels; those without a unit or a quantity have what the user says.
+    ///
+    /// # Errors
+    /// As [`Measured::series`]; and what the user says has no meaning or contradicts the file.
+    pub fn told_series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
+        let mut all = self.series(told)?;
+        all.iter_mut().try_for_each(|s| say(s, told))?;
+        Ok(all)
+    }
+}
+
+/// Give a channel the unit and the quantity that the user says, where the file has none.
+fn say(s: &mut Series, told: &Told) -> Result<(), Fault> {
+    let is = |s: &Series| s.quantity.map_or("", Quantity::word);
+    if let Some(word) = &told.quantity {
+        let q = Quantity::named(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no quantity")))?;
+        if s.quantity.is_some_and(|of| of != q) {
+            return Err(Fault::new(format!("the file says {}, and is told to be {}", is(s), q.word())));
+        }
+        s.quantity = Some(q);
+    }
+    if let Some(word) = &told.unit
+        && s.unit.is_none()
+    {
+        let u = unit::unit(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no unit")))?;
+        if s.quantity.is_some_and(|of| of != u.quantity) {
+            return Err(Fault::new(format!("{word} is {}, the channel {} is {}", u.quantity, s.name, is(s))));
+        }
+        *s = s.clone().with_unit(u);
+    }
+    Ok(())
 }
 
 fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fault> {

@@ -44,11 +44,7 @@ impl Measured {
     }
 
     /// As [`Measured::read`]; a fault comes with the text that its place is in.
-    pub(crate) fn read_with_text(
-        name: &str,
-        bytes: &[u8],
-        beside: Beside<'_>,
-    ) -> Result<Self, Box<(Fault, String)>> {
+    pub(crate) fn read_with_text(name: &str, bytes: &[u8], beside: Beside<'_>) -> Result<Self, Box<(Fault, String)>> {
         let short = name.rsplit(['/', '\\']).next().unwrap_or(name);
         let bare = |f: Fault| Box::new((f, String::new()));
         let unpacked;

@@ -43,12 +43,7 @@ impl Recording {
     ///
     /// # Errors
     /// As there; and what is said contradicts the file, or has no meaning.
-    pub fn read_told(
-        name: &str,
-        bytes: &[u8],
-        told: &Told,
-        sources: &mut SourceMap,
-    ) -> Result<Self, Box<Diagnostic>> {
+    pub fn read_told(name: &str, bytes: &[u8], told: &Told, sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
         let named = |fault: Fault| match (fault.line, fault.range) {
             (None, None) if !fault.message.contains(name) => {
                 Fault { message: format!("{name} {}", fault.message), ..fault }
@@ -57,7 +52,8 @@ impl Recording {
         };
         let measured = Measured::read_with_text(name, bytes, &|_| None)
             .map_err(|e| named(whole_name(e.0, name)).diagnostic(name, &e.1, sources))?;
-        let first_is_time = |sheet: &Sheet| sheet.columns.first().is_some_and(|c| time_unit_of(c).is_some() || c.is_clock);
+        let first_is_time =
+            |sheet: &Sheet| sheet.columns.first().is_some_and(|c| time_unit_of(c).is_some() || c.is_clock);
         let read = match &measured.content {
             Content::Table(sheet) if told.dt.is_none() || first_is_time(sheet) => {
                 of_sheet(name, sheet.clone(), &measured.text).and_then(|r| r.with_step(told, sheet))

@@ -111,7 +111,8 @@ fn clock(times: Vec<f64>, unit: Option<unit::Unit>) -> Result<Clock, Fault> {
 
 /// The numbers of a channel in the file that its header names.
 fn raw_values(input: &Input<'_>, header: &Header<'_>, name: &str, count: usize) -> Result<Vec<f64>, Fault> {
-    let file = text(header, 211).ok_or_else(|| Fault::new(format!("the header of \"{name}\" names no file (key 211)")))?;
+    let file =
+        text(header, 211).ok_or_else(|| Fault::new(format!("the header of \"{name}\" names no file (key 211)")))?;
     let short = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let bytes = (input.beside)(short).ok_or_else(|| {
         Fault::new(format!("is the header of values in \"{short}\", which is not beside it or not read here"))
@@ -145,7 +146,8 @@ fn raw_values(input: &Input<'_>, header: &Header<'_>, name: &str, count: usize) 
 fn ascii(header: &Header<'_>, name: &str, file: &str, bytes: &[u8], count: usize) -> Result<Vec<f64>, Fault> {
     let text_of = crate::text::decode(bytes)?;
     let separator = text(header, 230).and_then(|w| w.chars().next()).map(Separator::Char);
-    let form = Form { name: file, separator, decimal: text(header, 231).and_then(|w| w.chars().next()), ..Form::default() };
+    let form =
+        Form { name: file, separator, decimal: text(header, 231).and_then(|w| w.chars().next()), ..Form::default() };
     let sheet = Sheet::parse(&text_of, &form).map_err(Fault::from)?;
     let column = value(header, 223, 1.0)? as usize;
     let found = column.checked_sub(1).and_then(|i| sheet.columns.get(i));

@@ -65,7 +65,8 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
 fn drop_equal_times(sheet: &mut Sheet) -> Result<(), Fault> {
     let is_time = |c: &crate::sheet::Column| c.cell.starts_with("X_Value");
     let Some(first) = sheet.columns.iter().find(|c| is_time(c)).map(|c| c.values.clone()) else { return Ok(()) };
-    if sheet.columns.iter().filter(|c| is_time(c)).any(|c| c.values != first) {
+    let same = |c: &crate::sheet::Column| c.values.iter().zip(&first).all(|(a, b)| a.to_bits() == b.to_bits());
+    if !sheet.columns.iter().filter(|c| is_time(c)).all(same) {
         return Err(Fault::new("the channels have times of their own").help("export one channel, or one X column"));
     }
     let mut seen = false;

@@ -100,7 +100,8 @@ fn record(bytes: &[u8], at: usize) -> Result<Record<'_>, Fault> {
     let (mut kind, mut microseconds) = (None, 0i64);
     let mut next = usize::from(h(46));
     for _ in 0..rest[39] {
-        let blockette = rest.get(next..next + 8).filter(|_| next >= HEADER).ok_or_else(|| wrong("ends in its header"))?;
+        let blockette =
+            rest.get(next..next + 8).filter(|_| next >= HEADER).ok_or_else(|| wrong("ends in its header"))?;
         match half(blockette, 0, little) {
             Some(1000) => kind = Some((blockette[4], blockette[5] == 0, blockette[6])),
             Some(1001) => microseconds = i64::from(blockette[5] as i8),
@@ -115,14 +116,16 @@ fn record(bytes: &[u8], at: usize) -> Result<Record<'_>, Fault> {
         }
         next = after;
     }
-    let (encoding, data_little, exponent) = kind.ok_or_else(|| wrong("does not state its encoding (blockette 1000)"))?;
+    let (encoding, data_little, exponent) =
+        kind.ok_or_else(|| wrong("does not state its encoding (blockette 1000)"))?;
     let length = 1usize << exponent.min(30);
     if !(7..=20).contains(&exponent) || rest.len() < length {
         return Err(wrong("ends early"));
     }
     let text = |range: std::ops::Range<usize>| String::from_utf8_lossy(&rest[range]).trim().to_owned();
-    let samples = Samples::of_encoding(encoding)
-        .ok_or_else(|| wrong(&format!("has samples of encoding {encoding}")).help("convert it to Steim 2 or float32"))?;
+    let samples = Samples::of_encoding(encoding).ok_or_else(|| {
+        wrong(&format!("has samples of encoding {encoding}")).help("convert it to Steim 2 or float32")
+    })?;
     Ok(Record {
         id: [text(18..20), text(8..13), text(13..15), text(15..18)].join("."),
         start: seconds * 1_000_000_000 + ticks * 100_000 + microseconds * 1000,

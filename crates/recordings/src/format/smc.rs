@@ -75,6 +75,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
         return Err(Fault::new(format!("the header says {count} values, but there are {}", values.len())));
     }
     let mut notes = vec![];
+    if rate.is_none() && needed == count {
+        notes.push(format!("the {count} values of the header are taken for times and values together"));
+    }
     if values.len() as f64 > needed {
         notes
             .push(format!("the header says {needed} numbers, but there are {}: the others are left out", values.len()));

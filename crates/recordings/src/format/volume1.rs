@@ -93,7 +93,7 @@ fn block(lines: &[&str], at: usize, channel: usize) -> Result<(Series, usize), F
             Some(_) => Clock::Times(times.into()),
         };
         (clock, values.into_iter().skip(1).step_by(2).collect())
-    } else if values.len() == count {
+    } else if values.len() == count && !begins_with_times(&values) {
         let duration = entry(head, "DURATION").or_else(|| entry(head, "RECORD LENGTH"));
         (duration.and_then(|d| step(d, count)).map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }), values)
     } else {
@@ -120,6 +120,12 @@ fn block(lines: &[&str], at: usize, channel: usize) -> Result<(Series, usize), F
     Ok((s, last))
 }
 
+/// Every second number is later than the one before: pairs of time and value, of which half are missing.
+fn begins_with_times(values: &[f64]) -> bool {
+    let times: Vec<f64> = values.iter().copied().step_by(2).collect();
+    times.len() > 2 && times.windows(2).all(|w| w[1] > w[0])
+}
+
 /// The component of `COMP N90E`, `CHAN  1:  90 DEG` or `CHAN  1: NS`.
 fn component(head: &[&str]) -> String {
     let word = head.iter().find_map(|line| {
@@ -137,8 +143,11 @@ fn step(duration: f64, count: usize) -> Option<f64> {
         let error = (rate - rate.round()).abs() / rate;
         (rate.round() >= 1.0 && rate <= HIGHEST_RATE && error < 1e-6).then(|| 1.0 / rate.round())
     };
+    // Of 200 and 199 samples a second the former is the rate of a recorder: its step is a whole number of milliseconds.
+    let in_ms = |dt: f64| (1000.0 * dt).fract().min(1.0 - (1000.0 * dt).fract()) < 1e-9;
     match (whole(count), whole(count - 1)) {
         (Some(dt), None) | (None, Some(dt)) => Some(dt),
+        (Some(a), Some(b)) if in_ms(a) != in_ms(b) => Some(if in_ms(a) { a } else { b }),
         _ => None,
     }
 }
@@ -153,5 +162,6 @@ mod tests {
         assert_eq!(unit_of("UNITS OF UNCOR ACCEL ARE SEC AND G/10.  MAX = -.055 G, AT"), Some((0.1, "g/10")));
         assert_eq!(unit_of("NO. OF POINTS = 4, G"), None);
         assert_eq!((step(78.08, 15616), step(78.075, 15616), step(33.333, 1001)), (Some(0.005), Some(0.005), None));
+        assert_eq!((step(1.0, 200), step(1.0, 201)), (Some(0.005), Some(0.005)));
     }
 }
