@@ -3,6 +3,7 @@
 use super::files::write_atomically;
 use clap::Args;
 use hysteron::opensees::files::write_whole;
+use hysteron::recordings::check::doubts;
 use hysteron::recordings::convert::{derivative, integral, turned, without_line, without_mean};
 use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
 use hysteron::recordings::unit::{self, Quantity, Unit};
@@ -96,6 +97,11 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let told = a.told.told()?;
     let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
     measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
+    // What is doubtful about accelerations; other series have no such bounds.
+    let accelerations = measured.accelerations(&told, false).map(|found| found.channels).unwrap_or_default();
+    for doubt in accelerations.iter().flat_map(doubts) {
+        eprintln!("warning: \"{shown}\": {doubt}");
+    }
     let series = chosen(all, a.told.channels()).map_err(of_file)?;
     let series = converted(a, series).map_err(of_file)?;
     let mut out = header(&measured);

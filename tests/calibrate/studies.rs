@@ -183,8 +183,10 @@ fn runs_say_what_their_recordings_do_not() {
     };
     with(&format!("dt = {dt}\nlayout = \"columns\"\nunit = \"kN\""));
     let read = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
-    assert_eq!(read.runs[0].recording.columns[column - 1].values, recording.columns[column - 1].values);
-    assert_eq!(read.runs[0].recording.columns[column - 1].unit, "kN");
+    let bits = |of: &[f64]| of.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+    let (bare, named) = (&read.runs[0].recording.columns[column - 1], &recording.columns[column - 1]);
+    assert_eq!(bits(&bare.values), bits(&named.values));
+    assert_eq!(bare.unit, "kN");
     for (a, b) in read.runs[0].recording.times.iter().zip(&recording.times) {
         assert!((a - (b - recording.times[0])).abs() < 1e-9 * b.abs().max(1.0));
     }

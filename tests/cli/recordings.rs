@@ -93,10 +93,25 @@ fn what_is_not_said_is_asked_for() {
 fn usual_motions_raise_no_doubt() {
     let place = Place::new();
     place.write("a.AT2", peer(ACCELERATION, "NPTS= 200, DT= .0100 SEC", 0.3));
-    assert_eq!(place.run(&["motions", "a.AT2"]).2, "");
+    assert_eq!(
+        (place.run(&["motions", "a.AT2"]).2, place.run(&["recording", "a.AT2"]).2),
+        (String::new(), String::new())
+    );
     place.write("a.AT2", peer(ACCELERATION, "NPTS= 150, DT= .0100 SEC", 15.0));
     let err = place.run(&["motions", "a.AT2"]).2;
     assert!(err.contains("says 150 values, but there are 200") && err.contains("as velocities in cm/s"), "{err}");
+    let err = place.run(&["recording", "a.AT2"]).2;
+    assert!(err.contains("as velocities in cm/s"), "{err}");
+    // A step over 0.1 s, a record over an hour, and a peak under 0.0001 g.
+    for (counts, amplitude, said) in [
+        ("NPTS= 200, DT= .2000 SEC", 0.3, "the step is 0.2 s"),
+        ("NPTS= 200, DT= 20.0 SEC", 0.3, "the record takes"),
+        ("NPTS= 200, DT= .0100 SEC", 1e-5, "is the unit right?"),
+    ] {
+        place.write("a.AT2", peer(ACCELERATION, counts, amplitude));
+        let err = place.run(&["motions", "a.AT2"]).2;
+        assert!(err.contains(said), "{counts}: {err}");
+    }
 }
 
 #[test]
@@ -172,7 +187,7 @@ fn what_is_told_is_compared_with_the_file() {
         let (status, _, err) = place.run(&["motions", file, "--dt", "0.02"]);
         assert!(status == Some(2) && err.contains("0.02 s"), "{file}: {err}");
         let (status, _, err) = place.run(&["motions", file, "--dt", "0.01", "--unit", "g"]);
-        assert!(status == Some(0) && err.is_empty(), "{file}: {err}");
+        assert!(status == Some(0) && !err.contains("told"), "{file}: {err}");
         let (status, _, err) = place.run(&["motions", file, "--unit", "m/s2"]);
         assert!(
             status == Some(0) && err.contains("the file gives the unit g: m/s2, which is told, is not used"),

@@ -3,12 +3,9 @@
 use crate::content::{Content, Layout, Told};
 use crate::fault::Fault;
 use crate::measured::Measured;
-use crate::series::{Clock, Origin, Series};
+use crate::series::{Clock, Origin, Series, uneven};
 use crate::sheet::{Column, Sheet, head};
 use crate::unit::{self, Quantity, Unit};
-
-/// Steps that differ by more than this share of the mean are not equal.
-const STEP_TOLERANCE: f64 = 0.02;
 
 impl Measured {
     /// The channels, with what the file and the user say about them.
@@ -187,10 +184,7 @@ impl TimeColumn {
             };
             return Err(Fault::new(message).help("if the times are rounded or out of order, say the step: --dt"));
         }
-        Ok(match uneven(&times) {
-            Some(_) => Clock::Times(times.into()),
-            None => Clock::Steps { start: times[0], dt: mean_step(&times) },
-        })
+        Ok(Clock::of_times(times))
     }
 }
 
@@ -233,16 +227,6 @@ fn agreeing(times: &[f64], dt: f64, row: &dyn Fn(usize) -> String) -> Result<Clo
         }
         None => Ok(Clock::Steps { start: times[0], dt }),
     }
-}
-
-pub(crate) fn mean_step(times: &[f64]) -> f64 {
-    (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
-}
-
-/// The first row that does not follow after the mean step.
-pub(crate) fn uneven(times: &[f64]) -> Option<usize> {
-    let dt = mean_step(times);
-    times.windows(2).position(|w| (w[1] - w[0] - dt).abs() > STEP_TOLERANCE * dt.abs()).map(|i| i + 1)
 }
 
 /// The fault of times that are not at equal steps: the row that differs most from the usual step.

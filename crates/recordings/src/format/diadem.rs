@@ -103,10 +103,7 @@ fn clock(times: Vec<f64>, unit: Option<unit::Unit>) -> Result<Clock, Fault> {
     if times.len() < 2 || times.windows(2).any(|w| w[1] <= w[0] || !w[1].is_finite()) {
         return Err(Fault::new("the times of the header's file do not increase"));
     }
-    Ok(match crate::interpret::uneven(&times) {
-        None => Clock::Steps { start: times[0], dt: crate::interpret::mean_step(&times) },
-        Some(_) => Clock::Times(times.into()),
-    })
+    Ok(Clock::of_times(times))
 }
 
 /// The numbers of a channel in the file that its header names.

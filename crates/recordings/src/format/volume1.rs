@@ -4,7 +4,6 @@
 use super::{Format, Input, azimuth, has};
 use crate::content::Content;
 use crate::fault::Fault;
-use crate::interpret::{mean_step, uneven};
 use crate::number::{NumberLines, header_numbers, shown};
 use crate::series::{Clock, Series};
 use crate::unit;
@@ -88,11 +87,7 @@ fn block(lines: &[&str], at: usize, channel: usize) -> Result<(Series, usize), F
             let message = format!("the time of sample {} of channel {channel} does not increase", i + 2);
             return Err(Fault::in_line(data + 1, message));
         }
-        let clock = match uneven(&times) {
-            None => Clock::Steps { start: times[0], dt: mean_step(&times) },
-            Some(_) => Clock::Times(times.into()),
-        };
-        (clock, values.into_iter().skip(1).step_by(2).collect())
+        (Clock::of_times(times), values.into_iter().skip(1).step_by(2).collect())
     } else if values.len() == count && !begins_with_times(&values) {
         let duration = entry(head, "DURATION").or_else(|| entry(head, "RECORD LENGTH"));
         (duration.and_then(|d| step(d, count)).map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }), values)
