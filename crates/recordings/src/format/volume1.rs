@@ -15,10 +15,9 @@ pub(super) const VOLUME1: Format = Format {
     description: "California Institute of Technology, Strong motion earthquake accelerograms, Volume I: pairs of time and acceleration, or accelerations alone",
     is: |input| {
         let first = input.head.first().is_some_and(|l| has(l, &["uncorrected"]) || has(l, &["vol1"]));
-        let old = |l: &&str| unit_of(l).is_some();
         first
             && input.head.iter().take(TEXT_LINES).any(|l| has(l, &["no. of points"]))
-            && input.head.iter().take(TEXT_LINES).any(|l| old(&l))
+            && input.head.iter().take(TEXT_LINES).any(|l| unit_of(l).is_some())
     },
     read,
 };
