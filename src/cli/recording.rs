@@ -3,6 +3,7 @@
 use super::files::write_atomically;
 use clap::Args;
 use hysteron::opensees::files::write_whole;
+use hysteron::recordings::check::doubts;
 use hysteron::recordings::convert::{derivative, integral, turned, without_line, without_mean};
 use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
 use hysteron::recordings::unit::{self, Quantity, Unit};
@@ -63,6 +64,9 @@ pub(super) struct RecordingArgs {
     /// Integrate from 0 by the trapezoidal rule
     #[arg(long)]
     integrate: bool,
+    /// Multiply the values by this before other conversions, for instance by the sensitivity of an instrument
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    factor: Option<f64>,
     /// Change the sign of the values
     #[arg(long)]
     reverse: bool,
@@ -86,14 +90,19 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let shown = file.display();
     let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
     let of_file = |e: String| format!("\"{shown}\": {e}");
-    let measured = Measured::read(&file.to_string_lossy(), &bytes).map_err(|e| of_file(e.to_string()))?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let beside = |name: &str| hysteron_files::read_input(folder.join(name)).ok();
+    let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &beside);
+    let measured = measured.map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;
-    let all = measured.series(&told).map_err(|e| of_file(e.to_string()))?;
+    let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
     measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
-    let mut series = chosen(all, a.told.channels()).map_err(of_file)?;
-    for s in &mut series {
-        say(s, &told).map_err(of_file)?;
+    // What is doubtful about accelerations; other series have no such bounds.
+    let accelerations = measured.accelerations(&told, false).map(|found| found.channels).unwrap_or_default();
+    for doubt in accelerations.iter().flat_map(doubts) {
+        eprintln!("warning: \"{shown}\": {doubt}");
     }
+    let series = chosen(all, a.told.channels()).map_err(of_file)?;
     let series = converted(a, series).map_err(of_file)?;
     let mut out = header(&measured);
     for (i, s) in series.iter().enumerate() {
@@ -131,36 +140,6 @@ fn chosen(all: Vec<Series>, which: &[String]) -> Result<Vec<Series>, String> {
     which.iter().map(find).collect()
 }
 
-/// Give a channel the unit and the quantity that the user says, where the file has none.
-fn say(s: &mut Series, told: &Told) -> Result<(), String> {
-    if let Some(word) = &told.quantity {
-        let q = Quantity::named(word).ok_or_else(|| format!("\"{word}\" is no quantity"))?;
-        if s.quantity.is_some_and(|of| of != q) {
-            return Err(format!(
-                "the file says {}, and is told to be {}",
-                s.quantity.map_or("", Quantity::word),
-                q.word()
-            ));
-        }
-        s.quantity = Some(q);
-    }
-    if let Some(word) = &told.unit
-        && s.unit.is_none()
-    {
-        let u = unit::unit(word).ok_or_else(|| format!("\"{word}\" is no unit"))?;
-        if s.quantity.is_some_and(|of| of != u.quantity) {
-            return Err(format!(
-                "{word} is {}, the channel {} is {}",
-                u.quantity,
-                s.name,
-                s.quantity.map_or("", Quantity::word)
-            ));
-        }
-        *s = s.clone().with_unit(u);
-    }
-    Ok(())
-}
-
 /// The quantity after a derivative or an integral.
 fn next(q: Quantity, differentiate: bool) -> Option<Quantity> {
     let order = [Quantity::Length, Quantity::Velocity, Quantity::Acceleration];
@@ -186,6 +165,12 @@ fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, 
         }
         if let Some(remove) = remove {
             s.values = remove(&s.values);
+        }
+        if let Some(factor) = a.factor {
+            if factor == 0.0 || !factor.is_finite() {
+                return Err(format!("--factor {factor}: expected a number other than 0"));
+            }
+            s.values.iter_mut().for_each(|x| *x *= factor);
         }
         if a.reverse {
             s.values.iter_mut().for_each(|x| *x = -*x);

@@ -163,6 +163,46 @@ fn channels_are_converted_by_unit_factor_and_offset() {
     assert!(message.contains("the unit of force in growing.csv is not known: \"V\""), "{message}");
 }
 
+/// A recording without times, units and names is read with what its run says.
+#[test]
+fn runs_say_what_their_recordings_do_not() {
+    let folder = StudyFolder::new();
+    let study = fs::read_to_string(folder.study()).unwrap();
+    let known = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
+    let recording = &known.runs[0].recording;
+    let dt = recording.times[1] - recording.times[0];
+    let row = |i: usize| recording.columns.iter().map(|c| c.values[i].to_string()).collect::<Vec<_>>().join(" ") + "\n";
+    let bare: String = (0..recording.times.len()).map(row).collect();
+    fs::write(folder.study().with_file_name("bare.txt"), bare).unwrap();
+    let column = recording.columns.iter().position(|c| c.name == "force").unwrap() + 1;
+    let with = |keys: &str| {
+        let text = study.replacen("growing.csv\"", &format!("bare.txt\"\n{keys}"), 1);
+        assert_ne!(text, study);
+        let text = text.replacen("channel = \"force\"", &format!("channel = \"{column}\""), 1);
+        fs::write(folder.study(), text).unwrap();
+    };
+    with(&format!("dt = {dt}\nlayout = \"columns\"\nunit = \"kN\""));
+    let read = Study::load(&folder.study(), &mut SourceMap::default()).unwrap();
+    let bits = |of: &[f64]| of.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+    let (bare, named) = (&read.runs[0].recording.columns[column - 1], &recording.columns[column - 1]);
+    assert_eq!(bits(&bare.values), bits(&named.values));
+    assert_eq!(bare.unit, "kN");
+    for (a, b) in read.runs[0].recording.times.iter().zip(&recording.times) {
+        assert!((a - (b - recording.times[0])).abs() < 1e-9 * b.abs().max(1.0));
+    }
+    for (keys, said) in [
+        ("", "the first column"),
+        ("dt = -1.0", "the step is -1"),
+        ("dt = 0.1\nlayout = \"rows\"", "is no layout"),
+        ("dt = 0.1\nlayout = \"columns\"\nunit = \"kNn\"", "unknown unit"),
+        ("dt = 0.1\nlayout = \"columns\"\nunit = \"kN\"\nquantity = \"velocity\"", "kN is a force"),
+    ] {
+        with(keys);
+        let (_, message) = load_error(&folder);
+        assert!(message.contains(said), "{keys}: {message}");
+    }
+}
+
 /// Tables of a study: header in the file, and definition in the schema; empty for the top level.
 const TABLES: [(&str, &str); 6] = [
     ("", ""),

@@ -93,10 +93,25 @@ fn what_is_not_said_is_asked_for() {
 fn usual_motions_raise_no_doubt() {
     let place = Place::new();
     place.write("a.AT2", peer(ACCELERATION, "NPTS= 200, DT= .0100 SEC", 0.3));
-    assert_eq!(place.run(&["motions", "a.AT2"]).2, "");
+    assert_eq!(
+        (place.run(&["motions", "a.AT2"]).2, place.run(&["recording", "a.AT2"]).2),
+        (String::new(), String::new())
+    );
     place.write("a.AT2", peer(ACCELERATION, "NPTS= 150, DT= .0100 SEC", 15.0));
     let err = place.run(&["motions", "a.AT2"]).2;
     assert!(err.contains("says 150 values, but there are 200") && err.contains("as velocities in cm/s"), "{err}");
+    let err = place.run(&["recording", "a.AT2"]).2;
+    assert!(err.contains("as velocities in cm/s"), "{err}");
+    // A step over 0.1 s, a record over an hour, and a peak under 0.0001 g.
+    for (counts, amplitude, said) in [
+        ("NPTS= 200, DT= .2000 SEC", 0.3, "the step is 0.2 s"),
+        ("NPTS= 200, DT= 20.0 SEC", 0.3, "the record takes"),
+        ("NPTS= 200, DT= .0100 SEC", 1e-5, "is the unit right?"),
+    ] {
+        place.write("a.AT2", peer(ACCELERATION, counts, amplitude));
+        let err = place.run(&["motions", "a.AT2"]).2;
+        assert!(err.contains(said), "{counts}: {err}");
+    }
 }
 
 #[test]
@@ -158,4 +173,68 @@ fn tables_of_test_machines_are_measured() {
     assert!(of("a.xlsx").2.contains("xlsx"));
     let (status, _, err) = place.run(&["loops", "a.json", "-u", "x", "-f", "Force"]);
     assert!(status == Some(2) && err.contains("they are Disp, Force"), "{err}");
+}
+
+#[test]
+fn what_is_told_is_compared_with_the_file() {
+    let place = Place::new();
+    place.write("a.AT2", peer(ACCELERATION, "NPTS= 200, DT= .0100 SEC", 0.3));
+    let table = (0..50).fold("time[s],acc_g\n".to_owned(), |s, i| {
+        s + &format!("{:.2},{}\n", 0.01 * f64::from(i), (0.3 * f64::from(i)).sin())
+    });
+    place.write("t.csv", table);
+    for file in ["a.AT2", "t.csv"] {
+        let (status, _, err) = place.run(&["motions", file, "--dt", "0.02"]);
+        assert!(status == Some(2) && err.contains("0.02 s"), "{file}: {err}");
+        let (status, _, err) = place.run(&["motions", file, "--dt", "0.01", "--unit", "g"]);
+        assert!(status == Some(0) && !err.contains("told"), "{file}: {err}");
+        let (status, _, err) = place.run(&["motions", file, "--unit", "m/s2"]);
+        assert!(
+            status == Some(0) && err.contains("the file gives the unit g: m/s2, which is told, is not used"),
+            "{err}"
+        );
+    }
+}
+
+#[test]
+fn an_isolation_study_takes_no_velocity_for_an_acceleration() {
+    let inputs = concat!(env!("CARGO_MANIFEST_DIR"), "/tcl-like-inputs/isolation_study");
+    let text = |file: &str| std::fs::read_to_string(format!("{inputs}/{file}")).unwrap();
+    let place = Place::new();
+    place.write("building.tcl", text("building.tcl"));
+    place.write("a.VT2", peer("VELOCITY TIME SERIES IN UNITS OF CM/S", "NPTS= 200, DT= .0100 SEC", 23.4));
+    let study = text("study.toml");
+    let (before, rest) = study.split_once("[[motion]]").unwrap();
+    let after = rest.split_once("[intensity]").map_or("", |(_, rest)| rest);
+    let with = |keys: &str| format!("{before}[[motion]]\nfiles = [\"a.VT2\"]\n{keys}\n[intensity]{after}");
+    for (keys, status, said) in [
+        ("", 2, "velocities in cm/s"),
+        ("unit = \"g\"", 2, "velocity"),
+        ("differentiate = true\ndt = 0.02", 2, "0.02 s"),
+        ("differentiate = true\ndt = 0.01", 0, ""),
+    ] {
+        place.write("study.toml", with(keys));
+        let (ended, out, err) = place.run(&["check", "study.toml"]);
+        assert!(ended == Some(status) && err.contains(said), "{keys}: {out}{err}");
+    }
+}
+
+#[test]
+fn headers_of_diadem_are_read_with_the_file_beside_them() {
+    let place = Place::new();
+    let channel = |name: &str, unit: &str, first: usize| {
+        format!(
+            "#BEGINCHANNELHEADER\n200,{name}\n202,{unit}\n210,EXPLICIT\n211,a.R64\n213,CHANNEL\n214,REAL64\n220,3\n\
+             221,{first}\n240,0\n241,1\n#ENDCHANNELHEADER\n"
+        )
+    };
+    place.write("a.DAT", channel("Time", "s", 1) + &channel("Force", "kN", 4));
+    let values = [0.0f64, 0.5, 1.0, 3.0, -7.0, 2.0];
+    let (status, _, err) = place.run(&["recording", "a.DAT"]);
+    assert!(status == Some(2) && err.contains("\"a.R64\", which is not beside it"), "{err}");
+    place.write("a.R64", values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>());
+    let (status, out, err) = place.run(&["recording", "a.DAT", "--out", "a.csv"]);
+    assert!(status == Some(0) && out.contains("-7 kN at 0.5 s") && out.contains("steps of 0.5 s"), "{out}{err}");
+    let (status, _, err) = place.run(&["loops", "a.DAT", "-u", "Time", "-f", "Force"]);
+    assert!(status == Some(2) && err.contains("hysteron recording FILE --out FILE.csv"), "{err}");
 }

@@ -9,6 +9,7 @@ mod methods;
 mod outputs;
 mod owned;
 mod queries;
+mod recording;
 mod script;
 mod study;
 mod words;
@@ -29,6 +30,8 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<study::Study>()?;
     m.add_class::<batch::Plan>()?;
     m.add_class::<script::Message>()?;
+    m.add_class::<recording::MeasuredSeries>()?;
+    m.add_function(wrap_pyfunction!(recording::read_recording, m)?)?;
     m.add_function(wrap_pyfunction!(script::run, m)?)?;
     m.add_function(wrap_pyfunction!(script::check, m)?)?;
     m.add_function(wrap_pyfunction!(messages::usages, m)?)?;

@@ -3,12 +3,9 @@
 use crate::content::{Content, Layout, Told};
 use crate::fault::Fault;
 use crate::measured::Measured;
-use crate::series::{Clock, Origin, Series};
+use crate::series::{Clock, Origin, Series, uneven};
 use crate::sheet::{Column, Sheet, head};
 use crate::unit::{self, Quantity, Unit};
-
-/// Steps that differ by more than this share of the mean are not equal.
-const STEP_TOLERANCE: f64 = 0.02;
 
 impl Measured {
     /// The channels, with what the file and the user say about them.
@@ -18,23 +15,56 @@ impl Measured {
     pub fn series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
         match &self.content {
             Content::Series { series, .. } => {
-                let with_step = |s: &Series| match (&s.clock, told.dt) {
-                    (Clock::Unknown, Some(dt)) => s.clone().with_step(dt),
-                    _ => s.clone(),
+                let with_step = |s: &Series| {
+                    let clock = told_clock(s.clock.clone(), told, &|i| format!("sample {}", i + 1))?;
+                    Ok(Series { clock, ..s.clone() })
                 };
-                Ok(series.iter().map(with_step).collect())
+                series.iter().map(with_step).collect()
             }
             Content::Table(sheet) => of_sheet(self, sheet, told),
         }
     }
+
+    /// The channels; those without a unit or a quantity have what the user says.
+    ///
+    /// # Errors
+    /// As [`Measured::series`]; and what the user says has no meaning or contradicts the file.
+    pub fn told_series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
+        let mut all = self.series(told)?;
+        all.iter_mut().try_for_each(|s| say(s, told))?;
+        Ok(all)
+    }
+}
+
+/// Give a channel the unit and the quantity that the user says, where the file has none.
+fn say(s: &mut Series, told: &Told) -> Result<(), Fault> {
+    let is = |s: &Series| s.quantity.map_or("", Quantity::word);
+    if let Some(word) = &told.quantity {
+        let q = Quantity::named(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no quantity")))?;
+        if s.quantity.is_some_and(|of| of != q) {
+            return Err(Fault::new(format!("the file says {}, and is told to be {}", is(s), q.word())));
+        }
+        s.quantity = Some(q);
+    }
+    if let Some(word) = &told.unit
+        && s.unit.is_none()
+    {
+        let u = unit::unit(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no unit")))?;
+        if s.quantity.is_some_and(|of| of != u.quantity) {
+            return Err(Fault::new(format!("{word} is {}, the channel {} is {}", u.quantity, s.name, is(s))));
+        }
+        *s = s.clone().with_unit(u);
+    }
+    Ok(())
 }
 
 fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fault> {
     let time = TimeColumn::find(sheet);
     let clock = match &time {
         Some(t) => t.clock(sheet, told)?,
-        None => told.dt.map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }),
+        None => Clock::Unknown,
     };
+    let clock = told_clock(clock, told, &|i| sheet.row_name(i))?;
     let is_time = |i: usize| time.as_ref().is_some_and(|t| t.columns.contains(&i));
     let lines = sheet.lines.first().map_or(0, |l| *l as usize)..sheet.lines.last().map_or(0, |l| *l as usize + 1);
     let origin = |column| Origin { file: m.file.clone(), lines: lines.clone(), bytes: 0..m.size, column };
@@ -109,7 +139,11 @@ impl TimeColumn {
         if !clocks.is_empty() {
             return Some(Self { columns: clocks, unit: None });
         }
-        let named = sheet.columns.iter().enumerate().find_map(|(i, c)| Some((i, time_unit_of(c)?)));
+        let all = || sheet.columns.iter().enumerate();
+        // A column that is named time before one such as `Cycle Elapsed Time (s)`.
+        let exact = all().find(|(_, c)| head::time_head(&c.cell).is_some() && time_unit_of(c).is_some());
+        let named = exact.and_then(|(i, c)| Some((i, time_unit_of(c)?)));
+        let named = named.or_else(|| all().find_map(|(i, c)| Some((i, time_unit_of(c)?))));
         if let Some((i, unit)) = named {
             return Some(Self { columns: vec![i], unit: Some(unit) });
         }
@@ -137,10 +171,10 @@ impl TimeColumn {
         if times.len() < 2 {
             return Ok(Clock::Times(times.into()));
         }
-        // A step that the user says is for files without one: here, for times that are rounded.
+        // Rounded times may repeat: a step that the user says explains them.
         let increasing = times.windows(2).all(|w| w[1] > w[0]);
-        if let Some(dt) = told.dt.filter(|_| !increasing || uneven(&times).is_some()) {
-            return agreeing(sheet, &times, dt);
+        if let Some(dt) = told.dt.filter(|_| !increasing) {
+            return agreeing(&times, dt, &|i| sheet.row_name(i));
         }
         if let Some(i) = times.windows(2).position(|w| w[1] <= w[0]) {
             let (a, b) = (times[i], times[i + 1]);
@@ -150,30 +184,40 @@ impl TimeColumn {
             };
             return Err(Fault::new(message).help("if the times are rounded or out of order, say the step: --dt"));
         }
-        Ok(match uneven(&times) {
-            Some(_) => Clock::Times(times.into()),
-            None => Clock::Steps { start: times[0], dt: mean_step(&times) },
-        })
+        Ok(Clock::of_times(times))
     }
 }
 
 /// The unit of a column of times.
 pub(crate) fn time_unit_of(c: &Column) -> Option<Unit> {
-    if c.unit.is_empty() {
-        return head::time_head(&c.cell);
+    head::time_column(&c.cell, &c.unit)
+}
+
+/// Largest share by which a step that the user says may differ from that of the file.
+const TOLD_TOLERANCE: f64 = 1e-3;
+
+/// The clock of the file, or of the step that the user says where the file gives none. One that contradicts is an error.
+pub(crate) fn told_clock(clock: Clock, told: &Told, row: &dyn Fn(usize) -> String) -> Result<Clock, Fault> {
+    let Some(said) = told.dt else { return Ok(clock) };
+    match clock {
+        Clock::Unknown => Ok(Clock::Steps { start: 0.0, dt: said }),
+        Clock::Steps { dt, .. } if (said / dt - 1.0).abs() > TOLD_TOLERANCE => {
+            let message = format!("the file gives the step {dt} s, and is told {said} s");
+            Err(Fault::new(message).expected("expected the step of the file, or none"))
+        }
+        Clock::Times(times) if times.len() > 1 => agreeing(&times, said, row),
+        of_file => Ok(of_file),
     }
-    let is_time = head::time_head(&c.cell).is_some();
-    head::time_unit(&c.unit).filter(|_| is_time)
 }
 
 /// Times that are rounded, or start later, fit a step that the user says.
-fn agreeing(sheet: &Sheet, times: &[f64], dt: f64) -> Result<Clock, Fault> {
+fn agreeing(times: &[f64], dt: f64, row: &dyn Fn(usize) -> String) -> Result<Clock, Fault> {
     let rounding = times.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
     let allowed = 0.51 * rounding.max(dt);
     let error = |(i, t): (usize, &f64)| (t - times[0] - i as f64 * dt).abs() > allowed;
     match times.iter().enumerate().position(error) {
         Some(i) => {
-            let at = sheet.row_name(i);
+            let at = row(i);
             let message = format!(
                 "the step {dt} s gives {at} the time {} s, the file says {} s",
                 times[0] + i as f64 * dt,
@@ -183,16 +227,6 @@ fn agreeing(sheet: &Sheet, times: &[f64], dt: f64) -> Result<Clock, Fault> {
         }
         None => Ok(Clock::Steps { start: times[0], dt }),
     }
-}
-
-pub(crate) fn mean_step(times: &[f64]) -> f64 {
-    (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
-}
-
-/// The first row that does not follow after the mean step.
-pub(crate) fn uneven(times: &[f64]) -> Option<usize> {
-    let dt = mean_step(times);
-    times.windows(2).position(|w| (w[1] - w[0] - dt).abs() > STEP_TOLERANCE * dt.abs()).map(|i| i + 1)
 }
 
 /// The fault of times that are not at equal steps: the row that differs most from the usual step.

@@ -3,7 +3,7 @@
 use crate::archive::{gunzip, is_gzip};
 use crate::content::Content;
 use crate::fault::Fault;
-use crate::format::{FORMATS, Format, Input};
+use crate::format::{Beside, FORMATS, Format, Input};
 use crate::sheet::Sheet;
 use crate::text::decode;
 use std::borrow::Cow;
@@ -32,11 +32,19 @@ impl Measured {
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Fault> {
-        Self::read_with_text(name, bytes).map_err(|e| e.0)
+        Self::read_with_text(name, bytes, &|_| None).map_err(|e| e.0)
+    }
+
+    /// As [`Measured::read`]; `beside` gives the bytes of another file of the same folder, which some headers name.
+    ///
+    /// # Errors
+    /// What is wrong with the files, and where.
+    pub fn read_beside(name: &str, bytes: &[u8], beside: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<Self, Fault> {
+        Self::read_with_text(name, bytes, beside).map_err(|e| e.0)
     }
 
     /// As [`Measured::read`]; a fault comes with the text that its place is in.
-    pub(crate) fn read_with_text(name: &str, bytes: &[u8]) -> Result<Self, Box<(Fault, String)>> {
+    pub(crate) fn read_with_text(name: &str, bytes: &[u8], beside: Beside<'_>) -> Result<Self, Box<(Fault, String)>> {
         let short = name.rsplit(['/', '\\']).next().unwrap_or(name);
         let bare = |f: Fault| Box::new((f, String::new()));
         let unpacked;
@@ -47,14 +55,14 @@ impl Measured {
             (short, bytes)
         };
         let find = |input: &Input<'_>| FORMATS.iter().find(|f| f.recognises(input));
-        let binary = Input::new(short, bytes, "");
+        let binary = Input::new(short, bytes, "", beside);
         // A binary format is recognised without the text; the others all need one.
         let of_bytes = FORMATS[..BINARY].iter().find(|f| f.recognises(&binary));
         let text = match of_bytes {
             Some(_) => Cow::Borrowed(""),
             None => decode(bytes).map_err(bare)?,
         };
-        let input = Input::new(short, bytes, &text);
+        let input = Input::new(short, bytes, &text, beside);
         let format = of_bytes.or_else(|| find(&input)).ok_or_else(|| bare(Fault::new("is of no known format")))?;
         let mut content = format.read(&input).map_err(|f| Box::new((f, text.clone().into_owned())))?;
         locate(&mut content, short, &text, bytes.len());
@@ -88,7 +96,7 @@ impl Measured {
 }
 
 /// Formats at the begin of [`FORMATS`] that are no text.
-const BINARY: usize = 5;
+const BINARY: usize = 6;
 
 /// Give each channel its file and its bytes.
 fn locate(content: &mut Content, file: &str, text: &str, size: usize) {

@@ -120,13 +120,14 @@ pub(crate) struct NumberLines {
 }
 
 impl NumberLines {
-    /// Take the numbers of a line. A `\` at its end continues the list, as in Tcl, and is no number.
+    /// Take the numbers of a line. A `\`, `&` or `...` at its end continues the list, and is no number.
     ///
     /// # Errors
     /// Something that is no number, with the line.
     pub(crate) fn push(&mut self, number_of_line: usize, line: &str) -> Result<(), Fault> {
         let line = line.trim_end();
-        let line = line.strip_suffix('\\').unwrap_or(line);
+        let continued = ["\\", "&", "..."].iter().find_map(|mark| line.strip_suffix(mark));
+        let line = continued.unwrap_or(line);
         if commas_may_be_decimal(line) {
             let message = format!("\"{}\" has commas between whole numbers", shown(line));
             return Err(Fault::in_line(number_of_line, message).expected(

@@ -1,11 +1,12 @@
 //! Recordings of a study: measured channels over time, with faults that point into the file.
 
-use crate::content::Content;
+use crate::content::{Content, Told};
 use crate::fault::Fault;
-use crate::interpret::time_unit_of;
+use crate::interpret::{time_unit_of, told_clock};
 use crate::measured::Measured;
-use crate::series::Series;
+use crate::series::{Clock, Series};
 use crate::sheet::{Column as SheetColumn, Form, Sheet, SheetError, head};
+use crate::unit::{self, Quantity};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 
 /// A measured channel.
@@ -34,20 +35,33 @@ impl Recording {
     /// # Errors
     /// The bytes are none of a recording. The message about a text has the location.
     pub fn read(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
+        Self::read_told(name, bytes, &Told::default(), sources)
+    }
+
+    /// As [`Recording::read`], of a file about which the user says something: the step where the file has no times, the
+    /// unit of channels without one, the quantity and the layout of numbers without names.
+    ///
+    /// # Errors
+    /// As there; and what is said contradicts the file, or has no meaning.
+    pub fn read_told(name: &str, bytes: &[u8], told: &Told, sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
         let named = |fault: Fault| match (fault.line, fault.range) {
             (None, None) if !fault.message.contains(name) => {
                 Fault { message: format!("{name} {}", fault.message), ..fault }
             }
             _ => fault,
         };
-        let measured = Measured::read_with_text(name, bytes)
+        let measured = Measured::read_with_text(name, bytes, &|_| None)
             .map_err(|e| named(whole_name(e.0, name)).diagnostic(name, &e.1, sources))?;
-        let text = measured.text;
-        let read = match measured.content {
-            Content::Table(sheet) => of_sheet(name, sheet, &text),
-            Content::Series { series, .. } => of_series(name, series),
+        let first_is_time =
+            |sheet: &Sheet| sheet.columns.first().is_some_and(|c| time_unit_of(c).is_some() || c.is_clock);
+        let read = match &measured.content {
+            Content::Table(sheet) if told.dt.is_none() || first_is_time(sheet) => {
+                of_sheet(name, sheet.clone(), &measured.text).and_then(|r| r.with_step(told, sheet))
+            }
+            _ => measured.series(told).and_then(|series| of_series(name, series)),
         };
-        read.map_err(|fault| whole_name(fault, name).diagnostic(name, &text, sources))
+        let read = read.and_then(|r| r.with_unit(name, told));
+        read.map_err(|fault| whole_name(fault, name).diagnostic(name, &measured.text, sources))
     }
 
     /// Read a recording from text: a header row of `name[unit]`, the first being `time[s]`, and rows of numbers. Cells are
@@ -64,6 +78,32 @@ impl Recording {
             Err(SheetError::List(fault)) => Err(headless(name, text).unwrap_or(fault)),
         };
         sheet.and_then(|sheet| of_sheet(name, sheet, text)).map_err(|fault| fault.diagnostic(name, text, sources))
+    }
+
+    /// With the step that the user says, if the times agree.
+    fn with_step(mut self, told: &Told, sheet: &Sheet) -> Result<Self, Fault> {
+        if told.dt.is_some() {
+            let clock = told_clock(Clock::Times(self.times.as_slice().into()), told, &|i| sheet.row_name(i))?;
+            self.times = (0..self.times.len()).filter_map(|i| clock.time(i)).collect();
+        }
+        Ok(self)
+    }
+
+    /// With the unit that the user says for the channels that have none.
+    fn with_unit(mut self, name: &str, told: &Told) -> Result<Self, Fault> {
+        let quantity = told.quantity.as_deref().map(|word| {
+            Quantity::named(word).ok_or_else(|| {
+                Fault::new(format!("\"{word}\" is no quantity")).expected("expected acceleration, force, ...")
+            })
+        });
+        let quantity = quantity.transpose()?;
+        let Some(word) = &told.unit else { return Ok(self) };
+        let unit = unit::unit(word).ok_or_else(|| Fault::new(format!("unknown unit \"{word}\"")))?;
+        if let Some(q) = quantity.filter(|q| *q != unit.quantity) {
+            return Err(Fault::new(format!("{word} is {}, and {name} is told to be {}", unit.quantity, q.word())));
+        }
+        self.columns.iter_mut().filter(|c| c.unit.is_empty()).for_each(|c| unit.name.clone_into(&mut c.unit));
+        Ok(self)
     }
 
     /// The column of a name, with or without its unit.
@@ -95,7 +135,9 @@ fn of_series(name: &str, series: Vec<Series>) -> Result<Recording, Fault> {
     let mut columns: Vec<Column> = vec![];
     for s in series {
         let word = s.quantity.map_or("value", |q| q.word());
-        let name = if s.name.is_empty() { word.to_owned() } else { s.name };
+        // Columns without names have their numbers.
+        let of_column = s.origin.column.map_or(word.to_owned(), |n| n.to_string());
+        let name = if s.name.is_empty() { of_column } else { s.name };
         let taken = |n: &str| columns.iter().any(|c| c.name == n);
         let name = if taken(&name) { format!("{name} {word}") } else { name };
         let unit = s.unit.map_or(s.unit_name, |u| u.name.to_owned());

@@ -20,7 +20,28 @@ pub enum Clock {
     Times(Arc<[f64]>),
 }
 
+/// Steps that differ by more than this share of the mean are not equal.
+const STEP_TOLERANCE: f64 = 0.02;
+
+/// The first of two or more times that does not follow after the mean step.
+pub(crate) fn uneven(times: &[f64]) -> Option<usize> {
+    let dt = mean_step(times);
+    times.windows(2).position(|w| (w[1] - w[0] - dt).abs() > STEP_TOLERANCE * dt.abs()).map(|i| i + 1)
+}
+
+fn mean_step(times: &[f64]) -> f64 {
+    (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
+}
+
 impl Clock {
+    /// The clock of increasing times, two or more: of steps if they are equal.
+    pub(crate) fn of_times(times: Vec<f64>) -> Self {
+        match uneven(&times) {
+            Some(_) => Self::Times(times.into()),
+            None => Self::Steps { start: times[0], dt: mean_step(&times) },
+        }
+    }
+
     /// The step in s, if the steps are equal.
     pub fn dt(&self) -> Option<f64> {
         if let Self::Steps { dt, .. } = self { Some(*dt) } else { None }

@@ -6,12 +6,13 @@
 mod support;
 
 use hysteron_recordings::unit::{Quantity, unit};
-use hysteron_recordings::{Clock, FORMATS, Measured, Series, Told};
+use hysteron_recordings::{Clock, FORMATS, Series, Told};
 use support::{File, Known, Random, WRITERS};
 
 /// Formats that state no unit or no step, so that the test says them.
 fn told(format: &str, k: &Known) -> Told {
-    let unit = matches!(format, "NumPy" | "MATLAB" | "SAC" | "Tcl list" | "counted list").then(|| k.unit.to_owned());
+    let unit = matches!(format, "NumPy" | "MATLAB" | "SAC" | "miniSEED" | "Tcl list" | "counted list")
+        .then(|| k.unit.to_owned());
     Told { unit, dt: (format == "NumPy").then_some(k.dt), ..Told::default() }
 }
 
@@ -39,9 +40,10 @@ fn a_known_series_is_read_back_in_every_format() {
         let mut read = 0;
         for _ in 0..60 {
             let k = Known::new(&mut random, 200);
-            let Some(File { name, bytes, .. }) = write(&k, &mut random) else { continue };
+            let Some(file) = write(&k, &mut random) else { continue };
+            let bytes = &file.bytes;
             let shown = || String::from_utf8_lossy(&bytes[..bytes.len().min(600)]).into_owned();
-            let m = Measured::read(&name, &bytes).unwrap_or_else(|e| panic!("{format}: {e}\n{}", shown()));
+            let m = file.read(bytes).unwrap_or_else(|e| panic!("{format}: {e}\n{}", shown()));
             assert_eq!(m.format.name, *format, "{}", shown());
             let told = told(format, &k);
             let all = m.series(&told).unwrap_or_else(|e| panic!("{format}: {e}\n{}", shown()));
@@ -58,7 +60,7 @@ fn a_known_series_is_read_back_in_every_format() {
                 );
             }
             assert!((dt / k.dt - 1.0).abs() < 1e-6, "{format}: dt {dt} for {}\n{}", k.dt, shown());
-            assert!(s.origin.bytes.end <= bytes.len().max(m_text_len(&bytes)), "{format}: {:?}", s.origin);
+            assert!(s.origin.bytes.end <= bytes.len().max(m_text_len(bytes)), "{format}: {:?}", s.origin);
             read += 1;
         }
         assert!(read >= 10, "{format}: only {read} files");
@@ -127,7 +129,7 @@ fn mutations(count: usize, seed: u64) -> [usize; 3] {
         let bytes = mutated(&file, everywhere, &mut random);
         let told = told(format, &k);
         let shown = || format!("{format}\n{}", String::from_utf8_lossy(&bytes));
-        let read = Measured::read(&file.name, &bytes).and_then(|m| m.accelerations(&told, false).map(|c| (c, m)));
+        let read = file.read(&bytes).and_then(|m| m.accelerations(&told, false).map(|c| (c, m)));
         let Ok((channels, m)) = read else {
             outcome[2] += 1;
             continue;
@@ -143,7 +145,7 @@ fn mutations(count: usize, seed: u64) -> [usize; 3] {
         let c = &channels.channels[0];
         assert_eq!(c.unit.quantity, Quantity::Acceleration, "{}", shown());
         assert!((c.dt / k.dt - 1.0).abs() < 1e-3, "{} {}", c.dt, shown());
-        let binary = matches!(format, "NumPy" | "MATLAB" | "SAC" | "xlsx" | "ods");
+        let binary = matches!(format, "NumPy" | "MATLAB" | "SAC" | "miniSEED" | "xlsx" | "ods");
         let lines = bytes[file.data.min(bytes.len())..].iter().filter(|b| **b == b'\n').count();
         match c.values.len() {
             n if n == k.values.len() => {

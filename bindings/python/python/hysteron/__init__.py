@@ -1,7 +1,17 @@
 """Structural analysis of buildings and bridges on seismic isolation: OpenSees' commands and scripts."""
 
 from ._batch import Table, batch
-from ._hysteron import Message, OpenSeesError, OpenSeesWarning, ScriptResult, __version__, check, run
+from ._hysteron import (
+    MeasuredSeries,
+    Message,
+    OpenSeesError,
+    OpenSeesWarning,
+    ScriptResult,
+    __version__,
+    check,
+    read_recording,
+    run,
+)
 from ._install import install
 from ._model import Model, Recording, USAGES as _USAGES
 from ._study import Calibration, Diagnosis, Study
@@ -9,6 +19,7 @@ from ._study import Calibration, Diagnosis, Study
 __all__ = [
     "Calibration",
     "Diagnosis",
+    "MeasuredSeries",
     "Message",
     "Model",
     "OpenSeesError",
@@ -21,6 +32,7 @@ __all__ = [
     "check",
     "commands",
     "install",
+    "read_recording",
     "run",
 ]
 

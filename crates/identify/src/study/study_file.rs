@@ -37,6 +37,10 @@ pub(super) struct RunTable {
     pub(super) name: Spanned<String>,
     pub(super) role: Option<Spanned<String>>,
     pub(super) recording: Spanned<String>,
+    pub(super) unit: Option<String>,
+    pub(super) dt: Option<Spanned<f64>>,
+    pub(super) quantity: Option<String>,
+    pub(super) layout: Option<Spanned<String>>,
     #[serde(default)]
     pub(super) set: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
     #[serde(default)]

@@ -1,9 +1,10 @@
 //! `timeSeries`.
 
+use super::motion_file::{self, FILE_OPTIONS, FileOptions, FileSeries};
 use crate::args::Args;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
-use hysteron_recordings::{Measured, Told};
+use hysteron_recordings::{Clock, Measured, Told};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -34,7 +35,8 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Path", "Series"],
         usage: "timeSeries Path $tag -dt $dt -values {...} | -dt $dt -filePath $file | -time {...} -values {...} | \
-                -fileTime $file -filePath $file <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
+                -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
+                <-unit $unit> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
         make: path,
     },
 ];
@@ -175,12 +177,18 @@ const PATH_OPTIONS: &[&str] = &[
     "-useLast",
     "-prependZero",
     "-startTime",
+    "-fileMotion",
+    "-channel",
+    "-quantity",
+    "-unit",
+    "-to",
 ];
 
 fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let (mut values, mut times, mut dt) = (None, None, None);
     let (mut factor, mut start, mut use_last, mut prepend) = (1.0, 0.0, false, false);
     let (command, mut pairs) = (a.last_span(), None);
+    let (mut measured, mut of_file) = (None, FileOptions::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-dt" | "-dT" => dt = Some(a.positive("step of time dt")?),
@@ -196,6 +204,11 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
                 times = Some((pairs.iter().copied().step_by(2).collect(), a.last_span()));
                 values = Some(pairs.iter().copied().skip(1).step_by(2).collect());
             }
+            "-fileMotion" => {
+                let name = a.word("name of a measured file")?.into_owned();
+                measured = Some((name, a.last_span()));
+            }
+            word if FILE_OPTIONS.contains(&word) => drop(of_file.take(word, a)?),
             "-factor" => factor = a.float("factor")?,
             "-useLast" => use_last = true,
             "-prependZero" => prepend = true,
@@ -204,6 +217,19 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             "-tag" => drop(a.int("tag")?),
             _ => ignore_option(interp, a, PATH_OPTIONS)?,
         }
+    }
+    if let Some((name, span)) = measured {
+        if let Some(other) = [values.is_some(), times.is_some()].iter().position(|given| *given) {
+            let what = ["values", "times"][other];
+            let message = format!("a measured file has its own {what}");
+            return Err(a.refuse_at(span, message, "expected -fileMotion alone"));
+        }
+        of_file.dt = dt;
+        let read = motion_file::read(interp, a, (&name, span), &of_file)?;
+        let shift = PathShift { factor, start, use_last, prepend };
+        let series = measured_path(&read, &shift).map_err(|e| a.refuse_at(span, e, "expected equal steps of time"))?;
+        read.note(interp, &series, name);
+        return Ok(series);
     }
     if values.as_ref().is_some_and(Vec::is_empty) && dt.is_some() && interp.host.follows(&[slips::EMPTY_PATH]) {
         warn(interp, Diagnostic::warning("the path has no values: it is zero").at(command, "expected values"))?;
@@ -243,6 +269,34 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             Ok(Arc::new(Path { values, dt, factor, use_last, start }))
         }
         (None, None) => Err(a.refuse_at(command, "the path has no times", "expected -dt, -time or -fileTime")),
+    }
+}
+
+/// Options of a path that change its values or its times.
+struct PathShift {
+    factor: f64,
+    start: f64,
+    use_last: bool,
+    prepend: bool,
+}
+
+/// The path of a measured series: at equal steps from the start time, or at the times of the file.
+fn measured_path(read: &FileSeries, shift: &PathShift) -> Result<Series, String> {
+    let PathShift { factor, start, use_last, prepend } = *shift;
+    let mut values = read.values.clone();
+    match &read.clock {
+        Clock::Steps { dt, .. } => {
+            if prepend {
+                values.insert(0, 0.0);
+            }
+            Ok(Arc::new(Path { values, dt: *dt, factor, use_last, start }))
+        }
+        Clock::Times(_) if prepend => Err("-prependZero has no step: the steps of the file differ".into()),
+        Clock::Times(times) => {
+            let times = times.iter().map(|t| start + t).collect();
+            Ok(Arc::new(PathTimes { times, values, factor, use_last }))
+        }
+        Clock::Unknown => Err("the file gives no step of time".into()),
     }
 }
 

@@ -1,4 +1,4 @@
-//! CSMIP's Volume 2: corrected accelerations, velocities and displacements of one channel after another.
+//! CSMIP's Volumes 1 and 2: accelerations, and in Volume 2 velocities and displacements, of one channel after another.
 
 use super::{Format, Input, has, note_surplus};
 use crate::content::Content;
@@ -8,29 +8,39 @@ use crate::series::Series;
 use crate::unit::{self, Quantity, Unit};
 
 pub(super) const CSMIP: Format = Format {
-    name: "CSMIP V2",
-    recognised_by: "\"accel\" and \"spaced at\" in a line of the header",
-    states: "quantities and units (cm/s2, cm/s, cm), step, number of values, azimuths",
-    description: "CSMIP, Standard tape format for CSMIP strong-motion data tapes, OSMS 85-03: values in columns of ten characters",
-    is: |input| input.has(&["accel", "spaced at"]),
+    name: "CSMIP",
+    recognised_by: "\"accel\" and \"spaced at\", or \"Accelerogram points at\", in a line of the header",
+    states: "quantities and units (cm/s2, cm/s, cm where the header is silent), step, number of values, azimuths",
+    description: "CSMIP, Standard tape format for CSMIP strong-motion data tapes, OSMS 85-03: values in eight columns of the width of the header's format",
+    is: |input| input.has(&["accel", "spaced at"]) || input.has(&["accelerogram points at"]) || is_spectra(input),
     read,
 };
+
+/// Volume 3: spectra of a corrected accelerogram.
+fn is_spectra(input: &Input<'_>) -> bool {
+    let first = |words: &[&str]| input.head.first().is_some_and(|l| has(l, words));
+    first(&["response", "spectra"]) && input.head.get(1).is_some_and(|l| has(l, &["accelerogram"]))
+}
 
 /// Words of the lines before the values, and the unit of these.
 const KINDS: &[(&str, &str)] = &[("accel", "cm/s2"), ("veloc", "cm/s"), ("displ", "cm")];
 
 /// The unit of the values after a line.
 fn kind(line: &str) -> Option<Unit> {
-    let word = KINDS.iter().find(|(word, _)| has(line, &[word, "spaced at"]))?;
+    let is_block = |word: &str| has(line, &[word, "spaced at"]) || has(line, &[word, "points at"]);
+    let word = KINDS.iter().find(|(word, _)| is_block(word))?;
     let by_format = unit::unit(word.1)?;
-    // `..., in cm/sec2` or `(UNITS: CM/SEC/SEC)` says it again.
+    // `..., in cm/sec2`, `in units of g .` or `(UNITS: CM/SEC/SEC)` says it again.
     let lower = line.to_ascii_lowercase();
-    let after = lower.rfind(" in ").map(|i| &line[i + 4..]);
-    let stated = after.and_then(|a| unit::header_unit(a.split(['.', ',', ')']).next().unwrap_or("")));
+    let after = ["in units of", "units:", " in "].iter().find_map(|w| lower.rfind(w).map(|i| &line[i + w.len()..]));
+    let stated = after.and_then(|a| unit::header_unit(a.split(['.', ',', ')', '(']).next().unwrap_or("")));
     Some(stated.filter(|u| u.quantity == by_format.quantity).unwrap_or(by_format))
 }
 
 fn read(input: &Input<'_>) -> Result<Content, Fault> {
+    if is_spectra(input) {
+        return Err(Fault::new("holds spectra (Volume 3) and no series").help("take the file of Volume 1 or 2"));
+    }
     let lines: Vec<&str> = input.text.lines().collect();
     let is_acceleration = |l: &str| kind(l).is_some_and(|u| u.quantity == Quantity::Acceleration);
     let channels = lines.iter().filter(|l| is_acceleration(l)).count();
@@ -65,6 +75,19 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     Ok(Content::series(series, lines[..end].iter().map(|l| (*l).to_owned()).collect(), notes))
 }
 
+/// Characters of a value: of `(8f9.6)` in the header, or an eighth of a full line of values; else ten.
+fn width(header: &str, first: &str) -> usize {
+    const COLUMNS: usize = 8;
+    let stated = || {
+        let format = header.rsplit_once('(')?.1.to_ascii_lowercase();
+        let digits = format.strip_prefix('8')?.strip_prefix(['f', 'e'])?;
+        digits.split('.').next()?.parse::<usize>().ok().filter(|w| *w > 0)
+    };
+    let length = first.trim_end().len();
+    let full = length.is_multiple_of(COLUMNS) && (9 * COLUMNS..=15 * COLUMNS).contains(&length);
+    stated().unwrap_or(if full { length / COLUMNS } else { 10 })
+}
+
 /// `CHAN  1:  360 DEG`.
 fn degrees(line: &&str) -> Option<f64> {
     let upper = line.to_ascii_uppercase();
@@ -76,11 +99,15 @@ fn degrees(line: &&str) -> Option<f64> {
 fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize, usize), Fault> {
     let header = lines[at];
     let numbers = header_numbers(header);
-    let spaced = header.to_ascii_lowercase().find("spaced at");
-    let (Some(&count), Some(place)) = (numbers.first(), spaced) else {
+    let Some(&count) = numbers.first() else {
         return Err(Fault::in_line(at + 1, format!("no count in \"{}\"", shown(header))));
     };
-    let dt = header_numbers(&header[place..]).first().copied().filter(|dt| *dt > 0.0);
+    let lower = header.to_ascii_lowercase();
+    let after = |words: &str| lower.find(words).and_then(|i| header_numbers(&header[i..]).first().copied());
+    // A step, or samples a second.
+    let dt = after("spaced at").or_else(|| after("points at").map(|rate| 1.0 / rate));
+    let dt = dt.filter(|dt| *dt > 0.0 && dt.is_finite());
+    let width = width(header, lines.get(at + 1).copied().unwrap_or_default());
     let dt = dt.ok_or_else(|| Fault::in_line(at + 1, format!("no step of time in \"{}\"", shown(header))))?;
     let (mut values, mut last, mut left) = (vec![], at, 0);
     for (i, line) in lines.iter().enumerate().skip(at + 1) {
@@ -88,7 +115,7 @@ fn block(lines: &[&str], at: usize) -> Result<(Vec<f64>, f64, usize, usize), Fau
             break;
         }
         last = i;
-        for cell in line.trim_end().as_bytes().chunks(10) {
+        for cell in line.trim_end().as_bytes().chunks(width) {
             if values.len() as f64 >= count {
                 left += 1;
                 continue;

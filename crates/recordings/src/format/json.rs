@@ -97,12 +97,21 @@ fn object(members: &Map<String, Value>) -> Result<Content, Fault> {
     if step.is_none() {
         return Ok(Content::Table(Sheet { named: true, columns, header: header(members), ..Sheet::default() }));
     }
-    let series = columns.into_iter().map(|c| {
+    // A unit beside the arrays is that of a single one.
+    let beside = ["unit", "units"].iter().find_map(|k| members.get(*k)?.as_str()).filter(|_| columns.len() == 1);
+    let mut series = vec![];
+    for c in columns {
         let (name, unit) = crate::sheet::head::known_unit(&c.cell);
-        let quantity = unit.map(|u| u.quantity).or_else(|| Quantity::of_head(&name));
-        Series { name, unit, quantity, clock: clock(step, 0.0), ..Series::new(c.values) }
-    });
-    Ok(Content::series(series.collect(), header(members), vec![]))
+        let unit = unit.or_else(|| beside.and_then(unit::header_unit));
+        let said = Quantity::of_head(&name);
+        if let (Some(u), Some(q)) = (unit, said.filter(|q| unit.is_some_and(|u| u.quantity != *q))) {
+            return Err(Fault::new(format!("the unit {} is {}, the name says {}", u.name, u.quantity, q.word())));
+        }
+        let unit_name = unit.map_or_else(|| beside.unwrap_or_default().to_owned(), |u| u.name.to_owned());
+        let quantity = unit.map(|u| u.quantity).or(said);
+        series.push(Series { name, unit, unit_name, quantity, clock: clock(step, 0.0), ..Series::new(c.values) });
+    }
+    Ok(Content::series(series, header(members), vec![]))
 }
 
 fn clock(step: Option<f64>, start: f64) -> Clock {
@@ -130,7 +139,7 @@ fn channel(of: &Map<String, Value>, file: &Map<String, Value>) -> Result<Series,
     let name = of.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
     let values = of.get("values").or_else(|| of.get("data")).and_then(Value::as_array);
     let values = values.ok_or_else(|| Fault::new(format!("the channel \"{name}\" has no array \"values\"")))?;
-    let unit_name = text("unit");
+    let unit_name = [text("unit"), text("units")].into_iter().find(|w| !w.is_empty()).unwrap_or_default();
     let unit = unit::header_unit(&unit_name);
     let said = Quantity::named(&text("quantity"));
     if let (Some(u), Some(q)) = (unit, said)

@@ -39,6 +39,7 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     if sheet.columns.last().is_some_and(|c| c.cell == "Comment") && sheet.columns.len() > 1 {
         sheet.columns.pop();
     }
+    drop_equal_times(&mut sheet)?;
     let entries = |key: &str| {
         let line = input.head.iter().find(|l| l.split(separator.char()).next() == Some(key));
         line.map(|l| l.split(separator.char()).skip(1).map(str::trim).collect::<Vec<_>>()).unwrap_or_default()
@@ -58,6 +59,19 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
         return Ok(Content::Table(sheet));
     }
     without_times(input, sheet, &entries("X0"), &entries("Delta_X"))
+}
+
+/// Columns of times beside each channel (`Multi`) are one if they are equal.
+fn drop_equal_times(sheet: &mut Sheet) -> Result<(), Fault> {
+    let is_time = |c: &crate::sheet::Column| c.cell.starts_with("X_Value");
+    let Some(first) = sheet.columns.iter().find(|c| is_time(c)).map(|c| c.values.clone()) else { return Ok(()) };
+    let same = |c: &crate::sheet::Column| c.values.iter().zip(&first).all(|(a, b)| a.to_bits() == b.to_bits());
+    if !sheet.columns.iter().filter(|c| is_time(c)).all(same) {
+        return Err(Fault::new("the channels have times of their own").help("export one channel, or one X column"));
+    }
+    let mut seen = false;
+    sheet.columns.retain(|c| !is_time(c) || !std::mem::replace(&mut seen, true));
+    Ok(())
 }
 
 /// Channels whose times follow from their start and step.

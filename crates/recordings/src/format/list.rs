@@ -5,6 +5,7 @@ use crate::content::Content;
 use crate::fault::Fault;
 use crate::number::{NumberLines, number, resembles_number, shown, whole};
 use crate::series::Series;
+use crate::sheet::HEADER_LINES;
 
 pub(super) const COUNTED: Format = Format {
     name: "counted list",
@@ -47,9 +48,13 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let (mut header, mut notes): (Vec<String>, Vec<String>) = (vec![], vec![]);
     let (mut first, mut last) = (0, 0);
     let mut counts = vec![];
+    let mut comments = vec![];
     for (n, line) in input.lines() {
         let text = line.trim();
         if text.is_empty() || text.starts_with(['#', '%']) {
+            if first == 0 && !text.is_empty() && comments.len() < HEADER_LINES {
+                comments.push(text.to_owned());
+            }
             continue;
         }
         let before = numbers.values.len();
@@ -85,7 +90,8 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
     }
     let mut series = Series::new(numbers.values);
     series.origin.lines = first..last + 1;
-    Ok(Content::series(vec![series], header, notes))
+    comments.extend(header);
+    Ok(Content::series(vec![series], comments, notes))
 }
 
 fn lines(n: usize) -> String {

@@ -11,7 +11,7 @@ use crate::unit::Quantity;
 pub(super) const MAT: Format = Format {
     name: "MATLAB",
     recognised_by: "\"MATLAB 5.0 MAT-file\" at the begin",
-    states: "names of the variables as those of columns; the step of a number named dt",
+    states: "names of the variables as those of columns; the step of a number named dt, or the rate of one named Fs",
     description: "MathWorks, MAT-File Format, version 5",
     is: |input| input.bytes.starts_with(b"MATLAB "),
     read,
@@ -129,7 +129,9 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
 
 fn content(variables: Vec<Variable>, notes: Vec<String>) -> Result<Content, Fault> {
     let scalar = |v: &&Variable| v.values.len() == 1;
-    let dt = variables.iter().find(|v| scalar(v) && v.name.eq_ignore_ascii_case("dt")).map(|v| v.values[0]);
+    let number = |name: &str| variables.iter().find(|v| scalar(v) && v.name.eq_ignore_ascii_case(name));
+    // A step in s, or a sampling rate in Hz.
+    let dt = number("dt").map(|v| v.values[0]).or_else(|| number("fs").map(|v| 1.0 / v.values[0]));
     let header = variables.iter().filter(scalar).map(|v| format!("{} = {}", v.name, v.values[0])).collect();
     let mut columns: Vec<Column> = vec![];
     for v in variables.iter().filter(|v| v.values.len() > 1) {
@@ -139,7 +141,13 @@ fn content(variables: Vec<Variable>, notes: Vec<String>) -> Result<Content, Faul
         columns.extend(parts.into_iter().enumerate().map(|(i, c)| Column { cell: name(i), ..c }));
     }
     if columns.is_empty() {
-        return Err(Fault::new("the MAT-file has no vector of numbers"));
+        return Err(Fault::new("the MAT-file has no vector of numbers").help("save vectors, not structures"));
+    }
+    // The columns of a single matrix have no names of their own.
+    let matrix = variables.iter().filter(|v| v.values.len() > 1).count() == 1 && columns.len() > 1;
+    if matrix && dt.is_none() {
+        columns.iter_mut().for_each(|c| c.cell.clear());
+        return Ok(Content::Table(Sheet { header, columns, notes, ..Sheet::default() }));
     }
     let same = columns.iter().all(|c| c.values.len() == columns[0].values.len());
     if same && dt.is_none() {

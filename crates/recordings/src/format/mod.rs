@@ -4,6 +4,7 @@ mod afad;
 mod array;
 mod cosmos;
 mod csmip;
+mod diadem;
 mod esm;
 mod geonet;
 mod json;
@@ -11,11 +12,14 @@ mod knet;
 mod labview;
 mod list;
 mod matlab;
+mod miniseed;
 mod peer;
 mod sac;
 mod smc;
+mod steim;
 mod table;
 mod tcl;
+mod volume1;
 mod workbook;
 mod xml;
 
@@ -33,14 +37,19 @@ pub(crate) struct Input<'a> {
     pub(crate) text: &'a str,
     /// First lines of the text.
     pub(crate) head: Vec<&'a str>,
+    /// The bytes of a file of the same folder, for headers whose values are in another file.
+    pub(crate) beside: Beside<'a>,
 }
+
+/// Reads a file of the same folder by its name. `None` if it is not there, or if no other file may be read.
+pub(crate) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Lines that a format is recognised by.
 const HEAD_LINES: usize = 80;
 
 impl<'a> Input<'a> {
-    pub(crate) fn new(name: &'a str, bytes: &'a [u8], text: &'a str) -> Self {
-        Self { name, bytes, text, head: text.lines().take(HEAD_LINES).collect() }
+    pub(crate) fn new(name: &'a str, bytes: &'a [u8], text: &'a str, beside: Beside<'a>) -> Self {
+        Self { name, bytes, text, head: text.lines().take(HEAD_LINES).collect(), beside }
     }
 
     /// One line of the head has all these words, in lower case.
@@ -98,6 +107,7 @@ pub const FORMATS: &[Format] = &[
     array::NPY,
     matlab::MAT,
     sac::SAC,
+    miniseed::MINISEED,
     json::JSON,
     cosmos::COSMOS,
     smc::SMC,
@@ -107,7 +117,9 @@ pub const FORMATS: &[Format] = &[
     afad::AFAD,
     peer::PEER,
     csmip::CSMIP,
+    volume1::VOLUME1,
     labview::LABVIEW,
+    diadem::DIADEM,
     table::MTS,
     table::SEISMOSIGNAL,
     tcl::TCL,

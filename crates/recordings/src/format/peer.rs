@@ -101,7 +101,9 @@ fn statement(
         .find_map(|w| upper.find(w).map(|i| &line[i + w.len()..]));
     let bracketed = || line.split_once('(').and_then(|(_, rest)| rest.split(')').next());
     let word = after.or_else(bracketed).unwrap_or("").trim().trim_start_matches([':', '=']).trim();
-    let word = word.split([',', ';']).next().unwrap_or("").trim().trim_end_matches('.');
+    let word = word.split([',', ';']).next().unwrap_or("").trim();
+    // `G. FILTER POINTS: ...`: a sentence follows.
+    let word = word.split(". ").next().unwrap_or("").trim_end_matches('.');
     if word.is_empty() {
         let unit = unit::unit(if quantity == Quantity::Acceleration { "g" } else { cgs(quantity) });
         notes.push(format!(

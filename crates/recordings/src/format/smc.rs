@@ -65,13 +65,19 @@ fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let first = comments_at.saturating_add(comments);
     let values = fixed(lines.get(first..).unwrap_or_default(), first + 1, VALUE_WIDTH)?;
     let rate = known(&real, 1).filter(|r| *r > 0.0);
-    let needed = if rate.is_some() { count } else { 2.0 * count };
-    // Some files count the times and the values of pairs.
-    let needed = if rate.is_none() && values.len() as f64 == count { count } else { needed };
+    // Without a rate there are pairs of time and value. Some files count the pairs, others the numbers.
+    let there = values.len() as f64;
+    let needed = if rate.is_none() && there >= 2.0 * count { 2.0 * count } else { count };
+    if rate.is_none() && needed % 2.0 != 0.0 {
+        return Err(Fault::new(format!("the header says {count} numbers, which are no pairs of time and value")));
+    }
     if (values.len() as f64) < needed {
         return Err(Fault::new(format!("the header says {count} values, but there are {}", values.len())));
     }
     let mut notes = vec![];
+    if rate.is_none() && needed == count {
+        notes.push(format!("the {count} values of the header are taken for times and values together"));
+    }
     if values.len() as f64 > needed {
         notes
             .push(format!("the header says {needed} numbers, but there are {}: the others are left out", values.len()));

@@ -14,7 +14,7 @@ pub(crate) struct Stamp {
 /// Days of a date since 1970-01-01 in the Gregorian calendar.
 ///
 /// Source: Hinnant, chrono-compatible low-level date algorithms, `days_from_civil`.
-fn days(year: i64, month: i64, day: i64) -> Option<i64> {
+pub(crate) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
     if !(1..=12).contains(&month) || !(1..=31).contains(&day) || !(1900..=2200).contains(&year) {
         return None;
     }

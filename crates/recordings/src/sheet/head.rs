@@ -10,7 +10,7 @@ const TIME_NAMES: &[&str] =
 /// be a part of the name.
 pub fn name_and_unit(cell: &str) -> (String, String) {
     let cell = cell.trim();
-    let split = |open: char, close: char| cell.strip_suffix(close).and_then(|c| c.split_once(open));
+    let split = |open: char, close: char| cell.strip_suffix(close).and_then(|c| c.rsplit_once(open));
     let is_unit = |text: &str| unit::unit(text).is_some() && !text.trim().starts_with(|c: char| c.is_ascii_digit());
     let parts = split('[', ']').or_else(|| split('(', ')').filter(|(_, u)| is_unit(u)));
     let (name, unit) = parts.unwrap_or((cell, ""));
@@ -45,6 +45,26 @@ pub(crate) fn quantity_of_name(name: &str) -> Option<Quantity> {
 
 fn is_time_name(name: &str) -> bool {
     TIME_NAMES.contains(&name.trim().to_lowercase().as_str())
+}
+
+/// A name whose first or last word is that of a time: `Total Time`, `Time 1 - default sample rate`.
+fn has_time_name(name: &str) -> bool {
+    let lower = name.trim().to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty());
+    let (first, last) = (words.next().unwrap_or_default(), words.next_back());
+    let is = |w: &str| w.len() > 1 && TIME_NAMES.contains(&w);
+    is(first) || last.is_some_and(is)
+}
+
+/// The unit of the time column of a head and of the unit below it: a longer name needs a unit of time.
+pub(crate) fn time_column(cell: &str, below: &str) -> Option<Unit> {
+    if below.is_empty() {
+        let (name, unit) = name_and_unit(cell);
+        let longer = || time_unit(&unit).filter(|_| !unit.is_empty() && has_time_name(&name));
+        return time_head(cell).or_else(longer);
+    }
+    let is_time = time_head(cell).is_some() || has_time_name(&name_and_unit(cell).0);
+    time_unit(below).filter(|_| is_time)
 }
 
 /// The unit of a time, by its name in any case; seconds without a name.
@@ -94,13 +114,14 @@ pub(crate) fn units_row<'a>(cells: impl Iterator<Item = &'a str>) -> Option<Vec<
 
 #[cfg(test)]
 mod tests {
-    use super::{known_unit, name_and_unit, seconds, time_head, units_row};
+    use super::{known_unit, name_and_unit, seconds, time_column, time_head, units_row};
 
     #[test]
     fn heads_are_split_into_name_and_unit() {
         for (cell, name, unit) in [
             ("force[kN]", "force", "kN"),
             ("force (kN)", "force", "kN"),
+            ("Load(Linear:Load) (kN)", "Load(Linear:Load)", "kN"),
             ("acc [m/s²]", "acc", "m/s²"),
             ("disp(2)", "disp(2)", ""),
             ("strain (left)", "strain (left)", ""),
@@ -146,6 +167,13 @@ mod tests {
         assert!(["force", "time[kN]", "", "x[s]", "timer"].iter().all(|c| time_head(c).is_none()));
         let ms = time_head("t[ms]").expect("a time");
         assert_eq!((seconds(20.0, &ms), seconds(26.0, &ms)), (0.02, 0.026));
+    }
+
+    #[test]
+    fn longer_names_of_times_need_a_unit_of_time() {
+        let unit = |cell, below| time_column(cell, below).map(|u| u.name);
+        assert_eq!((unit("Total Time (s)", ""), unit("Time 1 - default rate", "ms")), (Some("s"), Some("ms")));
+        assert_eq!((unit("Total Time", ""), unit("Total Time", "mm"), unit("timer (s)", "")), (None, None, None));
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod rows;
 
 use crate::fault::Fault;
 pub(crate) use cells::Separator;
+pub(crate) use rows::HEADER_LINES;
 
 /// A column as it is written.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -131,8 +131,10 @@ pub(super) fn parse(text: &str, form: &Form<'_>) -> Result<Sheet, SheetError> {
     };
     reader.sheet.separator = Some(separator);
     reader.sheet.names_line = layout.names.map_or(0, |i| sample[i].number as u32);
-    let before = layout.names.unwrap_or(layout.rows);
-    reader.sheet.header.extend(texts.iter().take(before.min(HEADER_LINES)).map(|l| (*l).to_owned()));
+    let before = sample.get(layout.names.unwrap_or(layout.rows)).map_or(usize::MAX, |l| l.number);
+    let is_header = |l: &Line<'_>| l.number > first && !l.text.trim().is_empty();
+    let header = Lines::new(text).take_while(|l| l.number < before).filter(is_header).take(HEADER_LINES);
+    reader.sheet.header.extend(header.map(|l| l.text.to_owned()));
     reader.heads(&sample, &layout)?;
     let lines = Lines { text, at: after, number: first, end: Lines::new(text).end };
     reader.rows(lines, sample.get(layout.rows).map_or(usize::MAX, |l| l.number))?;

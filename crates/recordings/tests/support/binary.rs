@@ -3,7 +3,7 @@
 use super::{File, Known, Random};
 
 fn file(name: &str, bytes: Vec<u8>, data: usize) -> Option<File> {
-    Some(File { name: name.to_owned(), bytes, data })
+    Some(File { name: name.to_owned(), bytes, data, beside: None })
 }
 
 /// An array has no unit and no step: the test says them.
@@ -84,6 +84,82 @@ pub fn sac(k: &Known, r: &mut Random) -> Option<File> {
     let data = out.len();
     out.extend(k.values.iter().flat_map(|x| ordered((*x as f32).to_bits())));
     file("a.sac", out, data)
+}
+
+/// Records of 512 bytes of plain numbers, of either order of bytes. (Steim's frames have tests of their own.)
+pub fn miniseed(k: &Known, r: &mut Random) -> Option<File> {
+    let (little, single) = (r.below(2) == 0, r.below(2) == 0);
+    let channel = match k.word() {
+        "velocity" => "HHE",
+        "displacement" => "HXE",
+        _ => "HNE",
+    };
+    let (size, encoding) = if single { (4, 4u8) } else { (8, 5) };
+    let two = |x: u16| if little { x.to_le_bytes() } else { x.to_be_bytes() };
+    let mut out = vec![];
+    for (i, part) in k.values.chunks((512 - 64) / size).enumerate() {
+        let mut record = format!("{:06}D ABC    {channel}XX", i + 1).into_bytes();
+        // The time in units of 0.1 ms after 12:00:00 of day 60 of 2024.
+        let ticks = (i * ((512 - 64) / size)) as u64 * (k.dt * 1e4).round() as u64;
+        record.extend(two(2024));
+        record.extend(two(60));
+        record.extend([12, 0, (ticks / 10_000) as u8, 0]);
+        record.extend(two((ticks % 10_000) as u16));
+        record.extend(two(part.len() as u16));
+        record.extend(two((1.0 / k.dt).round() as u16));
+        record.extend(two(1));
+        record.extend([0, 0, 0, 1, 0, 0, 0, 0]);
+        record.extend(two(64));
+        record.extend(two(48));
+        record.extend(two(1000));
+        record.extend(two(0));
+        record.extend([encoding, u8::from(!little), 9, 0]);
+        record.resize(64, 0);
+        for x in part {
+            let mut bytes = if single { (*x as f32).to_le_bytes().to_vec() } else { x.to_le_bytes().to_vec() };
+            if !little {
+                bytes.reverse();
+            }
+            record.extend(bytes);
+        }
+        record.resize(512, 0);
+        out.extend(record);
+    }
+    file("a.mseed", out, 64)
+}
+
+/// A header and the file of its values: one channel after another, side by side, or as text.
+pub fn diadem(k: &Known, r: &mut Random) -> Option<File> {
+    let name = column_name(k);
+    let name = name.split('[').next()?;
+    let n = k.values.len();
+    let form = r.below(3);
+    let (kind, method, data) = match form {
+        0 => {
+            let zeros = std::iter::repeat_n(0.0f64, 3).chain(k.values.iter().copied());
+            ("REAL64", "CHANNEL", zeros.flat_map(f64::to_le_bytes).collect())
+        }
+        1 => {
+            let pairs = k.values.iter().flat_map(|x| [0.0f32, *x as f32]);
+            ("REAL32", "BLOCK", pairs.flat_map(f32::to_le_bytes).collect::<Vec<u8>>())
+        }
+        _ => ("ASCII", "BLOCK", k.values.iter().map(|x| format!("0;{x:.10}\n")).collect::<String>().into_bytes()),
+    };
+    let first = [4, 2, 1][form];
+    let times = format!(
+        "#BEGINCHANNELHEADER\n200,t\n202,{}\n210,IMPLICIT\n220,{n}\n240,0\n241,{}\n#ENDCHANNELHEADER\n",
+        if r.below(2) == 0 { "s" } else { "ms" },
+        "STEP"
+    );
+    let times = times.replace("STEP", &if times.contains(",ms") { k.dt * 1000.0 } else { k.dt }.to_string());
+    let header = format!(
+        "DIAEXTENDED  {{@:ENGLISH\n#BEGINGLOBALHEADER\n1,WINDOWS 32Bit\n#ENDGLOBALHEADER\n{times}#BEGINCHANNELHEADER\n\
+         200,{name}\n202,{}\n210,EXPLICIT\n211,C:\\data\\a.bin\n213,{method}\n214,{kind}\n220,{n}\n221,{first}\n223,2\n\
+         230,;\n231,.\n240,0\n241,1\n#ENDCHANNELHEADER\n",
+        k.unit
+    );
+    let beside = Some(("a.bin".to_owned(), data));
+    Some(File { beside, ..File::new("a.DAT", header, String::new()) })
 }
 
 fn crc32(bytes: &[u8]) -> u32 {

@@ -4,6 +4,8 @@ mod binary;
 mod motions;
 mod tables;
 
+use hysteron_recordings::{Fault, Measured};
+
 /// Random numbers: a linear congruential generator (Knuth, MMIX).
 pub struct Random(pub u64);
 
@@ -63,12 +65,20 @@ pub struct File {
     pub name: String,
     pub bytes: Vec<u8>,
     pub data: usize,
+    /// Name and bytes of a file beside it that it names.
+    pub beside: Option<(String, Vec<u8>)>,
 }
 
 impl File {
     pub fn new(name: &str, header: String, data: String) -> Self {
         let at = header.len();
-        Self { name: name.to_owned(), bytes: (header + &data).into_bytes(), data: at }
+        Self { name: name.to_owned(), bytes: (header + &data).into_bytes(), data: at, beside: None }
+    }
+
+    /// Read its bytes, or those that they were changed to.
+    pub fn read(&self, bytes: &[u8]) -> Result<Measured, Fault> {
+        let of = |name: &str| self.beside.as_ref().filter(|b| b.0 == name).map(|b| b.1.clone());
+        Measured::read_beside(&self.name, bytes, &of)
     }
 }
 
@@ -78,7 +88,8 @@ pub type Writer = fn(&Known, &mut Random) -> Option<File>;
 /// Name of the format, and its writer.
 pub const WRITERS: &[(&str, Writer)] = &[
     ("PEER", motions::peer),
-    ("CSMIP V2", motions::csmip),
+    ("CSMIP", motions::csmip),
+    ("Volume 1", motions::volume1),
     ("COSMOS", motions::cosmos),
     ("SMC", motions::smc),
     ("K-NET", motions::knet),
@@ -95,6 +106,8 @@ pub const WRITERS: &[(&str, Writer)] = &[
     ("NumPy", binary::npy),
     ("MATLAB", binary::mat),
     ("SAC", binary::sac),
+    ("miniSEED", binary::miniseed),
+    ("DIAdem", binary::diadem),
     ("xlsx", binary::xlsx),
     ("ods", binary::ods),
 ];

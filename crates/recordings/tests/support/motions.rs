@@ -186,3 +186,27 @@ pub fn geonet(k: &Known, r: &mut Random) -> Option<File> {
     let block = fixed(&values, 10, |x| format!("{x:>8.2}"));
     Some(File::new("a.V2A", header, block.repeat(3)))
 }
+
+pub fn volume1(k: &Known, r: &mut Random) -> Option<File> {
+    let values = k.in_unit("g")?;
+    let n = values.len();
+    let (factor, unit) = r.of(&[(10.0, "G/10"), (1.0, "G")]);
+    let duration = n as f64 * k.dt;
+    let mut header = format!(
+        "{}\nEARTHQUAKE\nJUNE 28, 1992\n1\nSTATION NO. 1\nSOMEWHERE\n{}\nx\ny\nINSTR PERIOD =  .0388 SEC\n\
+         NO. OF POINTS =  {n}  RECORD LENGTH = {duration:.3} SEC\nUNITS OF UNCOR ACCEL ARE SEC AND {unit}.\nRMS\n",
+        r.of(&["UNCORRECTED ACCELEROGRAM DATA", "* VOL1DS FILE:  5520/01"]),
+        r.of(&["CHAN  1:  90 DEG", "COMP S58W"]),
+    );
+    (0..14).for_each(|_| header += "    0    0\n");
+    let pairs = r.below(2) == 0;
+    let data = if pairs {
+        let cells: Vec<[f64; 2]> = values.iter().enumerate().map(|(i, x)| [i as f64 * k.dt, factor * x]).collect();
+        let row = |c: &[[f64; 2]]| c.iter().map(|[t, x]| format!("{t:>8.3}{x:>13.9}")).collect::<String>() + "\n";
+        cells.chunks(5).map(row).collect()
+    } else {
+        fixed(&values, 8, |x| format!("{:>16.8E}", factor * x))
+    };
+    let end = if r.below(2) == 0 { "/& ---- End of Data ----\n" } else { "" };
+    Some(File::new("a.V1", header, data + end))
+}
