@@ -12,8 +12,10 @@
 
 pub(crate) mod holdout;
 pub(crate) mod likelihood;
+pub(crate) mod memory_evidence;
 pub(crate) mod parametric_bootstrap;
 pub(crate) mod ranking;
+pub(crate) mod repair_limits;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;
 mod verdict_weights;

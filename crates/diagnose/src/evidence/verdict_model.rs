@@ -239,26 +239,41 @@ pub(crate) fn weights() -> BTreeMap<&'static str, f64> {
 pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
     let all = candidates(evidence);
     let equal = LAPSE_SHARE / all.len() as f64;
-    let p = probabilities(&all, &fitted_weights()).into_iter().map(|p| (1.0 - LAPSE_SHARE) * p + equal);
+    let p = probabilities(&all, &fitted_weights());
+    let by_memory: Vec<f64> = all.iter().zip(p).map(|(c, p)| p * evidence.memory_log_odds(&c.cause).exp()).collect();
+    let sum: f64 = by_memory.iter().sum();
+    let p = by_memory.into_iter().map(|p| (1.0 - LAPSE_SHARE) * p / sum + equal);
     let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
     limit_probabilities(evidence, &mut all);
     sorted(all)
 }
 
-/// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion.
+/// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion, and to
+/// `unknown` where none is left.
 fn limit_probabilities(evidence: &VerdictEvidence, all: &mut CauseProbabilities) {
     let most = |cause: &str| {
         let of_cause = evidence.limits.iter().filter(|l| l.cause == cause);
         of_cause.map(|l| l.most).fold(1.0, f64::min)
     };
-    let is_limited = |(cause, p): &(&'static str, f64)| *p > most(cause);
-    let held: f64 = all.iter().filter(|x| is_limited(x)).map(|(cause, _)| most(cause)).sum();
-    let free: f64 = all.iter().filter(|x| !is_limited(x)).map(|(_, p)| p).sum();
-    if free <= 0.0 {
-        return;
+    let mut is_held = vec![false; all.len()];
+    // What the others get may take them to limits of their own.
+    for _ in 0..all.len() {
+        let exceeds = |i: &usize| !is_held[*i] && all[*i].1 > most(all[*i].0);
+        let beyond: Vec<usize> = (0..all.len()).filter(exceeds).collect();
+        if beyond.is_empty() {
+            break;
+        }
+        beyond.iter().for_each(|i| is_held[*i] = true);
+        let sum = |held: bool, of: &dyn Fn(usize) -> f64| (0..all.len()).filter(|i| is_held[*i] == held).map(of).sum::<f64>();
+        let (held, free) = (sum(true, &|i| most(all[i].0)), sum(false, &|i| all[i].1));
+        let scale = if free > 0.0 { (1.0 - held).max(0.0) / free } else { 0.0 };
+        for (x, held) in all.iter_mut().zip(&is_held) {
+            x.1 = if *held { most(x.0) } else { x.1 * scale };
+        }
     }
-    for x in all {
-        x.1 = if is_limited(x) { most(x.0) } else { x.1 * (1.0 - held) / free };
+    let rest = 1.0 - all.iter().map(|(_, p)| p).sum::<f64>();
+    if let Some(unknown) = all.iter_mut().find(|(cause, _)| *cause == "unknown") {
+        unknown.1 += rest.max(0.0);
     }
 }
 
@@ -339,6 +354,8 @@ mod tests {
             equal_gain: None,
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
+            held_back: None,
+            device_held_back: None,
         }
     }
 
@@ -379,7 +396,7 @@ mod tests {
         let judged = |after: f64| {
             let mut e = evidence(&[("friction", None, 20.0), ("damping", None, 15.0)]);
             let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
-            e.judged.push(RepairEvidence { cause: "friction".into(), also: None, errors: Some(errors) });
+            e.judged.push(RepairEvidence { cause: "friction".into(), also: None, errors: Some(errors), device_held_out: None });
             probability(&cause_probabilities(&e), "friction")
         };
         let before = probability(

@@ -1,5 +1,6 @@
 //! Runs at other temperatures than that of the model's parameters.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::ambient_temperatures;
 use crate::prior::MIN_TEMPERATURE_DIFFERENCE;
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same run at the temperature of the model differs from it as much",
     look_alikes: &["rate_dependence", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Temperature],
     propose,
 };
 

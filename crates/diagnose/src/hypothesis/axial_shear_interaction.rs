@@ -1,5 +1,6 @@
 //! Loss of lateral stiffness under axial load.
 
+use crate::memory::family::Family;
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::axial_loads;
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral stiffness is the same at another axial load",
     look_alikes: &["strain_stiffening", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::AxialForce],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Energy loss of the structure beyond its damping model.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TAGS_PER_PURPOSE, TagPurpose};
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "free vibration decays as the model says",
     look_alikes: &["rate_dependence", "friction"],
     needs_clock: false,
+    memory: &[Family::Rate],
     propose,
 };
 

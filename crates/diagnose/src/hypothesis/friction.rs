@@ -1,5 +1,6 @@
 //! Coulomb friction in parallel with a device.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
     look_alikes: &["rate_dependence", "damping", "sensor_gain"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::Rate],
     propose,
 };
 

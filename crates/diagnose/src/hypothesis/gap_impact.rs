@@ -1,5 +1,6 @@
 //! Closing gaps: pounding, a moat wall, a stopper.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::adjacent_structures::AdjacentNodes;
 use crate::inspect::device_axes::device_axes;
@@ -12,6 +13,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
     look_alikes: &["strain_stiffening"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::Side],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Pinching: slip thins the loops near zero.
 
+use crate::memory::family::Family;
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
@@ -9,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the force at zero deformation is as large as that of a fresh device",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Pinching, Family::Largest],
     propose,
 };
 

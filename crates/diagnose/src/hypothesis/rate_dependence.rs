@@ -1,5 +1,6 @@
 //! Dependence of the force on the rate of strain.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     look_alikes: &["friction", "damping", "mullins_softening"],
     needs_clock: true,
+    memory: &[Family::Rate],
     propose,
 };
 

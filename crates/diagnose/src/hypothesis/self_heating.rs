@@ -1,5 +1,6 @@
 //! Self-heating: dissipated work warms and softens a device.
 
+use crate::memory::family::Family;
 use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
@@ -9,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: true,
+    memory: &[Family::Heat, Family::Temperature],
     propose,
 };
 

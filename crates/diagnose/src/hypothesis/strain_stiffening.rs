@@ -1,5 +1,6 @@
 //! Stiffening of the backbone at large strain.
 
+use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the secant stiffness goes on falling beyond the largest strain tested",
     look_alikes: &["axial_shear_interaction", "gap_impact"],
     needs_clock: false,
+    memory: &[Family::Shape],
     propose,
 };
 

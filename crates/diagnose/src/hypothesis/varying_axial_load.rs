@@ -1,5 +1,6 @@
 //! Variation of the axial force during a run, and of the lateral force with it.
 
+use crate::memory::family::Family;
 use super::axial_shear_interaction::axial_force;
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext};
 use crate::inspect::auxiliary_channels::axial_force_varies;
@@ -13,6 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral strength does not follow the axial force",
     look_alikes: &["axial_shear_interaction", "friction"],
     needs_clock: false,
+    memory: &[Family::Side, Family::AxialForce],
     propose,
 };
 

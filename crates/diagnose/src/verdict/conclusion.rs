@@ -13,6 +13,7 @@ use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
+use crate::evidence::memory_evidence::RecordedEvidence;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::ranking::equal_forms;
@@ -62,6 +63,7 @@ pub(super) struct ConclusionContext<'a> {
     pub(super) threads: usize,
     /// Channels that no edit of the script changes.
     pub(super) unmoved_channels: &'a [ObservedChannel],
+    pub(super) recorded: &'a RecordedEvidence,
 }
 
 /// Hypotheses to conclude from.
@@ -103,9 +105,10 @@ impl Repair {
     }
 
     /// Errors of the runs held out, with its causes.
-    fn evidence(&self) -> RepairEvidence {
+    fn evidence(&self, c: &ConclusionContext<'_>) -> RepairEvidence {
         let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
-        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors }
+        let device_held_out = holdout::channel_nmse(c.study, &self.fits, &c.recorded.channel);
+        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors, device_held_out }
     }
 }
 
@@ -136,6 +139,7 @@ pub(super) fn conclude(
         ranked,
         bootstrap: bootstrap.as_ref(),
         left_out,
+        recorded: c.recorded,
     });
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
@@ -205,6 +209,7 @@ pub(super) fn conclude(
         mismatch: &mismatch,
         tried: c.tried,
         structure: &structure.description,
+        memory: evidence.memory_sentence(),
         unsteady_channels: &structure.unsteady_channels,
         step_error: &c.step_error,
         script_steps: script_steps(c, &baseline.fitted.values),
@@ -286,7 +291,11 @@ impl VerdictJudge<'_, '_> {
                 break (cause, probabilities);
             }
             let repair = self.best_repair(cause, evidence.log_likelihood_of_none())?;
-            evidence.judged.push(repair.evidence());
+            let judged = repair.evidence(self.c);
+            // A refused repair says nothing about what is unknown.
+            let of_repair = evidence.limits_of_repair(&judged).into_iter();
+            evidence.limits.extend(of_repair.filter(|l| l.cause != "unknown" || !repair.is_refused()));
+            evidence.judged.push(judged);
             evidence.limits.extend(repair.limits.clone());
             repairs.push((cause, repair));
         };
@@ -405,6 +414,9 @@ fn verdict_in_words(
         |e: &&FittedHypothesis| equal_forms(e, hypothesis) && !Arc::ptr_eq(&e.variant, &hypothesis.variant);
     if let Some(p) = ranked.iter().find(other_form).and_then(|e| e.variant.proposal.as_ref()) {
         text += &format!(" Another form explains as much: {}, {}.", p.location, p.form);
+    }
+    if let Some(memory) = evidence.memory_sentence().filter(|_| cause == "unknown") {
+        text += &format!(" What the recordings remember: {memory}.");
     }
     if !c.causes_without_clock.is_empty() {
         text += &format!(
