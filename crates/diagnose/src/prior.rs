@@ -294,6 +294,12 @@ prior! {
     MIN_TAKEN_SHARE: f64 = 0.5, "share";
     /// Largest probability of `unknown` over the share that a repair leaves, where it takes away most. A choice.
     UNKNOWN_PER_SHARE_LEFT: f64 = 1.5, "ratio";
+    /// Distance of log likelihoods up to which the fitted weights alone count it, nats. A choice.
+    FREE_DISTANCE: f64 = 15.0, "nats";
+    /// Distance beyond it that costs one unit of log odds, nats. Evidence between forms of law is overstated. A choice.
+    NATS_PER_COST: f64 = 10.0, "nats";
+    /// Advantage over a closer fit with no more parameters, at most, nats: whitening alone is no evidence. A choice.
+    MAX_ADVANTAGE_OF_WORSE_FIT: f64 = 5.0, "nats";
     /// Ratio of the errors of a cause and of a law with another memory from which the other explains more. Right families
     /// led by 1.4 to 18 in a prototype.
     MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";

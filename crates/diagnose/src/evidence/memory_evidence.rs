@@ -1,6 +1,5 @@
 //! Competition of the kinds of memory for a device under an imposed motion, and the noise of the recordings.
 
-use crate::fit::fitted::FittedHypothesis;
 use crate::inspect::conditions::axial_loads;
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::memory::competition::{FamilyResult, compete};
@@ -19,6 +18,9 @@ pub struct RecordedEvidence {
     /// Noise of the runs held out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub noise_held_out: Option<f64>,
+    /// True if each run has one channel.
+    #[serde(default)]
+    pub is_single: bool,
     /// Channel of the device's force; empty where no device could be examined.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub channel: String,
@@ -49,17 +51,15 @@ const SECOND_DIRECTION: f64 = 0.02;
 pub(crate) const MIN_SIGNAL_RATIO: f64 = 1.5;
 
 impl ModelRuns<'_> {
-    /// Evidence of the recordings. Kinds of memory compete where the fitted model leaves more than noise.
-    pub(crate) fn evidence(&self, baseline: &FittedHypothesis) -> RecordedEvidence {
-        let noise = self.noise(Role::Fit);
-        let mut out =
-            RecordedEvidence { noise, noise_held_out: self.noise(Role::Holdout), ..RecordedEvidence::default() };
-        let leaves_more = noise.is_none_or(|n| baseline.fitted.objective > MIN_SIGNAL_RATIO * n);
-        if let Some((channel, runs)) = self.device_runs().filter(|_| leaves_more) {
-            out.families = compete(runs, self.has_clock);
-            out.channel = channel;
-        }
-        out
+    /// Evidence of the recordings.
+    pub(crate) fn evidence(&self) -> RecordedEvidence {
+        let (noise, noise_held_out) = (self.noise(Role::Fit), self.noise(Role::Holdout));
+        let is_single = self.study.runs.iter().all(|r| r.observe.len() == 1);
+        let (channel, families) = match self.device_runs() {
+            Some((channel, runs)) => (channel, compete(runs, self.has_clock)),
+            None => (String::new(), vec![]),
+        };
+        RecordedEvidence { noise, noise_held_out, is_single, channel, families }
     }
 
     /// Mean noise of the channels of a role.
@@ -119,7 +119,8 @@ impl ModelRuns<'_> {
                 held_out,
             });
         }
-        let is_whole = out.iter().all(|r| r.deformation.len() == r.times.len() && r.deformation.iter().all(|u| u.is_finite()));
+        let is_whole =
+            out.iter().all(|r| r.deformation.len() == r.times.len() && r.deformation.iter().all(|u| u.is_finite()));
         is_whole.then_some(out)
     }
 
@@ -132,7 +133,8 @@ impl ModelRuns<'_> {
         let most = size(found);
         let others = of_run().filter(|((_, t, d), _)| t == tag && d != direction && *d <= 3);
         let moves_in_two = others.into_iter().any(|(_, h)| {
-            size(h) > SECOND_DIRECTION * most && correlation(&h.deformation, &found.deformation).powi(2) < SAME_DEFORMATION
+            size(h) > SECOND_DIRECTION * most
+                && correlation(&h.deformation, &found.deformation).powi(2) < SAME_DEFORMATION
         });
         (!moves_in_two).then_some(found)
     }

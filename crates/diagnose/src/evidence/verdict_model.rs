@@ -240,7 +240,8 @@ pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     let all = candidates(evidence);
     let equal = LAPSE_SHARE / all.len() as f64;
     let p = probabilities(&all, &fitted_weights());
-    let by_memory: Vec<f64> = all.iter().zip(p).map(|(c, p)| p * evidence.memory_log_odds(&c.cause).exp()).collect();
+    let further = |cause: &str| evidence.memory_log_odds(cause) - evidence.distance_cost(cause);
+    let by_memory: Vec<f64> = all.iter().zip(p).map(|(c, p)| p * further(&c.cause).exp()).collect();
     let sum: f64 = by_memory.iter().sum();
     let p = by_memory.into_iter().map(|p| (1.0 - LAPSE_SHARE) * p / sum + equal);
     let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
@@ -264,7 +265,8 @@ fn limit_probabilities(evidence: &VerdictEvidence, all: &mut CauseProbabilities)
             break;
         }
         beyond.iter().for_each(|i| is_held[*i] = true);
-        let sum = |held: bool, of: &dyn Fn(usize) -> f64| (0..all.len()).filter(|i| is_held[*i] == held).map(of).sum::<f64>();
+        let sum =
+            |held: bool, of: &dyn Fn(usize) -> f64| (0..all.len()).filter(|i| is_held[*i] == held).map(of).sum::<f64>();
         let (held, free) = (sum(true, &|i| most(all[i].0)), sum(false, &|i| all[i].1));
         let scale = if free > 0.0 { (1.0 - held).max(0.0) / free } else { 0.0 };
         for (x, held) in all.iter_mut().zip(&is_held) {
@@ -301,6 +303,12 @@ fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEviden
     1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p()).exp())
 }
 
+/// Returns true if the second effect of a pair is more likely than not.
+pub(crate) fn has_second_effect(evidence: &VerdictEvidence, cause: &str, also: &str) -> bool {
+    let pair = evidence.hypotheses.iter().find(|h| h.cause == cause && h.also.as_deref() == Some(also));
+    pair.is_some_and(|p| second_effect_probability(evidence, p) >= 0.5)
+}
+
 /// Probability that each effect is present, alone or beside another, the most probable first.
 ///
 /// `causes` are the probabilities of the first effects. The second effect of a pair is present with a probability of its own.
@@ -335,12 +343,13 @@ fn known_cause(name: &str) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::{FEATURES, bayes_probabilities, candidates, cause_probabilities, effect_probabilities, pair_gain};
     use crate::evidence::holdout::HeldOutErrors;
+    use crate::evidence::memory_evidence::RecordedEvidence;
     use crate::evidence::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, RepairEvidence, VerdictEvidence};
 
-    fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
+    pub(crate) fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
         HypothesisEvidence {
             cause: cause.into(),
             also: also.map(Into::into),
@@ -360,7 +369,7 @@ mod tests {
     }
 
     /// Evidence of causes by their gain over a model that leaves ten per cent.
-    fn evidence(gains: &[(&str, Option<&str>, f64)]) -> VerdictEvidence {
+    pub(crate) fn evidence(gains: &[(&str, Option<&str>, f64)]) -> VerdictEvidence {
         let mut hypotheses: Vec<HypothesisEvidence> =
             gains.iter().map(|(cause, also, gain)| hypothesis(cause, *also, 100.0 + gain)).collect();
         hypotheses.push(HypothesisEvidence { nmse: 0.1, ..hypothesis("none", None, 100.0) });
@@ -376,6 +385,7 @@ mod tests {
             left_out: vec![],
             judged: vec![],
             limits: vec![],
+            recorded: RecordedEvidence::default(),
         }
     }
 
@@ -396,7 +406,12 @@ mod tests {
         let judged = |after: f64| {
             let mut e = evidence(&[("friction", None, 20.0), ("damping", None, 15.0)]);
             let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
-            e.judged.push(RepairEvidence { cause: "friction".into(), also: None, errors: Some(errors), device_held_out: None });
+            e.judged.push(RepairEvidence {
+                cause: "friction".into(),
+                also: None,
+                errors: Some(errors),
+                device_held_out: None,
+            });
             probability(&cause_probabilities(&e), "friction")
         };
         let before = probability(

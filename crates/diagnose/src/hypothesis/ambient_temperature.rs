@@ -1,8 +1,8 @@
 //! Runs at other temperatures than that of the model's parameters.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::ambient_temperatures;
+use crate::memory::family::Family;
 use crate::prior::MIN_TEMPERATURE_DIFFERENCE;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {

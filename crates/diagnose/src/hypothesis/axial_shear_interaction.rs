@@ -1,9 +1,9 @@
 //! Loss of lateral stiffness under axial load.
 
-use crate::memory::family::Family;
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::axial_loads;
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",

@@ -1,8 +1,8 @@
 //! Loss of strength or stiffness with accumulated damage.
 
-use crate::memory::family::Family;
 use super::context::{force_parts, strength_part};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "cyclic_degradation",

@@ -1,7 +1,7 @@
 //! Coulomb friction in parallel with a device.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "friction",

@@ -1,11 +1,11 @@
 //! Closing gaps: pounding, a moat wall, a stopper.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::adjacent_structures::AdjacentNodes;
 use crate::inspect::device_axes::device_axes;
 use crate::inspect::inventory::{Device, TagPurpose};
 use crate::inspect::response::ResponseRange;
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",

@@ -1,7 +1,7 @@
 //! Mullins effect: virgin rubber is stiffer than scragged rubber.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "mullins_softening",

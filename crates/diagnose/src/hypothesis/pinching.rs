@@ -1,8 +1,8 @@
 //! Pinching: slip thins the loops near zero.
 
-use crate::memory::family::Family;
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "pinching",

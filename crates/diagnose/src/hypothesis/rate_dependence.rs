@@ -1,7 +1,7 @@
 //! Dependence of the force on the rate of strain.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "rate_dependence",

@@ -1,8 +1,8 @@
 //! Self-heating: dissipated work warms and softens a device.
 
-use crate::memory::family::Family;
 use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "self_heating",

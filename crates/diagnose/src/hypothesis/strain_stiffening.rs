@@ -1,7 +1,7 @@
 //! Stiffening of the backbone at large strain.
 
-use crate::memory::family::Family;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "strain_stiffening",

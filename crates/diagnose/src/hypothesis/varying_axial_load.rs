@@ -1,10 +1,10 @@
 //! Variation of the axial force during a run, and of the lateral force with it.
 
-use crate::memory::family::Family;
 use super::axial_shear_interaction::axial_force;
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext};
 use crate::inspect::auxiliary_channels::axial_force_varies;
 use crate::inspect::conditions::{axial_loads_differ, recorded_column};
+use crate::memory::family::Family;
 use crate::series::averaged;
 use hysteron_identify::study::{Run, Study};
 

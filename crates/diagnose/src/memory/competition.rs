@@ -37,6 +37,11 @@ const CROSS_VALIDATED: usize = 5;
 /// Steps of Gauss and Newton in a fold, and in a fit of all samples.
 const FOLD_STEPS: usize = 3;
 const FIT_STEPS: usize = 8;
+/// Error of a plain shape over that of the user's law up to which it is the base: memory can act on its strength.
+const MAX_SHAPE_RATIO: f64 = 1.3;
+/// Slip levels over that of a law that are tried when a term enters, and when it has entered.
+const COARSE_LEVELS: [f64; 3] = [0.75, 1.15, 1.35];
+const FINE_LEVELS: [f64; 4] = [0.9, 0.95, 1.05, 1.1];
 /// Slip levels that are tried, and again around the best.
 const LEVELS: usize = 16;
 
@@ -92,15 +97,20 @@ impl Competition<'_> {
         let of_shape = |shape: Shape| {
             let last = (LEVELS - 1) as f64;
             let coarse = best(shape, &mut (0..LEVELS).map(|k| u * 0.003 * 300f64.powf(k as f64 / last)))?;
-            best(shape, &mut (0..LEVELS).map(|k| coarse.level * 0.7 * 2.04f64.powf(k as f64 / last)))
+            let near =
+                |level: f64, ratio: f64| (0..LEVELS).map(move |k| level * ratio.powf(2.0 * k as f64 / last - 1.0));
+            let fine = best(shape, &mut near(coarse.level, 1.45))?;
+            best(shape, &mut near(fine.level, 1.05))
         };
         let mut shapes: Vec<Law> = [Shape::Bilinear, Shape::BoucWen].into_iter().filter_map(of_shape).collect();
         // Work and slip of the user's law are those of the best stop.
         let level = shapes.first().map_or(u, |l| l.level);
-        shapes.push(law(Shape::User, level));
+        let user = law(Shape::User, level);
+        let of_user = self.held_back(&user).pooled;
+        shapes.retain(|l| self.held_back(l).pooled <= MAX_SHAPE_RATIO * of_user);
         let errors = shapes.iter().map(|l| self.held_back(l).pooled);
         let best = errors.zip(&shapes).min_by(|a, b| a.0.total_cmp(&b.0)).map(|x| x.1.clone());
-        best.unwrap_or_else(|| law(Shape::User, u))
+        best.unwrap_or(user)
     }
 
     /// Sum of the weighted squares over some samples.
@@ -113,7 +123,7 @@ impl Competition<'_> {
     /// Errors on blocks and whole runs that are held back in turn.
     fn held_back(&self, law: &Law) -> HeldBack {
         let d = self.data;
-        let start = self.fitter.fit(law, &d.fitted, FOLD_STEPS, &[]).factors;
+        let start = self.fitter.fit(law, &d.fitted, FIT_STEPS, &[]).factors;
         let of_fold = |held: &Vec<bool>| {
             let kept: Vec<bool> = d.fitted.iter().zip(held).map(|(f, h)| *f && !*h).collect();
             self.error(law, &self.fitter.fit(law, &kept, FOLD_STEPS, &start), held)
@@ -137,12 +147,26 @@ impl Competition<'_> {
         let (mut law, mut errors) = (base, start);
         while law.terms() < MAX_TERMS {
             let tried = self.candidates(&law, family, &variables, &forces);
-            let weighed = tried.into_iter().map(|l| (self.held_back(&l), l));
+            let weighed = tried.into_iter().map(|l| self.at_best_level(l, &COARSE_LEVELS));
             let best = weighed.min_by(|a, b| a.0.change_from(&errors).total_cmp(&b.0.change_from(&errors)));
             let Some((e, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
+            let (e, l) = self.at_best_level(l, &FINE_LEVELS);
             (law, errors) = (l, e);
         }
         self.without_needless(law, errors)
+    }
+
+    /// A law at the best of some slip levels over its own, where a factor acts on its strength: such a factor is one where
+    /// nothing is remembered yet, so that the level of the law without it is too low or too high.
+    fn at_best_level(&self, law: Law, ratios: &[f64]) -> (HeldBack, Law) {
+        let own = self.held_back(&law);
+        if law.shape == Shape::User || law.factors.iter().all(|(t, _)| *t != Target::Strength) {
+            return (own, law);
+        }
+        let others =
+            ratios.iter().map(|r| Law { level: r * law.level, ..law.clone() }).map(|l| (self.held_back(&l), l));
+        let best = others.min_by(|a, b| a.0.pooled.total_cmp(&b.0.pooled));
+        best.filter(|(e, _)| e.pooled < own.pooled).unwrap_or((own, law))
     }
 
     /// Takes out terms without which the error hardly grows.
@@ -300,7 +324,13 @@ mod tests {
     fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
         let motions: [fn(f64) -> f64; 3] = [
             |t| (1.0 - (-0.2 * t).exp()) * (2.1 * t).sin(),
-            |t| if t % 12.0 < 6.0 { 0.8 * (0.3 * t).min(1.0) * (2.0 * std::f64::consts::FRAC_PI_3 * t).sin() } else { 0.0 },
+            |t| {
+                if t % 12.0 < 6.0 {
+                    0.8 * (0.3 * t).min(1.0) * (2.0 * std::f64::consts::FRAC_PI_3 * t).sin()
+                } else {
+                    0.0
+                }
+            },
             |t| 0.7 * (1.7 * t).sin() * (0.31 * t).cos(),
         ];
         let one = |k: usize| {
@@ -332,13 +362,13 @@ mod tests {
 
     #[test]
     fn the_family_of_a_memory_is_found() {
-        let best = |f: &dyn Fn(f64, f64, f64) -> f64| compete(runs(f), true).swap_remove(0);
-        let by_work = best(&|_, work, _| 1.0 - 0.4 * (1.0 - (-work / 15.0).exp()));
-        assert_eq!(by_work.family, "work", "{by_work:?}");
-        let by_time = best(&|t, _, _| 1.0 - 0.35 * t / 36.0);
-        assert_eq!(by_time.family, "clock", "{by_time:?}");
-        let by_rest = best(&|_, _, resting| 1.0 + 0.35 * (resting / 0.36f64).ln_1p() / 3.0);
-        assert_eq!(by_rest.family, "rest", "{by_rest:?}");
+        let found = |family: &str, factor: &dyn Fn(f64, f64, f64) -> f64| {
+            let all = compete(runs(factor), true);
+            assert_eq!(all[0].family, family, "{all:#?}");
+        };
+        found("work", &|_, work, _| 1.0 - 0.4 * (1.0 - (-work / 15.0).exp()));
+        found("clock", &|t, _, _| 1.0 - 0.35 * t / 36.0);
+        found("rest", &|_, _, resting| 1.0 + 0.35 * (resting / 0.36f64).ln_1p() / 3.0);
     }
 
     /// Without a memory no family gains over another shape, and the error is that of the noise.

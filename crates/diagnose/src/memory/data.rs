@@ -99,7 +99,8 @@ impl Data {
                 block.push(*i * BLOCKS / run.times.len());
             }
         }
-        let of = |held: &dyn Fn(usize) -> bool| -> Vec<bool> { (0..samples.len()).map(|i| fitted[i] && held(i)).collect() };
+        let of =
+            |held: &dyn Fn(usize) -> bool| -> Vec<bool> { (0..samples.len()).map(|i| fitted[i] && held(i)).collect() };
         let mut folds: Vec<Vec<bool>> = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f)).collect();
         if fitted_runs > 1 {
             folds.extend((0..runs.len()).filter(|k| !runs[*k].held_out).map(|k| of(&|i| samples[i].0 == k)));
@@ -108,8 +109,17 @@ impl Data {
         }
         folds.retain(|f| f.iter().any(|x| *x));
         let whole_factor = if fitted_runs > 1 { 1.0 } else { BLOCKS as f64 / (BLOCKS - END_BLOCK) as f64 };
-        (folds.len() > BLOCK_FOLDS)
-            .then_some(Self { runs, scales, has_clock, samples, recorded, weight, fitted, folds, whole_factor })
+        (folds.len() > BLOCK_FOLDS).then_some(Self {
+            runs,
+            scales,
+            has_clock,
+            samples,
+            recorded,
+            weight,
+            fitted,
+            folds,
+            whole_factor,
+        })
     }
 
     /// Series of each run at the samples.

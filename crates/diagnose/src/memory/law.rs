@@ -160,9 +160,7 @@ impl<'a> Fitter<'a> {
         let (d, s) = (self.data, &self.data.scales);
         let hinge = |x: f64, side: f64, at: f64| side * (side * x - at).max(0.0);
         let of_deformation = |name: String, f: &dyn Fn(f64) -> f64| {
-            self.cached(&name, 0.0, || {
-                d.at_samples(|r| r.deformation.iter().map(|u| f(u / s.deformation)).collect())
-            })
+            self.cached(&name, 0.0, || d.at_samples(|r| r.deformation.iter().map(|u| f(u / s.deformation)).collect()))
         };
         let of_speed = |name: String, f: &dyn Fn(f64) -> f64| {
             self.cached(&name, 0.0, || {
@@ -268,9 +266,8 @@ impl<'a> Fitter<'a> {
     /// Columns of a law at factors.
     pub(super) fn columns(&self, law: &Law, factors: &[f64]) -> Columns {
         let (d, s) = (self.data, &self.data.scales);
-        let mut elastic = vec![self.cached("u", 0.0, || {
-            d.at_samples(|r| r.deformation.iter().map(|u| u / s.deformation).collect())
-        })];
+        let mut elastic =
+            vec![self.cached("u", 0.0, || d.at_samples(|r| r.deformation.iter().map(|u| u / s.deformation).collect()))];
         let mut viscous = vec![];
         for g in &law.groups {
             let target = if g.is_elastic() { &mut elastic } else { &mut viscous };
@@ -299,7 +296,8 @@ impl<'a> Fitter<'a> {
         };
         let gains: Vec<Vec<f64>> = (0..4).map(factor_of).collect();
         let kind_of: Vec<usize> = (0..4).flat_map(|k| std::iter::repeat_n(k, counts[k])).collect();
-        let all = raw.iter().zip(&kind_of).map(|(c, k)| c.iter().zip(&gains[*k]).map(|(c, g)| c * g).collect()).collect();
+        let all =
+            raw.iter().zip(&kind_of).map(|(c, k)| c.iter().zip(&gains[*k]).map(|(c, g)| c * g).collect()).collect();
         Columns { raw, counts, all }
     }
 
@@ -355,7 +353,10 @@ impl<'a> Fitter<'a> {
     /// Fit to the samples of `rows`, from factors of an earlier fit.
     pub(super) fn fit(&self, law: &Law, rows: &[bool], steps: usize, start: &[f64]) -> Coefficients {
         let count = law.factors.len();
-        let mut c = Coefficients { weights: vec![], factors: (0..count).map(|i| start.get(i).copied().unwrap_or(0.0)).collect() };
+        let mut c = Coefficients {
+            weights: vec![],
+            factors: (0..count).map(|i| start.get(i).copied().unwrap_or(0.0)).collect(),
+        };
         let kept: Vec<usize> = (0..rows.len()).filter(|i| rows[*i]).collect();
         let steps = if count > 0 { steps } else { 0 };
         for step in 0..=steps {
@@ -372,9 +373,8 @@ impl<'a> Fitter<'a> {
             let (normal, right) = self.normal(&all, &rest, &kept);
             let n = right.len();
             let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt() + 1e-9).collect();
-            let scaled = DMatrix::from_fn(n, n, |i, j| {
-                normal[(i, j)] / scale[i] / scale[j] + if i == j { 1e-4 } else { 0.0 }
-            });
+            let scaled =
+                DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / scale[i] / scale[j] + if i == j { 1e-4 } else { 0.0 });
             let Some(factored) = scaled.cholesky() else { break };
             let moved = factored.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
             for i in 0..count {
@@ -389,8 +389,7 @@ impl<'a> Fitter<'a> {
     /// Weighted normal matrix and right side over some samples.
     fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
         let w = &self.data.weight;
-        let gathered: Vec<Vec<f64>> =
-            columns.iter().map(|c| kept.iter().map(|i| c[*i] * w[*i]).collect()).collect();
+        let gathered: Vec<Vec<f64>> = columns.iter().map(|c| kept.iter().map(|i| c[*i] * w[*i]).collect()).collect();
         let right: Vec<f64> = kept.iter().map(|i| target[*i] * w[*i]).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let n = columns.len();

@@ -151,7 +151,8 @@ mod tests {
 
     #[test]
     fn bouc_wen_tends_to_its_strength_from_either_side() {
-        let u: Vec<f64> = (0..200).map(|i| 0.1 * f64::from(i)).chain((0..400).map(|i| 20.0 - 0.1 * f64::from(i))).collect();
+        let u: Vec<f64> =
+            (0..200).map(|i| 0.1 * f64::from(i)).chain((0..400).map(|i| 20.0 - 0.1 * f64::from(i))).collect();
         let z = bouc_wen(&u, 2.0, &vec![1.0; u.len()]);
         assert!((z[199] - 1.0).abs() < 1e-3 && (z[599] + 1.0).abs() < 1e-3);
         // One step of any length has the same result as many.

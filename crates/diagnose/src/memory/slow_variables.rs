@@ -64,7 +64,9 @@ pub(super) fn factors(data: &Data, family: Family, condition: Option<usize>, lev
                 b.add(format!("1-exp(-t/{e}T)"), |r| since(r).iter().map(|t| 1.0 - (-t / e).exp()).collect());
             }
             for c in [0.25, 0.5, 0.75] {
-                b.add(format!("after {c}T"), |r| since(r).iter().map(|t| 1.0 / (1.0 + ((c - t) / 0.05).exp())).collect());
+                b.add(format!("after {c}T"), |r| {
+                    since(r).iter().map(|t| 1.0 / (1.0 + ((c - t) / 0.05).exp())).collect()
+                });
             }
         }
         Family::Work | Family::Heat => work_factors(&mut b, level),
@@ -80,7 +82,8 @@ pub(super) fn factors(data: &Data, family: Family, condition: Option<usize>, lev
         }
         Family::Rate => {
             let scaled = |v: f64, e: f64| (v / e).ln_1p() / (1.0 / e).ln_1p();
-            let rate = |r: &DeviceRun| speed(&r.deformation, &r.times).iter().map(|v| v.abs() / s.speed).collect::<Vec<_>>();
+            let rate =
+                |r: &DeviceRun| speed(&r.deformation, &r.times).iter().map(|v| v.abs() / s.speed).collect::<Vec<_>>();
             for e in [0.003, 0.03, 0.3] {
                 b.add(format!("ln(1+v/{e}V)"), |r| rate(r).iter().map(|v| scaled(*v, e)).collect());
             }
@@ -196,7 +199,9 @@ pub(super) fn forces(data: &Data, family: Family, condition: Option<usize>) -> V
         Family::Temperature | Family::AxialForce | Family::Channel => {
             if let Some(i) = condition {
                 let (mean, deviation) = s.conditions[i];
-                b.add("force by x", |r| r.conditions[i].values.iter().map(|x| (x - mean) / (3.0 * deviation)).collect());
+                b.add("force by x", |r| {
+                    r.conditions[i].values.iter().map(|x| (x - mean) / (3.0 * deviation)).collect()
+                });
             }
         }
         _ => {}

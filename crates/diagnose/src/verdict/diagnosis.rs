@@ -134,7 +134,8 @@ pub fn diagnose(
     let structure = unmodelled_structure(&study, &responses, &baseline.fitted.fits, true);
     if structure.share > MIN_STRUCTURE_FOR_WHOLE_LAWS {
         // The strain of a law follows from the deformation, which the fitted baseline knows best.
-        let of_baseline = || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory, Role::Fit);
+        let of_baseline =
+            || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory, Role::Fit);
         let fitted_responses = poor.then(of_baseline);
         let context = ProposalContext { responses: fitted_responses.as_ref().unwrap_or(&responses), ..context };
         let laws = library.iter().flat_map(|h| h.whole_laws(&context)).collect();
@@ -162,7 +163,7 @@ pub fn diagnose(
         let responses = [&responses[0], &responses[1]];
         let imposed_motion = !inventory.base_excited;
         let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock };
-        runs.evidence(&baseline_of_script)
+        runs.evidence()
     };
     let context = ConclusionContext {
         study: &study,

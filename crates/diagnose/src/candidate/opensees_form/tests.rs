@@ -5,7 +5,7 @@ use crate::inspect::insertion::{InsertionPoint, insert};
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::probe::record_responses;
 use hysteron_engine::analysis::Options;
-use hysteron_identify::study::{Score, ScoredRun, ScriptSimulator, Simulator, Study};
+use hysteron_identify::study::{Role, Score, ScoredRun, ScriptSimulator, Simulator, Study};
 use hysteron_tcl::diagnostic::SourceMap;
 use std::fmt::Write as _;
 use std::fs;
