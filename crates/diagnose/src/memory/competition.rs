@@ -149,7 +149,7 @@ impl Competition<'_> {
             let tried = self.candidates(&law, family, &variables, &forces);
             let weighed = tried.into_iter().map(|l| self.at_best_level(l, &COARSE_LEVELS));
             let best = weighed.min_by(|a, b| a.0.change_from(&errors).total_cmp(&b.0.change_from(&errors)));
-            let Some((e, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
+            let Some((_, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
             let (e, l) = self.at_best_level(l, &FINE_LEVELS);
             (law, errors) = (l, e);
         }
@@ -320,7 +320,7 @@ mod tests {
     use crate::test_support::white_noise;
 
     /// Runs of a slider beside a spring: two fitted and one held out. `factor` is that of the slip force, by time, work and
-    /// time at rest; the work of a run at full strength is about 40.
+    /// logarithm of the time at rest; the work of a run at full strength is about 40.
     fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
         let motions: [fn(f64) -> f64; 3] = [
             |t| (1.0 - (-0.2 * t).exp()) * (2.1 * t).sin(),
@@ -336,7 +336,7 @@ mod tests {
         let one = |k: usize| {
             let times: Vec<f64> = (0..1200).map(|i| 0.03 * f64::from(i)).collect();
             let deformation: Vec<f64> = times.iter().map(|t| motions[k](*t)).collect();
-            let (mut s, mut work, mut resting) = (0.0f64, 0.0, 0.0);
+            let (mut s, mut work, mut resting, mut aged) = (0.0f64, 0.0, 0.0f64, 0.0f64);
             let mut modelled = vec![];
             let noise = white_noise(k as u64 + 1, times.len());
             let mut recorded = vec![];
@@ -344,13 +344,14 @@ mod tests {
             for j in 0..times.len() {
                 let du = if j > 0 { deformation[j] - deformation[j - 1] } else { 0.0 };
                 resting = if du.abs() < 1e-9 { resting + 0.03 } else { resting };
-                let level = 0.1 * factor(times[j], work, resting);
+                aged = if du.abs() < 1e-9 { aged.max((resting / 0.4).ln_1p()) } else { aged };
+                let level = 0.1 * factor(times[j], work, aged);
                 let trial = s + du;
                 s = trial.clamp(-level, level);
                 work += 10.0 * (trial - s).abs() * level / 0.1;
-                if (trial - s).abs() > 0.0 {
-                    resting = (resting - 20.0 * du.abs()).max(0.0);
-                }
+                // Slip wears the contact off.
+                aged *= (-(trial - s).abs() / 0.3).exp();
+                resting = if du.abs() > 1e-9 && aged < 0.05 { 0.0 } else { resting };
                 plain = (plain + du).clamp(-0.1, 0.1);
                 modelled.push(deformation[j] + 10.0 * plain);
                 recorded.push(deformation[j] + 10.0 * s + 0.01 * noise[j]);
@@ -368,7 +369,7 @@ mod tests {
         };
         found("work", &|_, work, _| 1.0 - 0.4 * (1.0 - (-work / 15.0).exp()));
         found("clock", &|t, _, _| 1.0 - 0.35 * t / 36.0);
-        found("rest", &|_, _, resting| 1.0 + 0.35 * (resting / 0.36f64).ln_1p() / 3.0);
+        found("rest", &|_, _, aged| 1.0 + 0.3 * aged);
     }
 
     /// Without a memory no family gains over another shape, and the error is that of the noise.
