@@ -131,8 +131,8 @@ impl ModelRuns<'_> {
         let shown = of_run().filter(|((_, _, d), h)| *d <= 3 && correlation(&h.force, simulated).powi(2) > SAME_FORCE);
         let ((_, tag, direction), found) = shown.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
         let most = size(found);
-        let others = of_run().filter(|((_, t, d), _)| t == tag && d != direction && *d <= 3);
-        let moves_in_two = others.into_iter().any(|(_, h)| {
+        let mut others = of_run().filter(|((_, t, d), _)| t == tag && d != direction && *d <= 3);
+        let moves_in_two = others.any(|(_, h)| {
             size(h) > SECOND_DIRECTION * most
                 && correlation(&h.deformation, &found.deformation).powi(2) < SAME_DEFORMATION
         });

@@ -205,7 +205,7 @@ fn is_visible(h: &HypothesisEvidence) -> bool {
 fn memory_reason(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> String {
     let statement = Family::of_name(&f.family).map_or("", Family::statement);
     let of_runs = match (f.held_out, repair.device_held_out) {
-        (Some(own), Some(other)) => format!(", and {:.2e} in place of {other:.2e} of the runs held out", own),
+        (Some(own), Some(other)) => format!(", and {own:.2e} in place of {other:.2e} of the runs held out"),
         _ => String::new(),
     };
     format!(

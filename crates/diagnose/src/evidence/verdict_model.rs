@@ -269,10 +269,12 @@ fn limit_probabilities(evidence: &VerdictEvidence, all: &mut CauseProbabilities)
             |held: bool, of: &dyn Fn(usize) -> f64| (0..all.len()).filter(|i| is_held[*i] == held).map(of).sum::<f64>();
         let (held, free) = (sum(true, &|i| most(all[i].0)), sum(false, &|i| all[i].1));
         // Where the device remembers what no cause of the library does, no other cause gains by it.
-        let scale = match free > 0.0 {
-            true if evidence.memory_is_outside_library() => 1.0,
-            true => (1.0 - held).max(0.0) / free,
-            false => 0.0,
+        let scale = if evidence.memory_is_outside_library() {
+            1.0
+        } else if free > 0.0 {
+            (1.0 - held).max(0.0) / free
+        } else {
+            0.0
         };
         for (x, held) in all.iter_mut().zip(&is_held) {
             x.1 = if *held { most(x.0) } else { x.1 * scale };

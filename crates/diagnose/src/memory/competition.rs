@@ -336,22 +336,26 @@ mod tests {
         let one = |k: usize| {
             let times: Vec<f64> = (0..1200).map(|i| 0.03 * f64::from(i)).collect();
             let deformation: Vec<f64> = times.iter().map(|t| motions[k](*t)).collect();
-            let (mut s, mut work, mut resting, mut aged) = (0.0f64, 0.0, 0.0f64, 0.0f64);
+            let (mut s, mut work, mut resting, mut aged, mut slips) = (0.0f64, 0.0, 0.0f64, 0.0f64, true);
             let mut modelled = vec![];
             let noise = white_noise(k as u64 + 1, times.len());
             let mut recorded = vec![];
             let mut plain = 0.0f64;
             for j in 0..times.len() {
                 let du = if j > 0 { deformation[j] - deformation[j - 1] } else { 0.0 };
-                resting = if du.abs() < 1e-9 { resting + 0.03 } else { resting };
-                aged = if du.abs() < 1e-9 { aged.max((resting / 0.4).ln_1p()) } else { aged };
+                // The contact is at rest while it does not slip.
+                if !slips {
+                    resting += 0.03;
+                    aged = aged.max((resting / 0.36).ln_1p());
+                }
                 let level = 0.1 * factor(times[j], work, aged);
                 let trial = s + du;
                 s = trial.clamp(-level, level);
                 work += 10.0 * (trial - s).abs() * level / 0.1;
                 // Slip wears the contact off.
-                aged *= (-(trial - s).abs() / 0.3).exp();
-                resting = if du.abs() > 1e-9 && aged < 0.05 { 0.0 } else { resting };
+                aged *= (-(trial - s).abs() / 0.15).exp();
+                slips = trial != s;
+                resting = if slips && aged < 0.05 { 0.0 } else { resting };
                 plain = (plain + du).clamp(-0.1, 0.1);
                 modelled.push(deformation[j] + 10.0 * plain);
                 recorded.push(deformation[j] + 10.0 * s + 0.01 * noise[j]);
