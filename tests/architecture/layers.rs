@@ -209,6 +209,7 @@ pub const LAYERS: &[Layers] = &[
             "prior",
             "series",
             "inspect",
+            "memory",
             "candidate",
             "hypothesis",
             "residual",
