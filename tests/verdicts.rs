@@ -55,7 +55,7 @@ const TABLE: &[Row] = &[
     ("orbit", "bidirectional_coupling", "bidirectional_coupling", 90),
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
-    ("soft ground", "foundation_flexibility", "foundation_flexibility + damping", 95),
+    ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 85),
     ("undamped model", "damping", "damping", 85),
     ("eccentric", "torsion", "torsion", 50),
