@@ -57,7 +57,7 @@ const TABLE: &[Row] = &[
     ("wall", "gap_impact", "gap_impact", 95),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 85),
-    ("undamped model", "damping", "damping", 85),
+    ("undamped model", "damping", "damping", 95),
     ("eccentric", "torsion", "torsion", 50),
     ("pinching", "pinching", "pinching", 95),
     ("gain", "sensor_gain", "sensor_gain", 85),

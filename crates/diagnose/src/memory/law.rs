@@ -332,9 +332,9 @@ impl<'a> Fitter<'a> {
                 moved[i] += STRENGTH_STEP;
                 let there = self.hysteretic(law, &moved);
                 let mut out = vec![0.0; n];
-                for k in 0..h {
+                for (k, there) in there.iter().enumerate().take(h) {
                     let (w, before) = (c.weights[e + k], &columns.raw[e + k]);
-                    let change = there[k].iter().zip(before.iter()).map(|(a, b)| (a - b) / STRENGTH_STEP);
+                    let change = there.iter().zip(before.iter()).map(|(a, b)| (a - b) / STRENGTH_STEP);
                     out.iter_mut().zip(change).for_each(|(o, x)| *o += w * x);
                 }
                 out
