@@ -210,6 +210,7 @@ pub const LAYERS: &[Layers] = &[
             "prior",
             "series",
             "inspect",
+            "memory",
             "candidate",
             "hypothesis",
             "residual",

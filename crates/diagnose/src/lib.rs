@@ -9,6 +9,7 @@
 //! - `prior`: every number that the verdict depends on
 //! - `series`: elementary statistics
 //! - `inspect`: the model and its recordings before any fit
+//! - `memory`: competition of laws that differ in what they remember
 //! - `candidate`: edits of the script and faults of channels
 //! - [`hypothesis`]: proposals, one cause a file
 //! - `residual`: structure of residuals
@@ -23,6 +24,7 @@ mod evidence;
 mod fit;
 pub mod hypothesis;
 mod inspect;
+mod memory;
 mod prior;
 mod residual;
 mod series;
@@ -32,11 +34,13 @@ mod verdict;
 
 pub use candidate::channel_fault::ChannelFault;
 pub use evidence::holdout::HeldOutErrors;
+pub use evidence::memory_evidence::RecordedEvidence;
 pub use evidence::parametric_bootstrap::{BootstrapResult, EqualGain};
 pub use evidence::verdict_evidence::{HypothesisEvidence, RepairEvidence, VerdictEvidence};
 pub use evidence::verdict_model;
 pub use fit::checkpoint::{CheckpointEntry, identity};
 pub use fit::scheduler::ProgressMonitor;
+pub use memory::competition::FamilyResult;
 pub use prior::PriorNumber;
 pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};
 pub use verdict::discriminating_test::DiscriminatingTest;

@@ -287,6 +287,29 @@ prior! {
     /// Squared correlation of a wandering zero with what the motion leaves behind from which it is no drift. A choice.
     FOLLOWED_HISTORY_SHARE: f64 = 0.6, "share";
 
+    // ---- share taken, and kinds of memory ----
+
+    /// Share of the error above the noise that a repair must take away, on blocks held back and in runs held out, to have a
+    /// name. A choice.
+    MIN_TAKEN_SHARE: f64 = 0.5, "share";
+    /// Largest probability of `unknown` over the share that a repair leaves, where it takes away most. A choice.
+    UNKNOWN_PER_SHARE_LEFT: f64 = 1.5, "ratio";
+    /// Distance of log likelihoods up to which the fitted weights alone count it, nats. A choice.
+    FREE_DISTANCE: f64 = 15.0, "nats";
+    /// Distance beyond it that costs one unit of log odds, nats. Evidence between forms of law is overstated. A choice.
+    NATS_PER_COST: f64 = 10.0, "nats";
+    /// Advantage over a closer fit with no more parameters, at most, nats: whitening alone is no evidence. A choice.
+    MAX_ADVANTAGE_OF_WORSE_FIT: f64 = 5.0, "nats";
+    /// Ratio of the errors of a cause and of a law with another memory from which the other explains more. Right families
+    /// led by 1.4 to 18 in a prototype.
+    MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";
+    /// Difference of the logarithms of the errors within which two kinds of memory tie. A choice.
+    MEMORY_TIE: f64 = 0.15, "nats";
+    /// Largest probability of a cause where another kind of memory explains clearly more. A choice.
+    MEMORY_PROBABILITY: f64 = 0.1, "share";
+    /// Log odds against a cause whose kinds of memory leave e times the error of the best. A choice.
+    MEMORY_LOG_ODDS: f64 = 2.0, "nats";
+
     // ---- error of the time steps ----
 
     /// Share of a residual's power that halved steps may move without consequence. A choice.

@@ -154,6 +154,16 @@ pub(crate) fn holdout_nmse(study: &Study, fits: &[Option<ScoredRun>]) -> Option<
     (!held.is_empty()).then(|| held.iter().sum::<f64>() / held.len() as f64)
 }
 
+/// Mean NMSE of a channel in the runs held out; none if no run has it, or if one has no result.
+pub(crate) fn channel_nmse(study: &Study, fits: &[Option<ScoredRun>], channel: &str) -> Option<f64> {
+    let mut all = vec![];
+    for (i, run) in study.runs_of(Role::Holdout) {
+        let Some(c) = run.observe.iter().position(|o| o.channel == channel) else { continue };
+        all.push(fits[i].as_ref()?.scores[c].nmse);
+    }
+    (!all.is_empty()).then(|| all.iter().sum::<f64>() / all.len() as f64)
+}
+
 /// NMSE of a channel over fitted runs.
 #[derive(Default)]
 struct FittedError {

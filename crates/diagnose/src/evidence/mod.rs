@@ -4,6 +4,8 @@
 //! - [`ranking`]: prior odds, and the order of hypotheses
 //! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
 //! - [`holdout`]: the judgement of runs held out
+//! - [`memory_evidence`]: kinds of memory of a device, and the noise of the recordings
+//! - [`repair_limits`]: limits by the share of the error that a repair takes, and by kinds of memory
 //! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
 //! - [`verdict_model`]: probabilities from that evidence
 //! - `verdict_weights`: the fitted weights
@@ -12,8 +14,10 @@
 
 pub(crate) mod holdout;
 pub(crate) mod likelihood;
+pub(crate) mod memory_evidence;
 pub(crate) mod parametric_bootstrap;
 pub(crate) mod ranking;
+pub(crate) mod repair_limits;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;
 mod verdict_weights;

@@ -7,7 +7,8 @@ use crate::fit::linearized::LinearizedFit;
 use crate::fit::scheduler::Scheduler;
 use crate::inspect::conditions::conditions_differ;
 use crate::prior::{
-    COMPLETE_MODEL_LOG_ODDS, EQUAL_FORM_LOG_EVIDENCE, ONE_EFFECT_LOG_ODDS, RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS,
+    COMPLETE_MODEL_LOG_ODDS, EQUAL_FORM_LOG_EVIDENCE, MAX_ADVANTAGE_OF_WORSE_FIT, ONE_EFFECT_LOG_ODDS,
+    RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS,
 };
 use std::collections::BTreeSet;
 
@@ -25,9 +26,36 @@ pub(crate) fn rank(all: &mut [FittedHypothesis]) -> Result<(), String> {
         let posterior = |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.counted_parameters());
         e.log_evidence = e.held_out.as_ref().map_or(f64::NEG_INFINITY, posterior);
     }
+    limit_worse_fits(all);
     all.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
     central_form_first(all);
     Ok(())
+}
+
+/// Raises the log likelihood of a hypothesis to that of one with no fewer parameters that fits the same samples less closely,
+/// held back and fitted, less [`MAX_ADVANTAGE_OF_WORSE_FIT`].
+///
+/// The noise whitens residuals by one hypothesis, so that a worse fit can seem to have more evidence.
+fn limit_worse_fits(all: &mut [FittedHypothesis]) {
+    struct Fit {
+        parameters: usize,
+        errors: [f64; 2],
+        log_likelihood: f64,
+    }
+    let of = |e: &FittedHypothesis| {
+        let held_back = e.held_out.as_ref()?.iter().flatten().map(|r| r * r).sum();
+        let log_likelihood = e.log_evidence - prior_log_odds(e);
+        let errors = [held_back, e.fitted.objective];
+        Some(Fit { parameters: e.variant.counted_parameters(), errors, log_likelihood })
+    };
+    let fits: Vec<Option<Fit>> = all.iter().map(of).collect();
+    for (e, own) in all.iter_mut().zip(&fits) {
+        let Some(own) = own else { continue };
+        let is_worse =
+            |f: &&Fit| f.parameters >= own.parameters && f.errors[0] > own.errors[0] && f.errors[1] > own.errors[1];
+        let most = fits.iter().flatten().filter(is_worse).map(|f| f.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
+        e.log_evidence += (most - MAX_ADVANTAGE_OF_WORSE_FIT - own.log_likelihood).max(0.0);
+    }
 }
 
 /// Moves the form with the most central user parameters to the front, among those that equal the first.

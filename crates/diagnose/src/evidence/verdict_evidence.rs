@@ -4,6 +4,7 @@
 //! down, whether or not the map uses them today.
 
 use super::holdout::HeldOutErrors;
+use super::memory_evidence::RecordedEvidence;
 use super::parametric_bootstrap::BootstrapResult;
 use super::ranking::prior_log_odds;
 use crate::fit::fitted::FittedHypothesis;
@@ -43,6 +44,9 @@ pub struct VerdictEvidence {
     /// Limits of the probabilities of causes, by physics, bounds and channels of their repairs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<ProbabilityLimit>,
+    /// What the recordings themselves say: their noise, and the kinds of memory of a device.
+    #[serde(default)]
+    pub recorded: RecordedEvidence,
 }
 
 /// Limit of the probability of a cause.
@@ -85,6 +89,12 @@ pub struct HypothesisEvidence {
     pub looks_like_first: bool,
     /// True if a channel is at fault, not the model.
     pub channel_fault: bool,
+    /// Mean NMSE on blocks of the fitted runs that were held back in turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_back: Option<f64>,
+    /// The same of the channel of the device whose kinds of memory compete.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device_held_back: Option<f64>,
 }
 
 /// Errors of the runs held out before and after a repair.
@@ -98,6 +108,9 @@ pub struct RepairEvidence {
     /// Mean NMSE; none without runs held out.
     #[serde(flatten)]
     pub errors: Option<HeldOutErrors>,
+    /// Mean NMSE in the runs held out of the channel of the device whose kinds of memory compete.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device_held_out: Option<f64>,
 }
 
 /// Returns the number of coordinates at an end of the unit interval.
@@ -119,6 +132,7 @@ pub(crate) struct RankedStudy<'a> {
     pub(crate) bootstrap: Option<&'a BootstrapResult>,
     /// Causes left out because runs held out had refuted their repair.
     pub(crate) left_out: &'a [&'static str],
+    pub(crate) recorded: &'a RecordedEvidence,
 }
 
 impl VerdictEvidence {
@@ -133,7 +147,7 @@ impl VerdictEvidence {
         let explainable = nmse_before - noise;
         let fits = &first.fitted.fits;
         let evidence = Self {
-            hypotheses: hypotheses(ranked, of.bootstrap),
+            hypotheses: hypotheses(of),
             structure_before: by_kind(&before),
             structure_after: by_kind(&after),
             explained_share: if explainable > 0.0 {
@@ -148,6 +162,7 @@ impl VerdictEvidence {
             left_out: of.left_out.iter().map(|c| (*c).to_owned()).collect(),
             judged: vec![],
             limits: vec![],
+            recorded: of.recorded.clone(),
         };
         (evidence, after)
     }
@@ -172,7 +187,8 @@ fn structure_left(of: &RankedStudy<'_>) -> UnmodelledStructure {
 }
 
 /// The best form of each cause and of each pair of causes, in the order of the ranking.
-fn hypotheses(ranked: &[FittedHypothesis], bootstrap: Option<&BootstrapResult>) -> Vec<HypothesisEvidence> {
+fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
+    let (ranked, bootstrap) = (of.ranked, of.bootstrap);
     let mut out: Vec<HypothesisEvidence> = vec![];
     for e in ranked.iter().filter(|e| e.log_evidence.is_finite()) {
         let (cause, also) = (e.cause(), e.second_cause());
@@ -197,9 +213,26 @@ fn hypotheses(ranked: &[FittedHypothesis], bootstrap: Option<&BootstrapResult>) 
             equal_gain: bootstrap.and_then(|b| b.equal_gain(cause)),
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),
+            held_back: held_back(e),
+            device_held_back: held_back_of_channel(of.study, e, &of.recorded.channel),
         });
     }
     out
+}
+
+/// Mean NMSE on blocks held back: the squares of the scaled residuals add up to it.
+fn held_back(e: &FittedHypothesis) -> Option<f64> {
+    Some(e.held_out.as_ref()?.iter().flatten().map(|r| r * r).sum())
+}
+
+/// The same of one channel.
+fn held_back_of_channel(study: &Study, e: &FittedHypothesis, channel: &str) -> Option<f64> {
+    let residuals = e.held_out.as_ref()?;
+    let observed = study.runs_of(Role::Fit).flat_map(|(_, r)| &r.observe);
+    let own = observed.zip(residuals).filter(|(o, _)| o.channel == channel && o.weight > 0.0);
+    let nmse: Vec<f64> =
+        own.map(|(o, r)| residuals.len() as f64 / o.weight * r.iter().map(|x| x * x).sum::<f64>()).collect();
+    (!nmse.is_empty()).then(|| nmse.iter().sum::<f64>() / nmse.len() as f64)
 }
 
 /// Sum of the NMSE of all fitted channels.

@@ -239,26 +239,50 @@ pub(crate) fn weights() -> BTreeMap<&'static str, f64> {
 pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilities {
     let all = candidates(evidence);
     let equal = LAPSE_SHARE / all.len() as f64;
-    let p = probabilities(&all, &fitted_weights()).into_iter().map(|p| (1.0 - LAPSE_SHARE) * p + equal);
+    let p = probabilities(&all, &fitted_weights());
+    let further = |cause: &str| evidence.memory_log_odds(cause) - evidence.distance_cost(cause);
+    let by_memory: Vec<f64> = all.iter().zip(p).map(|(c, p)| p * further(&c.cause).exp()).collect();
+    let sum: f64 = by_memory.iter().sum();
+    let p = by_memory.into_iter().map(|p| (1.0 - LAPSE_SHARE) * p / sum + equal);
     let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
     limit_probabilities(evidence, &mut all);
     sorted(all)
 }
 
-/// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion.
+/// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion, and to
+/// `unknown` where none is left.
 fn limit_probabilities(evidence: &VerdictEvidence, all: &mut CauseProbabilities) {
     let most = |cause: &str| {
         let of_cause = evidence.limits.iter().filter(|l| l.cause == cause);
         of_cause.map(|l| l.most).fold(1.0, f64::min)
     };
-    let is_limited = |(cause, p): &(&'static str, f64)| *p > most(cause);
-    let held: f64 = all.iter().filter(|x| is_limited(x)).map(|(cause, _)| most(cause)).sum();
-    let free: f64 = all.iter().filter(|x| !is_limited(x)).map(|(_, p)| p).sum();
-    if free <= 0.0 {
-        return;
+    let mut is_held = vec![false; all.len()];
+    // What the others get may take them to limits of their own.
+    for _ in 0..all.len() {
+        let exceeds = |i: &usize| !is_held[*i] && all[*i].1 > most(all[*i].0);
+        let beyond: Vec<usize> = (0..all.len()).filter(exceeds).collect();
+        if beyond.is_empty() {
+            break;
+        }
+        beyond.iter().for_each(|i| is_held[*i] = true);
+        let sum =
+            |held: bool, of: &dyn Fn(usize) -> f64| (0..all.len()).filter(|i| is_held[*i] == held).map(of).sum::<f64>();
+        let (held, free) = (sum(true, &|i| most(all[i].0)), sum(false, &|i| all[i].1));
+        // Where the device remembers what no cause of the library does, no other cause gains by it.
+        let scale = if evidence.memory_is_outside_library() {
+            1.0
+        } else if free > 0.0 {
+            (1.0 - held).max(0.0) / free
+        } else {
+            0.0
+        };
+        for (x, held) in all.iter_mut().zip(&is_held) {
+            x.1 = if *held { most(x.0) } else { x.1 * scale };
+        }
     }
-    for x in all {
-        x.1 = if is_limited(x) { most(x.0) } else { x.1 * (1.0 - held) / free };
+    let rest = 1.0 - all.iter().map(|(_, p)| p).sum::<f64>();
+    if let Some(unknown) = all.iter_mut().find(|(cause, _)| *cause == "unknown") {
+        unknown.1 += rest.max(0.0);
     }
 }
 
@@ -284,6 +308,12 @@ pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
 fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     let [constant, of_gain] = PAIR_WEIGHTS;
     1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p()).exp())
+}
+
+/// Returns true if the second effect of a pair is more likely than not.
+pub(crate) fn has_second_effect(evidence: &VerdictEvidence, cause: &str, also: &str) -> bool {
+    let pair = evidence.hypotheses.iter().find(|h| h.cause == cause && h.also.as_deref() == Some(also));
+    pair.is_some_and(|p| second_effect_probability(evidence, p) >= 0.5)
 }
 
 /// Probability that each effect is present, alone or beside another, the most probable first.
@@ -320,12 +350,13 @@ fn known_cause(name: &str) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::{FEATURES, bayes_probabilities, candidates, cause_probabilities, effect_probabilities, pair_gain};
     use crate::evidence::holdout::HeldOutErrors;
+    use crate::evidence::memory_evidence::RecordedEvidence;
     use crate::evidence::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, RepairEvidence, VerdictEvidence};
 
-    fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
+    pub(crate) fn hypothesis(cause: &str, also: Option<&str>, log_likelihood: f64) -> HypothesisEvidence {
         HypothesisEvidence {
             cause: cause.into(),
             also: also.map(Into::into),
@@ -339,11 +370,13 @@ mod tests {
             equal_gain: None,
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
+            held_back: None,
+            device_held_back: None,
         }
     }
 
     /// Evidence of causes by their gain over a model that leaves ten per cent.
-    fn evidence(gains: &[(&str, Option<&str>, f64)]) -> VerdictEvidence {
+    pub(crate) fn evidence(gains: &[(&str, Option<&str>, f64)]) -> VerdictEvidence {
         let mut hypotheses: Vec<HypothesisEvidence> =
             gains.iter().map(|(cause, also, gain)| hypothesis(cause, *also, 100.0 + gain)).collect();
         hypotheses.push(HypothesisEvidence { nmse: 0.1, ..hypothesis("none", None, 100.0) });
@@ -359,6 +392,7 @@ mod tests {
             left_out: vec![],
             judged: vec![],
             limits: vec![],
+            recorded: RecordedEvidence::default(),
         }
     }
 
@@ -379,7 +413,12 @@ mod tests {
         let judged = |after: f64| {
             let mut e = evidence(&[("friction", None, 20.0), ("damping", None, 15.0)]);
             let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
-            e.judged.push(RepairEvidence { cause: "friction".into(), also: None, errors: Some(errors) });
+            e.judged.push(RepairEvidence {
+                cause: "friction".into(),
+                also: None,
+                errors: Some(errors),
+                device_held_out: None,
+            });
             probability(&cause_probabilities(&e), "friction")
         };
         let before = probability(

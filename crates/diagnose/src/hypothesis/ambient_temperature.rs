@@ -2,6 +2,7 @@
 
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::ambient_temperatures;
+use crate::memory::family::Family;
 use crate::prior::MIN_TEMPERATURE_DIFFERENCE;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same run at the temperature of the model differs from it as much",
     look_alikes: &["rate_dependence", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Temperature],
     propose,
 };
 

@@ -3,6 +3,7 @@
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::axial_loads;
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "axial_shear_interaction",
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral stiffness is the same at another axial load",
     look_alikes: &["strain_stiffening", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::AxialForce],
     propose,
 };
 

@@ -2,6 +2,7 @@
 
 use super::context::{force_parts, strength_part};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "cyclic_degradation",
@@ -9,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "after a rest, or at a small amplitude after a large one, the strength is back",
     look_alikes: &["self_heating", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Work],
     propose,
 };
 

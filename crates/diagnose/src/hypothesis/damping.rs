@@ -3,6 +3,7 @@
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TAGS_PER_PURPOSE, TagPurpose};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",
@@ -10,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "free vibration decays as the model says",
     look_alikes: &["rate_dependence", "friction"],
     needs_clock: false,
+    memory: &[Family::Rate],
     propose,
 };
 

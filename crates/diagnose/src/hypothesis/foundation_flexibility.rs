@@ -10,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the base of the structure does not move against the free field",
     look_alikes: &["superstructure_yielding", "damping"],
     needs_clock: false,
+    memory: &[],
     propose,
 };
 

@@ -1,6 +1,7 @@
 //! Coulomb friction in parallel with a device.
 
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "friction",
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
     look_alikes: &["rate_dependence", "damping", "sensor_gain"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::Rate],
     propose,
 };
 

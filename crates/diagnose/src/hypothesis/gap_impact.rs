@@ -5,6 +5,7 @@ use crate::inspect::adjacent_structures::AdjacentNodes;
 use crate::inspect::device_axes::device_axes;
 use crate::inspect::inventory::{Device, TagPurpose};
 use crate::inspect::response::ResponseRange;
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",
@@ -12,6 +13,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
     look_alikes: &["strain_stiffening"],
     needs_clock: false,
+    memory: &[Family::Shape, Family::Side],
     propose,
 };
 

@@ -30,6 +30,7 @@ mod varying_axial_load;
 mod whole_law;
 
 use crate::candidate::proposal::{AddedParameter, Proposal};
+use crate::memory::family::Family;
 use context::{MovingGroup, ProposalContext, element_names, element_tags};
 
 /// A cause, with the function that proposes its forms.
@@ -44,6 +45,8 @@ pub struct Hypothesis {
     pub look_alikes: &'static [&'static str],
     /// True if the effect depends on elapsed time. Recordings that only count samples cannot show it.
     pub needs_clock: bool,
+    /// Kinds of memory that a device shows under the effect; empty where the effect is none of a device's law.
+    pub(crate) memory: &'static [Family],
     propose: fn(&ProposalContext<'_>) -> Vec<Proposal>,
 }
 

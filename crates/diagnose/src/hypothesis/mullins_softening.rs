@@ -1,6 +1,7 @@
 //! Mullins effect: virgin rubber is stiffer than scragged rubber.
 
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "mullins_softening",
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the second cycle at an amplitude that was never reached before is as stiff as the first",
     look_alikes: &["cyclic_degradation", "self_heating", "strain_stiffening"],
     needs_clock: false,
+    memory: &[Family::Largest],
     propose,
 };
 

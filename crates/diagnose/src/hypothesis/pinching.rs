@@ -2,6 +2,7 @@
 
 use super::context::force_parts;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "pinching",
@@ -9,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the force at zero deformation is as large as that of a fresh device",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: false,
+    memory: &[Family::Pinching, Family::Largest],
     propose,
 };
 

@@ -1,6 +1,7 @@
 //! Dependence of the force on the rate of strain.
 
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "rate_dependence",
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     look_alikes: &["friction", "damping", "mullins_softening"],
     needs_clock: true,
+    memory: &[Family::Rate],
     propose,
 };
 

@@ -2,6 +2,7 @@
 
 use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "self_heating",
@@ -9,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: true,
+    memory: &[Family::Heat, Family::Temperature],
     propose,
 };
 

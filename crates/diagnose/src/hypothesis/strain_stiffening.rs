@@ -1,6 +1,7 @@
 //! Stiffening of the backbone at large strain.
 
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "strain_stiffening",
@@ -8,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the secant stiffness goes on falling beyond the largest strain tested",
     look_alikes: &["axial_shear_interaction", "gap_impact"],
     needs_clock: false,
+    memory: &[Family::Shape],
     propose,
 };
 

@@ -19,6 +19,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
     look_alikes: &["foundation_flexibility", "damping"],
     needs_clock: false,
+    memory: &[],
     propose,
 };
 

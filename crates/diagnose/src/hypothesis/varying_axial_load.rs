@@ -4,6 +4,7 @@ use super::axial_shear_interaction::axial_force;
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext};
 use crate::inspect::auxiliary_channels::axial_force_varies;
 use crate::inspect::conditions::{axial_loads_differ, recorded_column};
+use crate::memory::family::Family;
 use crate::series::averaged;
 use hysteron_identify::study::{Run, Study};
 
@@ -13,6 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral strength does not follow the axial force",
     look_alikes: &["axial_shear_interaction", "friction"],
     needs_clock: false,
+    memory: &[Family::Side, Family::AxialForce],
     propose,
 };
 

@@ -71,7 +71,7 @@ impl Recorders {
     }
 }
 
-/// Responses of devices and beams in all fitted runs; runs without a result are left out.
+/// Responses of devices and beams in all runs of a role; runs without a result are left out.
 pub(crate) fn record_responses(
     factory: &SimulatorFactory,
     study: &Arc<Study>,
@@ -79,6 +79,7 @@ pub(crate) fn record_responses(
     values: &[f64],
     at: &InsertionPoint,
     inventory: &ModelInventory,
+    role: Role,
 ) -> ResponseRanges {
     let devices = &inventory.devices[..inventory.devices.len().min(MAX_RECORDED)];
     let (columns, girders) = (&inventory.columns, &inventory.girders);
@@ -98,7 +99,7 @@ pub(crate) fn record_responses(
     let recorded = Arc::new(recorded);
     let mut simulator = factory.simulator_of_script(recorded.clone(), &text);
     let mut ranges = ResponseRanges::default();
-    for (number, run) in recorded.runs_of(Role::Fit) {
+    for (number, run) in recorded.runs_of(role) {
         let Ok(channels) = simulator.simulate(number, values) else { continue };
         let mut channels = channels.into_iter();
         for d in devices {

@@ -1,5 +1,6 @@
 //! From ranked hypotheses to the verdict and the repaired model.
 
+use super::all_runs::{displacements, fits_of_all_runs};
 use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::discriminating_test;
 use super::explanation::{explanation, observation, unsteady_in_words};
@@ -14,11 +15,12 @@ use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
+use crate::evidence::memory_evidence::RecordedEvidence;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::ranking::equal_forms;
 use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
 use crate::evidence::verdict_model::{
-    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities,
+    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities, has_second_effect,
 };
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
@@ -62,6 +64,7 @@ pub(super) struct ConclusionContext<'a> {
     pub(super) threads: usize,
     /// Channels that no edit of the script changes.
     pub(super) unmoved_channels: &'a [ObservedChannel],
+    pub(super) recorded: &'a RecordedEvidence,
 }
 
 /// Hypotheses to conclude from.
@@ -103,9 +106,10 @@ impl Repair {
     }
 
     /// Errors of the runs held out, with its causes.
-    fn evidence(&self) -> RepairEvidence {
+    fn evidence(&self, c: &ConclusionContext<'_>) -> RepairEvidence {
         let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
-        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors }
+        let device_held_out = holdout::channel_nmse(c.study, &self.fits, &c.recorded.channel);
+        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors, device_held_out }
     }
 }
 
@@ -136,6 +140,7 @@ pub(super) fn conclude(
         ranked,
         bootstrap: bootstrap.as_ref(),
         left_out,
+        recorded: c.recorded,
     });
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
@@ -205,6 +210,7 @@ pub(super) fn conclude(
         mismatch: &mismatch,
         tried: c.tried,
         structure: &structure.description,
+        memory: evidence.memory_sentence(),
         unsteady_channels: &structure.unsteady_channels,
         step_error: &c.step_error,
         script_steps: script_steps(c, &baseline.fitted.values),
@@ -285,8 +291,13 @@ impl VerdictJudge<'_, '_> {
             if repairs.iter().any(|(known, _)| *known == cause) || cause == "unknown" && !repairs.is_empty() {
                 break (cause, probabilities);
             }
-            let repair = self.best_repair(cause, evidence.log_likelihood_of_none())?;
-            evidence.judged.push(repair.evidence());
+            let repair = self.best_repair(cause, evidence)?;
+            let judged = repair.evidence(self.c);
+            // A repair with limits of its own does not limit what is unknown.
+            let stands = repair.limits.is_empty() && !repair.is_refused();
+            let of_repair = evidence.limits_of_repair(&judged).into_iter();
+            evidence.limits.extend(of_repair.filter(|l| l.cause != "unknown" || stands));
+            evidence.judged.push(judged);
             evidence.limits.extend(repair.limits.clone());
             repairs.push((cause, repair));
         };
@@ -304,18 +315,26 @@ impl VerdictJudge<'_, '_> {
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
-    fn best_repair(&mut self, cause: &str, log_likelihood_of_none: f64) -> Result<Repair, String> {
+    ///
+    /// A pair whose second effect is less likely than not gives way to its first effect alone.
+    fn best_repair(&mut self, cause: &str, evidence: &VerdictEvidence) -> Result<Repair, String> {
         let best = &self.ranked[0];
-        let log_evidence_of_none = log_likelihood_of_none + COMPLETE_MODEL_LOG_ODDS;
+        let log_evidence_of_none = evidence.log_likelihood_of_none() + COMPLETE_MODEL_LOG_ODDS;
+        let likely =
+            |e: &&FittedHypothesis| e.second_cause().is_none_or(|also| has_second_effect(evidence, e.cause(), also));
         let hypothesis = match cause {
             "none" => self.baseline,
             "unknown" if best.log_evidence < log_evidence_of_none + MIN_REPAIR_GAIN => self.baseline,
             "unknown" => best,
-            _ => self.ranked.iter().find(|e| e.cause() == cause).unwrap_or(best),
+            _ => {
+                let of_cause = || self.ranked.iter().filter(|e| e.cause() == cause);
+                of_cause().find(likely).or_else(|| of_cause().next()).unwrap_or(best)
+            }
         };
         let repair = self.repair(hypothesis.clone())?;
         let supported = |e: &&FittedHypothesis| e.cause() == cause && e.log_evidence > log_evidence_of_none;
-        let second_form = self.ranked.iter().filter(supported).nth(1).filter(|_| repair.is_refused());
+        let other = |e: &&FittedHypothesis| !Arc::ptr_eq(&e.variant, &hypothesis.variant);
+        let second_form = self.ranked.iter().filter(supported).find(other).filter(|_| repair.is_refused());
         if let Some(form) = second_form {
             let second = self.repair(form.clone())?;
             if !second.is_refused() {
@@ -406,6 +425,9 @@ fn verdict_in_words(
     if let Some(p) = ranked.iter().find(other_form).and_then(|e| e.variant.proposal.as_ref()) {
         text += &format!(" Another form explains as much: {}, {}.", p.location, p.form);
     }
+    if let Some(memory) = evidence.memory_sentence().filter(|_| cause == "unknown") {
+        text += &format!(" What the recordings remember: {memory}.");
+    }
     if !c.causes_without_clock.is_empty() {
         text += &format!(
             " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
@@ -466,23 +488,4 @@ fn ranked_hypothesis(e: &FittedHypothesis) -> RankedHypothesis {
 
 fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {
     space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
-}
-
-/// Displacement of each run with its name: recorded, or simulated for the most deformed device under an imposed motion.
-fn displacements(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<(String, Vec<f64>)>> {
-    let simulated = |r: usize| -> Option<(String, Vec<f64>)> {
-        let of_run = c.responses.histories.iter().filter(|((run, ..), _)| *run == r && c.imposed_motion);
-        let largest = of_run.max_by(|a, b| a.1.range().deformation.total_cmp(&b.1.range().deformation));
-        let ((_, tag, _), h) = largest?;
-        (h.deformation.len() == c.study.runs[r].recording.times.len())
-            .then(|| (format!("deformation of element {tag}, simulated"), h.deformation.clone()))
-    };
-    let of_run = |r: usize| c.simulator.displacement(r, values).or_else(|| simulated(r));
-    (0..c.study.runs.len()).map(of_run).collect()
-}
-
-/// Channels of a variant in all runs with the steps of the script; `None` for a run without a result.
-fn fits_of_all_runs(c: &ConclusionContext<'_>, variant: &Arc<Variant>, values: &[f64]) -> Vec<Option<ScoredRun>> {
-    let mut simulator = variant.simulator(&c.simulator.factory());
-    (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
 }

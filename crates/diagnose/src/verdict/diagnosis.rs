@@ -5,6 +5,7 @@ use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
 use super::structure_drawing::StructureDrawing;
 use crate::candidate::proposal::Proposal;
+use crate::evidence::memory_evidence::ModelRuns;
 use crate::evidence::ranking::{bootstrap_ranking, rank};
 use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
 use crate::fit::checkpoint::CheckpointEntry;
@@ -26,7 +27,7 @@ use crate::prior::{MIN_STRUCTURE_FOR_PAIRS, MIN_STRUCTURE_FOR_WHOLE_LAWS};
 use crate::residual::drift::drift_may_be_noise;
 use crate::residual::unmodelled_structure::unmodelled_structure;
 use hysteron_identify::calibrate::Displacements;
-use hysteron_identify::study::{InitialRun, ScoredRun, ScriptSimulator, Study};
+use hysteron_identify::study::{InitialRun, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score};
 
 /// Settings of a diagnosis.
 #[derive(Clone, Debug, Default)]
@@ -115,7 +116,7 @@ pub fn diagnose(
     let Some((point, inventory)) = inspect_model(&factory, &study, text, &values) else {
         return Err("the script makes no analysis".into());
     };
-    let responses = record_responses(&factory, &study, text, &values, &point, &inventory);
+    let responses = record_responses(&factory, &study, text, &values, &point, &inventory, Role::Fit);
     let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
     let context = ProposalContext {
         inventory: &inventory,
@@ -133,7 +134,8 @@ pub fn diagnose(
     let structure = unmodelled_structure(&study, &responses, &baseline.fitted.fits, true);
     if structure.share > MIN_STRUCTURE_FOR_WHOLE_LAWS {
         // The strain of a law follows from the deformation, which the fitted baseline knows best.
-        let of_baseline = || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory);
+        let of_baseline =
+            || record_responses(&factory, &study, text, &baseline.fitted.values, &point, &inventory, Role::Fit);
         let fitted_responses = poor.then(of_baseline);
         let context = ProposalContext { responses: fitted_responses.as_ref().unwrap_or(&responses), ..context };
         let laws = library.iter().flat_map(|h| h.whole_laws(&context)).collect();
@@ -151,8 +153,21 @@ pub fn diagnose(
     scheduler.set_step_parts(step_error.parts);
     let baseline_of_script = baseline.clone();
     let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
+    let recorded = {
+        let values = &baseline_of_script.fitted.values;
+        let responses =
+            [Role::Fit, Role::Holdout].map(|r| record_responses(&factory, &study, text, values, &point, &inventory, r));
+        let mut simulator = factory.simulator_of_script(study.clone(), text);
+        let fit = |run: usize| simulate_and_score(&mut simulator, &study, run, values).ok();
+        let fits: Vec<Option<ScoredRun>> = (0..study.runs.len()).map(fit).collect();
+        let responses = [&responses[0], &responses[1]];
+        let imposed_motion = !inventory.base_excited;
+        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock };
+        runs.evidence()
+    };
     let context = ConclusionContext {
         study: &study,
+        recorded: &recorded,
         simulator,
         initial_run,
         text,

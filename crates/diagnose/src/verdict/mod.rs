@@ -15,6 +15,7 @@
 //! - `report`: `report.html`
 
 mod advice;
+mod all_runs;
 pub(crate) mod conclusion;
 pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;

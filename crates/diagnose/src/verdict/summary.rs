@@ -63,6 +63,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) tried: (usize, usize),
     /// Structure of the rest, in words; empty for none.
     pub(super) structure: &'a str,
+    /// Kind of memory of the device, in words; none where none stands out.
+    pub(super) memory: Option<String>,
     /// Channels with unsteady noise.
     pub(super) unsteady_channels: &'a [String],
     pub(super) step_error: &'a StepError,
@@ -121,10 +123,14 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
 }
 
 fn of_unknown(c: &SummaryContext<'_>) -> Summary {
-    let what = if c.structure.is_empty() {
-        "The recordings do not decide between noise and a missing effect (unknown)."
-    } else {
-        "Something is missing that no effect of the library explains (unknown)."
+    let what = match &c.memory {
+        Some(memory) => {
+            format!("Something is missing that no effect of the library explains (unknown). Most likely {memory}.")
+        }
+        None if c.structure.is_empty() => {
+            "The recordings do not decide between noise and a missing effect (unknown).".into()
+        }
+        None => "Something is missing that no effect of the library explains (unknown).".into(),
     };
     let mut location = where_it_shows(c);
     if !c.structure.is_empty() {
@@ -149,7 +155,7 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
     let mut next = vec![repetition, unrecorded.into()];
     next.extend(steps(c));
     Summary {
-        what: what.into(),
+        what,
         location,
         how_big: format!("The fitted model misses {} of the fitted runs. {tried}", variance(c.baseline.fit_nmse)),
         how_sure: format!("{}: {}", percent(c.verdict.1), meaning(c.verdict.1)),

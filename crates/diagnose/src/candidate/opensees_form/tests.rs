@@ -5,7 +5,7 @@ use crate::inspect::insertion::{InsertionPoint, insert};
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::probe::record_responses;
 use hysteron_engine::analysis::Options;
-use hysteron_identify::study::{Score, ScoredRun, ScriptSimulator, Simulator, Study};
+use hysteron_identify::study::{Role, Score, ScoredRun, ScriptSimulator, Simulator, Study};
 use hysteron_tcl::diagnostic::SourceMap;
 use std::fmt::Write as _;
 use std::fs;
@@ -79,7 +79,7 @@ fn attempt(name: &str, [model, analysis]: [&str; 2], commands: &str) -> Result<S
     let values = [if model == PAD { 300.0 } else { 400.0 }];
     let before = simulator.factory().simulator_of_script(study.clone(), model);
     let inventory = before.inspect_model(0, &values, ModelInventory::from_engine);
-    let responses = record_responses(&simulator.factory(), &study, &text, &values, &point, &inventory);
+    let responses = record_responses(&simulator.factory(), &study, &text, &values, &point, &inventory, Role::Fit);
     let lines: Vec<String> = commands.lines().map(|l| l.trim().to_owned()).collect();
     let repaired = insert(&text, &point, &lines);
     let score = Score { nmse: NMSE, samples: SAMPLES, dropped: 0 };

@@ -1,0 +1,304 @@
+//! Limits by what a repair takes away of the error above the noise, and by the kind of memory that explains more.
+
+use super::memory_evidence::MIN_SIGNAL_RATIO;
+use super::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, RepairEvidence, VerdictEvidence};
+use crate::hypothesis;
+use crate::memory::competition::FamilyResult;
+use crate::memory::family::Family;
+use crate::prior::{
+    FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE, MIN_TAKEN_SHARE,
+    NATS_PER_COST, UNKNOWN_PER_SHARE_LEFT,
+};
+
+/// Share of the error above the noise that a repair takes away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TakenShare {
+    /// On blocks of the fitted runs that were held back.
+    pub(crate) blocks: f64,
+    /// On the runs held out; none where they cannot judge.
+    pub(crate) runs: Option<f64>,
+}
+
+impl TakenShare {
+    fn mean(self) -> f64 {
+        self.runs.map_or(self.blocks, |r| 0.5 * (self.blocks + r))
+    }
+
+    fn least(self) -> f64 {
+        self.runs.map_or(self.blocks, |r| self.blocks.min(r))
+    }
+}
+
+impl VerdictEvidence {
+    /// Limits that a judged repair sets: to its own cause, or to `unknown`.
+    pub(crate) fn limits_of_repair(&self, repair: &RepairEvidence) -> Vec<ProbabilityLimit> {
+        let Some(h) = self.hypothesis(&repair.cause, repair.also.as_deref()) else { return vec![] };
+        let mut out: Vec<ProbabilityLimit> = vec![];
+        let limit = |cause: &str, most: f64, reason: String| ProbabilityLimit { cause: cause.into(), most, reason };
+        let better = self.better_memory(h, repair);
+        if let Some(f) = better {
+            out.push(limit(&repair.cause, MEMORY_PROBABILITY, memory_reason(f, h, repair)));
+        }
+        // A fault that the recording shows by itself may be short.
+        let Some(taken) = self.taken_share(h, repair).filter(|_| !is_visible(h)) else { return out };
+        let percent = |x: f64| format!("{:.0} %", 100.0 * x.max(0.0));
+        if taken.mean() < MIN_TAKEN_SHARE {
+            let most = taken.mean().clamp(0.0, 1.0);
+            let reason = format!("it takes away {} of the error above the noise", percent(taken.mean()));
+            out.push(limit(&repair.cause, most, reason));
+        } else if better.is_none() && taken.least() >= MIN_TAKEN_SHARE {
+            let most = (UNKNOWN_PER_SHARE_LEFT * (1.0 - taken.least())).clamp(LAPSE_SHARE, 1.0);
+            let reason = format!("{} takes away {} of the error above the noise", repair.cause, percent(taken.least()));
+            out.push(limit("unknown", most, reason));
+        }
+        out
+    }
+
+    fn hypothesis(&self, cause: &str, also: Option<&str>) -> Option<&HypothesisEvidence> {
+        self.hypotheses.iter().find(|h| h.cause == cause && h.also.as_deref() == also)
+    }
+
+    /// Share that a repair takes away; `None` where the user's model leaves hardly more than noise.
+    pub(crate) fn taken_share(&self, h: &HypothesisEvidence, repair: &RepairEvidence) -> Option<TakenShare> {
+        let (before, after) = (self.hypothesis("none", None)?.held_back?, h.held_back?);
+        let noise = self.noise_on_blocks()?;
+        if before < MIN_SIGNAL_RATIO * noise || h.cause == "none" {
+            return None;
+        }
+        let blocks = (before - after) / (before - noise);
+        let of_runs = |errors: super::holdout::HeldOutErrors| {
+            let (before, noise) = (errors.before?, self.noise_in_runs(errors.after)?);
+            let after = errors.after.unwrap_or(before);
+            (before >= MIN_SIGNAL_RATIO * noise && after != before).then(|| (before - after) / (before - noise))
+        };
+        Some(TakenShare { blocks: blocks.min(1.0), runs: repair.errors.and_then(of_runs).map(|s| s.min(1.0)) })
+    }
+
+    /// Noise of the fitted runs. No model can leave less than it on blocks held back, so that the least such error bounds it.
+    fn noise_on_blocks(&self) -> Option<f64> {
+        let of_library = self.hypotheses.iter().filter_map(|h| h.held_back);
+        let of_families = self.recorded.families.iter().filter(|_| self.recorded.is_single).map(|f| f.blocks);
+        of_library.chain(of_families).chain(self.recorded.noise).reduce(f64::min)
+    }
+
+    /// Noise of the runs held out, bounded by the error `after` a repair in the same way.
+    fn noise_in_runs(&self, after: Option<f64>) -> Option<f64> {
+        let families = self.recorded.families.iter().filter(|_| self.recorded.is_single);
+        let known = families.filter_map(|f| f.held_out).chain(after).chain(self.recorded.noise_held_out);
+        known.reduce(f64::min)
+    }
+
+    /// The kind of memory that clearly explains more than a repair of other kinds, on what both have not seen.
+    pub(crate) fn better_memory(&self, h: &HypothesisEvidence, repair: &RepairEvidence) -> Option<&FamilyResult> {
+        let best = self.recorded.families.first()?;
+        // The cause of a second effect has its own memory.
+        let own: Vec<Family> =
+            [Some(h.cause.as_str()), h.also.as_deref()].into_iter().flatten().flat_map(memory_of).collect();
+        let is_of_sensor = |cause: &str| cause.starts_with("sensor_");
+        let sensor = is_of_sensor(&h.cause) || h.also.as_deref().is_some_and(is_of_sensor);
+        if (own.is_empty() && !sensor) || is_visible(h) {
+            return None;
+        }
+        let shape = self.recorded.families.iter().find(|f| f.family == Family::Shape.name());
+        // What needs no memory is a matter of the law's shape, which many causes change.
+        let remembers = best.family != Family::Shape.name() && shape.is_none_or(|s| s.behind > MEMORY_TIE);
+        let ties =
+            self.recorded.families.iter().any(|f| f.behind < MEMORY_TIE && own.iter().any(|o| o.name() == f.family));
+        if ties || !remembers {
+            return None;
+        }
+        let ratio = |repair: Option<f64>, family: Option<f64>| Some(repair? / family?.max(f64::MIN_POSITIVE));
+        let blocks = ratio(h.device_held_back, Some(best.blocks))?;
+        let runs = ratio(repair.device_held_out, best.held_out);
+        // A sensor is blamed last: a memory that explains as much, and holds in other runs, suffices.
+        let holds = |before: Option<f64>| Some(before? > MEMORY_ERROR_RATIO * best.held_out?);
+        let beats = match runs {
+            _ if sensor => {
+                let gap = shape.is_some_and(|s| s.behind > MEMORY_ERROR_RATIO.ln());
+                gap && blocks * MEMORY_ERROR_RATIO > 1.0 && holds(repair.errors.and_then(|e| e.before)).unwrap_or(false)
+            }
+            Some(runs) => blocks.min(runs) > MEMORY_ERROR_RATIO,
+            // Blocks alone say less.
+            None => blocks > MEMORY_ERROR_RATIO * MEMORY_ERROR_RATIO,
+        };
+        beats.then_some(best)
+    }
+
+    /// Log odds of a cause by the distance of its kinds of memory from the best, at most 0, nats.
+    ///
+    /// They count where the best kind explains the device as well as the best cause of the library does.
+    pub(crate) fn memory_log_odds(&self, cause: &str) -> f64 {
+        let Some(best) = self.recorded.families.first() else { return 0.0 };
+        let library = self.hypotheses.iter().filter_map(|h| h.device_held_back).fold(f64::INFINITY, f64::min);
+        let behind = |f: &Family| {
+            let of_family = self.recorded.families.iter().filter(|r| r.family == f.name());
+            of_family.map(|r| r.behind).fold(f64::INFINITY, f64::min)
+        };
+        let shape = self.recorded.families.iter().find(|f| f.family == Family::Shape.name());
+        if shape.is_some_and(|s| s.behind < MEMORY_TIE) {
+            return 0.0;
+        }
+        let own = memory_of(cause);
+        let least = own.iter().map(behind).fold(f64::INFINITY, f64::min);
+        if best.blocks > MEMORY_ERROR_RATIO * library || !least.is_finite() {
+            return 0.0;
+        }
+        -MEMORY_LOG_ODDS * least.min(1.0)
+    }
+
+    /// Log odds that a cause loses for its distance from the best one beyond what the fitted weights count, nats.
+    ///
+    /// The weights count the logarithm of a distance, and half of it between look-alikes. No rival is left so far behind.
+    pub(crate) fn distance_cost(&self, cause: &str) -> f64 {
+        let of = |h: &&HypothesisEvidence| h.cause == cause;
+        let likelihood = |h: &HypothesisEvidence| h.log_likelihood;
+        let own = self.hypotheses.iter().filter(of).map(likelihood).fold(f64::NEG_INFINITY, f64::max);
+        let named = self.hypotheses.iter().filter(|h| h.cause != "none" && h.direct_log_odds <= VISIBLE);
+        let best = named.map(likelihood).fold(f64::NEG_INFINITY, f64::max);
+        let is_named = hypothesis::of(cause).is_some() && own.is_finite();
+        if is_named { ((best - own - FREE_DISTANCE) / NATS_PER_COST).max(0.0) } else { 0.0 }
+    }
+
+    /// Returns true if the best kind of memory leaves clearly less than none, and no cause of the library has it.
+    pub(crate) fn memory_is_outside_library(&self) -> bool {
+        let shape = self.recorded.families.iter().find(|f| f.family == Family::Shape.name());
+        let best = self.recorded.families.first().and_then(|f| Family::of_name(&f.family));
+        let in_library = |family: Family| hypothesis::ALL.iter().any(|h| h.memory.contains(&family));
+        shape.is_some_and(|s| s.behind > MEMORY_ERROR_RATIO.ln()) && best.is_some_and(|f| !in_library(f))
+    }
+
+    /// The best kind of memory in words, where a law that remembers it leaves clearly less than one without memory.
+    pub(crate) fn memory_sentence(&self) -> Option<String> {
+        let best = self.recorded.families.first()?;
+        let family = Family::of_name(&best.family)?;
+        let shape = self.recorded.families.iter().find(|f| f.family == Family::Shape.name())?;
+        if shape.behind <= MEMORY_ERROR_RATIO.ln() {
+            return None;
+        }
+        let of_channel = if best.channel.is_empty() { String::new() } else { format!(" ({})", best.channel) };
+        let causes: Vec<&str> =
+            hypothesis::ALL.iter().filter(|h| h.memory.contains(&family)).map(|h| h.cause).collect();
+        let library = match &causes[..] {
+            [] => "no cause of the library has this memory".to_owned(),
+            all => format!("of the library {} has this memory", all.join(" or ")),
+        };
+        let tie = self.recorded.families[1..].iter().find(|f| f.behind < MEMORY_TIE);
+        let tie = tie
+            .and_then(|f| Family::of_name(&f.family))
+            .map_or_else(String::new, |f| format!(". As well explained is that {}", f.statement()));
+        Some(format!("{}{of_channel}: {library}{tie}", family.statement()))
+    }
+}
+
+/// Kinds of memory of a cause.
+fn memory_of(cause: &str) -> Vec<Family> {
+    hypothesis::of(cause).map_or_else(Vec::new, |h| h.memory.to_vec())
+}
+
+/// Log odds from which the recording itself shows a fault, nats; auxiliary channels give less.
+const VISIBLE: f64 = 10.0;
+
+fn is_visible(h: &HypothesisEvidence) -> bool {
+    h.direct_log_odds > VISIBLE
+}
+
+fn memory_reason(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> String {
+    let statement = Family::of_name(&f.family).map_or("", Family::statement);
+    let of_runs = match (f.held_out, repair.device_held_out) {
+        (Some(own), Some(other)) => format!(", and {own:.2e} in place of {other:.2e} of the runs held out"),
+        _ => String::new(),
+    };
+    format!(
+        "{statement}, and a law that remembers this alone leaves {:.2e} in place of {:.2e} of blocks that were held back{of_runs}",
+        f.blocks,
+        h.device_held_back.unwrap_or(f64::NAN)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::evidence::holdout::HeldOutErrors;
+    use crate::evidence::verdict_evidence::{RepairEvidence, VerdictEvidence};
+    use crate::evidence::verdict_model::{cause_probabilities, tests as support};
+    use crate::memory::competition::FamilyResult;
+
+    fn family(name: &str, blocks: f64, behind: f64) -> FamilyResult {
+        let (family, channel) = (name.to_owned(), String::new());
+        FamilyResult { family, channel, blocks, whole_runs: blocks, behind, held_out: Some(blocks), terms: vec![] }
+    }
+
+    /// A cause that takes the error from 0.1 to `after` on blocks and in runs held out, with noise of 0.001.
+    fn case(cause: &str, after: f64, families: Vec<FamilyResult>) -> (VerdictEvidence, RepairEvidence) {
+        let mut e = support::evidence(&[(cause, None, 60.0)]);
+        e.recorded.noise = Some(1e-3);
+        e.recorded.noise_held_out = Some(1e-3);
+        e.recorded.families = families;
+        for h in &mut e.hypotheses {
+            let error = if h.cause == "none" { 0.1 } else { after };
+            (h.held_back, h.device_held_back) = (Some(error), Some(error));
+        }
+        let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
+        let repair =
+            RepairEvidence { cause: cause.into(), also: None, errors: Some(errors), device_held_out: Some(after) };
+        (e, repair)
+    }
+
+    /// Limits as pairs of cause and largest probability.
+    fn limits(of: &(VerdictEvidence, RepairEvidence)) -> Vec<(String, f64)> {
+        of.0.limits_of_repair(&of.1).into_iter().map(|l| (l.cause, l.most)).collect()
+    }
+
+    #[test]
+    fn what_takes_most_of_the_error_leaves_little_for_unknown() {
+        let good = limits(&case("friction", 1e-3, vec![]));
+        assert_eq!(good, [("unknown".to_owned(), 0.03)]);
+        let most = limits(&case("friction", 0.0109, vec![]));
+        assert!(most[0].0 == "unknown" && (most[0].1 - 0.15).abs() < 1e-9, "{most:?}");
+        let poor = limits(&case("friction", 0.0802, vec![]));
+        assert!(poor[0].0 == "friction" && (poor[0].1 - 0.2).abs() < 1e-9, "{poor:?}");
+        // Beside an error that is all noise nothing is taken.
+        let mut noise = case("friction", 0.05, vec![]);
+        noise.0.recorded.noise = Some(0.09);
+        noise.0.hypotheses.retain(|h| h.cause == "none");
+        assert!(limits(&noise).is_empty());
+    }
+
+    /// Another kind of memory that leaves a tenth of the error refuses a cause; its own kind does not.
+    #[test]
+    fn another_memory_that_explains_more_refuses_a_cause() {
+        let of = |best: &str| case("rate_dependence", 0.02, vec![family(best, 0.002, 0.0), family("shape", 0.09, 3.8)]);
+        let refused = limits(&of("rest"));
+        assert!(refused.contains(&("rate_dependence".to_owned(), 0.1)), "{refused:?}");
+        assert!(limits(&of("rate")).iter().all(|(cause, _)| cause == "unknown"));
+        let (mut e, repair) = of("rest");
+        e.limits = e.limits_of_repair(&repair);
+        let p = cause_probabilities(&e);
+        assert!(p[0].0 == "unknown" && p[0].1 > 0.8, "{p:?}");
+        let sentence = e.memory_sentence().expect("a sentence");
+        assert!(sentence.contains("time at rest: no cause of the library has this memory"), "{sentence}");
+        assert!(of("rate").0.memory_sentence().is_some_and(|s| s.contains("rate_dependence")));
+        // A shape that explains as much has no memory.
+        let plain = case("rate_dependence", 0.02, vec![family("rest", 0.002, 0.0), family("shape", 0.002, 0.05)]);
+        assert_eq!((limits(&plain).iter().any(|l| l.0 == "rate_dependence"), plain.0.memory_sentence()), (false, None));
+    }
+
+    /// A sensor gives way to a memory that explains about as much and holds in other runs.
+    #[test]
+    fn a_sensor_is_blamed_last() {
+        let of = |blocks| case("sensor_drift", 0.01, vec![family("set", blocks, 0.0), family("shape", 0.09, 2.2)]);
+        assert!(limits(&of(0.012)).contains(&("sensor_drift".to_owned(), 0.1)));
+        assert!(!limits(&of(0.03)).iter().any(|l| l.0 == "sensor_drift"));
+    }
+
+    #[test]
+    fn no_rival_is_left_far_behind() {
+        let p = |gap: f64| {
+            let all = cause_probabilities(&support::evidence(&[
+                ("self_heating", None, 100.0),
+                ("cyclic_degradation", None, 100.0 - gap),
+            ]));
+            all.iter().find(|(c, _)| *c == "cyclic_degradation").map_or(0.0, |x| x.1)
+        };
+        assert!(p(90.0) < 0.02 && p(5.0) > p(90.0), "{} {}", p(5.0), p(90.0));
+    }
+}

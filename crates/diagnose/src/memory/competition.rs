@@ -1,0 +1,395 @@
+//! Choice of the terms of a law, and of the family of memory.
+
+use super::data::{BLOCK_FOLDS, Data, DeviceRun};
+use super::family::Family;
+use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, Target};
+use super::slow_variables::{SlowVariable, factors, forces};
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
+
+/// Result of a family: the best law that remembers this alone.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct FamilyResult {
+    /// Name of the family.
+    pub family: String,
+    /// Name of the recorded channel that it follows; empty for others.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub channel: String,
+    /// Mean NMSE on blocks that were held back.
+    pub blocks: f64,
+    /// Mean NMSE on fitted runs held back as a whole.
+    pub whole_runs: f64,
+    /// Logarithm of the error on blocks and whole runs over that of the best law of all families, nats; 0 for the best.
+    pub behind: f64,
+    /// Mean NMSE of the runs held out of the study; none without such runs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_out: Option<f64>,
+    /// Terms of the law, in words.
+    pub terms: Vec<String>,
+}
+
+/// Least fall of the logarithm of the error with which a term enters.
+const ENTERING: f64 = 0.08;
+/// Terms of a law at most.
+const MAX_TERMS: usize = 3;
+/// Candidates of the score test that are cross-validated.
+const CROSS_VALIDATED: usize = 5;
+/// Steps of Gauss and Newton in a fold, and in a fit of all samples.
+const FOLD_STEPS: usize = 3;
+const FIT_STEPS: usize = 8;
+/// Error of a plain shape over that of the user's law up to which it is the base: memory can act on its strength.
+const MAX_SHAPE_RATIO: f64 = 1.3;
+/// Slip levels over that of a law that are tried when a term enters, and when it has entered.
+const COARSE_LEVELS: [f64; 3] = [0.75, 1.15, 1.35];
+const FINE_LEVELS: [f64; 4] = [0.9, 0.95, 1.05, 1.1];
+/// Slip levels that are tried, and again around the best.
+const LEVELS: usize = 16;
+
+/// Errors on what was held back.
+#[derive(Clone, Debug)]
+struct HeldBack {
+    pooled: f64,
+    folds: Vec<f64>,
+}
+
+impl HeldBack {
+    /// Change of the logarithm of the error: half of the pooled one, half of the mean over the folds.
+    fn change_from(&self, old: &Self) -> f64 {
+        let ratio = |new: f64, old: f64| (new.max(f64::MIN_POSITIVE) / old.max(f64::MIN_POSITIVE)).ln();
+        let folds: f64 = self.folds.iter().zip(&old.folds).map(|(a, b)| ratio(*a, *b)).sum();
+        0.5 * ratio(self.pooled, old.pooled) + 0.5 * folds / old.folds.len() as f64
+    }
+}
+
+/// Competition over the samples of one device.
+struct Competition<'a> {
+    data: &'a Data,
+    fitter: Fitter<'a>,
+}
+
+/// Results of all families, the best first; empty if the runs do not suffice.
+pub(crate) fn compete(runs: Vec<DeviceRun>, has_clock: bool) -> Vec<FamilyResult> {
+    let Some(data) = Data::new(runs, has_clock) else { return vec![] };
+    let competition = Competition { data: &data, fitter: Fitter::new(&data) };
+    let base = competition.base();
+    let start = competition.held_back(&base);
+    let mut all: Vec<(f64, FamilyResult)> = vec![];
+    for (family, condition) in data.families() {
+        let (law, errors) = competition.learn(family, condition, base.clone(), start.clone());
+        let channel = condition.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone());
+        all.push((errors.change_from(&start), competition.result(family, channel, &law, &errors)));
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let best = all.first().map_or(0.0, |x| x.0);
+    all.into_iter().map(|(change, r)| FamilyResult { behind: change - best, ..r }).collect()
+}
+
+impl Competition<'_> {
+    /// Spring and slip without a memory: the best shape and level.
+    fn base(&self) -> Law {
+        let law = |shape, level| Law { shape, level, groups: vec![], factors: vec![], forces: vec![] };
+        let u = self.data.scales.deformation;
+        let error = |l: &Law| self.error(l, &self.fitter.fit(l, &self.data.fitted, 0, &[]), &self.data.fitted);
+        let best = |shape: Shape, levels: &mut dyn Iterator<Item = f64>| -> Option<Law> {
+            let all = levels.map(|level| law(shape, level)).map(|l| (error(&l), l));
+            all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|x| x.1)
+        };
+        let of_shape = |shape: Shape| {
+            let last = (LEVELS - 1) as f64;
+            let coarse = best(shape, &mut (0..LEVELS).map(|k| u * 0.003 * 300f64.powf(k as f64 / last)))?;
+            let near =
+                |level: f64, ratio: f64| (0..LEVELS).map(move |k| level * ratio.powf(2.0 * k as f64 / last - 1.0));
+            let fine = best(shape, &mut near(coarse.level, 1.45))?;
+            best(shape, &mut near(fine.level, 1.05))
+        };
+        let mut shapes: Vec<Law> = [Shape::Bilinear, Shape::BoucWen].into_iter().filter_map(of_shape).collect();
+        // Work and slip of the user's law are those of the best stop.
+        let level = shapes.first().map_or(u, |l| l.level);
+        let user = law(Shape::User, level);
+        let of_user = self.held_back(&user).pooled;
+        shapes.retain(|l| self.held_back(l).pooled <= MAX_SHAPE_RATIO * of_user);
+        let errors = shapes.iter().map(|l| self.held_back(l).pooled);
+        let best = errors.zip(&shapes).min_by(|a, b| a.0.total_cmp(&b.0)).map(|x| x.1.clone());
+        best.unwrap_or(user)
+    }
+
+    /// Sum of the weighted squares over some samples.
+    fn error(&self, law: &Law, c: &Coefficients, rows: &[bool]) -> f64 {
+        let value = self.fitter.value(law, c);
+        let d = self.data;
+        (0..rows.len()).filter(|i| rows[*i]).map(|i| ((value[i] - d.recorded[i]) * d.weight[i]).powi(2)).sum()
+    }
+
+    /// Errors on blocks and whole runs that are held back in turn.
+    fn held_back(&self, law: &Law) -> HeldBack {
+        let d = self.data;
+        let start = self.fitter.fit(law, &d.fitted, FIT_STEPS, &[]).factors;
+        let of_fold = |held: &Vec<bool>| {
+            let kept: Vec<bool> = d.fitted.iter().zip(held).map(|(f, h)| *f && !*h).collect();
+            self.error(law, &self.fitter.fit(law, &kept, FOLD_STEPS, &start), held)
+        };
+        let folds: Vec<f64> = d.folds.iter().map(of_fold).collect();
+        let (blocks, whole) = folds.split_at(BLOCK_FOLDS);
+        HeldBack { pooled: 0.5 * (blocks.iter().sum::<f64>() + d.whole_factor * whole.iter().sum::<f64>()), folds }
+    }
+
+    /// Adds terms of a family one at a time while the errors fall, and takes out those that they do not need.
+    fn learn(&self, family: Family, condition: Option<usize>, base: Law, start: HeldBack) -> (Law, HeldBack) {
+        let of_families = |level| {
+            let mut all = factors(self.data, family, condition, level);
+            if family != Family::Shape {
+                all.extend(factors(self.data, Family::Shape, None, level));
+            }
+            all.into_iter().map(Rc::new).collect::<Vec<_>>()
+        };
+        let variables = of_families(base.level);
+        let forces: Vec<Rc<SlowVariable>> = forces(self.data, family, condition).into_iter().map(Rc::new).collect();
+        let (mut law, mut errors) = (base, start);
+        while law.terms() < MAX_TERMS {
+            let tried = self.candidates(&law, family, &variables, &forces);
+            let weighed = tried.into_iter().map(|l| self.at_best_level(l, &COARSE_LEVELS));
+            let best = weighed.min_by(|a, b| a.0.change_from(&errors).total_cmp(&b.0.change_from(&errors)));
+            let Some((_, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
+            let (e, l) = self.at_best_level(l, &FINE_LEVELS);
+            (law, errors) = (l, e);
+        }
+        self.without_needless(law, errors)
+    }
+
+    /// A law at the best of some slip levels over its own, where a factor acts on its strength: such a factor is one where
+    /// nothing is remembered yet, so that the level of the law without it is too low or too high.
+    fn at_best_level(&self, law: Law, ratios: &[f64]) -> (HeldBack, Law) {
+        let own = self.held_back(&law);
+        if law.shape == Shape::User || law.factors.iter().all(|(t, _)| *t != Target::Strength) {
+            return (own, law);
+        }
+        let others =
+            ratios.iter().map(|r| Law { level: r * law.level, ..law.clone() }).map(|l| (self.held_back(&l), l));
+        let best = others.min_by(|a, b| a.0.pooled.total_cmp(&b.0.pooled));
+        best.filter(|(e, _)| e.pooled < own.pooled).unwrap_or((own, law))
+    }
+
+    /// Takes out terms without which the error hardly grows.
+    fn without_needless(&self, mut law: Law, mut errors: HeldBack) -> (Law, HeldBack) {
+        loop {
+            let shorter = |k: usize| {
+                let mut l = law.clone();
+                let (g, f) = (l.groups.len(), l.factors.len());
+                if k < g {
+                    l.groups.remove(k);
+                } else if k < g + f {
+                    l.factors.remove(k - g);
+                } else {
+                    l.forces.remove(k - g - f);
+                }
+                (self.held_back(&l), l)
+            };
+            let found = (0..law.terms()).map(shorter).find(|(e, _)| e.change_from(&errors) < 0.5 * ENTERING);
+            let Some((e, l)) = found.filter(|_| law.terms() > 1) else { return (law, errors) };
+            (law, errors) = (l, e);
+        }
+    }
+
+    /// Laws with one more term: the best factors and forces by a score test, and all groups of the family.
+    fn candidates(
+        &self,
+        law: &Law,
+        family: Family,
+        variables: &[Rc<SlowVariable>],
+        forces: &[Rc<SlowVariable>],
+    ) -> Vec<Law> {
+        let d = self.data;
+        let c = self.fitter.fit(law, &d.fitted, FOLD_STEPS, &[]);
+        let columns = self.fitter.columns(law, &c.factors);
+        let value = self.fitter.value(law, &c);
+        let scaled = |x: &[f64]| -> Vec<f64> {
+            (0..x.len()).map(|i| if d.fitted[i] { x[i] * d.weight[i] } else { 0.0 }).collect()
+        };
+        let rest: Vec<f64> = d.recorded.iter().zip(&value).map(|(y, v)| y - v).collect();
+        let rest = scaled(&rest);
+        let known = columns.all.iter().cloned().chain(self.fitter.derivatives(law, &c, &columns));
+        let basis = orthonormal(known.map(|x| scaled(&x)));
+        // What a column takes from the residual beside those that the law has.
+        let score = |x: &[f64]| {
+            let mut x = scaled(x);
+            let before = dot(&x, &x);
+            project_out(&basis, &mut x);
+            let left = dot(&x, &x);
+            if left > 1e-8 * before { dot(&x, &rest).powi(2) / left } else { 0.0 }
+        };
+        let mut scored: Vec<(f64, Law)> = vec![];
+        for v in variables {
+            for target in Target::ALL.into_iter().filter(|t| t.takes(v.family, law.shape)) {
+                if law.factors.iter().any(|(t, w)| *t == target && Rc::ptr_eq(w, v)) {
+                    continue;
+                }
+                let mut longer = law.clone();
+                longer.factors.push((target, v.clone()));
+                let mut at = c.clone();
+                at.factors.push(0.0);
+                let derivative = self.fitter.derivatives(&longer, &at, &columns).pop().unwrap_or_default();
+                scored.push((score(&derivative), longer));
+            }
+        }
+        for f in forces.iter().filter(|f| law.forces.iter().all(|g| !Rc::ptr_eq(f, g))) {
+            let mut longer = law.clone();
+            longer.forces.push(f.clone());
+            scored.push((score(&f.at_samples), longer));
+        }
+        scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let of_group = |(group, of): &(Group, Family)| {
+            let fits = (*of == family || *of == Family::Shape) && !law.groups.contains(group);
+            let has_clock = d.has_clock || !matches!(group, Group::Maxwell | Group::Dashpots | Group::Viscous);
+            (fits && has_clock).then(|| {
+                let mut longer = law.clone();
+                longer.groups.push(*group);
+                longer
+            })
+        };
+        let best = scored.into_iter().take(CROSS_VALIDATED).map(|x| x.1);
+        best.chain(Group::ALL.iter().filter_map(of_group)).collect()
+    }
+
+    fn result(&self, family: Family, channel: String, law: &Law, errors: &HeldBack) -> FamilyResult {
+        let d = self.data;
+        let c = self.fitter.fit(law, &d.fitted, FIT_STEPS, &[]);
+        let value = self.fitter.value(law, &c);
+        let held: Vec<usize> = (0..d.runs.len()).filter(|k| d.runs[*k].held_out).collect();
+        let of_run = |k: &usize| -> f64 {
+            let own = (0..d.samples.len()).filter(|i| d.samples[*i].0 == *k);
+            own.map(|i| ((value[i] - d.recorded[i]) * d.weight[i]).powi(2)).sum()
+        };
+        let held_out = (!held.is_empty()).then(|| held.iter().map(of_run).sum::<f64>() / held.len() as f64);
+        let mut terms: Vec<String> = law.groups.iter().map(|g| format!("{g:?}").to_lowercase()).collect();
+        for ((target, v), a) in law.factors.iter().zip(&c.factors) {
+            let part = match target {
+                Target::Elastic => "elastic stiffness",
+                Target::Hysteretic => "hysteretic force",
+                Target::Whole => "whole force",
+                Target::Strength => "strength",
+            };
+            terms.push(format!("{part} x (1 {a:+.3} {})", v.name));
+        }
+        terms.extend(law.forces.iter().map(|f| format!("force by {}", f.name)));
+        let (blocks, whole) = errors.folds.split_at(BLOCK_FOLDS);
+        FamilyResult {
+            family: family.name().into(),
+            channel,
+            blocks: blocks.iter().sum(),
+            whole_runs: d.whole_factor * whole.iter().sum::<f64>(),
+            behind: 0.0,
+            held_out,
+            terms,
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Takes the components along an orthonormal basis out of a vector.
+fn project_out(basis: &[Vec<f64>], x: &mut [f64]) {
+    for q in basis {
+        let along = dot(q, x);
+        x.iter_mut().zip(q).for_each(|(x, q)| *x -= along * q);
+    }
+}
+
+/// Orthonormal basis of some vectors; those that depend on others are left out.
+fn orthonormal(vectors: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
+    let mut basis: Vec<Vec<f64>> = vec![];
+    for mut x in vectors {
+        let before = dot(&x, &x).sqrt();
+        // Twice, against round-off.
+        project_out(&basis, &mut x);
+        project_out(&basis, &mut x);
+        let left = dot(&x, &x).sqrt();
+        if left > STRENGTH_STEP * 1e-4 * before && left > 0.0 {
+            x.iter_mut().for_each(|x| *x /= left);
+            basis.push(x);
+        }
+    }
+    basis
+}
+
+#[cfg(test)]
+mod tests {
+    use super::compete;
+    use crate::memory::data::DeviceRun;
+    use crate::test_support::white_noise;
+
+    /// Runs of a slider beside a spring: two fitted and one held out. `factor` is that of the slip force, by time, work and
+    /// logarithm of the time at rest; the work of a run at full strength is about 40.
+    fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
+        let motions: [fn(f64) -> f64; 3] = [
+            |t| (1.0 - (-0.2 * t).exp()) * (2.1 * t).sin(),
+            |t| {
+                if t % 12.0 < 6.0 {
+                    0.8 * (0.3 * t).min(1.0) * (2.0 * std::f64::consts::FRAC_PI_3 * t).sin()
+                } else {
+                    0.0
+                }
+            },
+            |t| 0.7 * (1.7 * t).sin() * (0.31 * t).cos(),
+        ];
+        let one = |k: usize| {
+            let times: Vec<f64> = (0..1200).map(|i| 0.03 * f64::from(i)).collect();
+            let deformation: Vec<f64> = times.iter().map(|t| motions[k](*t)).collect();
+            let (mut s, mut work, mut resting, mut aged, mut slips) = (0.0f64, 0.0, 0.0f64, 0.0f64, true);
+            let mut modelled = vec![];
+            let noise = white_noise(k as u64 + 1, times.len());
+            let mut recorded = vec![];
+            let mut plain = 0.0f64;
+            for j in 0..times.len() {
+                let du = if j > 0 { deformation[j] - deformation[j - 1] } else { 0.0 };
+                // The contact is at rest while it does not slip.
+                if !slips {
+                    resting += 0.03;
+                    aged = aged.max((resting / 0.36).ln_1p());
+                }
+                let level = 0.1 * factor(times[j], work, aged);
+                let trial = s + du;
+                s = trial.clamp(-level, level);
+                work += 10.0 * (trial - s).abs() * level / 0.1;
+                // Slip wears the contact off.
+                aged *= (-(trial - s).abs() / 0.15).exp();
+                slips = trial != s;
+                resting = if slips && aged < 0.05 { 0.0 } else { resting };
+                plain = (plain + du).clamp(-0.1, 0.1);
+                modelled.push(deformation[j] + 10.0 * plain);
+                recorded.push(deformation[j] + 10.0 * s + 0.01 * noise[j]);
+            }
+            DeviceRun { times, deformation, modelled, recorded, conditions: vec![], held_out: k == 2 }
+        };
+        (0..3).map(one).collect()
+    }
+
+    #[test]
+    fn the_family_of_a_memory_is_found() {
+        let found = |family: &str, factor: &dyn Fn(f64, f64, f64) -> f64| {
+            let all = compete(runs(factor), true);
+            assert_eq!(all[0].family, family, "{all:#?}");
+        };
+        found("work", &|_, work, _| 1.0 - 0.4 * (1.0 - (-work / 15.0).exp()));
+        found("clock", &|t, _, _| 1.0 - 0.35 * t / 36.0);
+        found("rest", &|_, _, aged| 1.0 + 0.3 * aged);
+    }
+
+    /// Without a memory no family gains over another shape, and the error is that of the noise.
+    #[test]
+    fn nothing_is_remembered_where_nothing_is() {
+        let all = compete(runs(|_, _, _| 1.0), true);
+        assert!(all.iter().all(|f| f.behind < 0.08), "{all:?}");
+        let signal = 0.6f64;
+        assert!(all.iter().all(|f| f.blocks < 3.0 * 1e-4 / signal), "{all:?}");
+        assert!(compete(vec![], true).is_empty());
+    }
+
+    #[test]
+    fn without_a_clock_no_family_needs_one() {
+        let all = compete(runs(|_, work, _| 1.0 - 0.01 * work), false);
+        assert!(all.iter().all(|f| !["clock", "heat", "rate", "rest"].contains(&f.family.as_str())));
+        assert_eq!(all[0].family, "work");
+    }
+}

@@ -1,0 +1,179 @@
+//! Runs of a device, their scales, weights and folds.
+
+use super::family::Family;
+use super::operators::speed;
+
+/// A recorded channel or condition of a run beside its motion and force.
+#[derive(Clone, Debug)]
+pub(crate) struct Condition {
+    /// Name of the column or variable.
+    pub(crate) name: String,
+    /// Samples.
+    pub(crate) values: Vec<f64>,
+}
+
+/// A run of a device; all series have one length.
+#[derive(Clone, Debug)]
+pub(crate) struct DeviceRun {
+    /// Times.
+    pub(crate) times: Vec<f64>,
+    /// Deformation.
+    pub(crate) deformation: Vec<f64>,
+    /// Force of the user's fitted law.
+    pub(crate) modelled: Vec<f64>,
+    /// Recorded force; NaN where it is missing.
+    pub(crate) recorded: Vec<f64>,
+    /// Further channels and conditions; the same in all runs.
+    pub(crate) conditions: Vec<Condition>,
+    /// True if the run is held out.
+    pub(crate) held_out: bool,
+}
+
+/// Scales of the fitted runs.
+#[derive(Clone, Debug)]
+pub(super) struct Scales {
+    /// Largest absolute deformation.
+    pub(super) deformation: f64,
+    /// The 98 % quantile of the speed where it moves.
+    pub(super) speed: f64,
+    /// Length of the longest run.
+    pub(super) duration: f64,
+    /// Largest absolute force of the user's law.
+    pub(super) force: f64,
+    /// Time constants, geometric.
+    pub(super) constants: [f64; 7],
+    /// Mean and standard deviation of each condition.
+    pub(super) conditions: Vec<(f64, f64)>,
+}
+
+/// Samples of all runs, with weights and folds.
+pub(super) struct Data {
+    pub(super) runs: Vec<DeviceRun>,
+    pub(super) scales: Scales,
+    /// True if the times are those of a clock.
+    pub(super) has_clock: bool,
+    /// Run and index of each sample.
+    pub(super) samples: Vec<(usize, usize)>,
+    /// Recorded force of each sample.
+    pub(super) recorded: Vec<f64>,
+    /// Square root of the weight of each sample: the squares of a fitted run add up to its NMSE over the number of runs.
+    pub(super) weight: Vec<f64>,
+    /// True for samples of fitted runs.
+    pub(super) fitted: Vec<bool>,
+    /// Samples held back by each fold: blocks first, then whole runs.
+    pub(super) folds: Vec<Vec<bool>>,
+    /// Factor of the errors of whole runs.
+    pub(super) whole_factor: f64,
+}
+
+/// Samples of the fitted runs to which a fit is thinned.
+const SAMPLES: usize = 2000;
+/// Blocks of a run, and folds to which they belong in turn.
+const BLOCKS: usize = 8;
+pub(super) const BLOCK_FOLDS: usize = 4;
+/// First block of the end of a single run that is held back as a whole.
+const END_BLOCK: usize = 5;
+
+impl Data {
+    /// Data of runs; `None` without a fitted run that moves.
+    pub(super) fn new(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Self> {
+        let scales = Scales::of(&runs)?;
+        let fitted_samples: usize = runs.iter().filter(|r| !r.held_out).map(|r| r.times.len()).sum();
+        let stride = fitted_samples.div_ceil(SAMPLES).max(1);
+        let fitted_runs = runs.iter().filter(|r| !r.held_out).count();
+        let (mut samples, mut recorded, mut weight, mut fitted, mut block) = (vec![], vec![], vec![], vec![], vec![]);
+        for (k, run) in runs.iter().enumerate() {
+            let kept: Vec<usize> =
+                (0..run.times.len()).step_by(stride).filter(|i| run.recorded[*i].is_finite()).collect();
+            let values: Vec<f64> = kept.iter().map(|i| run.recorded[*i]).collect();
+            let deviation = deviation(&values);
+            if kept.is_empty() || deviation <= 0.0 {
+                continue;
+            }
+            let share = if run.held_out { 1.0 } else { fitted_runs as f64 };
+            for i in &kept {
+                samples.push((k, *i));
+                recorded.push(run.recorded[*i]);
+                weight.push(1.0 / (deviation * (kept.len() as f64 * share).sqrt()));
+                fitted.push(!run.held_out);
+                block.push(*i * BLOCKS / run.times.len());
+            }
+        }
+        let of =
+            |held: &dyn Fn(usize) -> bool| -> Vec<bool> { (0..samples.len()).map(|i| fitted[i] && held(i)).collect() };
+        let mut folds: Vec<Vec<bool>> = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f)).collect();
+        if fitted_runs > 1 {
+            folds.extend((0..runs.len()).filter(|k| !runs[*k].held_out).map(|k| of(&|i| samples[i].0 == k)));
+        } else {
+            folds.push(of(&|i| block[i] >= END_BLOCK));
+        }
+        folds.retain(|f| f.iter().any(|x| *x));
+        let whole_factor = if fitted_runs > 1 { 1.0 } else { BLOCKS as f64 / (BLOCKS - END_BLOCK) as f64 };
+        (folds.len() > BLOCK_FOLDS).then_some(Self {
+            runs,
+            scales,
+            has_clock,
+            samples,
+            recorded,
+            weight,
+            fitted,
+            folds,
+            whole_factor,
+        })
+    }
+
+    /// Series of each run at the samples.
+    pub(super) fn at_samples(&self, of_run: impl Fn(&DeviceRun) -> Vec<f64>) -> Vec<f64> {
+        self.sampled(&self.runs.iter().map(of_run).collect::<Vec<_>>())
+    }
+
+    /// Series of the runs at the samples.
+    pub(super) fn sampled(&self, runs: &[Vec<f64>]) -> Vec<f64> {
+        self.samples.iter().map(|(k, i)| runs[*k][*i]).collect()
+    }
+
+    /// Families that can be told from these runs, with the index of their condition.
+    pub(super) fn families(&self) -> Vec<(Family, Option<usize>)> {
+        let of_motion = Family::OF_MOTION.into_iter().filter(|f| self.has_clock || !f.needs_clock()).map(|f| (f, None));
+        let conditions = self.runs[0].conditions.iter().enumerate();
+        of_motion.chain(conditions.map(|(i, c)| (Family::of_column(&c.name), Some(i)))).collect()
+    }
+}
+
+impl Scales {
+    fn of(runs: &[DeviceRun]) -> Option<Self> {
+        let fitted = || runs.iter().filter(|r| !r.held_out);
+        let largest = |of: fn(&DeviceRun) -> &[f64]| {
+            fitted().flat_map(of).filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()))
+        };
+        let deformation = largest(|r| &r.deformation);
+        let mut speeds: Vec<f64> =
+            fitted().flat_map(|r| speed(&r.deformation, &r.times)).map(f64::abs).filter(|v| *v > 0.0).collect();
+        speeds.sort_by(f64::total_cmp);
+        let speed = *speeds.get(speeds.len() * 98 / 100)?;
+        let duration = fitted().filter_map(|r| Some(r.times.last()? - r.times.first()?)).fold(0.0, f64::max);
+        let interval = fitted().map(|r| (r.times[r.times.len() - 1] - r.times[0]) / (r.times.len() - 1) as f64);
+        let least = (3.0 * interval.fold(f64::INFINITY, f64::min)).max(duration / 3000.0);
+        let ratio = (0.5 * duration / least).powf(1.0 / 6.0);
+        let condition = |i: usize| {
+            let values: Vec<f64> =
+                fitted().flat_map(|r| &r.conditions[i].values).copied().filter(|x| x.is_finite()).collect();
+            (values.iter().sum::<f64>() / values.len().max(1) as f64, deviation(&values))
+        };
+        let count = fitted().next()?.conditions.len();
+        (deformation > 0.0 && duration > 0.0).then(|| Self {
+            deformation,
+            speed,
+            duration,
+            force: largest(|r| &r.modelled),
+            constants: std::array::from_fn(|k| least * ratio.powi(k as i32)),
+            conditions: (0..count).map(condition).collect(),
+        })
+    }
+}
+
+/// Standard deviation.
+fn deviation(x: &[f64]) -> f64 {
+    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
+    (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
