@@ -201,6 +201,9 @@ fn runs_say_what_their_recordings_do_not() {
         let (_, message) = load_error(&folder);
         assert!(message.contains(said), "{keys}: {message}");
     }
+    fs::write(folder.study(), study.replacen("growing.csv\"", "growing.csv\"\nunit = \"N\"", 1)).unwrap();
+    let (_, message) = load_error(&folder);
+    assert!(message.contains("the file says kN for force"), "{message}");
 }
 
 /// Tables of a study: header in the file, and definition in the schema; empty for the top level.

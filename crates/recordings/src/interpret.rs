@@ -46,10 +46,11 @@ fn say(s: &mut Series, told: &Told) -> Result<(), Fault> {
         }
         s.quantity = Some(q);
     }
-    if let Some(word) = &told.unit
-        && s.unit.is_none()
-    {
+    if let Some(word) = &told.unit {
         let u = unit::unit(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no unit")))?;
+        if let Some(own) = s.unit {
+            return own.contradicts(&u, &s.name).map_or(Ok(()), Err);
+        }
         if s.quantity.is_some_and(|of| of != u.quantity) {
             return Err(Fault::new(format!("{word} is {}, the channel {} is {}", u.quantity, s.name, is(s))));
         }

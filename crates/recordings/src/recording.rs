@@ -102,6 +102,10 @@ impl Recording {
         if let Some(q) = quantity.filter(|q| *q != unit.quantity) {
             return Err(Fault::new(format!("{word} is {}, and {name} is told to be {}", unit.quantity, q.word())));
         }
+        let own = self.columns.iter().filter_map(|c| Some((c, unit::unit(&c.unit)?)));
+        if let Some(fault) = own.filter_map(|(c, own)| own.contradicts(&unit, &c.name)).next() {
+            return Err(fault);
+        }
         self.columns.iter_mut().filter(|c| c.unit.is_empty()).for_each(|c| unit.name.clone_into(&mut c.unit));
         Ok(self)
     }

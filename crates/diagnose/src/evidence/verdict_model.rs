@@ -10,7 +10,7 @@ use super::likelihood::normalised_probabilities;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
 use crate::hypothesis;
-use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO};
+use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO, SECOND_EFFECT_LOG_ODDS};
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -296,18 +296,36 @@ pub(crate) fn bayes_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     sorted(all.iter().map(|h| known_cause(&h.cause)).zip(normalised_probabilities(&log_evidence)).collect())
 }
 
+/// The effects of a pair, each alone.
+fn parts_alone<'a>(
+    evidence: &'a VerdictEvidence,
+    pair: &'a HypothesisEvidence,
+) -> impl Iterator<Item = &'a HypothesisEvidence> {
+    let is_part =
+        |h: &&HypothesisEvidence| h.also.is_none() && (h.cause == pair.cause || Some(&h.cause) == pair.also.as_ref());
+    evidence.hypotheses.iter().filter(is_part)
+}
+
 /// Gain of a pair over the better of its effects alone, nats.
 pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
-    let part =
-        |h: &&HypothesisEvidence| h.also.is_none() && (h.cause == pair.cause || Some(&h.cause) == pair.also.as_ref());
-    let alone = evidence.hypotheses.iter().filter(part).map(|h| h.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
+    let alone = parts_alone(evidence, pair).map(|h| h.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
     (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
 }
 
-/// Probability that the second effect of a pair is present if the first is.
+/// Logarithm of the error that the better effect of a pair alone leaves on blocks held back over that of the pair; 0 where
+/// the pair leaves as much.
+fn log_error_ratio(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
+    let alone = parts_alone(evidence, pair).filter_map(|h| h.held_back).fold(f64::INFINITY, f64::min);
+    let ratio = pair.held_back.map_or(1.0, |of_pair| alone / of_pair);
+    if ratio.is_finite() { ratio.max(1.0).ln() } else { 0.0 }
+}
+
+/// Probability that the second effect of a pair is present if the first is: by the gain in nats, whose scale depends on how
+/// the samples are counted, and by the error on blocks held back, whose scale does not.
 fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     let [constant, of_gain] = PAIR_WEIGHTS;
-    1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p()).exp())
+    let of_error = SECOND_EFFECT_LOG_ODDS * log_error_ratio(evidence, pair);
+    1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p() - of_error).exp())
 }
 
 /// Returns true if the second effect of a pair is more likely than not.
