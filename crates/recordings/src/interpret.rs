@@ -49,7 +49,7 @@ fn say(s: &mut Series, told: &Told) -> Result<(), Fault> {
     if let Some(word) = &told.unit {
         let u = unit::unit(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no unit")))?;
         if let Some(own) = s.unit {
-            return own.contradicts(&u, &s.name).map_or(Ok(()), Err);
+            return Fault::of_told_unit(own, u, &s.name).map_or(Ok(()), Err);
         }
         if s.quantity.is_some_and(|of| of != u.quantity) {
             return Err(Fault::new(format!("{word} is {}, the channel {} is {}", u.quantity, s.name, is(s))));

@@ -103,7 +103,7 @@ impl Recording {
             return Err(Fault::new(format!("{word} is {}, and {name} is told to be {}", unit.quantity, q.word())));
         }
         let own = self.columns.iter().filter_map(|c| Some((c, unit::unit(&c.unit)?)));
-        if let Some(fault) = own.filter_map(|(c, own)| own.contradicts(&unit, &c.name)).next() {
+        if let Some(fault) = own.filter_map(|(c, own)| Fault::of_told_unit(own, unit, &c.name)).next() {
             return Err(fault);
         }
         self.columns.iter_mut().filter(|c| c.unit.is_empty()).for_each(|c| unit.name.clone_into(&mut c.unit));

@@ -2,7 +2,6 @@
 //!
 //! Factors: NIST Special Publication 811 (2008), Appendix B. `tonf` is the metric ton-force, 1000 kgf.
 
-use crate::fault::Fault;
 use hysteron_tcl::diagnostic::nearest;
 use std::fmt;
 
@@ -127,14 +126,6 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// The fault of a channel in this unit that is told to be in another one of the same quantity.
-    pub(crate) fn contradicts(&self, told: &Self, channel: &str) -> Option<Fault> {
-        let differs = self.quantity == told.quantity && (self.factor, self.offset) != (told.factor, told.offset);
-        differs.then(|| {
-            Fault::new(format!("the file says {} for {channel}, and is told to be in {}", self.name, told.name))
-        })
-    }
-
     /// Factor and offset that convert values in this unit into `other`. `None` if the quantities differ.
     pub fn conversion(&self, other: &Self) -> Option<(f64, f64)> {
         let same = self.quantity == other.quantity;
