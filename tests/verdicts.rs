@@ -52,7 +52,7 @@ const TABLE: &[Row] = &[
     ("axial loads", "axial_shear_interaction", "axial_shear_interaction", 95),
     ("axial varies", "varying_axial_load", "varying_axial_load", 95),
     ("cavitation", "cavitation", "cavitation", 95),
-    ("orbit", "bidirectional_coupling", "bidirectional_coupling", 90),
+    ("orbit", "bidirectional_coupling", "bidirectional_coupling", 95),
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),

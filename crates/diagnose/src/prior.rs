@@ -309,8 +309,8 @@ prior! {
     MEMORY_PROBABILITY: f64 = 0.1, "share";
     /// Log odds against a cause whose kinds of memory leave e times the error of the best. A choice.
     MEMORY_LOG_ODDS: f64 = 2.0, "nats";
-    /// Log odds for the second effect of a pair where its first effect alone leaves e times the error on blocks held back. A
-    /// choice.
+    /// Log odds for the second effect of a pair where its first effect alone leaves e times twice the error of both on blocks
+    /// held back. A choice.
     SECOND_EFFECT_LOG_ODDS: f64 = 1.0, "nats";
 
     // ---- error of the time steps ----

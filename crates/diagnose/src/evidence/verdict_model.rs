@@ -10,7 +10,7 @@ use super::likelihood::normalised_probabilities;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
 use crate::hypothesis;
-use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO, SECOND_EFFECT_LOG_ODDS};
+use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO, MIN_TAKEN_SHARE, SECOND_EFFECT_LOG_ODDS};
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -312,11 +312,12 @@ pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
 }
 
-/// Logarithm of the error that the better effect of a pair alone leaves on blocks held back over that of the pair; 0 where
-/// the pair leaves as much.
+/// Logarithm of the error that the better effect of a pair alone leaves on blocks held back over twice that of the pair; 0
+/// where the second effect takes less than half of what the first one leaves.
 fn log_error_ratio(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     let alone = parts_alone(evidence, pair).filter_map(|h| h.held_back).fold(f64::INFINITY, f64::min);
     let ratio = pair.held_back.map_or(1.0, |of_pair| alone / of_pair);
+    let ratio = ratio * (1.0 - MIN_TAKEN_SHARE);
     if ratio.is_finite() { ratio.max(1.0).ln() } else { 0.0 }
 }
 
