@@ -36,6 +36,8 @@ mod materials;
 mod model;
 #[path = "analysis/modes.rs"]
 mod modes;
+#[path = "analysis/motion_files.rs"]
+mod motion_files;
 #[path = "analysis/opensees.rs"]
 mod opensees;
 #[path = "analysis/plateau.rs"]

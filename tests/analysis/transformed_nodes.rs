@@ -162,6 +162,9 @@ fn a_failed_step_is_missing_in_tied_nodes() {
         &Script::compat().run(script).numbers(),
         &[0.0002224532961981918, 0.00016203290452781728, -5.956728740831118e-5, 0.00016203290452781728],
     );
+    let chain = Script::compat().run(&script.replace("equalDOF 2 7 1", "equalDOF 5 7 1"));
+    let refused = chain.interp.host.last_failure.as_ref().map(ToString::to_string).unwrap_or_default();
+    assert!(refused.contains("after a step that has failed") && refused.contains("node 7"), "{refused}");
     let own = Script::default().run(script).numbers();
     assert!(close(own[0], own[1], 1e-12) && close(own[0], own[3], 1e-12), "{own:?}");
 }

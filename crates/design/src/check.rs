@@ -36,7 +36,7 @@ impl Status {
 pub struct Citation {
     /// Edition and clause; empty for a rule of this program.
     pub clause: String,
-    /// Where the wording comes from.
+    /// Source of the wording.
     pub reading: Option<Reading>,
 }
 

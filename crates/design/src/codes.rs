@@ -12,7 +12,7 @@ const BUILT_IN: [(&str, &str); 4] = [
     ("en1998", include_str!("../codes/en1998.toml")),
 ];
 
-/// Where the wording of a rule comes from.
+/// Source of the wording of a rule.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub enum Reading {
@@ -63,7 +63,7 @@ impl Structure {
 pub struct Rule {
     /// Clause, table or equation.
     pub clause: String,
-    /// Where the wording comes from.
+    /// Source of the wording.
     #[serde(default)]
     pub read: Reading,
     /// The rule in own words.
@@ -158,7 +158,7 @@ impl Code {
         })
     }
 
-    /// Where the wording of a rule comes from; `None` without the rule.
+    /// Source of the wording of a rule; `None` without the rule.
     pub fn reading(&self, rule: &str) -> Option<Reading> {
         self.rule.get(rule).map(|r| r.read)
     }

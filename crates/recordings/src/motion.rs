@@ -85,10 +85,9 @@ impl Measured {
         let mut out = Channels::default();
         let mut chosen = choose(self, all, unit, quantity, differentiate)?;
         out.notes.append(&mut chosen.notes);
-        let other = |u: &Unit| unit.is_some_and(|told| told.name != u.name && told.factor != u.factor);
-        if let Some(u) = chosen.series.iter().filter_map(|(s, _)| s.unit).find(other) {
-            let said = unit.map_or("", |u| u.name);
-            out.notes.push(format!("the file gives the unit {}: {said}, which is told, is not used", u.name));
+        let own = chosen.series.iter().filter_map(|(s, _)| Some((s, s.unit?)));
+        if let Some(fault) = own.filter_map(|(s, own)| Fault::of_told_unit(own, unit?, &s.name)).next() {
+            return Err(fault);
         }
         for (s, u) in chosen.series {
             let dt = match &s.clock {

@@ -1,9 +1,9 @@
 //! A first isolation study of a script: what its model shows, with comments on what is to be filled in.
 
 use super::job::run_alone;
+use super::script_model::masses;
 use super::shear_test::shear_test;
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::Mass;
 use hysteron_engine::model::ElementId;
 use hysteron_identify::report::html;
 use hysteron_opensees::may_isolate;
@@ -82,26 +82,9 @@ fn bearings(engine: &Engine, meter: f64) -> Vec<Found> {
 }
 
 /// Mass in the first direction by node, with elevation and tag.
-fn masses(engine: &Engine) -> Vec<(f64, f64, i32)> {
+fn tagged_masses(engine: &Engine) -> Vec<(f64, f64, i32)> {
     let model = engine.model();
-    let mut all: Vec<(f64, f64, i32)> = model
-        .nodes
-        .iter()
-        .map(|n| (n.mass.first().copied().unwrap_or(0.0), n.coords.last().copied().unwrap_or(0.0), n.tag))
-        .collect();
-    for e in &model.elements {
-        let n = e.element.dofs();
-        let per_node = n / e.nodes.len().max(1);
-        for (k, node) in e.nodes.iter().enumerate() {
-            let row = k * per_node;
-            all[node.0].0 += match e.element.mass() {
-                Mass::None => 0.0,
-                Mass::Lumped(m) => m[row],
-                Mass::Consistent(m) => (0..e.nodes.len()).map(|j| m[row * n + j * per_node]).sum(),
-            };
-        }
-    }
-    all
+    masses(model).into_iter().zip(&model.nodes).map(|([mass, elevation], n)| (mass, elevation, n.tag)).collect()
 }
 
 /// Levels with mass from the base upwards: the node with the largest mass of each.
@@ -131,7 +114,7 @@ fn levels(masses: &[(f64, f64, i32)], lowest: f64) -> Vec<i32> {
 pub fn draft(script: &Path, name: &str, stop: &Arc<AtomicBool>) -> Result<String, String> {
     let run = run_alone(script, stop)?;
     let engine = &run.interp.host.engine;
-    let masses = masses(engine);
+    let masses = tagged_masses(engine);
     let first = bearings(engine, 1.0);
     let lowest = first.iter().map(|b| b.elevation).fold(f64::INFINITY, f64::min);
     let carried: f64 = first.iter().map(|b| b.gravity).sum();

@@ -199,7 +199,7 @@ pub(crate) fn run_to_transient(
 /// Run a script with its own values up to its first transient analysis.
 ///
 /// # Errors
-/// Those of [`run_to_transient`].
+/// The errors of [`run_to_transient`].
 pub(super) fn run_alone(script: &Path, stop: &Arc<AtomicBool>) -> Result<Run, String> {
     let failed = |_| "the script cannot be prepared".to_owned();
     run_prepared(script, |interp| interp.eval_str("isolation study", STOP_BEFORE).map(|_| ()).map_err(failed), stop)

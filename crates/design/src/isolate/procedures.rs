@@ -44,7 +44,7 @@ pub fn procedures(study: &Study) -> Vec<Result<LateralForce, String>> {
 /// The procedure of a bound along x (0) or y (1).
 ///
 /// # Errors
-/// Those of the procedure.
+/// The errors of the procedure.
 pub fn procedure_along(study: &Study, bound: &str, direction: usize) -> Result<LateralForce, String> {
     match has_substructures(study) {
         true => bridge_along(study, bound, direction).map(LateralForce::from),
@@ -74,7 +74,7 @@ fn bridge_along(study: &Study, bound: &str, direction: usize) -> Result<BridgeRe
 /// Displacements of the bearings of each type in the procedure of a bound.
 ///
 /// # Errors
-/// Those of the procedure.
+/// The errors of the procedure.
 pub fn isolator_displacements(study: &Study, bound: &str) -> Result<Vec<f64>, String> {
     if has_substructures(study) {
         return Ok(bridge(study, bound)?.supports.iter().map(|s| s.isolators).collect());

@@ -164,7 +164,7 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
 }
 
 /// Mass in the first direction and elevation of each node. A row of a consistent mass matrix counts for its node.
-fn masses(model: &Model) -> Vec<[f64; 2]> {
+pub(super) fn masses(model: &Model) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = model
         .nodes
         .iter()

@@ -6,6 +6,7 @@
 //! - [`holdout`]: the judgement of runs held out
 //! - [`memory_evidence`]: kinds of memory of a device, and the noise of the recordings
 //! - [`repair_limits`]: limits by the share of the error that a repair takes, and by kinds of memory
+//! - [`second_effect`]: the second effect of a pair
 //! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
 //! - [`verdict_model`]: probabilities from that evidence
 //! - `verdict_weights`: the fitted weights
@@ -18,6 +19,7 @@ pub(crate) mod memory_evidence;
 pub(crate) mod parametric_bootstrap;
 pub(crate) mod ranking;
 pub(crate) mod repair_limits;
+pub(crate) mod second_effect;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;
 mod verdict_weights;

@@ -74,18 +74,19 @@ impl VerdictEvidence {
         Some(TakenShare { blocks: blocks.min(1.0), runs: repair.errors.and_then(of_runs).map(|s| s.min(1.0)) })
     }
 
-    /// Noise of the fitted runs. No model can leave less than it on blocks held back, so that the least such error bounds it.
+    /// Noise of the fitted runs. No model can leave less than it on blocks held back, so that the least such error bounds it;
+    /// the error of the causes alone is no estimate of it.
     fn noise_on_blocks(&self) -> Option<f64> {
-        let of_library = self.hypotheses.iter().filter_map(|h| h.held_back);
         let of_families = self.recorded.families.iter().filter(|_| self.recorded.is_single).map(|f| f.blocks);
-        of_library.chain(of_families).chain(self.recorded.noise).reduce(f64::min)
+        let known = of_families.chain(self.recorded.noise).reduce(f64::min)?;
+        Some(self.hypotheses.iter().filter_map(|h| h.held_back).fold(known, f64::min))
     }
 
     /// Noise of the runs held out, bounded by the error `after` a repair in the same way.
     fn noise_in_runs(&self, after: Option<f64>) -> Option<f64> {
         let families = self.recorded.families.iter().filter(|_| self.recorded.is_single);
-        let known = families.filter_map(|f| f.held_out).chain(after).chain(self.recorded.noise_held_out);
-        known.reduce(f64::min)
+        let known = families.filter_map(|f| f.held_out).chain(self.recorded.noise_held_out).reduce(f64::min)?;
+        Some(after.map_or(known, |error| known.min(error)))
     }
 
     /// The kind of memory that clearly explains more than a repair of other kinds, on what both have not seen.

@@ -7,10 +7,12 @@
 //! Features have scales of the order of one. Log likelihoods are those of held-out samples, nats.
 
 use super::likelihood::normalised_probabilities;
+pub use super::second_effect::pair_gain;
+use super::second_effect::second_effect_probability;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::{PAIR_WEIGHTS, WEIGHTS};
 use crate::hypothesis;
-use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO, MIN_TAKEN_SHARE, SECOND_EFFECT_LOG_ODDS};
+use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO};
 use std::collections::BTreeMap;
 
 /// Number of features.
@@ -294,45 +296,6 @@ pub(crate) fn bayes_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     let all: Vec<&HypothesisEvidence> = best_of_causes(evidence).into_iter().chain(none).collect();
     let log_evidence: Vec<f64> = all.iter().map(|h| h.log_likelihood + h.prior_log_odds).collect();
     sorted(all.iter().map(|h| known_cause(&h.cause)).zip(normalised_probabilities(&log_evidence)).collect())
-}
-
-/// The effects of a pair, each alone.
-fn parts_alone<'a>(
-    evidence: &'a VerdictEvidence,
-    pair: &'a HypothesisEvidence,
-) -> impl Iterator<Item = &'a HypothesisEvidence> {
-    let is_part =
-        |h: &&HypothesisEvidence| h.also.is_none() && (h.cause == pair.cause || Some(&h.cause) == pair.also.as_ref());
-    evidence.hypotheses.iter().filter(is_part)
-}
-
-/// Gain of a pair over the better of its effects alone, nats.
-pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
-    let alone = parts_alone(evidence, pair).map(|h| h.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
-    (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
-}
-
-/// Logarithm of the error that the better effect of a pair alone leaves on blocks held back over twice that of the pair; 0
-/// where the second effect takes less than half of what the first one leaves.
-fn log_error_ratio(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
-    let alone = parts_alone(evidence, pair).filter_map(|h| h.held_back).fold(f64::INFINITY, f64::min);
-    let ratio = pair.held_back.map_or(1.0, |of_pair| alone / of_pair);
-    let ratio = ratio * (1.0 - MIN_TAKEN_SHARE);
-    if ratio.is_finite() { ratio.max(1.0).ln() } else { 0.0 }
-}
-
-/// Probability that the second effect of a pair is present if the first is: by the gain in nats, whose scale depends on how
-/// the samples are counted, and by the error on blocks held back, whose scale does not.
-fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
-    let [constant, of_gain] = PAIR_WEIGHTS;
-    let of_error = SECOND_EFFECT_LOG_ODDS * log_error_ratio(evidence, pair);
-    1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p() - of_error).exp())
-}
-
-/// Returns true if the second effect of a pair is more likely than not.
-pub(crate) fn has_second_effect(evidence: &VerdictEvidence, cause: &str, also: &str) -> bool {
-    let pair = evidence.hypotheses.iter().find(|h| h.cause == cause && h.also.as_deref() == Some(also));
-    pair.is_some_and(|p| second_effect_probability(evidence, p) >= 0.5)
 }
 
 /// Probability that each effect is present, alone or beside another, the most probable first.

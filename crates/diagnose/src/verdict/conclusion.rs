@@ -18,9 +18,10 @@ use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nm
 use crate::evidence::memory_evidence::RecordedEvidence;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::ranking::equal_forms;
+use crate::evidence::second_effect::has_second_effect;
 use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
 use crate::evidence::verdict_model::{
-    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities, has_second_effect,
+    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities,
 };
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;

@@ -20,6 +20,8 @@ pub struct TransformedNode {
     pub moves_first: bool,
     /// What has no equation moves, or takes a motion of the equations with it.
     pub late: bool,
+    /// The retained node is constrained too.
+    pub chained: bool,
     /// Its mass joins degrees of freedom of several nodes that no element joins. OpenSees' matrices drop such terms, all but
     /// that of `FullGeneral`.
     pub joins_alone: bool,
@@ -60,8 +62,10 @@ pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool)
         let without: Vec<usize> =
             mp.retained_dofs.iter().filter(|&&d| equation(d).is_none()).map(|d| retained.offset + d).collect();
         let (own, moves_first) = (free(model, mp), retained.tag > tag);
+        let chained = first.contains_key(&retained.tag);
+        let (rows_of_node, late, joins_alone) = (vec![], false, false);
         let mut node =
-            TransformedNode { rows: vec![], own, retained: without, moves_first, late: false, joins_alone: false };
+            TransformedNode { rows: rows_of_node, own, retained: without, moves_first, late, chained, joins_alone };
         for (i, &dof) in mp.constrained_dofs.iter().enumerate() {
             let terms = || mp.row(i).filter(|(_, k)| *k != 0.0);
             let own: Vec<_> = terms().filter_map(|(d, k)| Some((equation(d)?, k))).collect();
@@ -72,7 +76,7 @@ pub(super) fn rows(model: &Model, held: &[bool], stands: impl Fn(usize) -> bool)
         }
         let moves = node.rows.iter().any(|r| !r.equations.is_empty()) || node.retained.iter().any(|&dof| !stands(dof));
         node.late = !node.retained.is_empty() && moves;
-        node.joins_alone = joins_alone(model, mp.constrained.0, &node);
+        node.joins_alone = mass_joins_alone(model, mp.constrained.0, &node);
         let own = node.own.iter().copied().map(Some);
         let list = own.chain(mp.retained_dofs.iter().map(|&d| at(d))).collect();
         equations.insert(tag, list);
@@ -102,7 +106,7 @@ fn free(model: &Model, mp: &MultiPoint) -> Vec<usize> {
 }
 
 /// A mass of the node moves with equations of two nodes which no element joins.
-fn joins_alone(model: &Model, index: usize, node: &TransformedNode) -> bool {
+fn mass_joins_alone(model: &Model, index: usize, node: &TransformedNode) -> bool {
     let constrained = &model.nodes[index];
     let place = |dof: usize| model.nodes.partition_point(|n| n.offset <= dof) - 1;
     let heavy =

@@ -77,7 +77,7 @@ slips! {
     FAILED_TIES, Analysis, Test("tests/analysis/transformed_nodes.rs", "a_failed_step_is_missing_in_tied_nodes"),
     "`constraints Transformation` after a transient step that has failed",
     "openseespy 3.7.1 takes the motion of the failed step off that of the constrained nodes in the next one: they are behind from there on. \
-     Where a node follows one that follows another, `--compat opensees` does not reproduce this.",
+     Where a node follows one that is constrained or held itself, `--compat opensees` refuses to go on.",
     "The constraint holds.",
     "The constraint would not hold.";
 

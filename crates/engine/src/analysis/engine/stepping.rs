@@ -276,7 +276,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
 /// Parts of the motion that OpenSees sets when a step begins.
 ///
 /// # Errors
-/// Constrained nodes are moved late, and how the integrator moves them is not known. Or OpenSees makes one correction with a
+/// Constrained nodes are moved late, and how the integrator moves them, or how they go on after a failed step, is not known. Or OpenSees makes one correction with a
 /// matrix that drops terms of the mass, and which ones depends on its numbering.
 fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
     let Some(nodes) = system.work.transformed.as_ref() else { return Ok([false; 3]) };
@@ -287,6 +287,13 @@ fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
             "--compat opensees does not follow algorithm {} here: the mass at {} joins degrees of freedom that no element joins, and \
              OpenSees drops such terms in every system but FullGeneral; use algorithm Newton or system FullGeneral",
             setup.algorithm.name(),
+            system.model.dof_name(dof)
+        ));
+    }
+    if let Some(dof) = nodes.first_astray().filter(|_| system.dynamic) {
+        return refuse(format!(
+            "--compat opensees does not follow constraints Transformation after a step that has failed, where a node follows one that \
+             is constrained or held itself, as {} does",
             system.model.dof_name(dof)
         ));
     }

@@ -80,6 +80,13 @@ impl TransformedNodes {
         self.late().flat_map(|n| &n.rows).map(|r| r.dof).next()
     }
 
+    /// After a step that has failed: the first degree of freedom of a node that is late, or follows one that follows another.
+    /// How OpenSees goes on with these is not known.
+    pub(in crate::analysis) fn first_astray(&self) -> Option<usize> {
+        self.lost.as_ref()?;
+        self.nodes.iter().filter(|n| n.late || n.chained).flat_map(|n| &n.rows).map(|r| r.dof).next()
+    }
+
     /// The first degree of freedom of a node whose mass joins what no element joins.
     pub(in crate::analysis) fn first_joined_alone(&self) -> Option<usize> {
         self.nodes.iter().filter(|n| n.joins_alone).flat_map(|n| &n.rows).map(|r| r.dof).next()
