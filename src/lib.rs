@@ -52,6 +52,8 @@
 
 #![forbid(unsafe_code)]
 
+pub mod checks;
+
 pub use hysteron_design as design;
 pub use hysteron_diagnose as diagnose;
 pub use hysteron_engine::{

@@ -62,6 +62,31 @@ fn the_page_of_study_keys_is_that_of_the_declarations() {
 }
 
 #[test]
+fn the_page_of_codes_is_that_of_the_register() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/codes.md");
+    let text = hysteron::checks::page();
+    if std::env::var_os("HYSTERON_WRITE").is_some() {
+        fs::write(&path, &text).unwrap();
+    }
+    let page = fs::read_to_string(path).unwrap_or_default();
+    assert!(page == text, "HYSTERON_WRITE=1 cargo test --release --test reference writes codes.md anew");
+}
+
+#[test]
+fn codes_are_unique_and_their_texts_are_sentences() {
+    let mut codes = BTreeSet::new();
+    for c in hysteron::checks::all() {
+        assert!(codes.insert(c.code), "{} stands twice", c.code);
+        assert!(c.code.bytes().all(|b| b.is_ascii_lowercase() || b == b'-'), "{}", c.code);
+        for text in [c.finds, c.advice] {
+            assert!(text.ends_with('.') && text.starts_with(|x: char| x.is_uppercase()), "{}: {text}", c.code);
+            let longest = text.split(['.', ';']).map(|s| s.split_whitespace().count()).max().unwrap();
+            assert!(longest <= 25, "{}: a sentence of {longest} words", c.code);
+        }
+    }
+}
+
+#[test]
 fn every_command_has_one_page() {
     let mut wrong = vec![];
     for c in hysteron::opensees::commands() {

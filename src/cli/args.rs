@@ -87,6 +87,11 @@ pub(super) enum Command {
         #[arg(num_args = 0..=2)]
         names: Vec<String>,
     },
+    /// Explain the code at the end of a message; without one, list all codes
+    Explain {
+        /// The code, for instance plain-constraints
+        code: Option<String>,
+    },
     /// Print the completion script of a shell
     #[command(hide = true)]
     Completions {

@@ -1,7 +1,7 @@
 //! `hysteron bearing`: a test of a single bearing, as in a testing machine.
 
 use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
-use super::console::{NoOutput, Terminal};
+use super::console::Terminal;
 use super::files::NoFiles;
 use super::limits::LimitArgs;
 use super::loops::ReportArgs;
@@ -15,6 +15,7 @@ use hysteron::protocol::{Bearing, Motion, Protocol};
 use hysteron::recordings::Table as Columns;
 use hysteron::report::{Column, Record, Table};
 use hysteron::run::{End, Run, Settings};
+use hysteron::tcl::Silent;
 use hysteron::tcl::{OsFiles, OverlayFiles, Value};
 use std::path::Path;
 
@@ -193,7 +194,7 @@ impl BearingArgs {
     fn made_bearing_depends_on_velocity(&self, bearing: &Bearing) -> bool {
         let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
         let files = OverlayFiles::new(Box::new(OsFiles));
-        let mut run = Run::new(settings, Box::new(NoOutput), Box::new(files), Box::new(NoFiles));
+        let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles));
         eval_to_text(&mut run.interp, &bearing.definition());
         depends_on_velocity(&run)
     }

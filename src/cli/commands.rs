@@ -170,12 +170,12 @@ fn argument(row: &[String]) -> String {
     }
 }
 
-fn indented(text: &str) -> String {
+pub(super) fn indented(text: &str) -> String {
     format!("{}\n", wrapped(text, 2, 2))
 }
 
 /// Text in lines of at most [`WIDTH`] columns; the first is indented by `first`, the others by `rest`.
-fn wrapped(text: &str, first: usize, rest: usize) -> String {
+pub(super) fn wrapped(text: &str, first: usize, rest: usize) -> String {
     let mut out = " ".repeat(first);
     let mut column = first;
     for (i, word) in text.split_whitespace().enumerate() {

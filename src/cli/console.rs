@@ -26,15 +26,6 @@ impl Console for Terminal {
     }
 }
 
-/// Discards what a script prints.
-pub(super) struct NoOutput;
-
-impl Console for NoOutput {
-    fn out(&mut self, _: &str) {}
-
-    fn err(&mut self, _: &str) {}
-}
-
 /// Prints what a script prints to standard error, each line behind the name of the script.
 pub(super) struct PrefixedOutput {
     prefix: String,

@@ -6,7 +6,7 @@ use clap_complete::Shell;
 use std::path::Path;
 
 /// Examples of each command: what one does, and below it the command line.
-const EXAMPLES: [(&str, &str); 8] = [
+const EXAMPLES: [(&str, &str); 9] = [
     (
         "run",
         "Examples:
@@ -87,6 +87,14 @@ const EXAMPLES: [(&str, &str); 8] = [
   Arguments and recorder responses of a kind, with its command if need be.
     hysteron commands Steel02
     hysteron commands section Elastic",
+    ),
+    (
+        "explain",
+        "Examples:
+  What a warning means that ends with [plain-constraints], and what to do.
+    hysteron explain plain-constraints
+  All codes.
+    hysteron explain",
     ),
 ];
 

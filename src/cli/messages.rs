@@ -24,7 +24,7 @@ impl Messages {
             Severity::Warning => Level::WARNING,
             Severity::Note => Level::NOTE,
         };
-        let title = level.primary_title(d.message.as_str());
+        let title = level.primary_title(titled(d));
         // Texts live as long as the report.
         let spans: Vec<_> = d.span.iter().chain(d.callers.iter().map(|c| &c.span)).copied().collect();
         let texts: Vec<_> = spans.iter().map(|s| (sources.text(s.source), sources.name(s.source))).collect();
@@ -50,8 +50,16 @@ impl Messages {
     /// A diagnostic in one line.
     pub(super) fn line(&self, d: &Diagnostic, sources: &SourceMap) -> String {
         match d.span {
-            Some(span) => format!("{}: {}", sources.location(span), d.message),
-            None => d.message.clone(),
+            Some(span) => format!("{}: {}", sources.location(span), titled(d)),
+            None => titled(d),
         }
+    }
+}
+
+/// The message with the code of its check, which `hysteron explain` explains.
+fn titled(d: &Diagnostic) -> String {
+    match d.check {
+        Some(check) => format!("{} [{}]", d.message, check.code),
+        None => d.message.clone(),
     }
 }

@@ -1,6 +1,7 @@
 //! Findings of the checks before a fit.
 
 use super::messages::Messages;
+use hysteron::checks::CHANNEL_DOUBT;
 use hysteron::diagnostic::{Diagnostic, SourceMap};
 use hysteron::preflight::{Preflight, preflight};
 use hysteron::study::{InitialRun, ScriptSimulator};
@@ -21,9 +22,12 @@ pub(super) fn check_channels(
 ) -> std::io::Result<Preflight> {
     let result = preflight(simulator, initial_run, threads)?;
     for f in &result.findings {
-        let kind = if f.is_hard && hard_is_error { Diagnostic::error } else { Diagnostic::warning };
         let place = f.runs.first().and_then(|run| simulator.study().channel_location(run, &f.channel));
-        let d = kind(f.message.clone()).at(place, "").help(f.help.clone());
+        let d = match f.is_hard && hard_is_error {
+            true => Diagnostic::error(f.message.clone()).by(&CHANNEL_DOUBT),
+            false => Diagnostic::warning(&CHANNEL_DOUBT, f.message.clone()),
+        };
+        let d = d.at(place, "").help(f.help.clone());
         eprintln!("{}\n", Messages::new().render(&d, sources));
     }
     Ok(result)

@@ -8,7 +8,6 @@ mod page;
 mod peaks;
 
 use super::args::{FolderArgs, ScriptArgs, StepArgs};
-use super::console::NoOutput;
 use super::files::write_atomically;
 use super::progress::ProgressLine;
 use super::run::{RunArgs, guarded, settings};
@@ -16,6 +15,7 @@ use super::signals::on_interrupt;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run};
 use hysteron::tcl::Files;
+use hysteron::tcl::Silent;
 use hysteron_files::Scratch;
 pub(super) use inputs::Inputs;
 use inputs::ReadFiles;
@@ -77,7 +77,7 @@ fn refined_peaks(args: &RunArgs<'_>, model: &str, words: &[String]) -> Option<BT
     let observed = Observed::default();
     let (files, outputs) = observed.around(files, outputs);
     let steps = StepArgs { refine: 2 * args.steps.refine.max(1), ..*args.steps };
-    let mut run = Run::new(settings(args.script, &steps, Mode::Run), Box::new(NoOutput), files, outputs);
+    let mut run = Run::new(settings(args.script, &steps, Mode::Run), Box::new(Silent), files, outputs);
     let progress = ProgressLine::new();
     run.interp.host.set_progress(Box::new(progress.steps(None)));
     on_interrupt(&run.interp.interrupt);

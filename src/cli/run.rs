@@ -5,7 +5,7 @@ use super::balance;
 use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
 use super::checkpoint;
-use super::console::{NoOutput, PrefixedOutput, Terminal};
+use super::console::{PrefixedOutput, Terminal};
 use super::files::{NoFiles, SystemFiles};
 use super::help;
 use super::limits::{LimitArgs, exceeded, interrupted_status};
@@ -24,6 +24,7 @@ use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron::opensees::files::output_folder::OutputFolder;
 use hysteron::opensees::{Mode, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
+use hysteron::tcl::Silent;
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
@@ -60,6 +61,7 @@ pub(crate) fn main() -> i32 {
         Command::Recording(args) => print(super::recording::recording(&args)),
         Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
+        Command::Explain { code } => print(super::explain::explained(code.as_deref())),
         Command::Completions { shell } => print(Ok(help::completions(shell))),
         Command::Man { folder } => print(help::man(&folder)),
     };
@@ -204,7 +206,7 @@ fn check(args: &CheckArgs) -> i32 {
     let progress = ProgressLine::new();
     // Numbers that the script prints are not the results of an analysis.
     let console: Box<dyn Console> =
-        if args.show_output { Box::new(PrefixedOutput::new(&args.model)) } else { Box::new(NoOutput) };
+        if args.show_output { Box::new(PrefixedOutput::new(&args.model)) } else { Box::new(Silent) };
     let files = OverlayFiles::new(Box::new(OsFiles));
     let settings = settings(&args.script, &StepArgs::default(), Mode::Check);
     let mut run = Run::new(settings, console, Box::new(files), Box::new(NoFiles));

@@ -41,7 +41,7 @@ impl<'a> MessageTable<'a> {
             column: location.as_ref().map(|l| l.column),
             label: &d.label,
             help: &d.help,
-            code: d.code,
+            code: d.check.map(|c| c.code),
             count: d.count,
         }
     }

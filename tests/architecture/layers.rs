@@ -15,6 +15,7 @@ pub const LAYERS: &[Layers] = &[
             "stack",
             "number",
             "table",
+            "check",
             "diagnostic",
             "error",
             "files",

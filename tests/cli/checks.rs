@@ -39,6 +39,41 @@ fn consequences() {
     assert!(err.contains("node 3") && err.contains("2 errors"), "{err}");
 }
 
+/// Results of a check that passes an analysis over are missed by no later command.
+#[test]
+fn consequences_of_missing_modes_and_models() {
+    let place = Place::new();
+    let modes = "timeSeries Path 9 -time {0 1} -values {1 1}\nset w [eigen 1]\nmodalDamping 0.02\n\
+        modalProperties\nresponseSpectrumAnalysis 9 1\n";
+    place.write("m.tcl", format!("{MODEL}uniaxialMaterial Elastik 2 1\n{modes}"));
+    let (_, _, err) = place.run(&["check", "m.tcl"]);
+    assert_eq!(err.matches("\n  error: ").count(), 1, "{err}");
+    place.write("m.tcl", "model basic -ndm x\nnode 1 0 0\nfix 1 1\n");
+    let (_, _, err) = place.run(&["check", "m.tcl"]);
+    assert_eq!(err.matches("\n  error: ").count(), 1, "{err}");
+}
+
+/// The code at the end of a message is explained.
+#[test]
+fn codes() {
+    let place = Place::new();
+    place.write("m.tcl", format!("{MODEL}node 9 0 0 -mess 1\nnode 1 0 0\nfix 77 1\n"));
+    let (_, _, err) = place.run(&["check", "m.tcl"]);
+    assert!(
+        err.contains(
+            "warning: node: \"-mess\" is not an option and is ignored, and so is what follows it [unknown-option]"
+        ),
+        "{err}"
+    );
+    assert!(err.contains("there is no node 77 [not-defined]"), "{err}");
+    let (status, out, _) = place.run(&["explain", "unknown-option"]);
+    assert!(status == Some(0) && out.starts_with("unknown-option\n  A word is no option"), "{out}");
+    let (_, out, _) = place.run(&["explain"]);
+    assert!(out.contains("  plain-constraints\n") && out.contains("  no-holdout\n"), "{out}");
+    let (status, _, err) = place.run(&["explain", "unknown-optoin"]);
+    assert!(status == Some(2) && err.contains("did you mean \"unknown-option\"?"), "{err}");
+}
+
 /// Every command has a line of its own.
 #[test]
 fn usages() {

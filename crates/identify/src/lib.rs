@@ -4,6 +4,7 @@
 
 pub mod autoregressive;
 pub mod calibrate;
+pub mod checks;
 pub mod fourier;
 pub mod halton;
 pub mod measure;

@@ -2,9 +2,10 @@
 
 mod number_words;
 
+use crate::checks::words;
 use crate::{Tcl, elsewhere, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
-use hysteron_tcl::diagnostic::{self, Diagnostic, Span};
+use hysteron_tcl::diagnostic::{self, Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
 use number_words::{as_int, no_list_of_numbers, numbers};
 use std::borrow::Cow;
@@ -107,6 +108,23 @@ impl<'a> Args<'a> {
         Exception::diagnosed(Diagnostic::error(message).at(span, label).help(self.usage_line()))
     }
 
+    /// The error for a tag of a kind that is not defined, the last word taken.
+    pub(crate) fn absent(&self, kind: &'static str, tag: impl Display, label: impl Into<String>) -> Exception {
+        self.absent_at(self.last_span(), kind, tag, label)
+    }
+
+    /// The same with the place of the tag.
+    pub(crate) fn absent_at(
+        &self,
+        span: Option<Span>,
+        kind: &'static str,
+        tag: impl Display,
+        label: impl Into<String>,
+    ) -> Exception {
+        let absent = Absent::new(kind, tag);
+        self.refuse_at(span, format!("there is no {absent}"), label).by(&words::NOT_DEFINED).absent(absent)
+    }
+
     /// Refuse the body of a command that a host calls: its text would be run as Tcl, with all that Tcl may do.
     ///
     /// # Errors
@@ -119,6 +137,11 @@ impl<'a> Args<'a> {
         Err(self.refuse(message, "not read"))
     }
 
+    /// An error about the last word taken, a number outside of its range.
+    fn out_of_range(&self, message: String, label: String) -> Exception {
+        self.refuse(message, label).by(&words::OUT_OF_RANGE)
+    }
+
     fn usage_line(&self) -> String {
         format!("usage: {}", crate::usage_as(&self.call.name(), self.usage))
     }
@@ -127,6 +150,7 @@ impl<'a> Args<'a> {
     fn missing(&self, what: &dyn Display) -> Exception {
         let span = self.call.whole_span().or_else(|| self.call.span(0));
         self.refuse_at(span, format!("{}: the {what} is missing", self.call.name()), format!("expected the {what}"))
+            .by(&words::MISSING_WORD)
     }
 
     fn take(&mut self, what: &dyn Display) -> Result<&'a Value, Exception> {
@@ -157,18 +181,18 @@ impl<'a> Args<'a> {
         let label = || format!("expected the {what}, {expected}");
         let Some(x) = value.as_f64() else {
             let text = value.as_str();
-            let e = self.refuse(format!("{what} is not a number: \"{text}\""), label());
+            let e = self.refuse(format!("{what} is not a number: \"{text}\""), label()).by(&words::NOT_A_NUMBER);
             return Err(lookalike(&text).into_iter().fold(e, Exception::help));
         };
         if !x.is_finite() {
-            return Err(self.refuse(format!("{what} is not finite"), label()));
+            return Err(self.refuse(format!("{what} is not finite"), label()).by(&words::NOT_A_NUMBER));
         }
         let good = match sign {
             Sign::Any => true,
             Sign::Positive => x > 0.0,
             Sign::NotNegative => x >= 0.0,
         };
-        if good { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), label())) }
+        if good { Ok(x) } else { Err(self.out_of_range(format!("{what} is {x}"), label())) }
     }
 
     /// A finite number.
@@ -223,9 +247,12 @@ impl<'a> Args<'a> {
         label: impl Into<String>,
     ) -> Result<(), Exception> {
         if !interp.host.follows(&[slips::DOMAINS]) {
-            return Err(self.refuse_at(span, message, label));
+            return Err(self.refuse_at(span, message, label).by(&words::OUT_OF_RANGE));
         }
-        warn(interp, Diagnostic::warning(message).at(span, label).help("OpenSees computes with it"))
+        warn(
+            interp,
+            Diagnostic::warning(&words::OUT_OF_RANGE, message).at(span, label).help("OpenSees computes with it"),
+        )
     }
 
     /// A finite number that is one of several, counted from 1: the message of an error names it.
@@ -289,7 +316,8 @@ impl<'a> Args<'a> {
             None => {
                 let text = value.as_str();
                 let message = format!("{what} is not a whole number: \"{text}\"");
-                let e = self.refuse(message, format!("expected the {what}, a whole number"));
+                let label = format!("expected the {what}, a whole number");
+                let e = self.refuse(message, label).by(&words::NOT_A_NUMBER);
                 Err(lookalike(&text).into_iter().fold(e, Exception::help))
             }
         }
@@ -330,7 +358,7 @@ impl<'a> Args<'a> {
     pub(crate) fn count(&mut self, what: &str) -> Result<usize, Exception> {
         match self.int(what)? {
             i if i >= 1 => Ok(i as usize),
-            i => Err(self.refuse(format!("{what} is {i}"), format!("expected the {what}, at least 1"))),
+            i => Err(self.out_of_range(format!("{what} is {i}"), format!("expected the {what}, at least 1"))),
         }
     }
 
@@ -360,7 +388,7 @@ impl<'a> Args<'a> {
     pub(crate) fn dof(&mut self, what: &str, limit: usize) -> Result<usize, Exception> {
         match self.int(what)? {
             i if i >= 1 && i as usize <= limit => Ok(i as usize - 1),
-            i => Err(self.refuse(format!("{what} is {i}"), format!("expected the {what}, 1 to {limit}"))),
+            i => Err(self.out_of_range(format!("{what} is {i}"), format!("expected the {what}, 1 to {limit}"))),
         }
     }
 
@@ -369,8 +397,8 @@ impl<'a> Args<'a> {
         match self.int(what)? {
             i if i != 0 && i.unsigned_abs() as usize <= limit => Ok((i.unsigned_abs() as usize - 1, i < 0)),
             i => {
-                Err(self
-                    .refuse(format!("{what} is {i}"), format!("expected the {what}, 1 to {limit} or -1 to -{limit}")))
+                let label = format!("expected the {what}, 1 to {limit} or -1 to -{limit}");
+                Err(self.out_of_range(format!("{what} is {i}"), label))
             }
         }
     }
@@ -391,7 +419,7 @@ impl<'a> Args<'a> {
                     n if n > 20 => format!("{n} have been defined, {} to {}", known[0], known[n - 1]),
                     _ => format!("defined: {}", known.join(" ")),
                 };
-                Err(self.refuse(format!("there is no {kind} {tag}"), known))
+                Err(self.absent(kind, tag, known))
             }
         }
     }
@@ -428,7 +456,7 @@ impl<'a> Args<'a> {
         if word.starts_with('#') {
             self.commented = true;
             let message = format!("{}: \"{word}\" and what follows it are no options", self.call.name());
-            let d = Diagnostic::warning(message).at(span, "expected an option");
+            let d = Diagnostic::warning(&words::COMMENT_IN_COMMAND, message).at(span, "expected an option");
             return Ok(Some(d.help(COMMENT)));
         }
         self.unknown += 1;
@@ -443,7 +471,7 @@ impl<'a> Args<'a> {
         let with = if values > 0 { ", and so is what follows it" } else { "" };
         let message = format!("{}: \"{word}\" is not an option and is ignored{with}", self.call.name());
         let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
-        let mut d = Diagnostic::warning(message).at(span, expected);
+        let mut d = Diagnostic::warning(&words::UNKNOWN_OPTION, message).at(span, expected);
         d.help.extend(no_list_of_numbers(self.call.arg(self.at - 1 - values)));
         Ok(Some(match diagnostic::nearest(&word, known.iter().copied()) {
             Some(near) => d.help(format!("did you mean \"{near}\"?")),
@@ -467,7 +495,8 @@ impl<'a> Args<'a> {
     fn unknown(&self, what: &str, known: &[&'static str], list: impl Fn(&[&str]) -> String) -> Exception {
         let word = self.last_word();
         let label = elsewhere::kind(&self.call.name(), &word).unwrap_or("not known");
-        let mut d = Diagnostic::error(format!("unknown {what} \"{word}\"")).at(self.last_span(), label);
+        let d = Diagnostic::error(format!("unknown {what} \"{word}\"")).by(&words::UNKNOWN_KIND);
+        let mut d = d.at(self.last_span(), label);
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
             d = d.help(format!("did you mean \"{near}\"?"));
         }
@@ -478,7 +507,7 @@ impl<'a> Args<'a> {
     pub(crate) fn rest(&self) -> Option<Diagnostic> {
         let word = self.peek()?;
         let message = format!("{}: \"{word}\" and what follows it is ignored", self.call.name());
-        let d = Diagnostic::warning(message).at(self.next_span(), "nothing more was expected");
+        let d = Diagnostic::warning(&words::WORDS_LEFT_OVER, message).at(self.next_span(), "nothing more was expected");
         let comment = word.starts_with('#');
         Some(d.help(if comment { COMMENT.into() } else { self.usage_line() }))
     }

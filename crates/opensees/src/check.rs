@@ -5,8 +5,8 @@ use crate::analysis::speeds::warn_of_speedless;
 use crate::host::Mode;
 use crate::output::{display, figure, print, query, recorder};
 use crate::session::Session;
-use crate::{Outcome, Tcl, calls, commands, report, warn};
-use hysteron_tcl::diagnostic::{Diagnostic, nearest};
+use crate::{Outcome, Tcl, calls, commands, report, things, warn};
+use hysteron_tcl::diagnostic::{Absent, COMMAND, Diagnostic, VARIABLE, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
 
@@ -15,8 +15,8 @@ use std::collections::BTreeSet;
 pub struct CheckState {
     /// A definition was rejected: the model is not the one that was meant.
     pub(crate) rejected: bool,
-    /// Messages of later commands that only follow from a mistake already reported.
-    consequences: BTreeSet<String>,
+    /// What a rejected command would have defined: a message that misses it only follows from that mistake.
+    consequences: BTreeSet<Absent>,
     /// A procedure or a file was left at a mistake: what the rest of it would have defined is not there.
     left_early: bool,
     /// Number of errors that were held back because they only follow from one already reported.
@@ -27,27 +27,11 @@ pub struct CheckState {
     pub waits_for_results: bool,
 }
 
-/// Commands that define something by a tag: the kind in messages, and the position of the tag.
-const DEFINITIONS: [(&str, &str, usize); 11] = [
-    ("node", "node", 1),
-    ("region", "region", 1),
-    ("groundMotion", "ground motion", 1),
-    ("uniaxialMaterial", "uniaxial material", 2),
-    ("nDMaterial", "material of continua", 2),
-    ("frictionModel", "friction model", 2),
-    ("section", "section", 2),
-    ("beamIntegration", "beam integration", 2),
-    ("geomTransf", "geometric transformation", 2),
-    ("timeSeries", "time series", 2),
-    ("element", "element", 2),
-];
-
 impl CheckState {
-    /// Returns true if a message only follows from a mistake already reported, and counts it.
-    pub(crate) fn holds_back(&mut self, message: &str) -> bool {
-        let missing = || message.strip_prefix("there is no ").unwrap_or_default();
-        let of_rest = self.left_early && DEFINITIONS.iter().any(|d| missing().starts_with(&format!("{} ", d.1)));
-        let held_back = of_rest || self.consequences.contains(message);
+    /// Returns true if something is only missing for a mistake already reported, and counts it.
+    pub(crate) fn holds_back(&mut self, absent: &Absent) -> bool {
+        let is_of_rest = self.left_early && commands().any(|c| c.defines.1 > 0 && c.defines.0.contains(&absent.kind));
+        let held_back = is_of_rest || self.consequences.contains(absent);
         self.held_back += usize::from(held_back);
         held_back
     }
@@ -55,9 +39,9 @@ impl CheckState {
     /// An analysis is passed over; what its results would be asked for is not there.
     pub(crate) fn pass_over(&mut self, modes: usize) {
         self.skipped_analyses = true;
-        self.consequences.extend((1..=modes).map(|i| format!("there is no mode {i}")));
+        self.consequences.extend((1..=modes).map(|i| Absent::new(things::MODE, i)));
         if modes > 0 {
-            self.consequences.insert("there are no modes to damp".into());
+            self.consequences.insert(Absent::new(things::MODE, ""));
         }
     }
 
@@ -67,33 +51,17 @@ impl CheckState {
         let name = words.first().copied().unwrap_or_default();
         let looks = [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
         self.rejected |= !looks.into_iter().flatten().any(|c| c.name == name);
-        let known = || commands().map(|c| c.name);
-        let name = if is_known { name } else { nearest(name, known()).unwrap_or(name) };
-        let (kind, at) = match name {
-            "set" => {
-                let variable = words.get(1).copied().unwrap_or_default();
-                self.consequences.insert(format!("can't read \"{variable}\": no such variable"));
-                return;
-            }
-            "pattern" => {
-                self.consequences.insert("there is no load pattern to put this in".into());
-                ("load pattern", 2)
-            }
-            "analysis" => {
-                self.consequences.insert("analyze: there is no analysis".into());
-                return;
-            }
-            "model" => {
-                self.consequences.extend(known().map(|c| format!("{c}: there is no model yet")));
-                return;
-            }
-            _ => match DEFINITIONS.iter().find(|d| d.0 == name) {
-                Some((_, kind, at)) => (*kind, *at),
-                None => return,
-            },
-        };
-        if let Some(tag) = words.get(at).and_then(|w| w.parse::<i32>().ok()) {
-            self.consequences.insert(format!("there is no {kind} {tag}"));
+        if name == "set" {
+            self.consequences.insert(Absent::new(VARIABLE, words.get(1).unwrap_or(&"")));
+            return;
+        }
+        let name = if is_known { name } else { nearest(name, commands().map(|c| c.name)).unwrap_or(name) };
+        let Some((kinds, at)) = calls::command(name).map(|c| c.defines) else { return };
+        // A thing without a tag, or the one that is open: it is missed without its name.
+        let whole = kinds.iter().filter(|kind| at == 0 || **kind == things::PATTERN);
+        self.consequences.extend(whole.map(|kind| Absent::new(kind, "")));
+        if let Some(tag) = words.get(at).filter(|_| at > 0).and_then(|w| w.parse::<i32>().ok()) {
+            self.consequences.extend(kinds.iter().map(|kind| Absent::new(kind, tag)));
         }
     }
 }
@@ -104,7 +72,7 @@ impl CheckState {
 pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
     match error {
         Exception::Error(e) if !e.raised && !interp.host.check.waits_for_results => {
-            let held_back = interp.host.check.holds_back(&e.diagnostic.message);
+            let held_back = e.diagnostic.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a));
             // The command was not called: what it would have defined stands in the line of the word that is wrong.
             let place = e.diagnostic.span.map(|s| (interp.sources.text(s.source), s.start as usize));
             let split = place.as_ref().and_then(|(text, at)| text.split_at_checked(*at)).unwrap_or_default();
@@ -113,7 +81,7 @@ pub(crate) fn handle_error(interp: &mut Tcl, error: Exception) -> Outcome {
             let check = &mut interp.host.check;
             check.rejected = true;
             check.left_early |= !e.diagnostic.callers.is_empty() || line.trim_start().starts_with("source ");
-            let is_known = !e.diagnostic.message.starts_with("invalid command name");
+            let is_known = e.diagnostic.absent.as_ref().is_none_or(|a| a.kind != COMMAND);
             check.note(&line.split_whitespace().collect::<Vec<_>>(), is_known);
             if !held_back {
                 report(interp, e.diagnostic);
@@ -165,7 +133,7 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
-            let held_back = interp.host.check.holds_back(&e.diagnostic.message);
+            let held_back = e.diagnostic.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a));
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
             let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
             interp.host.check.note(&words, true);

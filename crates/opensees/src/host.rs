@@ -1,6 +1,8 @@
 //! What a program that runs scripts asks of a run, and is told of it.
 
+use crate::Tcl;
 use hysteron_engine::analysis::Engine;
+use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 
 /// Purpose of a run.
@@ -27,6 +29,9 @@ pub trait MotionObserver {
     /// The script is about to forget the model.
     fn wipe(&mut self, engine: &mut Engine);
 }
+
+/// Is called before the first step of the first transient analysis of a script.
+pub type BeforeTransient = Box<dyn FnOnce(&mut Tcl) -> Result<(), Exception>>;
 
 /// Is called with each warning when it comes up.
 pub type OnWarning = Box<dyn FnMut(&Diagnostic, &SourceMap)>;

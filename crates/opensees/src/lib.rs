@@ -14,6 +14,7 @@ pub mod calls;
 pub mod chart;
 mod check;
 pub mod checkpoint;
+pub mod checks;
 mod course;
 mod element;
 mod elsewhere;
@@ -30,6 +31,7 @@ pub mod run;
 mod section;
 mod session;
 pub mod slips;
+mod things;
 
 use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -44,7 +46,7 @@ pub use check::CheckState;
 pub use files::number_files::NumberFiles;
 pub use files::outputs::{FileFormat, Outputs};
 pub use files::series::{DiskSeries, FileSeries};
-pub use host::{Mode, MotionObserver, OnWarning, Progress};
+pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{ModelBuilder, Session};
@@ -63,16 +65,24 @@ pub struct Command {
     pub usage: &'static str,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
     kinds: fn() -> Vec<KindUsage>,
+    /// What it defines, and the position of the tag among its words.
+    defines: (&'static [&'static str], usize),
 }
 
 impl Command {
     const fn new(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
-        Self { name, usage, run, kinds: Vec::new }
+        Self { name, usage, run, kinds: Vec::new, defines: (&[], 0) }
     }
 
     /// The same command as one whose first word chooses a kind: the usages of the kinds.
     const fn with_kinds(mut self, kinds: fn() -> Vec<KindUsage>) -> Self {
         self.kinds = kinds;
+        self
+    }
+
+    /// The same command as one that defines things of these kinds; `at` is the position of the tag, 0 where it has none.
+    const fn defining(mut self, kinds: &'static [&'static str], at: usize) -> Self {
+        self.defines = (kinds, at);
         self
     }
 

@@ -7,7 +7,7 @@ use crate::check::CheckState;
 use crate::course::Course;
 use crate::files::number_files::NumberFiles;
 use crate::files::outputs::Outputs;
-use crate::host::{Mode, MotionObserver, OnWarning, Progress};
+use crate::host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
@@ -25,8 +25,8 @@ use hysteron_engine::number_format::Style;
 use hysteron_engine::record::{Known, RecordError};
 use hysteron_engine::section::Fiber;
 use hysteron_tcl::Watch;
-use hysteron_tcl::diagnostic::Span;
-use std::collections::BTreeMap;
+use hysteron_tcl::diagnostic::{Check, Span};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -107,8 +107,20 @@ pub(crate) struct OutputState {
 #[derive(Default)]
 pub(crate) struct Warnings {
     pub(crate) handler: Option<OnWarning>,
-    /// Warnings that are given once, by a key.
-    pub(crate) reported: BTreeMap<&'static str, usize>,
+    /// Codes of the checks that warn once in a script, and have.
+    given: BTreeSet<&'static str>,
+}
+
+impl Warnings {
+    /// Returns true if a check that warns once in a script has warned.
+    pub(crate) fn has(&self, check: &'static Check) -> bool {
+        self.given.contains(check.code)
+    }
+
+    /// Note that a check has warned. Returns true if it is the first time.
+    pub(crate) fn note(&mut self, check: &'static Check) -> bool {
+        self.given.insert(check.code)
+    }
 }
 
 /// State that the OpenSees commands of a script work on.
@@ -153,6 +165,8 @@ pub struct Session {
     pub number_files: NumberFiles,
     /// Course of the run, where it is followed.
     pub course: Option<Course>,
+    /// What a host does before the first transient analysis.
+    pub(crate) before_transient: Option<BeforeTransient>,
 }
 
 impl Session {
@@ -197,6 +211,7 @@ impl Session {
             call_numbers: CallNumbers::default(),
             number_files: NumberFiles::default(),
             course: None,
+            before_transient: None,
         }
     }
 
@@ -217,6 +232,12 @@ impl Session {
     /// Report steps to `progress`.
     pub fn set_progress(&mut self, progress: Box<dyn Progress>) {
         self.output.recorders.progress = Some(progress);
+    }
+
+    /// Do something before the first step of the first transient analysis, for instance add recorders. An exception ends the
+    /// command `analyze`.
+    pub fn before_transient(&mut self, hook: BeforeTransient) {
+        self.before_transient = Some(hook);
     }
 
     /// Sum the energies of the analyses, with their history if `history`.

@@ -59,6 +59,8 @@ pub(crate) struct ParseError {
     pub(crate) end: u32,
     pub(crate) label: &'static str,
     pub(crate) help: Option<&'static str>,
+    /// The text ends before what was opened is closed.
+    pub(crate) never_closed: bool,
 }
 
 /// Cached place of the command of a name.

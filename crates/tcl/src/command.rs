@@ -10,6 +10,7 @@ use super::interp::Interp;
 use super::text::Text;
 use super::value::Value;
 use super::vars::VarName;
+use crate::check::WRONG_ARGUMENTS;
 use crate::diagnostic::{self, Diagnostic, SourceId, Span};
 
 /// A command of the host or of the language.
@@ -202,7 +203,9 @@ impl<'a> Call<'a> {
             (Some(whole), Some(name)) if self.words.len() == 1 => Some(name.to(whole)),
             (whole, _) => whole,
         };
-        Exception::coded(format!("wrong # args: should be \"{right}\""), &["TCL", "WRONGARGS"]).at(span, "")
+        Exception::coded(format!("wrong # args: should be \"{right}\""), &["TCL", "WRONGARGS"])
+            .by(&WRONG_ARGUMENTS)
+            .at(span, "")
     }
 
     /// Check the number of words, the name included; `right` is how the command is to be written.

@@ -11,6 +11,16 @@ pub trait Console {
     fn err(&mut self, text: &str);
 }
 
+/// A console that drops the text.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl Console for Silent {
+    fn out(&mut self, _: &str) {}
+
+    fn err(&mut self, _: &str) {}
+}
+
 /// A console that keeps the text. Clones share it.
 #[derive(Clone, Debug, Default)]
 pub struct Recorded {

@@ -5,6 +5,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+pub use crate::check::Check;
+
 /// A text that messages can point into: a script, a study, a table of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SourceId(u32);
@@ -128,6 +130,33 @@ pub struct Caller {
     pub span: Span,
 }
 
+/// What a message says is not there: a variable, a command, a thing that a command defines by a tag.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Absent {
+    /// Kind of thing, for instance "variable" or "node".
+    pub kind: &'static str,
+    /// Its name or tag; empty for a thing that has none.
+    pub name: String,
+}
+
+/// Kind of a variable.
+pub const VARIABLE: &str = "variable";
+/// Kind of a command.
+pub const COMMAND: &str = "command";
+
+impl Absent {
+    /// A thing of a kind by its name or tag.
+    pub fn new(kind: &'static str, name: impl fmt::Display) -> Self {
+        Self { kind, name: name.to_string() }
+    }
+}
+
+impl fmt::Display for Absent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}{}", self.kind, if self.name.is_empty() { "" } else { " " }, self.name)
+    }
+}
+
 /// A message with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -143,38 +172,53 @@ pub struct Diagnostic {
     pub help: Vec<String>,
     /// Calls from the innermost outwards.
     pub callers: Vec<Caller>,
-    /// Stable name of the check that found it, where that has one.
-    pub code: Option<&'static str>,
+    /// The check that found it. Each warning has one, and so has an error that many places share.
+    pub check: Option<&'static Check>,
+    /// What it says is not there.
+    pub absent: Option<Absent>,
     /// Number of times that it came up at this place, in the words of the first.
     pub count: usize,
 }
 
-/// What makes two warnings the same: the place, and the code, or without one the message but for its numbers.
+/// What makes two warnings the same: the place and the check, and the message but for its numbers unless the check has one
+/// message at a place.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct WarningKind {
     span: Option<Span>,
-    code: Option<&'static str>,
+    code: &'static str,
     words: String,
 }
 
 impl Diagnostic {
     fn new(severity: Severity, message: impl Into<String>) -> Self {
         let (message, label) = (message.into(), String::new());
-        Self { severity, message, span: None, label, help: vec![], callers: vec![], code: None, count: 1 }
+        let (check, absent) = (None, None);
+        Self { severity, message, span: None, label, help: vec![], callers: vec![], check, absent, count: 1 }
+    }
+
+    /// Code of the check that found it; empty where it has none.
+    pub fn code(&self) -> &'static str {
+        self.check.map_or("", |c| c.code)
     }
 
     /// Its kind and place.
     pub(crate) fn kind(&self) -> WarningKind {
-        let words = match self.code {
-            Some(_) => String::new(),
-            None => self.message.chars().filter(|c| !c.is_ascii_digit()).collect(),
+        let words = match self.check {
+            Some(check) if check.once => String::new(),
+            _ => self.message.chars().filter(|c| !c.is_ascii_digit()).collect(),
         };
-        WarningKind { span: self.span, code: self.code, words }
+        WarningKind { span: self.span, code: self.code(), words }
     }
 
-    /// Give it the name of the check that found it.
-    pub fn coded(mut self, code: &'static str) -> Self {
-        self.code = Some(code);
+    /// Name the check that found it.
+    pub fn by(mut self, check: &'static Check) -> Self {
+        self.check = Some(check);
+        self
+    }
+
+    /// Name what it says is not there.
+    pub fn absent(mut self, absent: Absent) -> Self {
+        self.absent = Some(absent);
         self
     }
 
@@ -183,9 +227,9 @@ impl Diagnostic {
         Self::new(Severity::Error, message)
     }
 
-    /// A warning.
-    pub fn warning(message: impl Into<String>) -> Self {
-        Self::new(Severity::Warning, message)
+    /// A warning of a check.
+    pub fn warning(check: &'static Check, message: impl Into<String>) -> Self {
+        Self::new(Severity::Warning, message).by(check)
     }
 
     /// Point at a word and say what was expected there (may be empty).

@@ -1,7 +1,7 @@
 //! Outcomes of a command other than a value.
 
 use super::value::Value;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Absent, Check, Diagnostic, Span};
 
 /// Early end of a command.
 #[derive(Debug)]
@@ -136,6 +136,16 @@ impl Exception {
     /// Add a line of help.
     pub fn help(self, help: impl Into<String>) -> Self {
         self.map_error(|e| e.diagnostic.help.push(help.into()))
+    }
+
+    /// Name the check that found it.
+    pub fn by(self, check: &'static Check) -> Self {
+        self.map_error(|e| e.diagnostic.check = Some(check))
+    }
+
+    /// Name what it says is not there.
+    pub fn absent(self, absent: Absent) -> Self {
+        self.map_error(|e| e.diagnostic.absent = Some(absent))
     }
 
     /// Offer the nearest known name.

@@ -13,7 +13,8 @@ use super::number::plain_int;
 use super::stack;
 use super::text::Cache;
 use super::value::{Rep, Value};
-use crate::diagnostic::Span;
+use crate::check::{NEVER_CLOSED, UNKNOWN_COMMAND};
+use crate::diagnostic::{Absent, COMMAND, Span};
 
 /// Limit of nested calls, as in Tcl.
 pub(crate) const MAX_LEVELS: usize = 1000;
@@ -336,6 +337,7 @@ impl<H> Interp<H> {
         let near = if self.core.calls.catching > 0 { None } else { self.core.nearest_command(&name) };
         let code = ["TCL", "LOOKUP", "COMMAND", &name];
         let e = Exception::coded(format!("invalid command name \"{name}\""), &code);
+        let e = e.by(&UNKNOWN_COMMAND).absent(Absent::new(COMMAND, &name));
         let label = (self.core.elsewhere)(&name).unwrap_or("no such command");
         let e = e.at(place.and_then(|p| p.word(0)), label).suggest(near);
         Err(self.failed(e, argv, place))
@@ -349,6 +351,9 @@ impl Core {
         let mut e = Exception::error(error.message.clone()).at(span, error.label);
         if let Some(help) = error.help {
             e = e.help(help);
+        }
+        if error.never_closed {
+            e = e.by(&NEVER_CLOSED);
         }
         let line = script.unit.line(error.start);
         self.settle_place(e.map_error(|e| e.line = line), None)

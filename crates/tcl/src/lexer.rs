@@ -108,7 +108,13 @@ impl<'a> Lexer<'a> {
             end: end.min(self.text.len()) as u32,
             label,
             help: None,
+            never_closed: false,
         }
+    }
+
+    /// The error for what is still open at the end of the text.
+    fn open(&self, message: &str, start: usize, end: usize, label: &'static str) -> ParseError {
+        ParseError { never_closed: true, ..self.error(message, start, end, label) }
     }
 
     /// Skip blanks and continued lines between words.
@@ -250,7 +256,7 @@ impl<'a> Lexer<'a> {
             }
             i += 1;
         }
-        let mut error = self.error("missing close-brace", open, open + 1, "this brace is never closed");
+        let mut error = self.open("missing close-brace", open, open + 1, "this brace is never closed");
         if brace_in_comment(&self.text[open..]) {
             error.message.push_str(": possible unbalanced brace in comment");
             error.help = Some("braces count in comments too");
@@ -271,7 +277,7 @@ impl<'a> Lexer<'a> {
         self.pos += 1;
         let kind = self.parts(Stop::Quote, ALL)?;
         if self.peek() != Some(b'"') {
-            return Err(self.error("missing \"", open, open + 1, "this quote is never closed"));
+            return Err(self.open("missing \"", open, open + 1, "this quote is never closed"));
         }
         self.pos += 1;
         Ok(kind)
@@ -382,7 +388,7 @@ impl<'a> Lexer<'a> {
             return Err(e);
         }
         if self.peek() != Some(b']') {
-            return Err(self.error("missing close-bracket", open, open + 1, "this bracket is never closed"));
+            return Err(self.open("missing close-bracket", open, open + 1, "this bracket is never closed"));
         }
         self.pos += 1;
         Ok(Rc::new(Script { unit: self.unit.clone(), commands, error: None }))
@@ -404,7 +410,7 @@ impl<'a> Lexer<'a> {
             let from = start + 2;
             let Some(length) = self.text[from..].find('}') else {
                 let label = "this brace is never closed";
-                return Err(self.error("missing close-brace for variable name", start, from, label));
+                return Err(self.open("missing close-brace for variable name", start, from, label));
             };
             self.pos = from + length + 1;
             let name = VarName::parse(&self.text[from..from + length]);
@@ -437,7 +443,7 @@ impl<'a> Lexer<'a> {
         let kind = stack::grow(|| self.parts(Stop::Paren, ALL))?;
         self.depth -= 1;
         if self.peek() != Some(b')') {
-            return Err(self.error("missing )", end, end + 1, "this parenthesis is never closed"));
+            return Err(self.open("missing )", end, end + 1, "this parenthesis is never closed"));
         }
         self.pos += 1;
         let index = match kind {
@@ -470,7 +476,7 @@ fn brace_in_comment(text: &str) -> bool {
 pub(crate) fn is_complete(text: &str) -> bool {
     let unit = Rc::new(Unit { text: text.into(), origin: None });
     match &script(&unit).error {
-        Some(e) => !e.message.starts_with("missing"),
+        Some(e) => !e.never_closed,
         None => true,
     }
 }

@@ -4,6 +4,7 @@
 mod ast;
 mod builtin;
 mod channel;
+pub mod check;
 mod command;
 mod console;
 mod core;
@@ -43,7 +44,7 @@ mod value;
 mod vars;
 
 pub use self::command::{Call, CommandFn};
-pub use self::console::{Console, Recorded};
+pub use self::console::{Console, Recorded, Silent};
 pub use self::core::{Core, ForeignScript};
 pub use self::encoding::decode;
 pub use self::error::{Exception, Returned, ScriptError};

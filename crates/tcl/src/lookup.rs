@@ -8,7 +8,8 @@ use super::table::Table;
 use super::text::Text;
 use super::value::Value;
 use super::vars::{Scope, Slot, Trouble, VarName, Watch, WatchedSlot, put, take};
-use crate::diagnostic;
+use crate::check::UNKNOWN_VARIABLE;
+use crate::diagnostic::{self, Absent, VARIABLE};
 
 impl Core {
     /// The error for a variable, in Tcl's words: `can't read "x": no such variable`.
@@ -27,7 +28,10 @@ impl Core {
             (Trouble::NotArray | Trouble::NoNamespace, _) => &["TCL", "LOOKUP", "VARNAME", &name.text],
             (Trouble::Unread, _) => &["TCL", "WRITE", "VARNAME"],
         };
-        let e = Exception::coded(message, code);
+        let mut e = Exception::coded(message, code);
+        if let Trouble::NoVariable | Trouble::Undefined = why {
+            e = e.by(&UNKNOWN_VARIABLE).absent(Absent::new(VARIABLE, &full));
+        }
         if self.calls.catching > 0 {
             return e;
         }

@@ -11,6 +11,7 @@ use super::table::Table;
 use super::text::Text;
 use super::value::Value;
 use super::vars::{Slot, VarName};
+use crate::check::WRONG_ARGUMENTS;
 
 impl Proc {
     /// A procedure from the words of `proc`.
@@ -98,7 +99,7 @@ impl<H> Interp<H> {
             let blank = if params.is_empty() { "" } else { " " };
             let message = format!("wrong # args: should be \"{}{blank}{params}\"", shown(&argv));
             let span = place.and_then(|p| p.whole());
-            let e = Exception::coded(message, &["TCL", "WRONGARGS"]).at(span, "");
+            let e = Exception::coded(message, &["TCL", "WRONGARGS"]).by(&WRONG_ARGUMENTS).at(span, "");
             return Err(self.failed(e, argv, place));
         }
         if let Err(e) = self.core.enter() {

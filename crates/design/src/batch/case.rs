@@ -8,7 +8,7 @@ use hysteron_opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron_opensees::files::output_folder::OutputFolder;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Outputs};
-use hysteron_tcl::{Console, Files, Value};
+use hysteron_tcl::{Files, Silent, Value};
 use std::io;
 use std::path::Path;
 use std::rc::Rc;
@@ -78,15 +78,6 @@ pub fn is_complete(case: &Case, folder: &Path) -> bool {
     place.join(ROW).is_file() && inputs.is_some_and(|inputs| is_current(&inputs))
 }
 
-/// Text that a script puts out, which a batch does not keep.
-struct NoOutput;
-
-impl Console for NoOutput {
-    fn out(&mut self, _: &str) {}
-
-    fn err(&mut self, _: &str) {}
-}
-
 /// Files and recorder files of a script that may write below the current folder and into `out`, where its files go.
 fn guarded(out: &Path) -> io::Result<(Box<dyn Files>, Box<dyn Outputs>)> {
     let folder = OutputFolder::new(out)?;
@@ -114,7 +105,7 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     let inputs = InputHashes::default();
     let files = Box::new(HashedFiles::new(files, inputs.clone()));
     let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
-    let mut run = Run::new(settings, Box::new(NoOutput), files, outputs);
+    let mut run = Run::new(settings, Box::new(Silent), files, outputs);
     run.interp.interrupt = stop.clone();
     run.interp.host.stop_on(stop.clone());
     run.interp.host.parameters = plan.parameters.iter().cloned().zip(case.values.iter().copied()).collect();

@@ -3,6 +3,7 @@
 use super::BOUNDS;
 use super::capture::{Captured, Rows, StudyOutputs};
 use super::inputs::{HashedFiles, InputHashes};
+use super::observed::Observed;
 use super::outcome::{BearingOutcome, JobOutcome, MemberOutcome};
 use super::study::{BearingType, Study};
 use crate::lateral_force::overlap;
@@ -11,7 +12,8 @@ use hysteron_engine::analysis::{Options, RecoveryStrategy};
 use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
-use hysteron_tcl::{Console, OsFiles, OverlayFiles, Value};
+use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::{Exception, OsFiles, OverlayFiles, Silent, Value};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
@@ -75,46 +77,6 @@ const FLOOR_PERIODS: usize = 30;
 /// Points of a thinned history, at most.
 const MAX_POINTS: usize = 1200;
 
-/// Begin of the description of an analysis that did not converge.
-const NO_CONVERGENCE: &str = "the analysis failed";
-
-/// Adds the recorders before the first step of a transient analysis.
-const PROLOGUE: &str = r#"
-rename analyze hysteron_analyze
-proc analyze {args} {
-    if {[llength $args] >= 2 && ![info exists ::hysteron_recorded]} {
-        set ::hysteron_recorded 1
-        foreach tag $::hysteron_bearings {
-            lassign [eleNodes $tag] lower upper
-            lappend ::hysteron_places {*}[nodeCoord $upper]
-            set dofs [lrange {1 2 3} 0 [expr {[llength [nodeCoord $upper]] - 1}]]
-            recorder Node -file hysteron_isolate/$tag/lower -node $lower -dof {*}$dofs disp
-            recorder Node -file hysteron_isolate/$tag/upper -node $upper -dof {*}$dofs disp
-            recorder Element -file hysteron_isolate/$tag/force -ele $tag globalForce
-        }
-        foreach tag $::hysteron_contacts {
-            recorder Element -file hysteron_isolate/contact$tag -ele $tag globalForce
-        }
-        foreach tag $::hysteron_members {
-            recorder Element -file hysteron_isolate/member$tag -ele $tag localForce
-        }
-        foreach node $::hysteron_floors {
-            set dofs [lrange {1 2} 0 [expr {[llength [nodeCoord $node]] - 2}]]
-            recorder Node -file hysteron_isolate/floor$node/disp -node $node -dof {*}$dofs disp
-            recorder Node -file hysteron_isolate/floor$node/accel -node $node -dof {*}$dofs accel
-        }
-    }
-    uplevel 1 [linsert $args 0 hysteron_analyze]
-}
-"#;
-
-struct Silent;
-
-impl Console for Silent {
-    fn out(&mut self, _: &str) {}
-    fn err(&mut self, _: &str) {}
-}
-
 /// Ends an analysis whose result is not wanted any more.
 struct StopWatch {
     interrupt: Arc<AtomicBool>,
@@ -173,15 +135,6 @@ pub fn script_text(study: &Study, job: &Job) -> String {
     out + &format!("source {{{}}}\n", path.display().to_string().replace('\\', "/"))
 }
 
-/// Ends the script before the first step of a transient analysis.
-const STOP_BEFORE: &str = r#"
-rename analyze hysteron_analyze
-proc analyze {args} {
-    if {[llength $args] >= 2} { exit 0 }
-    uplevel 1 [linsert $args 0 hysteron_analyze]
-}
-"#;
-
 /// Run the script of a study at a bound and an eccentricity up to its first transient analysis. `stop` interrupts it.
 ///
 /// # Errors
@@ -193,7 +146,7 @@ pub(crate) fn run_to_transient(
     stop: &Arc<AtomicBool>,
 ) -> Result<Run, String> {
     let job = Job { bound, motion: 0, eccentricity, level: 1.0, draw: None };
-    run_prepared(&study.script, |interp| prepare(interp, study, &job, STOP_BEFORE), stop)
+    run_prepared(&study.script, |interp| set_values(interp, study, &job), stop)
 }
 
 /// Run a script with its own values up to its first transient analysis.
@@ -201,8 +154,7 @@ pub(crate) fn run_to_transient(
 /// # Errors
 /// The errors of [`run_to_transient`].
 pub(super) fn run_alone(script: &Path, stop: &Arc<AtomicBool>) -> Result<Run, String> {
-    let failed = |_| "the script cannot be prepared".to_owned();
-    run_prepared(script, |interp| interp.eval_str("isolation study", STOP_BEFORE).map(|_| ()).map_err(failed), stop)
+    run_prepared(script, |_| Ok(()), stop)
 }
 
 fn run_prepared(
@@ -215,65 +167,71 @@ fn run_prepared(
     let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
     let interrupt = run.interp.interrupt.clone();
     run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: Arc::default() }));
+    run.interp.host.before_transient(Box::new(|_| Err(Exception::Exit(0))));
     prepare(&mut run.interp)?;
     let end = run.script(&script.to_string_lossy(), &[]);
     match end {
         End::Exit(0) => Ok(run),
         End::Done => Err("the script has no transient analysis".into()),
-        _ => Err(description(&end, &run)),
+        _ => Err(Failure::of(&end, &run).text),
     }
 }
 
-/// Set the values, and change the commands by a prologue.
-fn prepare(interp: &mut Tcl, study: &Study, job: &Job, prologue: &str) -> Result<(), String> {
-    let tags = study.bearings.iter().flat_map(|b| &b.tags);
-    let bearings = Value::list(tags.map(|t| Value::from(*t)));
-    let contacts = Value::list(study.contacts().map(Value::from));
-    interp.set_global("hysteron_contacts", contacts).map_err(|_| "the values of the study cannot be set".to_owned())?;
-    let floors = Value::list(study.floors.iter().map(|f| Value::from(f.node)));
+/// Set the values of an analysis in the array `isolate`.
+fn set_values(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
     let set = values(study, job).into_iter().flat_map(|(name, value)| [Value::from(name), value]);
     let failed = |_| "the values of the study cannot be set".to_owned();
-    interp.set_global("hysteron_bearings", bearings).map_err(failed)?;
-    interp.set_global("hysteron_floors", floors).map_err(failed)?;
-    let members = Value::list(study.members.iter().map(|t| Value::from(*t)));
-    interp.set_global("hysteron_members", members).map_err(failed)?;
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
-    let text = format!("array set isolate $hysteron_values\nunset hysteron_values\n{prologue}");
-    interp.eval_str("isolation study", &text).map(|_| ()).map_err(|_| "the recorders cannot be added".to_owned())
+    let text = "array set isolate $hysteron_values\nunset hysteron_values\n";
+    interp.eval_str("isolation study", text).map(|_| ()).map_err(failed)
 }
 
-fn description(end: &End, run: &Run) -> String {
-    let text = |d: &hysteron_tcl::diagnostic::Diagnostic| match d.span {
-        Some(span) => format!("{}: {}", run.interp.sources.location(span), d.message),
-        None => d.message.clone(),
-    };
-    match end {
-        End::Done | End::Exit(0) => {
-            run.interp.host.last_failure.as_ref().map_or(String::new(), |f| format!("{NO_CONVERGENCE}: {f}"))
+/// Why an analysis has no result.
+struct Failure {
+    /// In words; empty where it has one.
+    text: String,
+    /// The analysis did not converge.
+    of_analysis: bool,
+}
+
+impl Failure {
+    fn of(end: &End, run: &Run) -> Self {
+        let place = |d: &Diagnostic| match d.span {
+            Some(span) => format!("{}: {}", run.interp.sources.location(span), d.message),
+            None => d.message.clone(),
+        };
+        let other = |text: String| Self { text, of_analysis: false };
+        let analysis = match end {
+            End::Failed(f) | End::Ignored(f) => Some(f),
+            End::Done | End::Exit(0) | End::Raised(_) => run.interp.host.last_failure.as_ref(),
+            _ => None,
+        };
+        if let Some(failure) = analysis {
+            return Self { text: format!("the analysis failed: {failure}"), of_analysis: true };
         }
-        End::Failed(f) | End::Ignored(f) => format!("{NO_CONVERGENCE}: {f}"),
-        End::Raised(d) => match &run.interp.host.last_failure {
-            Some(f) => format!("{NO_CONVERGENCE}: {f}"),
-            None => format!("the script raised an error: {}", text(d)),
-        },
-        End::Rejected(d) => format!("the script was rejected: {}", text(d)),
-        End::Exit(status) => format!("the script ended itself with status {status}"),
-        End::Interrupted | End::Enough(_) => "interrupted".into(),
+        match end {
+            End::Done | End::Exit(0) | End::Failed(_) | End::Ignored(_) => other(String::new()),
+            End::Raised(d) => other(format!("the script raised an error: {}", place(d))),
+            End::Rejected(d) => other(format!("the script was rejected: {}", place(d))),
+            End::Exit(status) => other(format!("the script ended itself with status {status}")),
+            End::Interrupted | End::Enough(_) => other("interrupted".into()),
+        }
     }
 }
 
 /// Make an analysis. A failure is part of the outcome; `stop` interrupts it. An analysis that does not converge is made
 /// once more with the strategy of recovery and half the steps.
 pub fn run_job(study: &Study, job: &Job, stop: &Arc<AtomicBool>) -> JobOutcome {
-    let first = attempt(study, job, stop, Options::default());
-    if !first.failure.starts_with(NO_CONVERGENCE) {
+    let (first, converged) = attempt(study, job, stop, Options::default());
+    if converged {
         return first;
     }
     let options = Options { ladder: Some(RecoveryStrategy::default()), refine: 2, ..Options::default() };
-    JobOutcome { retried: true, ..attempt(study, job, stop, options) }
+    JobOutcome { retried: true, ..attempt(study, job, stop, options).0 }
 }
 
-fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -> JobOutcome {
+/// The outcome of an attempt, and whether its analysis converged.
+fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -> (JobOutcome, bool) {
     let captured = Captured::default();
     let settings = Settings { mode: Mode::Run, strict: false, options };
     let inputs = InputHashes::default();
@@ -289,12 +247,16 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
         eccentricity: study.eccentricities[job.eccentricity],
         ..JobOutcome::default()
     };
-    if let Err(e) = prepare(&mut run.interp, study, job, PROLOGUE) {
+    if let Err(e) = set_values(&mut run.interp, study, job) {
         out.failure = e;
-        return out;
+        return (out, true);
     }
+    let observed = Observed::of(study);
+    let recorders = observed.clone();
+    run.interp.host.before_transient(Box::new(move |interp| recorders.add(interp)));
     let end = run.script(&study.script.to_string_lossy(), &[]);
-    out.failure = description(&end, &run);
+    let failure = Failure::of(&end, &run);
+    out.failure = failure.text;
     out.time = time.lock().map_or(0.0, |t| *t);
     out.inputs = inputs.hashes();
     out.damping_share = run.interp.host.isolator_damping_share();
@@ -304,8 +266,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
         (rows.rows.len() > 1).then_some(rows)
     };
     measure_bearings(study, &rows, &mut out);
-    let found = places(&mut run.interp, out.bearings.len());
-    out.bearings.iter_mut().zip(found).for_each(|(b, place)| b.place = place);
+    out.bearings.iter_mut().zip(observed.horizontal_places()).for_each(|(b, place)| b.place = place);
     measure_floors(study, job, &rows, &mut out);
     out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
@@ -313,7 +274,7 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     };
     out.contact =
         study.contacts().map(|tag| (tag, rows(&format!("contact{tag}")).map_or(f64::NAN, |r| half(&r)))).collect();
-    out
+    (out, !failure.of_analysis)
 }
 
 /// Extremes of the forces of a member.
@@ -322,15 +283,6 @@ fn member(tag: i64, rows: &Rows) -> MemberOutcome {
     let extremes = |c: Vec<f64>| c.iter().fold((f64::MIN, f64::MAX), |(a, b), x| (a.max(*x), b.min(*x)));
     let (largest, least) = columns.map(extremes).unzip();
     MemberOutcome { tag, gravity: rows.rows[0].clone(), largest, least }
-}
-
-/// Horizontal coordinates of `count` bearings, as the recorders found them.
-fn places(interp: &mut Tcl, count: usize) -> Vec<Vec<f64>> {
-    let text = "if {[info exists ::hysteron_places]} {set ::hysteron_places} else {list}";
-    let Ok(all) = interp.eval_str("isolation study", text) else { return vec![] };
-    let numbers: Vec<f64> = all.as_str().split_whitespace().filter_map(|w| w.parse().ok()).collect();
-    let ndm = numbers.len() / count.max(1);
-    if ndm < 2 { vec![] } else { numbers.chunks(ndm).map(|xyz| xyz[..ndm - 1].to_vec()).collect() }
 }
 
 /// Element of the largest length among vectors.

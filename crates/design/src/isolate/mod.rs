@@ -10,6 +10,7 @@ mod capture;
 mod draft;
 mod inputs;
 mod job;
+mod observed;
 mod outcome;
 mod procedures;
 mod runaway;

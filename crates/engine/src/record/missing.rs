@@ -49,16 +49,6 @@ pub enum Missing {
 const MAX_LISTED: usize = 5;
 
 impl Missing {
-    /// Name of a thing that a command would have defined, or of a degree of freedom: "node 3".
-    pub fn thing(&self) -> Option<String> {
-        match self {
-            Self::Node(tag) => Some(format!("node {tag}")),
-            Self::Element(tag) => Some(format!("element {tag}")),
-            Self::Dof { dof, .. } => Some(format!("degree of freedom {dof}")),
-            Self::Response { .. } | Self::Column { .. } | Self::Drift { .. } => None,
-        }
-    }
-
     /// Returns true if the record has a column of zeros in its place.
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Dof { .. })

@@ -3,6 +3,7 @@
 use super::load::StudyError;
 use super::run::ObservedChannel;
 use super::study_file::{ObserveTable, SourceSpans};
+use crate::checks;
 use hysteron_recordings::unit::{self, Unit};
 use hysteron_recordings::{Column, Recording};
 use hysteron_tcl::diagnostic::{Diagnostic, nearest};
@@ -61,7 +62,8 @@ pub(super) fn read_channel(
     let missing = values.len() - present.len();
     if missing > 0 {
         let message = format!("{missing} of {} samples of {channel} in {path} are missing", values.len());
-        warnings.push(Diagnostic::warning(message).at(Some(spans.span(&o.channel)), "left out"));
+        warnings
+            .push(Diagnostic::warning(&checks::MISSING_SAMPLES, message).at(Some(spans.span(&o.channel)), "left out"));
     }
     Ok(ObservedChannel {
         channel: column.name.clone(),

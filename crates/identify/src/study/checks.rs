@@ -5,6 +5,7 @@ use super::parameter::ParameterRange;
 use super::run::{Role, Run};
 use super::script_simulator::ScriptSimulator;
 use super::simulator::{SimulationError, Simulator};
+use crate::checks::{FEW_SAMPLES, NO_EFFECT, NO_HOLDOUT, OUTSIDE_BOUNDS};
 use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
 
 /// Samples for each free parameter below which a fit is hardly more than an interpolation.
@@ -24,10 +25,10 @@ pub(super) fn check_runs(runs: &[Run], free: usize, at: Span) -> Result<Vec<Diag
         return Err(Box::new(Diagnostic::error(message).at(Some(at), "expected more samples than parameters")));
     }
     if samples < MIN_SAMPLES_PER_PARAMETER * free {
-        found.push(Diagnostic::warning(message).at(Some(at), "a fit of so few proves nothing"));
+        found.push(Diagnostic::warning(&FEW_SAMPLES, message).at(Some(at), "a fit of so few proves nothing"));
     }
     if !runs.iter().any(|r| r.role == Role::Holdout) {
-        let note = Diagnostic::warning("no run is held out, so that nothing judges the fit");
+        let note = Diagnostic::warning(&NO_HOLDOUT, "no run is held out, so that nothing judges the fit");
         let note = note.at(Some(at), "give a run the role \"holdout\"");
         found.push(Diagnostic { severity: Severity::Note, ..note });
     }
@@ -41,7 +42,8 @@ pub(super) fn outside_bounds(study: &Study, values: &[f64]) -> Vec<Diagnostic> {
         let (name, value) = (&study.space.parameters[i].name, values[i]);
         let message =
             format!("{name} is {value} in the script, outside of its bounds {} to {}", range.lower, range.upper);
-        Diagnostic::warning(message).at(Some(study.spans.names[i]), "the search starts from the nearer bound")
+        Diagnostic::warning(&OUTSIDE_BOUNDS, message)
+            .at(Some(study.spans.names[i]), "the search starts from the nearer bound")
     };
     outside.map(warning).collect()
 }
@@ -83,7 +85,10 @@ pub(super) fn insensitive_parameters(simulator: &mut ScriptSimulator, values: &[
         if !depends {
             let name = &space.parameters[i].name;
             let message = format!("no observed channel depends on {name} from {} to {}", range.lower, range.upper);
-            found.push(Diagnostic::warning(message).at(Some(study.spans.names[i]), "cannot be found: fix its value"));
+            found.push(
+                Diagnostic::warning(&NO_EFFECT, message)
+                    .at(Some(study.spans.names[i]), "cannot be found: fix its value"),
+            );
         }
     }
     found

@@ -5,8 +5,9 @@ use super::run::ObservedChannel;
 use super::script_simulator::{EndedRun, ScriptSimulator};
 use super::simulator::SimulationError;
 use super::trace::Trace;
+use crate::checks;
 use hysteron_opensees::run::End;
-use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, nearest};
+use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE, nearest};
 use std::collections::BTreeSet;
 
 /// Variables that the diagnosis reads from the study, so that a script need not.
@@ -65,7 +66,7 @@ impl SetUses {
                 return Err(Box::new(d.help(format!("did you mean \"{near}\"?"))));
             }
             if !warnings.iter().any(|w| w.message == message) {
-                warnings.push(Diagnostic::warning(message).at(span, "changes nothing"));
+                warnings.push(Diagnostic::warning(&checks::UNREAD_VARIABLE, message).at(span, "changes nothing"));
             }
         }
         Ok(warnings)
@@ -108,9 +109,9 @@ pub(super) fn explain(study: &Study, run: usize, ended: &EndedRun, d: &Diagnosti
         return d;
     }
     // A misspelled name in `set` leaves the right one without a value.
-    let missing = d.message.strip_prefix("can't read \"").and_then(|m| m.split_once("\": no such variable"));
-    if let Some((missing, _)) = missing
-        && let Some(i) = spec.set.iter().position(|(n, _)| nearest(missing, [n.as_str()]).is_some())
+    let missing = d.absent.as_ref().filter(|a| a.kind == VARIABLE).map(|a| a.name.clone());
+    if let Some(missing) = missing
+        && let Some(i) = spec.set.iter().position(|(n, _)| nearest(&missing, [n.as_str()]).is_some())
         && let Some(span) = study.spans.set(run, i)
     {
         d.help.push(format!(
@@ -197,7 +198,8 @@ pub(super) fn time_columns(simulator: &ScriptSimulator, run: usize) -> Vec<Diagn
     let warning = |(i, (o, _)): (usize, (&ObservedChannel, _))| {
         let message = format!("column 0 of {} is the time, and {} is compared with it", o.output, o.channel);
         let span = simulator.study.spans.channel(run, i).map(|s| s.column);
-        Diagnostic::warning(message).at(span, "columns count from 0; with -time the first value is column 1")
+        Diagnostic::warning(&checks::TIME_COLUMN, message)
+            .at(span, "columns count from 0; with -time the first value is column 1")
     };
     times.map(warning).collect()
 }

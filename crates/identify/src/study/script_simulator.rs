@@ -12,7 +12,7 @@ use hysteron_opensees::lockstep::Course;
 use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
 use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
 use hysteron_tcl::diagnostic::Diagnostic;
-use hysteron_tcl::{Console, Exception, OverlayFiles, Value, Watch};
+use hysteron_tcl::{Exception, OverlayFiles, Silent, Value, Watch};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -71,14 +71,6 @@ impl SimulatorFactory {
     pub fn refine(&mut self, parts: u32) {
         self.options.refine = parts;
     }
-}
-
-/// A console that prints nothing.
-struct Silent;
-
-impl Console for Silent {
-    fn out(&mut self, _: &str) {}
-    fn err(&mut self, _: &str) {}
 }
 
 /// Traces of recorders that are not observed, by the file name in the script.

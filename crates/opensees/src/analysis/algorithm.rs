@@ -1,6 +1,7 @@
 //! `algorithm`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
@@ -297,5 +298,9 @@ fn express(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
 
 fn no_secant(interp: &mut Tcl, a: &Args<'_>) -> Result<(), Exception> {
     let message = "the secant tangent is not supported: the current tangent is used";
-    warn(interp, Diagnostic::warning(message).at(a.last_span(), "the results are the same once converged"))
+    warn(
+        interp,
+        Diagnostic::warning(&checks::words::UNUSED_WORD, message)
+            .at(a.last_span(), "the results are the same once converged"),
+    )
 }

@@ -4,10 +4,12 @@ use super::failure::failure_message;
 use super::plausibility;
 use crate::args::Args;
 use crate::checkpoint;
+use crate::checks;
 use crate::host::Mode;
 use crate::output::collapse;
 use crate::session::{Parts, Session};
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
@@ -17,7 +19,7 @@ use hysteron_engine::analysis::{
 };
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::element::Overload;
-use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
+use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -130,10 +132,16 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYZE);
     let Some(kind) = interp.host.kind() else {
         // OpenSees warns, and goes on.
-        let d = Diagnostic::warning("analyze: there is no analysis").help(format!("usage: {ANALYZE}"));
+        let d = Diagnostic::warning(&checks::analysis::NO_ANALYSIS, "analyze: there is no analysis")
+            .absent(Absent::new(things::ANALYSIS, ""))
+            .help(format!("usage: {ANALYZE}"));
         warn(interp, d.at(call.span(0), "expected a command \"analysis\" before: returns -1"))?;
         return Ok(Value::from(-1i64));
     };
+    let hook = if kind == Kind::Transient { interp.host.before_transient.take() } else { None };
+    if let Some(hook) = hook {
+        hook(interp)?;
+    }
     let steps = a.int("number of steps")?;
     if steps < 0 {
         return Err(a.refuse(format!("the number of steps is {steps}"), "expected a number that is not negative"));
@@ -255,7 +263,7 @@ pub(crate) fn warn_of_missing(interp: &mut Tcl) -> Result<(), Exception> {
     if *mode == Mode::Check {
         output.recorders.look_up(engine);
     }
-    let missing = output.recorders.missing(|what| check.holds_back(&format!("there is no {what}")));
+    let missing = output.recorders.missing(|absent| check.holds_back(absent));
     missing.into_iter().try_for_each(|m| warn(interp, m))
 }
 
@@ -272,7 +280,7 @@ fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
 /// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
 fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let engine = &interp.host.engine;
-    let told = interp.host.warnings.reported.contains_key("plain");
+    let told = interp.host.warnings.has(&checks::analysis::PLAIN_CONSTRAINTS);
     if told
         || interp.host.follows(&[slips::PLAIN_IMPOSED, slips::PLAIN_CONSTRAINTS])
         || !engine.setup().is_some_and(|s| s.handler == Handler::Plain)
@@ -286,15 +294,16 @@ fn warn_of_plain(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> 
     let tied = model.multi_points.iter().find(|m| !m.is_identity());
     let tied = tied.map(|m| format!("the constraint of node {} to node {}", name(m.constrained), name(m.retained)));
     let Some(what) = moved.or(tied) else { return Ok(()) };
-    interp.host.warnings.reported.insert("plain", 1);
+    interp.host.warnings.note(&checks::analysis::PLAIN_CONSTRAINTS);
     let message = format!("OpenSees' handler Plain leaves out {what}; here it is followed");
-    let d = Diagnostic::warning(message).at(span, "expected \"constraints Transformation\" before this");
-    warn(interp, d.coded("plain-constraints"))
+    let d = Diagnostic::warning(&checks::analysis::PLAIN_CONSTRAINTS, message)
+        .at(span, "expected \"constraints Transformation\" before this");
+    warn(interp, d)
 }
 
 /// Warn, once, of laws that depend on time in an analysis whose steps are ruled by something else.
 fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    if interp.host.warnings.reported.contains_key("pseudo-time") {
+    if interp.host.warnings.has(&checks::analysis::PSEUDO_TIME) {
         return Ok(());
     }
     let engine = &interp.host.engine;
@@ -302,10 +311,10 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     let Some(e) = engine.model().elements.iter().find(|e| e.element.traits().elapses) else { return Ok(()) };
     let what = format!("{} {}", e.element.class(), e.tag);
     let name = integrator.name();
-    interp.host.warnings.reported.insert("pseudo-time", 1);
+    interp.host.warnings.note(&checks::analysis::PSEUDO_TIME);
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");
-    let d = Diagnostic::warning(message).at(span, "expected LoadControl, whose load factor is the time");
-    let d = d.coded("pseudo-time");
+    let d = Diagnostic::warning(&checks::analysis::PSEUDO_TIME, message)
+        .at(span, "expected LoadControl, whose load factor is the time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
 }
 
@@ -313,16 +322,18 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
 /// nearly singular.
 fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     let session = &mut interp.host;
-    let weak = if session.warnings.reported.contains_key("pivot") { None } else { session.engine.weak_pivot() };
+    let weak =
+        if session.warnings.has(&checks::analysis::NEARLY_SINGULAR) { None } else { session.engine.weak_pivot() };
     if let Some((place, ratio)) = weak {
-        session.warnings.reported.insert("pivot", 1);
+        session.warnings.note(&checks::analysis::NEARLY_SINGULAR);
         let message =
             format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
-        let d = Diagnostic::warning(message).at(span, "few digits of the results are right");
-        warn(interp, d.coded("nearly-singular"))?;
+        let d = Diagnostic::warning(&checks::analysis::NEARLY_SINGULAR, message)
+            .at(span, "few digits of the results are right");
+        warn(interp, d)?;
     }
     let session = &mut interp.host;
-    let told = session.warnings.reported.contains_key("balance");
+    let told = session.warnings.has(&checks::analysis::OUT_OF_BALANCE);
     if let Some(i) = session.engine.imbalance.as_ref().filter(|_| !told) {
         let message = format!(
             "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
@@ -331,9 +342,10 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
             i.time,
             i.place
         );
-        session.warnings.reported.insert("balance", 1);
-        let d = Diagnostic::warning(message).at(span, "a tighter test, or one of the unbalance, shows it");
-        warn(interp, d.coded("out-of-balance"))?;
+        session.warnings.note(&checks::analysis::OUT_OF_BALANCE);
+        let d = Diagnostic::warning(&checks::analysis::OUT_OF_BALANCE, message)
+            .at(span, "a tighter test, or one of the unbalance, shows it");
+        warn(interp, d)?;
     }
     report_overload(interp, span);
     report_softening(interp, span);
@@ -343,12 +355,12 @@ fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 /// Report once a bearing whose backbone is negative. It is no error, even where warnings are: a script may study this.
 fn report_softening(interp: &mut Tcl, span: Option<Span>) {
     let session = &mut interp.host;
-    if session.mode == Mode::Check || session.warnings.reported.contains_key("softening") {
+    if session.mode == Mode::Check || session.warnings.has(&checks::analysis::SOFTENING_BEARING) {
         return;
     }
     let Some(d) = session.output.recorders.backbones.warning(span) else { return };
-    session.warnings.reported.insert("softening", 1);
-    crate::report(interp, d.coded("softening-bearing"));
+    session.warnings.note(&checks::analysis::SOFTENING_BEARING);
+    crate::report(interp, d);
 }
 
 /// Report once a bearing under more than its critical load.
@@ -356,7 +368,7 @@ fn report_softening(interp: &mut Tcl, span: Option<Span>) {
 /// The script may study exactly this, so that it is no error, even where warnings are.
 fn report_overload(interp: &mut Tcl, span: Option<Span>) {
     let session = &mut interp.host;
-    if session.mode == Mode::Check || session.warnings.reported.contains_key("overload") {
+    if session.mode == Mode::Check || session.warnings.has(&checks::analysis::OVERLOADED_BEARING) {
         return;
     }
     let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
@@ -365,8 +377,11 @@ fn report_overload(interp: &mut Tcl, span: Option<Span>) {
         e.element.class(),
         e.tag
     );
-    session.warnings.reported.insert("overload", 1);
-    crate::report(interp, Diagnostic::warning(message).at(span, "it has buckled").coded("overloaded-bearing"));
+    session.warnings.note(&checks::analysis::OVERLOADED_BEARING);
+    crate::report(
+        interp,
+        Diagnostic::warning(&checks::analysis::OVERLOADED_BEARING, message).at(span, "it has buckled"),
+    );
 }
 
 const SOLVERS: &[&str] = &[
@@ -404,7 +419,10 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "standard" => problem = Problem::Standard,
             "findLargest" => largest = true,
             _ => {
-                let d = Diagnostic::warning(format!("eigen: \"{}\" is not an option and is ignored", a.last_word()));
+                let d = Diagnostic::warning(
+                    &checks::words::UNKNOWN_OPTION,
+                    format!("eigen: \"{}\" is not an option and is ignored", a.last_word()),
+                );
                 warn(interp, d.at(a.last_span(), format!("expected one of {}", SOLVERS.join(" "))))?;
             }
         }
@@ -436,16 +454,23 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let top = lambda.iter().filter(|l| **l < f64::MAX).fold(0.0f64, |m, l| m.max(l.abs()));
             lambda.iter_mut().filter(|l| l.abs() < ROUND_OFF * top).for_each(|l| *l = 0.0);
             if lapack && largest {
-                let d = Diagnostic::warning("eigen: -fullGenLapack takes no notice of -findLargest in OpenSees");
+                let d = Diagnostic::warning(
+                    &checks::words::UNUSED_WORD,
+                    "eigen: -fullGenLapack takes no notice of -findLargest in OpenSees",
+                );
                 warn(interp, d.at(call.span(0), "the smallest eigenvalues are given"))?;
             }
             if let Some(n) = lambda.iter().position(|l| *l == f64::MAX) {
-                let d = Diagnostic::warning(format!("eigen: the model has only {n} modes: the others are infinite"));
+                let d = Diagnostic::warning(
+                    &checks::analysis::FEW_MODES,
+                    format!("eigen: the model has only {n} modes: the others are infinite"),
+                );
                 warn(interp, d.at(span, "expected no more"))?;
             }
             if rigid > 0 {
                 let message = format!("eigen: {rigid} modes move the model as a rigid body or a mechanism");
-                let d = Diagnostic::warning(message).at(span, "their eigenvalue is given as 0: they have no period");
+                let d = Diagnostic::warning(&checks::analysis::RIGID_MODES, message)
+                    .at(span, "their eigenvalue is given as 0: they have no period");
                 warn(interp, d.help("a model that is held everywhere has none"))?;
             }
             Ok(Value::list(lambda.into_iter().map(Value::from)))

@@ -1,8 +1,11 @@
 //! Rayleigh damping and regions.
 
 use crate::args::Args;
+use crate::checks;
 use crate::element::damping::of_tag;
+use crate::output::recorders::absent_of;
 use crate::session::Region;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
@@ -13,7 +16,7 @@ use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("rayleigh", RAYLEIGH, rayleigh),
-    Command::new("region", REGION, region),
+    Command::new("region", REGION, region).defining(&[things::REGION], 1),
     Command::new("setElementRayleighDampingFactors", FACTORS, element_factors),
     Command::new("setElementRayleighFactors", FACTORS, element_factors),
 ];
@@ -34,7 +37,10 @@ fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
     let stiffness = r.beta_k + r.beta_k0 + r.beta_kc;
     if r.alpha_m < 0.0 || stiffness < 0.0 {
         let what = if r.alpha_m < 0.0 { "mass" } else { "stiffness" };
-        let d = Diagnostic::warning(format!("the Rayleigh damping by {what} is negative: it feeds the motion"));
+        let d = Diagnostic::warning(
+            &checks::analysis::NEGATIVE_DAMPING,
+            format!("the Rayleigh damping by {what} is negative: it feeds the motion"),
+        );
         warn(interp, d.at(a.last_span(), "expected factors not less than 0"))?;
     }
     Ok(r)
@@ -69,8 +75,7 @@ fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 model.element(tag).map(|id| elements.push(id))
             };
             let what = if option == "-node" { "node" } else { "element" };
-            found
-                .ok_or_else(|| a.refuse_at(span, format!("there is no {what} {tag}"), "expected a tag of the model"))?;
+            found.ok_or_else(|| a.absent_at(span, what, tag, "expected a tag of the model"))?;
         }
     }
     finish(interp, &a)?;
@@ -99,7 +104,7 @@ fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FACTORS);
     let tag = a.int("tag of the element")?;
     let Some(id) = interp.host.engine.model().element(tag) else {
-        return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+        return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
     };
     let r = factors(interp, &mut a)?;
     finish(interp, &a)?;
@@ -132,7 +137,7 @@ fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDa
                 interp.host.engine.replace_element(*id, Arc::new(made));
             }
             Err(e) => {
-                let d = Diagnostic::warning(format!("element {}: {e}", entry.tag));
+                let d = Diagnostic::warning(&checks::elements::DAMPING_LEFT_OUT, format!("element {}: {e}", entry.tag));
                 warn(interp, d.at(a.last_span(), "left without this damping"))?;
             }
         }
@@ -182,10 +187,13 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
     }
     let check = &mut interp.host.check;
-    absent.retain(|m| m.thing().is_none_or(|thing| !check.holds_back(&format!("there is no {thing}"))));
+    absent.retain(|m| absent_of(m).is_none_or(|thing| !check.holds_back(&thing)));
     if !absent.is_empty() {
         let message = format!("region {tag}: the model has no {}", Missing::list(&absent));
-        warn(interp, Diagnostic::warning(message).at(call.whole_span(), "left out of the region"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::output::NOT_IN_MODEL, message).at(call.whole_span(), "left out of the region"),
+        )?;
     }
     // In the order in which they are met, as recorders show them.
     let mut seen = std::collections::BTreeSet::new();

@@ -1,5 +1,6 @@
 //! Messages about steps that failed.
 
+use crate::checks;
 use crate::host::Mode;
 use crate::session::Session;
 use hysteron_engine::analysis::{Cause, Failure, Kind};
@@ -7,7 +8,8 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 
 /// A failure as a message.
 pub(super) fn failure_message(session: &Session, failure: &Failure, span: Option<Span>) -> Diagnostic {
-    let mut d = Diagnostic::warning(failure.to_string()).at(span, format!("returns {}", failure.code));
+    let mut d = Diagnostic::warning(&checks::analysis::FAILED_STEP, failure.to_string())
+        .at(span, format!("returns {}", failure.code));
     if let Some(section) = &failure.exhausted {
         d = d.help(format!(
             "{section}: a load factor beyond what it carries has no equilibrium, DisplacementControl follows \

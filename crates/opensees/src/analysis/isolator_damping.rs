@@ -3,6 +3,7 @@
 //! Factors of a whole model act on its isolators too, whose initial stiffness is large: damping forces that no bearing has may
 //! then carry a good part of the base shear (Ryan and Polanco, 2008, J. Struct. Eng. 134, 1780-1784).
 
+use crate::checks;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementEntry, ElementId, Tag};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -110,7 +111,8 @@ impl IsolatorDamping {
             [] => return None,
         };
         let message = format!("Rayleigh damping takes {:.0} % of the energy that goes into {which}", 100.0 * share);
-        let d = Diagnostic::warning(message).at(span, "a bearing has no such damping");
+        let d =
+            Diagnostic::warning(&checks::analysis::DAMPED_ISOLATORS, message).at(span, "a bearing has no such damping");
         Some(
             d.help("give the factors to the superstructure alone: \"region ... -ele ... -rayleigh\", or -doRayleigh 0"),
         )

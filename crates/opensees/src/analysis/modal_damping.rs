@@ -1,10 +1,12 @@
 //! `modalDamping` and `modalDampingQ`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, warn};
 use hysteron_engine::model::ModalDamping;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -17,7 +19,8 @@ const USAGE: &str = "modalDamping $ratio | $ratio1 $ratio2 ...: damping ratios o
 fn modal_damping(interp: &mut Tcl, call: &Call<'_>, in_tangent: bool) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let Some(modes) = interp.host.engine.modes().cloned() else {
-        return Err(a.refuse_at(call.span(0), "there are no modes to damp", "expected a command \"eigen\" before"));
+        let e = a.refuse_at(call.span(0), "there are no modes to damp", "expected a command \"eigen\" before");
+        return Err(e.absent(Absent::new(things::MODE, "")));
     };
     let mut ratios = vec![a.not_negative("damping ratio")?];
     while a.left() > 0 {
@@ -29,7 +32,7 @@ fn modal_damping(interp: &mut Tcl, call: &Call<'_>, in_tangent: bool) -> Outcome
     } else if ratios.len() != count {
         let message = format!("{}: {} damping ratios but {count} modes", call.name(), ratios.len());
         let label = if ratios.len() < count { "the other modes are not damped" } else { "the others are left out" };
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), label))?;
+        warn(interp, Diagnostic::warning(&checks::analysis::DAMPING_OF_MODES, message).at(a.last_span(), label))?;
     }
     let nodes_only = interp.host.follows(&[slips::MODAL_DAMPING_MASSES]);
     let damped = ratios.iter().zip(modes.lambda.iter().zip(modes.shapes));

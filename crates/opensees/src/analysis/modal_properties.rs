@@ -1,9 +1,11 @@
 //! `modalProperties`.
 
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::analysis::{ModalProperties, cumulative};
 use hysteron_engine::number_format::Style;
+use hysteron_tcl::diagnostic::Absent;
 use hysteron_tcl::{Call, OpenMode, Value};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -27,7 +29,8 @@ fn modal_properties(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let engine = &interp.host.engine;
     let Some(modes) = engine.modes() else {
-        return Err(a.refuse_at(call.span(0), "there are no modes", "expected a command \"eigen\" before"));
+        let e = a.refuse_at(call.span(0), "there are no modes", "expected a command \"eigen\" before");
+        return Err(e.absent(Absent::new(things::MODE, "")));
     };
     let ndm = engine.model().nodes.first().map_or(0, hysteron_engine::model::Node::ndm);
     if engine.model().nodes.iter().any(|n| n.ndm() != ndm) {

@@ -1,6 +1,7 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
 use super::again::Checked;
+use crate::checks;
 use crate::host::Mode;
 use crate::session::Session;
 use crate::{Tcl, warn};
@@ -21,9 +22,6 @@ const MAX_LOOSENESS: f64 = 0.01;
 const STABILITY_MARGIN: f64 = 1.001;
 /// Work beyond this that a step of the model may take for its highest frequency.
 const MAX_EQUATIONS: usize = 200_000;
-
-/// Key of the warning of a response beyond what the model can mean.
-const EXCESS: &str = "excess";
 
 /// Patterns and steps that have been looked at.
 #[derive(Debug, Default)]
@@ -76,14 +74,14 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         session.looked.largest_displacement.max(session.engine.largest_displacement());
     buckled_beam(interp, span)?;
     match interp.host.output.recorders.isolator_damping.warning(span) {
-        Some(d) => warn_once(interp, "damped-isolators", d),
+        Some(d) => warn_once(interp, d),
         None => Ok(()),
     }
 }
 
 /// Returns true if [`after`] has nothing to look at more closely.
 pub(super) fn is_plausible(session: &mut Session) -> bool {
-    (session.engine.excess.is_none() || is_reported(session, EXCESS))
+    (session.engine.excess.is_none() || session.warnings.has(&checks::analysis::EXCESS))
         && session.engine.loose_constraint(MAX_LOOSENESS, session.looked.largest_displacement).is_none()
         && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())
         && !session.output.recorders.isolator_damping.is_suspect()
@@ -99,20 +97,16 @@ fn euler_loads<T>(session: &mut Session, look: impl FnOnce(&Engine, &[(ElementId
     look(engine, looked.euler_loads.as_ref().map_or(&[], |(_, loads)| loads))
 }
 
-/// Warn once for each code.
-fn warn_once(interp: &mut Tcl, code: &'static str, warning: Diagnostic) -> Result<(), Exception> {
-    if interp.host.warnings.reported.insert(code, 1).is_some() { Ok(()) } else { warn(interp, warning.coded(code)) }
-}
-
-fn is_reported(session: &Session, key: &str) -> bool {
-    session.warnings.reported.contains_key(key)
+/// Warn once in a script for each check.
+fn warn_once(interp: &mut Tcl, warning: Diagnostic) -> Result<(), Exception> {
+    let is_first = warning.check.is_none_or(|check| interp.host.warnings.note(check));
+    if is_first { warn(interp, warning) } else { Ok(()) }
 }
 
 /// A degree of freedom that is held and follows another one, which is not held.
 fn fixed_and_tied(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "fixed-and-tied";
     let model = interp.host.engine.model();
-    if is_reported(&interp.host, KEY) || model.multi_points.is_empty() {
+    if interp.host.warnings.has(&checks::analysis::FIXED_AND_TIED) || model.multi_points.is_empty() {
         return Ok(());
     }
     let held: BTreeSet<_> = model.fixes.iter().map(|f| (f.node, f.dof)).collect();
@@ -124,8 +118,8 @@ fn fixed_and_tied(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception>
     let Some((node, dof, retained)) = contradiction else { return Ok(()) };
     let message =
         format!("node {node} is held in degree of freedom {dof}, and a constraint ties it to node {retained} too");
-    let d = Diagnostic::warning(message).at(span, "expected one of both");
-    warn_once(interp, KEY, d.help(format!("hold node {retained}, which node {node} follows")))
+    let d = Diagnostic::warning(&checks::analysis::FIXED_AND_TIED, message).at(span, "expected one of both");
+    warn_once(interp, d.help(format!("hold node {retained}, which node {node} follows")))
 }
 
 /// Steps ahead at which a factor that has only grown is that of a load which grows without end.
@@ -135,7 +129,6 @@ const STEPS_AHEAD: f64 = 1000.0;
 ///
 /// In a check also one that follows a path: a run tells of it where a step fails.
 fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "growing-pattern";
     let Session { engine, looked, mode, .. } = &mut interp.host;
     let (model, time) = (engine.model(), engine.state().time);
     let Some(setup) = engine.setup() else { return Ok(()) };
@@ -160,8 +153,9 @@ fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), 
     let message = format!(
         "pattern {tag} still grows with the time: its factor is {factor} after the static analysis, and is not held"
     );
-    let d = Diagnostic::warning(message).at(span, "expected \"loadConst -time 0.0\" before this");
-    warn_once(interp, KEY, d)
+    let d = Diagnostic::warning(&checks::load::GROWING_PATTERN, message)
+        .at(span, "expected \"loadConst -time 0.0\" before this");
+    warn_once(interp, d)
 }
 
 /// The series of the ground motions or loads of a pattern that go on.
@@ -178,7 +172,7 @@ fn series(pattern: &Pattern) -> Option<&Series> {
 
 /// Excitations that are over, that move no mass, or that the steps do not follow.
 fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    let mut warnings: Vec<(&'static str, Diagnostic)> = vec![];
+    let mut warnings: Vec<Diagnostic> = vec![];
     let session = &mut interp.host;
     let (engine, looked) = (&session.engine, &mut session.looked);
     let (model, time): (&Model, f64) = (engine.model(), engine.state().time);
@@ -188,29 +182,30 @@ fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exce
         if let Some(end) = series.end().filter(|end| is_new && *end > series.start() && time >= *end) {
             let message =
                 format!("the series of pattern {tag} ends at time {end:.6}, and the analysis begins at {time:.6}");
-            let d = Diagnostic::warning(message).at(span, "the record is over before it begins");
-            warnings.push(("record-is-over", d.help("\"loadConst -time 0.0\" after the gravity loads sets the time")));
+            let d = Diagnostic::warning(&checks::load::RECORD_IS_OVER, message)
+                .at(span, "the record is over before it begins");
+            warnings.push(d.help("\"loadConst -time 0.0\" after the gravity loads sets the time"));
         }
         let PatternKind::Uniform(e) = &pattern.kind else { continue };
         if !engine.has_mass_along(e.direction) {
             let message =
                 format!("pattern {tag} moves the ground along {}, where the model has no mass", e.direction + 1);
-            let d = Diagnostic::warning(message).at(span, "the excitation has no effect");
-            warnings.push(("no-mass", d.help("\"mass\" of nodes, or a density of elements, gives it one")));
+            let d = Diagnostic::warning(&checks::load::NO_MASS, message).at(span, "the excitation has no effect");
+            warnings.push(d.help("\"mass\" of nodes, or a density of elements, gives it one"));
         }
         if let Some(step) = series.step().filter(|step| dt > MAX_STEP_RATIO * step) {
             let message =
                 format!("the steps of {dt} are {:.1} times those of the record of pattern {tag}, {step}", dt / step);
-            let d = Diagnostic::warning(message).at(span, "most of the record is passed over");
-            warnings.push(("coarse-steps", d.help("expected steps not longer than those of the record")));
+            let d =
+                Diagnostic::warning(&checks::load::COARSE_STEPS, message).at(span, "most of the record is passed over");
+            warnings.push(d.help("expected steps not longer than those of the record"));
         }
     }
-    warnings.into_iter().try_for_each(|(key, d)| warn_once(interp, key, d))
+    warnings.into_iter().try_for_each(|d| warn_once(interp, d))
 }
 
 /// An explicit integrator beyond its stable step.
 fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "unstable-steps";
     let session = &mut interp.host;
     let setup = session.engine.setup();
     let Some((name, limit)) = setup.and_then(|s| Some((s.integrator.name(), s.integrator.stability_limit()?))) else {
@@ -220,7 +215,11 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
     let is_known = session.looked.stability.is_some_and(|known| known.0 == state.0 && known.1 >= dt);
     // Under --compat elements may depend on the number of their calls.
     let is_exempt = session.follows(&[]) || session.mode == Mode::Check;
-    if is_known || is_exempt || is_reported(session, KEY) || session.engine.model().dofs() > MAX_EQUATIONS {
+    if is_known
+        || is_exempt
+        || session.warnings.has(&checks::analysis::UNSTABLE_STEPS)
+        || session.engine.model().dofs() > MAX_EQUATIONS
+    {
         return Ok(());
     }
     session.looked.stability = Some(state);
@@ -231,28 +230,29 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
     }
     let message =
         format!("{name} is explicit and unstable with steps of {dt}: its longest stable step is {stable:.4e}");
-    let d = Diagnostic::warning(message).at(span, format!("expected steps up to {stable:.4e}"));
+    let d = Diagnostic::warning(&checks::analysis::UNSTABLE_STEPS, message)
+        .at(span, format!("expected steps up to {stable:.4e}"));
     warn_once(
         interp,
-        KEY,
         d.help(format!("the highest frequency of the model is {:.4e} rad per unit of time", lambda.sqrt())),
     )
 }
 
 /// A response beyond what the model can mean, which has not ended the analysis.
 fn excess(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    let Some(excess) = interp.host.engine.excess.as_ref().filter(|_| !is_reported(&interp.host, EXCESS)) else {
+    let Some(excess) =
+        interp.host.engine.excess.as_ref().filter(|_| !interp.host.warnings.has(&checks::analysis::EXCESS))
+    else {
         return Ok(());
     };
     let message = format!("{} at time {}: {}", excess.element, excess.time, excess.message);
-    let d = Diagnostic::warning(message).at(span, "the results from there on mean little");
-    warn_once(interp, EXCESS, d.help("units, stiffness, and the scale of the excitation are the usual reasons"))
+    let d = Diagnostic::warning(&checks::analysis::EXCESS, message).at(span, "the results from there on mean little");
+    warn_once(interp, d.help("units, stiffness, and the scale of the excitation are the usual reasons"))
 }
 
 /// A penalty that does not hold its constraint.
 fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "loose-constraint";
-    if is_reported(&interp.host, KEY) {
+    if interp.host.warnings.has(&checks::analysis::LOOSE_CONSTRAINT) {
         return Ok(());
     }
     let earlier = interp.host.looked.largest_displacement;
@@ -263,20 +263,15 @@ fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
         "the penalty does not hold: node {node} moves by {:.4e} in degree of freedom {dof}, and {to} by {:.4e}",
         loose.found, loose.wanted
     );
-    let d = Diagnostic::warning(message).at(span, "the constraint is not kept");
-    warn_once(
-        interp,
-        KEY,
-        d.help("a larger factor of \"constraints Penalty\" holds it, or \"constraints Transformation\""),
-    )
+    let d = Diagnostic::warning(&checks::analysis::LOOSE_CONSTRAINT, message).at(span, "the constraint is not kept");
+    warn_once(interp, d.help("a larger factor of \"constraints Penalty\" holds it, or \"constraints Transformation\""))
 }
 
 /// A beam beyond its Euler load.
 ///
 /// The script may study exactly this, and its results up to there are right.
 fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    const KEY: &str = "buckled-beam";
-    if is_reported(&interp.host, KEY) {
+    if interp.host.warnings.has(&checks::analysis::BUCKLED_BEAM) {
         return Ok(());
     }
     let message = euler_loads(&mut interp.host, |engine, loads| {
@@ -286,10 +281,6 @@ fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
         })
     });
     let Some(message) = message else { return Ok(()) };
-    let d = Diagnostic::warning(message).at(span, "it has buckled");
-    warn_once(
-        interp,
-        KEY,
-        d.help("\"geomTransf Corotational\" and several elements along it follow it beyond that load"),
-    )
+    let d = Diagnostic::warning(&checks::analysis::BUCKLED_BEAM, message).at(span, "it has buckled");
+    warn_once(interp, d.help("\"geomTransf Corotational\" and several elements along it follow it beyond that load"))
 }

@@ -1,10 +1,12 @@
 //! `responseSpectrumAnalysis`: a step for each mode with its largest displacements.
 
 use crate::args::Args;
+use crate::checks;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::analysis::ModalProperties;
 use hysteron_engine::series::Series;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::TAU;
 
@@ -58,7 +60,8 @@ fn response_spectrum(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     let engine = &interp.host.engine;
     let Some(modes) = engine.modes() else {
-        return Err(a.refuse_at(call.span(0), "there are no modes", "expected a command \"eigen\" before"));
+        let e = a.refuse_at(call.span(0), "there are no modes", "expected a command \"eigen\" before");
+        return Err(e.absent(Absent::new(things::MODE, "")));
     };
     let properties = ModalProperties::new(engine.model(), modes, false);
     let (lambda, shapes) = (modes.lambda.clone(), modes.shapes.clone());
@@ -72,7 +75,7 @@ fn response_spectrum(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-scale" => {
                 a.float("factor")?;
                 let message = "OpenSees takes -scale and does not use it: multiply the accelerations";
-                warn(interp, Diagnostic::warning(message).at(a.last_span(), "not used"))?;
+                warn(interp, Diagnostic::warning(&checks::words::UNUSED_WORD, message).at(a.last_span(), "not used"))?;
             }
             "-damp" => drop(a.float("damping")?),
             "-mode" => only = Some(a.count("mode")?),

@@ -3,6 +3,7 @@
 //! A bearing with alpha2 < 0 softens as it was calibrated to. Far enough beyond that range its backbone changes its sign, and a
 //! structure on it is driven away.
 
+use crate::checks;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::Softening;
 use hysteron_engine::model::ElementId;
@@ -49,7 +50,8 @@ impl BackboneWatch {
             "the backbone of {name} is negative: its shear is {:.4e} at time {time:.3}, and beyond {:.4e} it pushes away from rest",
             s.deformation, s.force_end
         );
-        let d = Diagnostic::warning(message).at(span, "alpha2 < 0 holds within the shear that it was calibrated to");
+        let d = Diagnostic::warning(&checks::analysis::SOFTENING_BEARING, message)
+            .at(span, "alpha2 < 0 holds within the shear that it was calibrated to");
         Some(d.help(format!("the stiffness of the backbone is negative from {:.4e} on", s.stiffness_end)))
     }
 }

@@ -1,6 +1,7 @@
 //! The parts of an analysis: `constraints numberer system test`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::kind::{self, Kind};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::analysis::{Measure, Norm, Test};
@@ -167,7 +168,11 @@ fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let iterations = if a.left() == 0 && *measure != Measure::FixedIterations {
         let message =
             format!("test: the largest number of iterations is missing and is taken for {DEFAULT_ITERATIONS}");
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected the number after this"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::MISSING_WORD, message)
+                .at(a.last_span(), "expected the number after this"),
+        )?;
         DEFAULT_ITERATIONS
     } else {
         iterations(interp, &mut a)?

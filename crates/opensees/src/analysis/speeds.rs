@@ -1,6 +1,7 @@
 //! Laws that depend on a velocity which no analysis gives them.
 
 use crate::Session;
+use crate::checks;
 use hysteron_tcl::diagnostic::Diagnostic;
 
 /// Elements that a message names.
@@ -24,5 +25,5 @@ pub fn warn_of_speedless(session: &Session) -> Option<Diagnostic> {
     } else {
         "a transient analysis gives it, or an imposed displacement (sp) in time, also under LoadControl"
     };
-    Some(Diagnostic::warning(message).help(help))
+    Some(Diagnostic::warning(&checks::analysis::NO_VELOCITY, message).help(help))
 }

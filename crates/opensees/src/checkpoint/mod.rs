@@ -10,6 +10,7 @@
 mod format;
 mod journal;
 
+use crate::checks;
 use crate::output::recorders::Recorders;
 use crate::{Command, Outcome, Tcl, calls, commands, output, warn};
 use format::{Ended, Event, Kept, Steps};
@@ -166,10 +167,10 @@ pub(crate) fn before_analysis(interp: &mut Tcl, call: &Call<'_>) -> Result<(), E
 /// Warn, once, that there are no checkpoints any more.
 pub(crate) fn warn_of_end(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
     let is_full = interp.host.output.recorders.journal.as_ref().is_some_and(|j| j.is_full());
-    if !is_full || interp.host.warnings.reported.insert("journal", 1).is_some() {
+    if !is_full || !interp.host.warnings.note(&checks::output::JOURNAL_FULL) {
         return Ok(());
     }
-    let d = Diagnostic::warning("checkpoint: the run is longer than its journal may be");
+    let d = Diagnostic::warning(&checks::output::JOURNAL_FULL, "checkpoint: the run is longer than its journal may be");
     warn(interp, d.at(call.span(0), "no checkpoint is kept from here on"))
 }
 

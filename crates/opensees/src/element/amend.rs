@@ -4,6 +4,7 @@ use super::joints;
 use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::need_model;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::{
     Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
@@ -464,7 +465,7 @@ fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
     let tag = a.int("tag of the element")?;
     let engine = &interp.host.engine;
     let Some(id) = engine.model().element(tag) else {
-        return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+        return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
     };
     if engine.model().elements[id.0].dofs.iter().any(|d| engine.state().disp[*d as usize] != 0.0) {
         let message = format!("element {tag} has been moved already");

@@ -3,6 +3,7 @@
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
@@ -108,7 +109,10 @@ pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
 fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
     let value = a.usually_not_negative(interp, what)?;
     if value == 0.0 {
-        let d = Diagnostic::warning(format!("the {what} is 0: the beam has no stiffness there"));
+        let d = Diagnostic::warning(
+            &checks::elements::NO_STIFFNESS,
+            format!("the {what} is 0: the beam has no stiffness there"),
+        );
         warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
     }
     Ok(value)

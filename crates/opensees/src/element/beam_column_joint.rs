@@ -2,6 +2,7 @@
 
 use super::{Kind, Make};
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::node_of;
 use crate::{Tcl, warn};
 use hysteron_engine::element::{BeamColumnJoint, Element, JOINT_SPRINGS, JointGeometry};
@@ -49,8 +50,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     if a.left() > 0 {
         factors = [a.positive("factor of the height")?, a.positive("factor of the width")?];
         if ndm == 3 && factors != [1.0; 2] {
-            let warning =
-                Diagnostic::warning("beamColumnJoint: the factors of a joint in space are not used, as in OpenSees");
+            let warning = Diagnostic::warning(
+                &checks::words::UNUSED_WORD,
+                "beamColumnJoint: the factors of a joint in space are not used, as in OpenSees",
+            );
             warn(interp, warning.at(a.last_span(), "expected 1"))?;
             factors = [1.0; 2];
         }
@@ -59,7 +62,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
         let message = "beamColumnJoint: the joint is inclined, but its springs act along the global axes";
         warn(
             interp,
-            Diagnostic::warning(message).at(last, "expected nodes below, right, above and left of its centre"),
+            Diagnostic::warning(&checks::elements::INCLINED_JOINT, message)
+                .at(last, "expected nodes below, right, above and left of its centre"),
         )?;
     }
     let unit = |v: Vector3<f64>| -> [f64; 3] { (v / v.norm()).into() };

@@ -3,6 +3,7 @@
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::{Tcl, slips, warn};
@@ -110,7 +111,9 @@ fn warn_of_inversion(interp: &mut Tcl, inverted: bool, place: Option<Span>) -> R
     if !inverted {
         return Ok(());
     }
-    let warning =
-        Diagnostic::warning("the corners go round the other way: stiffness and mass of the element are negative");
+    let warning = Diagnostic::warning(
+        &checks::elements::INVERTED_ELEMENT,
+        "the corners go round the other way: stiffness and mass of the element are negative",
+    );
     warn(interp, warning.at(place, "expected the corners of one face against the clock seen from the other ones"))
 }

@@ -2,14 +2,16 @@
 
 use crate::args::Args;
 use crate::load::series::series_of;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
 use hysteron_engine::element::{Element, ElementError};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("damping", "damping $kind $tag ...", damping).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("damping", "damping $kind $tag ...", damping)
+    .defining(&[things::DAMPING], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 /// A kind of damping, made from the words after its tag.
 type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<ElementDamping, Exception>>;

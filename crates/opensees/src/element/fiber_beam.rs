@@ -4,6 +4,7 @@ use super::beam::{Place, no_transform, numbers_ahead};
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
@@ -270,7 +271,10 @@ fn take(
                 let words = a.word("rule of integration")?;
                 let name = words.split_whitespace().next().unwrap_or_default().to_owned();
                 if name.len() < words.trim().len() {
-                    let d = Diagnostic::warning(format!("-integration takes the name {name} alone"));
+                    let d = Diagnostic::warning(
+                        &checks::words::WORDS_LEFT_OVER,
+                        format!("-integration takes the name {name} alone"),
+                    );
                     warn(interp, d.at(a.last_span(), "what follows the name is ignored"))?;
                 }
                 let Some(found) = simple(&name) else {
@@ -297,7 +301,8 @@ fn follower(interp: &Tcl) -> ForceBased {
 fn iterations(interp: &mut Tcl, a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
     // OpenSees takes no notice of a number of iterations that is the last word.
     if a.left() == 1 && a.count("largest number of iterations maxIter").is_ok() {
-        let d = Diagnostic::warning("-iter has no tolerance, and is ignored, as in OpenSees");
+        let d =
+            Diagnostic::warning(&checks::words::UNUSED_WORD, "-iter has no tolerance, and is ignored, as in OpenSees");
         return warn(interp, d.at(a.last_span(), "expected a tolerance behind it"));
     }
     force_based.max_iterations = a.count("largest number of iterations maxIter")?;
@@ -378,7 +383,11 @@ fn deformable(
             let label = "expected another section, or one with more resultants (Aggregator)";
             return Err(a.refuse_at(at, format!("{message}, which the beam needs"), label));
         };
-        warn(interp, Diagnostic::warning(format!("{message}: {consequence}")).at(at, "expected a section with it"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::elements::NO_STIFFNESS, format!("{message}: {consequence}"))
+                .at(at, "expected a section with it"),
+        )?;
     }
     Ok(())
 }

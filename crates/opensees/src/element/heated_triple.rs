@@ -3,6 +3,7 @@
 use super::triple::{lengths, stiffness};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
@@ -79,6 +80,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let compat = interp.host.follows(&[slips::TRIPLE_X_HEAT, slips::TRIPLE_X_CONDUCTION, slips::TRIPLE_X_FORCE]);
     if one_of(a, "way tagT to the displacements of the surfaces", 0..=1)? == 0 {
         let d = Diagnostic::warning(
+            &checks::elements::SEGMENTS_IN_SERIES,
             "TripleFrictionPendulumX: the displacements of the surfaces, and with them speeds and heat, are those of the series \
              of segments (tagT 1)",
         );

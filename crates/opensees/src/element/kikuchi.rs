@@ -3,6 +3,7 @@
 use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
@@ -202,5 +203,5 @@ fn warn_unscaled(interp: &mut Tcl, nodes: Option<Span>, n: usize) -> Result<(), 
     let message =
         format!("{NAME}: without -limDisp the {n} shear springs are not scaled: {times} times as stiff as one");
     let label = "expected -limDisp with the displacement from which on they are scaled to the material given";
-    warn(interp, Diagnostic::warning(message).at(nodes, label))
+    warn(interp, Diagnostic::warning(&checks::elements::UNSCALED_SPRINGS, message).at(nodes, label))
 }

@@ -1,5 +1,6 @@
 //! Thermal constants of a lead core beside the mechanical ones: in one system of units they have ratios that no unit changes.
 
+use crate::checks;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 
 /// Volumetric heat of lead, 1.46 MPa/K, over the shear modulus of rubber, 0.3 to 3 MPa: 0.5 to 5 per K, with a margin of 10.
@@ -41,7 +42,8 @@ impl ThermalUnits {
         let of = if self.is_default { "the default thermal constants are in SI" } else { "thermal constants" };
         let message =
             format!("LeadRubberX: {of}, and not in the units of the bearing: {what} is {ratio:.3e}, usually {usual}");
-        let d = Diagnostic::warning(message).at(span, "the lead heats as no lead does").coded("thermal-units");
+        let d =
+            Diagnostic::warning(&checks::elements::THERMAL_UNITS, message).at(span, "the lead heats as no lead does");
         Some(d.help(
             "11200 kg/m³, 130 J/(kg K), 50 W/(m K) and 1.41e-5 m²/s are 1.12e-8 130e6 50 14.1 in N, mm, t and s, \
              and 11.2 130 0.05 1.41e-5 in kN, m, t and s",

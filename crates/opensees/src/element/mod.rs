@@ -37,6 +37,7 @@ mod zero_length_section;
 
 use crate::args::Args;
 use crate::model::nodes::{need_model, node_of};
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::{Element, ElementError};
@@ -45,8 +46,9 @@ use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("element", "element $kind $tag $iNode $jNode ...", element).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind $tag $iNode $jNode ...", element)
+    .defining(&[things::ELEMENT], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 /// Makes an element between two nodes that are already known.
 type MakeBetween = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;

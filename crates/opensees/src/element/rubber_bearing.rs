@@ -3,6 +3,7 @@
 use super::lead_units::ThermalUnits;
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
 use crate::{Tcl, warn};
@@ -163,7 +164,7 @@ pub(super) fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Resul
         return Err(a.refuse(format!("number of layers n is {count}"), "expected at least 1"));
     }
     if count.fract() != 0.0 {
-        let d = Diagnostic::warning(format!("number of layers n is {count}"));
+        let d = Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, format!("number of layers n is {count}"));
         warn(interp, d.at(a.last_span(), "expected a whole number"))?;
     }
     Ok(Layers { g, bulk, inner, outer, shim, layer, count, cover: 0.0, plugged })
@@ -274,7 +275,10 @@ fn switches<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>, what: [&str; N])
         let switch = a.int(&format!("tag{} ({what})", i + 1))?;
         *on = switch == 1;
         if !(0..=1).contains(&switch) {
-            let d = Diagnostic::warning(format!("tag{} ({what}) is {switch} and counts as 0", i + 1));
+            let d = Diagnostic::warning(
+                &checks::words::REPLACED_VALUE,
+                format!("tag{} ({what}) is {switch} and counts as 0", i + 1),
+            );
             warn(interp, d.at(a.last_span(), "expected 0 or 1"))?;
         }
     }

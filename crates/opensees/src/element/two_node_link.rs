@@ -2,6 +2,7 @@
 
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::model::transform::vector;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes;
@@ -114,7 +115,11 @@ fn fraction(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Excep
     let good = x.abs().min(1.0);
     if good != x {
         let message = format!("twoNodeLink: {what} is {x}; {good} is taken");
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a fraction, 0 to 1"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                .at(a.last_span(), "expected a fraction, 0 to 1"),
+        )?;
     }
     Ok(good)
 }
@@ -129,14 +134,22 @@ pub(super) fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize, kind
             *ratio = a.float("ratio of a P-Delta moment")?;
             if *ratio < 0.0 {
                 let message = format!("{kind}: the P-Delta moment ratio {ratio} is negative; its size is taken");
-                warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a fraction, 0 to 1"))?;
+                warn(
+                    interp,
+                    Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                        .at(a.last_span(), "expected a fraction, 0 to 1"),
+                )?;
                 *ratio = ratio.abs();
             }
         }
         let sum = ratios[pair] + ratios[pair + 1];
         if sum > 1.0 {
             let message = format!("{kind}: the P-Delta moment ratios sum up to {sum}; they are scaled down to 1");
-            warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a sum of at most 1"))?;
+            warn(
+                interp,
+                Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                    .at(a.last_span(), "expected a sum of at most 1"),
+            )?;
             ratios[pair..pair + 2].iter_mut().for_each(|r| *r /= sum);
         }
     }

@@ -3,6 +3,7 @@
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
@@ -57,8 +58,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 let at = a.last_span();
                 let flag = a.optional_int("flag")?;
                 if matches!(damping, RayleighDamping::Materials(_)) {
-                    let d =
-                        Diagnostic::warning("zeroLength: -doRayleigh takes the damping materials away, as in OpenSees");
+                    let d = Diagnostic::warning(
+                        &checks::words::OVERRIDDEN,
+                        "zeroLength: -doRayleigh takes the damping materials away, as in OpenSees",
+                    );
                     warn(interp, d.at(at, "expected it before -dampMats"))?;
                 }
                 damping = match flag {
@@ -96,7 +99,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if mats.len() < dirs.len() {
         let message =
             format!("zeroLength: {} materials but {} directions: the others stay free", mats.len(), dirs.len());
-        let d = Diagnostic::warning(message).at(dirs[mats.len()].1, "expected a direction for each material");
+        let d = Diagnostic::warning(&checks::elements::FEWER_MATERIALS, message)
+            .at(dirs[mats.len()].1, "expected a direction for each material");
         warn(interp, d)?;
         dirs.truncate(mats.len());
     }
@@ -107,7 +111,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let gap = (ends.place.1 - ends.place.0).norm();
     if gap > 1e-6 * ends.place.0.norm().max(ends.place.1.norm()) {
         let message = format!("zeroLength: its nodes are {gap:.6} apart, which the element takes no notice of");
-        warn(interp, Diagnostic::warning(message).at(span, "expected a node at the same place"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::elements::NODES_APART, message).at(span, "expected a node at the same place"),
+        )?;
     }
     let last = dirs.last().and_then(|d| d.1);
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();

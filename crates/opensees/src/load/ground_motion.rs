@@ -4,6 +4,7 @@ use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::node_of;
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_tcl::diagnostic::Span;
@@ -11,7 +12,7 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("groundMotion", GROUND, ground_motion),
+    Command::new("groundMotion", GROUND, ground_motion).defining(&[things::GROUND_MOTION], 1),
     Command::new("imposedMotion", IMPOSED, imposed_motion),
     Command::new("imposedSupportMotion", IMPOSED, imposed_motion),
 ];
@@ -55,7 +56,7 @@ fn motion_of(interp: &Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
     let (_, all) = motions(interp, a)?;
     all.get(&tag).cloned().ok_or_else(|| {
         let known: Vec<String> = all.keys().map(ToString::to_string).collect();
-        a.refuse(format!("there is no ground motion {tag}"), format!("defined: {}", known.join(" ")))
+        a.absent(things::GROUND_MOTION, tag, format!("defined: {}", known.join(" ")))
     })
 }
 

@@ -1,6 +1,7 @@
 //! Time series from measured files: `motionFile`, and `timeSeries Path -fileMotion`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::series::{self, Path};
@@ -103,14 +104,15 @@ pub(super) fn read(
         return Err(refuse(format!("value {} is missing or not finite", i + 1)));
     }
     for note in &measured.notes {
-        warn(interp, Diagnostic::warning(format!("\"{name}\": {note}")).at(span, ""))?;
+        warn(interp, Diagnostic::warning(&checks::load::RECORDING_NOTE, format!("\"{name}\": {note}")).at(span, ""))?;
     }
     let no_quantity = options.quantity.is_none() && options.to.is_none();
     let other = series.quantity.filter(|q| no_quantity && matches!(q, Quantity::Velocity | Quantity::Length));
     if let Some(q) = other {
         let message = format!("\"{name}\" holds {} and no accelerations", q.words());
-        let warning =
-            Diagnostic::warning(message).at(span, "").help(format!("-quantity {} says that it is meant", q.word()));
+        let warning = Diagnostic::warning(&checks::load::NO_ACCELERATIONS, message)
+            .at(span, "")
+            .help(format!("-quantity {} says that it is meant", q.word()));
         warn(interp, warning)?;
     }
     converted(series, options).map_err(refuse)

@@ -2,23 +2,25 @@
 
 use super::ground_motion;
 use crate::args::Args;
+use crate::checks;
 use crate::host::Mode;
 use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{need_model, node_of};
 use crate::session::Session;
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::{
     ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag, acceleration_of,
 };
 use hysteron_engine::series::Constant;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("pattern", PLAIN, pattern).with_kinds(|| kind::usages(KINDS)),
+    Command::new("pattern", PLAIN, pattern).defining(&[things::PATTERN], 2).with_kinds(|| kind::usages(KINDS)),
     Command::new("load", LOAD, load),
     Command::new("sp", SP, sp),
     Command::new("eleLoad", ELE_LOAD, ele_load),
@@ -87,7 +89,7 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
         // As in OpenSees the last word holds the loads. A comment after them is none.
         if a.left() > 0 && !a.peek().is_some_and(|w| w.starts_with('#')) {
             let message = "pattern: the last word holds the loads, and what is before it is ignored";
-            warn(interp, Diagnostic::warning(message).at(a.last_span(), "not read"))?;
+            warn(interp, Diagnostic::warning(&checks::load::LAST_WORD_COUNTS, message).at(a.last_span(), "not read"))?;
             while a.left() > 0 {
                 body = a.value("loads")?;
             }
@@ -160,8 +162,11 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
 fn current(interp: &Tcl, a: &Args<'_>, named: Option<Tag>) -> Result<Tag, Exception> {
     match named.or(interp.host.builder.pattern) {
         Some(tag) if interp.host.engine.model().patterns.contains_key(&tag) => Ok(tag),
-        Some(tag) => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
-        None => Err(a.refuse_at(None, "there is no load pattern to put this in", "expected inside a pattern")),
+        Some(tag) => Err(a.absent(things::PATTERN, tag, "expected the tag of a pattern")),
+        None => {
+            let e = a.refuse_at(None, "there is no load pattern to put this in", "expected inside a pattern");
+            Err(e.absent(Absent::new(things::PATTERN, "")))
+        }
     }
 }
 
@@ -218,7 +223,8 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if fixed || taken {
         let by = if fixed { "by a \"fix\"" } else { "by another \"sp\"" };
         let message = format!("degree of freedom {} of the node is held already {by}", dof + 1);
-        let d = Diagnostic::warning(message).at(span, "which of the two holds is not defined in OpenSees");
+        let d = Diagnostic::warning(&checks::model::HELD_TWICE, message)
+            .at(span, "which of the two holds is not defined in OpenSees");
         warn(interp, d.help("here the imposed motion of the pattern with the highest tag holds"))?;
     }
     let tag = interp.host.sp_tag();
@@ -238,7 +244,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 while elements.is_empty() || a.at_number() {
                     let tag = a.int("tag of an element")?;
                     let id = interp.host.engine.model().element(tag);
-                    let missing = || a.refuse(format!("there is no element {tag}"), "expected the tag of an element");
+                    let missing = || a.absent(things::ELEMENT, tag, "expected the tag of an element");
                     elements.push((id.ok_or_else(missing)?, a.last_span()));
                 }
             }

@@ -2,6 +2,8 @@
 
 use super::motion_file::{self, FILE_OPTIONS, FileOptions, FileSeries};
 use crate::args::Args;
+use crate::checks;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_recordings::{Clock, Measured, Told};
@@ -9,8 +11,9 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
+    .defining(&[things::SERIES], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 /// A kind of series, made from the words after its tag.
 type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Series, Exception>>;
@@ -110,7 +113,10 @@ fn warn_of_end(interp: &mut Tcl, a: &Args<'_>, start: f64, end: f64) -> Result<(
     if end > start {
         return Ok(());
     }
-    let d = Diagnostic::warning(format!("the time series ends at {end} but begins at {start}: it is zero"));
+    let d = Diagnostic::warning(
+        &checks::load::EMPTY_SERIES,
+        format!("the time series ends at {end} but begins at {start}: it is zero"),
+    );
     warn(interp, d.at(a.last_span(), format!("expected tEnd, greater than {start}")))
 }
 
@@ -130,9 +136,10 @@ fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
             "-width" | "-pulseWidth" => {
                 width = a.float("width of the pulse as a fraction of the period")?;
                 if !(0.0..=1.0).contains(&width) {
-                    let d = Diagnostic::warning(format!(
-                        "the width of the pulse is {width}: it never begins or never ends"
-                    ));
+                    let d = Diagnostic::warning(
+                        &checks::load::EMPTY_SERIES,
+                        format!("the width of the pulse is {width}: it never begins or never ends"),
+                    );
                     warn(interp, d.at(a.last_span(), "expected a fraction, 0 to 1"))?;
                 }
             }
@@ -232,14 +239,18 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
         return Ok(series);
     }
     if values.as_ref().is_some_and(Vec::is_empty) && dt.is_some() && interp.host.follows(&[slips::EMPTY_PATH]) {
-        warn(interp, Diagnostic::warning("the path has no values: it is zero").at(command, "expected values"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::load::EMPTY_SERIES, "the path has no values: it is zero")
+                .at(command, "expected values"),
+        )?;
         values = Some(vec![0.0; 2]);
     }
     let Some(mut values) = values.filter(|v| !v.is_empty()) else {
         return Err(a.refuse_at(command, "the path has no values", "expected -values or -filePath"));
     };
     if let [value] = values[..] {
-        let d = Diagnostic::warning(format!("the path has a single value, {value}"));
+        let d = Diagnostic::warning(&checks::load::EMPTY_SERIES, format!("the path has a single value, {value}"));
         warn(interp, d.at(command, "expected two or more"))?;
     }
     if prepend {
@@ -253,7 +264,8 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             }
             if let Some(i) = times.windows(2).position(|w| w[1] < w[0]) {
                 let message = format!("the times go back: {} after {}", times[i + 1], times[i]);
-                let d = Diagnostic::warning(message).at(span, "expected times that do not decrease");
+                let d = Diagnostic::warning(&checks::load::TIMES_GO_BACK, message)
+                    .at(span, "expected times that do not decrease");
                 warn(interp, d.help("of the points behind an earlier time only the last before the next time counts"))?;
                 (times, values) = forward(&times, &values);
             }
@@ -263,7 +275,8 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             if let Some(span) = pairs {
                 let message =
                     format!("the file has two columns, times and values, read as one of {} values", values.len());
-                let d = Diagnostic::warning(message).at(span, "expected one column of values").coded("two-columns");
+                let d =
+                    Diagnostic::warning(&checks::load::TWO_COLUMNS, message).at(span, "expected one column of values");
                 warn(interp, d.help("\"-file\" in its place takes times and values, and so does \"motionFile\""))?;
             }
             Ok(Arc::new(Path { values, dt, factor, use_last, start }))
@@ -397,7 +410,7 @@ fn report_non_number(
         })
     } else {
         let message = format!("\"{name}\" is read up to \"{word}\" only, which is not a number ({read} numbers read)");
-        Diagnostic::warning(message)
+        Diagnostic::warning(&checks::load::PARTLY_READ, message)
     };
     d = d.at(Some(place), "expected a number");
     if let Some(span) = span {

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{Backbone, BackboneElastic, Material, SoilCurve};
 use hysteron_tcl::{Call, Exception, Value};
@@ -13,8 +14,9 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     make: backbone_material,
 }];
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone).with_kinds(|| kind::usages(BACKBONES))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone)
+    .defining(&[things::BACKBONE], 2)
+    .with_kinds(|| kind::usages(BACKBONES))];
 
 const USAGE: &str = "hystereticBackbone $kind $tag ...";
 

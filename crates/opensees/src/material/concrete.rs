@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
@@ -78,7 +79,10 @@ fn compression(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 4], Exception
     let fcu = -a.float("crushing strength fpcu")?.abs();
     let epscu = -a.float("strain at the crushing strength epscu")?.abs();
     if epscu >= epsc0 {
-        let d = Diagnostic::warning(format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"),
+        );
         warn(interp, d.at(a.last_span(), "expected a larger strain"))?;
     }
     Ok([fc, epsc0, fcu, epscu])
@@ -105,13 +109,16 @@ fn tension(interp: &mut Tcl, a: &mut Args<'_>, fc: f64, epsc0: f64) -> Result<[f
         }
         ft = a.float("tensile strength ft")?;
         if ft < 0.0 {
-            let d =
-                Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
+            let d = Diagnostic::warning(
+                &checks::materials::UNUSUAL_PARAMETER,
+                format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"),
+            );
             warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
         }
         ets = a.not_negative("tension softening modulus Ets")?;
         if ets == 0.0 && ft > 0.0 {
             let d = Diagnostic::warning(
+                &checks::materials::UNUSUAL_PARAMETER,
                 "without a tension softening modulus Ets a crack carries the tensile strength for good",
             );
             warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
@@ -208,12 +215,18 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         }
     }
     if confined[0] > peak[0] || confined[1] > peak[1] {
-        let d = Diagnostic::warning("ConcretewBeta: the confined strength is below that without, and is not used");
+        let d = Diagnostic::warning(
+            &checks::words::UNUSED_WORD,
+            "ConcretewBeta: the confined strength is below that without, and is not used",
+        );
         warn(interp, d.at(a.last_span(), "expected a larger strength at a larger strain"))?;
         confined = peak;
     }
     if !(secant..=2.0 * secant).contains(&e0) {
-        let d = Diagnostic::warning(format!("ConcretewBeta: the initial modulus {e0} is taken into its bounds"));
+        let d = Diagnostic::warning(
+            &checks::words::REPLACED_VALUE,
+            format!("ConcretewBeta: the initial modulus {e0} is taken into its bounds"),
+        );
         warn(interp, d.at(a.last_span(), format!("expected {secant} to {}", 2.0 * secant)))?;
         e0 = e0.clamp(secant, 2.0 * secant);
     }
@@ -272,7 +285,10 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let epsc0 = -compressive(a, "strain at the strength epsc0")?;
     let epscu = -compressive(a, "crushing strain epscu")?;
     if epscu > epsc0 {
-        let d = Diagnostic::warning(format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("the crushing strain {epscu} is not beyond that of the strength, {epsc0}"),
+        );
         warn(interp, d.at(a.last_span(), "expected a larger strain"))?;
     }
     let ec0 = a.positive("initial modulus Ec0")?;
@@ -280,8 +296,10 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     if a.left() > 0 {
         ft = a.float("tensile strength ft")?;
         if ft < 0.0 {
-            let d =
-                Diagnostic::warning(format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"));
+            let d = Diagnostic::warning(
+                &checks::materials::UNUSUAL_PARAMETER,
+                format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"),
+            );
             warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
             ft = 0.0;
         }

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
@@ -206,7 +207,10 @@ fn confined_concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
     }
     let (law, unfinished) = concrete.law().map_err(|message| a.refuse(message, "expected mm and MPa"))?;
     if let Some(e) = unfinished {
-        let d = Diagnostic::warning(format!("the confining pressure did not converge at a strain of {e:.4}"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNFINISHED_ITERATION,
+            format!("the confining pressure did not converge at a strain of {e:.4}"),
+        );
         warn(interp, d.at(a.last_span(), "more iterations (-maxNumIter) or a larger -tol may help"))?;
     }
     Ok(Arc::new(law))

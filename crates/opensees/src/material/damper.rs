@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
@@ -41,7 +42,10 @@ fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let alpha = a.float("velocity exponent alpha")?;
     if alpha <= 0.0 {
         let is = if alpha < 0.0 { "is taken for 1" } else { "makes the force the same at every velocity" };
-        let d = Diagnostic::warning(format!("Viscous: the velocity exponent alpha is {alpha} and {is}"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("Viscous: the velocity exponent alpha is {alpha} and {is}"),
+        );
         warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
     }
     let min_rate = a.optional_float("smallest velocity minVel")?.unwrap_or(1e-11).abs();

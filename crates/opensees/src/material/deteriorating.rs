@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
@@ -64,7 +65,11 @@ fn four_points(interp: &mut Tcl, a: &mut Args<'_>, s: f64) -> Result<[[f64; 4]; 
         }
         if strain <= before {
             let message = format!("strain {} on the {side} side is not beyond strain {i}", i + 1);
-            warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected strains that go away from zero"))?;
+            warn(
+                interp,
+                Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, message)
+                    .at(a.last_span(), "expected strains that go away from zero"),
+            )?;
         }
     }
     Ok(points)

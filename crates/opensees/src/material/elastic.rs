@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material, NoTension,
@@ -46,7 +47,10 @@ pub(super) const KINDS: &[Kind] = &[
 fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     let e = a.float("elastic modulus E")?;
     if e < 0.0 {
-        let d = Diagnostic::warning(format!("the elastic modulus E is {e}: the material pushes instead of holding"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("the elastic modulus E is {e}: the material pushes instead of holding"),
+        );
         warn(interp, d.at(a.last_span(), "expected a number not less than 0"))?;
     }
     Ok(e)
@@ -57,11 +61,17 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f6
     if x == 0.0 {
         // A cable has no strength in compression.
         let side = if sign > 0.0 { "tension" } else { "compression" };
-        let d = Diagnostic::warning(format!("ElasticPP: the {what} is 0: the material yields at once in {side}"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("ElasticPP: the {what} is 0: the material yields at once in {side}"),
+        );
         warn(interp, d.at(a.last_span(), "expected a strain other than 0"))?;
     }
     if x * sign < 0.0 {
-        let d = Diagnostic::warning(format!("ElasticPP: the {what} is {x} and is taken for {}", -x));
+        let d = Diagnostic::warning(
+            &checks::words::REPLACED_VALUE,
+            format!("ElasticPP: the {what} is {x} and is taken for {}", -x),
+        );
         warn(
             interp,
             d.at(a.last_span(), format!("expected a number {} than 0", if sign > 0.0 { "greater" } else { "less" })),
@@ -117,12 +127,19 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     }
     if eta >= 1.0 {
         let message = format!("ElasticPPGap: the hardening ratio {eta} is not less than 1 and is taken for 0");
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a ratio less than 1"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                .at(a.last_span(), "expected a ratio less than 1"),
+        )?;
         eta = 0.0;
     }
     if fy * gap < 0.0 {
         let message = "ElasticPPGap: the yield stress and the gap have different signs, so that it acts at once";
-        warn(interp, Diagnostic::warning(message).at(gap_span, "expected the sign of Fy"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, message).at(gap_span, "expected the sign of Fy"),
+        )?;
     }
     let damage = a.flag("damage") || a.flag("Damage");
     Ok(Arc::new(ElasticPPGap { e, fy, gap, eta, damage }))

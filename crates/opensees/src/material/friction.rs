@@ -1,7 +1,9 @@
 //! `frictionModel`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::need_model;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::element::friction::{
     Coulomb, Friction, VelDepMultiLinear, VelDependent, VelNormalFrcDep, VelPressureDep,
@@ -12,8 +14,9 @@ use std::sync::Arc;
 
 const USAGE: &str = "frictionModel $kind $tag ...";
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("frictionModel", USAGE, friction_model).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("frictionModel", USAGE, friction_model)
+    .defining(&[things::FRICTION], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 /// A kind of friction model, made from the words after its tag.
 type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Friction, Exception>>;
@@ -67,7 +70,10 @@ fn slow_and_fast(interp: &mut Tcl, a: &mut Args<'_>, names: [&str; 2]) -> Result
     let fast = a.positive(&format!("coefficient of friction at high speed {}", names[1]))?;
     if slow > fast {
         let [s, f] = names;
-        let d = Diagnostic::warning(format!("{s} is {slow}, more than {f}, {fast}: friction falls with the speed"));
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            format!("{s} is {slow}, more than {f}, {fast}: friction falls with the speed"),
+        );
         warn(interp, d.at(a.last_span(), format!("expected a coefficient not less than {s}")))?;
     }
     Ok((slow, fast))

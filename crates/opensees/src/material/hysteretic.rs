@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
@@ -190,7 +191,7 @@ fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     a.optional_int("largest number of iterations")?;
     if law.beta + law.gamma <= 0.0 {
         let message = "BoucWen: beta + gamma is not greater than 0, so the hysteretic force is not bounded";
-        warn(interp, Diagnostic::warning(message).at(None, ""))?;
+        warn(interp, Diagnostic::warning(&checks::materials::UNBOUNDED_FORCE, message).at(None, ""))?;
     }
     Ok(Arc::new(law))
 }

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth, ViscoelasticGap};
@@ -42,7 +43,11 @@ fn compressive(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Ex
     let x = a.float(what)?;
     if x > 0.0 {
         let message = format!("the {what} is {x}, which is in tension: {} is taken", -x);
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a number not greater than 0"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                .at(a.last_span(), "expected a number not greater than 0"),
+        )?;
     }
     Ok(-x.abs())
 }

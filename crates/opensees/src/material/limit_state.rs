@@ -3,6 +3,7 @@
 use super::Kind;
 use super::hysteretic::envelope;
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, slips};
 use hysteron_engine::material::{
     Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, Material, RotationLimit, RotationShear,
@@ -17,8 +18,9 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     make: limit_state,
 }];
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("limitCurve", USAGE, limit_curve).with_kinds(|| kind::usages(CURVES))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("limitCurve", USAGE, limit_curve)
+    .defining(&[things::LIMIT_CURVE], 2)
+    .with_kinds(|| kind::usages(CURVES))];
 
 const USAGE: &str = "limitCurve $kind $tag $element ...";
 

@@ -27,6 +27,7 @@ mod steel_drc;
 mod wrapper;
 
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::Material;
 use hysteron_tcl::{Call, Exception, Value};
@@ -36,6 +37,7 @@ pub(crate) use rubber::rheology;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("uniaxialMaterial", "uniaxialMaterial $kind $tag ...", uniaxial_material)
+        .defining(&[things::MATERIAL], 2)
         .with_kinds(|| kinds().map(kind::Kind::described).collect()),
     Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test),
     Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain),

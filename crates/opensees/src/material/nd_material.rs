@@ -2,6 +2,7 @@
 
 use super::{nd_concrete, nd_wrapper};
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
     ConcreteCm, Condensed, Fsam, FsamParameters, InitialStrain, Isotropic, J2Plasticity, LAYER, NdMaterial,
@@ -12,8 +13,9 @@ use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("nDMaterial", USAGE, nd_material).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("nDMaterial", USAGE, nd_material)
+    .defining(&[things::ND_MATERIAL], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 const USAGE: &str = "nDMaterial $kind $tag ...";
 

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
@@ -84,7 +85,7 @@ pub(super) const KINDS: &[Kind] = &[
 fn hardening_ratio(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     let b = a.float("hardening ratio b")?;
     if !(0.0..=1.0).contains(&b) {
-        let d = Diagnostic::warning(format!("the hardening ratio b is {b}"));
+        let d = Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, format!("the hardening ratio b is {b}"));
         let d = d.at(a.last_span(), "expected the stiffness after yielding over that before, 0 to 1");
         let what = if b < 0.0 { "softens after yielding" } else { "is stiffer after yielding than before" };
         warn(interp, d.help(format!("such a steel {what}")))?;
@@ -163,7 +164,10 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e0 = a.usually_positive(interp, "elastic modulus E0")?;
     let b = hardening_ratio(interp, a)?;
     if b == 1.0 {
-        let d = Diagnostic::warning("the hardening ratio is 1: the steel never yields");
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            "the hardening ratio is 1: the steel never yields",
+        );
         warn(interp, d.at(a.last_span(), "expected less than 1, or the material Elastic"))?;
     }
     let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
@@ -228,7 +232,10 @@ fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     }
     if a.optional_float("viscosity eta")?.is_some_and(|eta| eta != 0.0) {
         let message = "Hardening: the viscosity is ignored, as in OpenSees";
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 or nothing"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::UNUSED_WORD, message).at(a.last_span(), "expected 0 or nothing"),
+        )?;
     }
     Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.follows(&[slips::HARDENING_TRIAL]) }))
 }
@@ -282,7 +289,10 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let sy = a.positive("slip sy at the yield strength")?;
     if fy >= LARGEST_BAR[0] || sy >= LARGEST_BAR[1] {
         let message = "Bond_SP01: the first reversal goes to a slip of 0.00405 in, whatever the units";
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected ksi and in"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::materials::FIXED_UNITS, message).at(a.last_span(), "expected ksi and in"),
+        )?;
     }
     let fu = a.positive("ultimate strength fu of the bar")?;
     let su = a.float("slip su at the ultimate strength")?;
@@ -310,7 +320,11 @@ fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let mut eta = a.optional_float("hardening ratio eta")?.unwrap_or(0.0);
     if eta.abs() >= 1.0 {
         let message = format!("GNG: the hardening ratio {eta} is taken for 0");
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected a ratio between -1 and 1"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                .at(a.last_span(), "expected a ratio between -1 and 1"),
+        )?;
         eta = 0.0;
     }
     Ok(Arc::new(Gng { e, yield_stress, pitch, eta }))

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{HdrRheology, Material, Mullins, Softening};
@@ -126,8 +127,10 @@ fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Resul
     };
     let ambient = match (o.ambient, o.temperature) {
         (Some((ambient, _)), Some((t, at))) if t != ambient => {
-            let d =
-                Diagnostic::warning(format!("HDRRheology: the rubber begins at the -ambient {ambient}, not at {t}"));
+            let d = Diagnostic::warning(
+                &checks::words::OVERRIDDEN,
+                format!("HDRRheology: the rubber begins at the -ambient {ambient}, not at {t}"),
+            );
             warn(interp, d.at(at, "is ignored: expected one of -temperature and -ambient"))?;
             ambient
         }
@@ -154,10 +157,13 @@ fn assemble(interp: &mut Tcl, a: &Args<'_>, o: Options, explicit: bool) -> Resul
     };
     if thermal.is_some() && !explicit && o.hold_ends.is_none() {
         let (lo, hi) = compound.range();
-        let d = Diagnostic::warning(format!(
-            "HDRRheology: the compound is known from {lo} to {hi}; rubber that heats itself beyond keeps the parameters \
+        let d = Diagnostic::warning(
+            &checks::materials::BEYOND_COMPOUND,
+            format!(
+                "HDRRheology: the compound is known from {lo} to {hi}; rubber that heats itself beyond keeps the parameters \
              of {hi}"
-        ));
+            ),
+        );
         let d = d.at(span, "the temperature goes on to rise, the parameters do not change");
         warn(interp, d.help("\"-beyond hold\" says that this is meant, \"-beyond error\" stops there"))?;
     }

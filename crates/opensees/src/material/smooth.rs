@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
 use hysteron_tcl::Exception;
@@ -121,7 +122,10 @@ fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     ];
     let [start, finish] = forward;
     if !(0.0 < start && start <= finish && finish >= reverse[0] && 0.0 <= reverse[1] && reverse[1] <= reverse[0]) {
-        let d = Diagnostic::warning("the stresses of the transformations are out of order");
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            "the stresses of the transformations are out of order",
+        );
         warn(interp, d.at(a.last_span(), "expected 0 <= sigMAf <= sigMAs, 0 < sigAMs <= sigAMf"))?;
     }
     Ok(Arc::new(Sma { e, eps_l, forward, reverse }))

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
@@ -76,7 +77,10 @@ fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let suction = optional(a, "suction, the resistance in uplift as a part of the ultimate one")?;
     if suction > QzSimple1::MAX_SUCTION_RATIO {
         let message = format!("the suction {suction} is more than {}, which is taken", QzSimple1::MAX_SUCTION_RATIO);
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected at most a tenth"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, message).at(a.last_span(), "expected at most a tenth"),
+        )?;
     }
     let dashpot = optional(a, "dashpot coefficient c")?;
     let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
@@ -90,7 +94,8 @@ const STIFFNESS_DISPLACEMENT: f64 = 0.002;
 fn negative(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
     let x = a.float(what)?;
     if x > 0.0 {
-        let d = Diagnostic::warning(format!("the {what} is {x}: it is taken as {}", -x));
+        let d =
+            Diagnostic::warning(&checks::words::REPLACED_VALUE, format!("the {what} is {x}: it is taken as {}", -x));
         warn(interp, d.at(a.last_span(), "expected a number less than 0"))?;
     }
     Ok(-x.abs())
@@ -107,7 +112,10 @@ fn hyperbolic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     }
     if kmax == 0.0 {
         kmax = -fult / STIFFNESS_DISPLACEMENT;
-        let d = Diagnostic::warning(format!("the initial stiffness Kmax is 0: it is taken as Fult / 0.002, {kmax}"));
+        let d = Diagnostic::warning(
+            &checks::words::REPLACED_VALUE,
+            format!("the initial stiffness Kmax is 0: it is taken as Fult / 0.002, {kmax}"),
+        );
         warn(interp, d.at(place, "expected a number greater than 0"))?;
     }
     let gap = negative(interp, a, "gap")?;

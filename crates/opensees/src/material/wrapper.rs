@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
@@ -136,7 +137,11 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                 p.d_max = a.float("damage at failure Dmax")?;
                 if !(0.0..=1.0).contains(&p.d_max) {
                     let message = format!("Fatigue: the damage at failure is {}, and is taken as 1", p.d_max);
-                    warn(interp, Diagnostic::warning(message).at(a.last_span(), "expected 0 to 1"))?;
+                    warn(
+                        interp,
+                        Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
+                            .at(a.last_span(), "expected 0 to 1"),
+                    )?;
                     p.d_max = 1.0;
                 }
             }

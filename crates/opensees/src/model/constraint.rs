@@ -1,6 +1,7 @@
 //! Single-point and multi-point constraints.
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::node_of;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
@@ -152,7 +153,8 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     if ndm != 3 || ndf != 6 {
         let message = format!("rigidDiaphragm is ignored: the node has {ndf} degrees of freedom in {ndm} dimensions");
-        let d = Diagnostic::warning(message).at(call.span(0), "nothing is joined in this model");
+        let d = Diagnostic::warning(&checks::model::DIAPHRAGM_IGNORED, message)
+            .at(call.span(0), "nothing is joined in this model");
         warn(interp, d.help("it needs 3 dimensions and 6 degrees of freedom a node, or a model in the plane"))?;
         return Ok(Value::EMPTY);
     }
@@ -207,8 +209,8 @@ fn plane_diaphragm(interp: &mut Tcl, a: &mut Args<'_>, direction: usize, retaine
             let axis = ["y", "x"][direction];
             let message =
                 format!("rigidDiaphragm: the {axis} of the node differs by {apart} from that of the retained one");
-            let d =
-                Diagnostic::warning(message).at(a.last_span(), "moves as far as it, without the turn of a rigid body");
+            let d = Diagnostic::warning(&checks::model::DIAPHRAGM_APART, message)
+                .at(a.last_span(), "moves as far as it, without the turn of a rigid body");
             warn(interp, d)?;
         }
         add(interp, retained, node, (vec![direction], vec![direction]), vec![1.0]);

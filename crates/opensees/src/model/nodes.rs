@@ -1,15 +1,17 @@
 //! The model and its nodes.
 
 use crate::args::Args;
+use crate::checks;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::model::NodeId;
-use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("wipe", "wipe", wipe),
-    Command::new("model", MODEL, model),
-    Command::new("node", NODE, node),
+    Command::new("model", MODEL, model).defining(&[things::MODEL], 0),
+    Command::new("node", NODE, node).defining(&[things::NODE], 1),
     Command::new("mass", MASS, mass),
     Command::new("pset", PSET, pset),
     Command::new("setNodeCoord", SET_COORD, set_node_coord),
@@ -30,7 +32,7 @@ pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<N
         let model = interp.host.engine.model();
         let near = model.node_tags().min_by_key(|t| t.abs_diff(tag));
         let label = near.map_or_else(|| "no node has been made".into(), |t| format!("the nearest tag is {t}"));
-        args.refuse(format!("there is no node {tag}"), label)
+        args.absent(things::NODE, tag, label)
     })
 }
 
@@ -52,7 +54,7 @@ fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MODEL);
     if a.at_option() {
-        let d = Diagnostic::warning("model: the kind of model is missing: it is basic");
+        let d = Diagnostic::warning(&checks::words::MISSING_WORD, "model: the kind of model is missing: it is basic");
         warn(interp, d.at(a.next_span(), "expected basic before this"))?;
     } else {
         let builder = a.word("kind of model")?;
@@ -85,9 +87,15 @@ pub(crate) fn need_model(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Except
     if let Some((ndm, ndf)) = interp.host.builder.former {
         (interp.host.builder.ndm, interp.host.builder.ndf) = (ndm, ndf);
         let message = format!("the model was wiped: {ndm} dimensions and {ndf} degrees of freedom still hold");
-        return warn(interp, Diagnostic::warning(message).at(call.span(0), "expected a command \"model\" before this"));
+        return warn(
+            interp,
+            Diagnostic::warning(&checks::model::MODEL_WIPED, message)
+                .at(call.span(0), "expected a command \"model\" before this"),
+        );
     }
     let d = Diagnostic::error(format!("{}: there is no model yet", call.name()))
+        .by(&checks::words::NO_MODEL)
+        .absent(Absent::new(things::MODEL, ""))
         .at(call.span(0), "expected a command \"model\" before this")
         .help(format!("usage: {MODEL}"));
     Err(Exception::diagnosed(d))
@@ -190,7 +198,8 @@ fn warn_of_two_values(interp: &mut Tcl, name: &str, value: &Value, earlier: Opti
         let place = interp.sources.location(earlier);
         let span = interp.host.declared_at.get(name).copied();
         let message = format!("the parameter {name} is declared as {second}, and as {first} before");
-        let warning = Diagnostic::warning(message).at(span, "a study gives both the same value");
+        let warning =
+            Diagnostic::warning(&checks::words::DECLARED_TWICE, message).at(span, "a study gives both the same value");
         warn(interp, warning.help(format!("{place} declares it first")))?;
     }
     Ok(())

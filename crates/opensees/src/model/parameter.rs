@@ -1,14 +1,16 @@
 //! Parameters: numbers of the model that a script may change by a tag (`parameter updateParameter ...`).
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::node_of;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("parameter", PARAMETER, parameter),
+    Command::new("parameter", PARAMETER, parameter).defining(&[things::PARAMETER], 1),
     Command::new("addToParameter", ADD, add_to_parameter),
     Command::new("updateParameter", UPDATE, update_parameter),
     Command::new("getParamValue", "getParamValue $tag", value_of),
@@ -89,7 +91,11 @@ fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<V
             _ => format!("none of {} elements has", elements.len()),
         };
         let message = format!("{of} no parameter \"{}\": it changes nothing", words.join(" "));
-        warn(interp, Diagnostic::warning(message).at(span, "expected the name of a parameter"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::model::NO_SUCH_PARAMETER, message)
+                .at(span, "expected the name of a parameter"),
+        )?;
     }
     Ok(places)
 }
@@ -101,7 +107,7 @@ fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
             a.word("element")?;
             let tag = a.int("tag of the element")?;
             if interp.host.engine.model().element(tag).is_none() {
-                return Err(a.refuse(format!("there is no element {tag}"), "expected the tag of an element"));
+                return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
             }
             of_elements(interp, a, &[tag])
         }
@@ -109,7 +115,7 @@ fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
             a.word("region")?;
             let tag = a.int("tag of the region")?;
             let Some(region) = interp.host.builder.regions.get(&tag) else {
-                return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
+                return Err(a.absent(things::REGION, tag, "expected the tag of a region"));
             };
             let model = interp.host.engine.model();
             let elements: Vec<Tag> = region.elements.iter().map(|e| model.elements[e.0].tag).collect();
@@ -134,7 +140,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
         "loadPattern" | "pattern" => {
             let pattern = a.int("tag of the pattern")?;
             if !model.patterns.contains_key(&pattern) {
-                return Err(a.refuse(format!("there is no load pattern {pattern}"), "expected the tag of a pattern"));
+                return Err(a.absent(things::PATTERN, pattern, "expected the tag of a pattern"));
             }
             match a.word("property of the pattern")?.as_ref() {
                 "lambda" => Ok(Place::Factor { pattern }),
@@ -237,7 +243,7 @@ fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
     }
     let tags: Vec<String> = interp.host.builder.parameters.keys().map(ToString::to_string).collect();
     let there = if tags.is_empty() { "none has been defined".to_owned() } else { tags.join(" ") };
-    Err(a.refuse(format!("there is no parameter {tag}"), format!("defined: {there}")))
+    Err(a.absent(things::PARAMETER, tag, format!("defined: {there}")))
 }
 
 fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -291,7 +297,10 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     });
     if let Some((element, words)) = lost {
         let message = format!("element {element} has no parameter \"{}\" any more: it stays as it is", words.join(" "));
-        warn(interp, Diagnostic::warning(message).at(call.span(0), "changes nothing there"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::model::NO_SUCH_PARAMETER, message).at(call.span(0), "changes nothing there"),
+        )?;
     }
     Ok(Value::EMPTY)
 }
@@ -324,7 +333,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             a.word("option")?;
             let tags = a.ints();
             if let Some(missing) = tags.iter().find(|t| model.element(**t).is_none()) {
-                return Err(a.refuse(format!("there is no element {missing}"), "expected tags of elements"));
+                return Err(a.absent(things::ELEMENT, missing, "expected tags of elements"));
             }
             Some(tags)
         }

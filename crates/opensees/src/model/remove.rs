@@ -1,8 +1,11 @@
 //! `remove`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::node_of;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
+use hysteron_engine::model::Tag;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -12,8 +15,16 @@ const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | eleme
                      sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";
 
 /// Warns that there is nothing to remove. OpenSees passes it over, and scripts remove in case there is something.
-fn absent(interp: &mut Tcl, a: &Args<'_>, message: String) -> Result<(), Exception> {
-    warn(interp, Diagnostic::warning(message).at(a.last_span(), "nothing is removed"))
+fn nothing(interp: &mut Tcl, a: &Args<'_>, message: String) -> Result<(), Exception> {
+    warn(
+        interp,
+        Diagnostic::warning(&checks::model::NOTHING_TO_REMOVE, message).at(a.last_span(), "nothing is removed"),
+    )
+}
+
+/// The same of a thing by its tag.
+fn absent(interp: &mut Tcl, a: &Args<'_>, kind: &'static str, tag: Tag) -> Result<(), Exception> {
+    nothing(interp, a, format!("there is no {kind} {tag}"))
 }
 
 fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -22,7 +33,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "loadPattern" | "pattern" => {
             let tag = a.int("tag of the pattern")?;
             if interp.host.engine.change_model(|m| m.patterns.remove(&tag)).is_none() {
-                absent(interp, &a, format!("there is no load pattern {tag}"))?;
+                absent(interp, &a, things::PATTERN, tag)?;
             }
         }
         "recorders" => {
@@ -34,7 +45,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let tag = a.int("tag of the recorder")?;
             match interp.host.output.recorders.by_tag.remove(&tag) {
                 Some(mut r) => r.recorder.finish().map_err(|e| a.refuse(e.to_string(), ""))?,
-                None => absent(interp, &a, format!("there is no recorder {tag}"))?,
+                None => absent(interp, &a, things::RECORDER, tag)?,
             }
         }
         "element" | "ele" => {
@@ -44,7 +55,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                     interp.host.engine.remove_element(id);
                     interp.host.forget_element(id);
                 }
-                None => absent(interp, &a, format!("there is no element {tag}"))?,
+                None => absent(interp, &a, things::ELEMENT, tag)?,
             }
         }
         "node" => {
@@ -57,7 +68,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                     }
                     interp.host.forget_node(node);
                 }
-                None => absent(interp, &a, format!("there is no node {tag}"))?,
+                None => absent(interp, &a, things::NODE, tag)?,
             }
         }
         "sp" | "SPconstraint" | "SPConstraint" => return remove_sp(interp, &mut a),
@@ -74,7 +85,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             });
             if removed == 0 {
                 let message = format!("there is no multi-point constraint of node {tag}, nor one with this number");
-                absent(interp, &a, message)?;
+                nothing(interp, &a, message)?;
             }
         }
         "material" | "uniaxialMaterial" => {
@@ -84,7 +95,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "parameter" => {
             let tag = a.int("tag of the parameter")?;
             if interp.host.builder.parameters.remove(&tag).is_none() {
-                absent(interp, &a, format!("there is no parameter {tag}"))?;
+                absent(interp, &a, things::PARAMETER, tag)?;
             }
         }
         "timeSeries" => {
@@ -140,7 +151,7 @@ fn remove_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
         })
     };
     if removed == 0 {
-        absent(interp, a, "there is no such constraint".into())?;
+        nothing(interp, a, "there is no such constraint".into())?;
     }
     finish(interp, a)?;
     Ok(Value::EMPTY)

@@ -1,16 +1,19 @@
 //! `geomTransf`.
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::need_model;
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("geomTransf", USAGE, geom_transf).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("geomTransf", USAGE, geom_transf)
+    .defining(&[things::TRANSFORM], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 const USAGE: &str = "geomTransf Linear|PDelta|Corotational $tag <$x $y $z of a vector in the local x-z plane, in space> \
                      <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
@@ -61,7 +64,10 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ignored = ndm == 3 && kind.make == TransformKind::Corotational && offsets != Default::default();
     if ignored && interp.host.follows(&[slips::COROTATIONAL_OFFSETS]) {
         offsets = Default::default();
-        let d = Diagnostic::warning("geomTransf Corotational: the joint offsets are taken for zero, as in OpenSees");
+        let d = Diagnostic::warning(
+            &checks::model::OFFSETS_IGNORED,
+            "geomTransf Corotational: the joint offsets are taken for zero, as in OpenSees",
+        );
         warn(interp, d.at(a.last_span(), "not used"))?;
     }
     let transform =

@@ -3,8 +3,10 @@
 use super::recorder::{range, region};
 use super::recorder_file::make_room;
 use crate::args::Args;
+use crate::checks;
 use crate::host::Mode;
 use crate::model::nodes::node_of;
+use crate::things;
 use crate::{Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, NodalLoad, NodeId, Tag};
@@ -297,11 +299,7 @@ fn elements(interp: &mut Tcl, a: &mut Args<'_>, option: &str) -> Result<Vec<Tag>
             let mut tags = vec![];
             for (tag, span) in a.placed_ints() {
                 if interp.host.engine.model().element(tag).is_none() {
-                    return Err(a.refuse_at(
-                        span,
-                        format!("there is no element {tag}"),
-                        "expected the tag of an element",
-                    ));
+                    return Err(a.absent_at(span, things::ELEMENT, tag, "expected the tag of an element"));
                 }
                 tags.push(tag);
             }
@@ -362,7 +360,10 @@ fn criterion(interp: &mut Tcl, a: &mut Args<'_>, w: &mut Words) -> Result<(), Ex
     }
     let span = a.last_span();
     a.float("value of the criterion")?;
-    let d = Diagnostic::warning(format!("recorder Collapse: the criterion {name} has no value, as in OpenSees 3"));
+    let d = Diagnostic::warning(
+        &checks::output::NOTHING_REMOVED,
+        format!("recorder Collapse: the criterion {name} has no value, as in OpenSees 3"),
+    );
     warn(interp, d.at(span, "nothing is removed by it"))
 }
 

@@ -1,6 +1,7 @@
 //! Commands that OpenSees has for its window and its log, which are accepted and do nothing.
 
 use crate::args::Args;
+use crate::checks;
 use crate::{Command, Outcome, Tcl, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Value};
@@ -33,7 +34,10 @@ fn nothing(_: &mut Tcl, _: &Call<'_>) -> Outcome {
 /// Files for the viewers of other programs are no results of the analysis: the script goes on without them.
 pub(super) fn of_other_program(interp: &mut Tcl, call: &Call<'_>, a: Args<'_>) -> Outcome {
     let kind = a.last_word();
-    let d = Diagnostic::warning(format!("recorder {kind}: a file of this kind is not written"));
+    let d = Diagnostic::warning(
+        &checks::output::NOT_WRITTEN,
+        format!("recorder {kind}: a file of this kind is not written"),
+    );
     let d = d.at(call.span(1), "expected Node, Element, or PVD for ParaView");
     warn(interp, d.help("the script goes on without it"))?;
     Ok(Value::from(-1i64))

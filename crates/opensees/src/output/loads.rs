@@ -1,6 +1,7 @@
 //! Queries that programs which draw models make: numbers of classes, and the loads of patterns.
 
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::Pattern;
@@ -81,7 +82,7 @@ fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if a.left() > 0 {
         let tag = a.int("tag of the element")?;
         let id = model.element(tag);
-        ids = vec![id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))?];
+        ids = vec![id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))?];
     }
     let class = |name: &str| CLASS_TAGS.iter().find(|c| c.0 == name).map_or(0, |c| c.1);
     let tags = ids.iter().map(|id| Value::from(class(model.elements[id.0].element.class())));
@@ -102,7 +103,7 @@ fn class_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let tag = a.int("tag of the element")?;
             let model = session.engine.model();
             let id = model.element(tag);
-            let missing = || a.refuse(format!("there is no element {tag}"), "expected the tag of an element");
+            let missing = || a.absent(things::ELEMENT, tag, "expected the tag of an element");
             model.elements[id.ok_or_else(missing)?.0].element.class()
         }
         _ => return Err(a.unknown_name("kind of thing with a class", ["section", "element"])),
@@ -120,9 +121,7 @@ fn patterns<'a>(interp: &'a Tcl, call: &Call<'_>) -> Result<Vec<&'a Pattern>, Ex
     }
     let tag = a.int("tag of the pattern")?;
     let pattern = all.get(&tag);
-    pattern
-        .map(|p| vec![p])
-        .ok_or_else(|| a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern"))
+    pattern.map(|p| vec![p]).ok_or_else(|| a.absent(things::PATTERN, tag, "expected the tag of a pattern"))
 }
 
 /// A list with the values that `put` gives for each element load, from the tag of the element, the load, and true in space.

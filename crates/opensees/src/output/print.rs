@@ -52,11 +52,7 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         ("element", &w.elements, model.element_tags().collect()),
     ] {
         if let Some(tag) = wanted.iter().flatten().find(|t| !known.contains(t)) {
-            return Err(a.refuse_at(
-                call.whole_span(),
-                format!("there is no {what} {tag}"),
-                format!("expected a tag of {what}s"),
-            ));
+            return Err(a.absent_at(call.whole_span(), what, tag, format!("expected a tag of {what}s")));
         }
     }
     let text = if w.json {

@@ -3,6 +3,7 @@
 use super::recorder::{Placed, add};
 use super::recorder_file::make_room;
 use crate::args::Args;
+use crate::checks;
 use crate::files::series::FileSeries;
 use crate::files::vtu::{CellField, PointField, collection, grid};
 use crate::{Outcome, Tcl, warn};
@@ -242,7 +243,7 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
         }
     }
     if fields.is_empty() && response.is_empty() {
-        let d = Diagnostic::warning("recorder PVD: the files have the model alone");
+        let d = Diagnostic::warning(&checks::words::MISSING_WORD, "recorder PVD: the files have the model alone");
         warn(interp, d.at(span, "expected for instance disp after it"))?;
     }
     let path = interp.absolute(&name);

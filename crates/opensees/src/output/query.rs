@@ -2,9 +2,11 @@
 
 use super::recorder::unknown_response;
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::node_of;
 use crate::session::Session;
 use crate::slips;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
 use hysteron_engine::model::{ElementId, NodeId};
@@ -89,7 +91,7 @@ fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outco
     // OpenSees gives all values for 0, which scripts with one degree of freedom at a node rely on.
     if what == DOF && a.peek().is_some_and(|w| w == "0") {
         a.option();
-        let d = Diagnostic::warning("the degree of freedom is 0: all values are given");
+        let d = Diagnostic::warning(&checks::output::ALL_VALUES, "the degree of freedom is 0: all values are given");
         warn(interp, d.at(a.last_span(), format!("expected the degree of freedom, 1 to {}", values.len())))?;
         finish(interp, a)?;
         return Ok(list(values));
@@ -179,7 +181,7 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
         let label =
             if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
-        return Err(a.refuse(format!("there is no mode {mode}"), label));
+        return Err(a.absent(things::MODE, mode, label));
     };
     let dofs = interp.host.engine.model().nodes[node.0].dofs();
     let values = shape.get(dofs).map(<[f64]>::to_vec).unwrap_or_default();
@@ -214,7 +216,7 @@ fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
     let tag = a.int("tag of the element")?;
     let id = interp.host.engine.model().element(tag);
-    id.ok_or_else(|| a.refuse(format!("there is no element {tag}"), "expected the tag of an element"))
+    id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))
 }
 
 fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
@@ -306,7 +308,7 @@ fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let engine = &interp.host.engine;
     match engine.model().patterns.get(&tag) {
         Some(p) => Ok(Value::from(p.factor(engine.state().time))),
-        None => Err(a.refuse(format!("there is no load pattern {tag}"), "expected the tag of a pattern")),
+        None => Err(a.absent(things::PATTERN, tag, "expected the tag of a pattern")),
     }
 }
 

@@ -4,7 +4,9 @@ use super::recorder_file::make_room;
 use super::recorders::PlacedRecorder;
 use super::{collapse, display, pvd};
 use crate::args::Args;
+use crate::checks;
 use crate::files::outputs::FileFormat;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
@@ -14,7 +16,7 @@ use hysteron_engine::record::{
     Source,
 };
 use hysteron_engine::series::Series;
-use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span, nearest};
+use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
@@ -100,7 +102,7 @@ struct Common {
     close_on_write: bool,
     cadence: Cadence,
     /// Places of the tags of nodes and elements and of the degrees of freedom, for messages.
-    tags: BTreeMap<String, Span>,
+    tags: BTreeMap<Absent, Span>,
     /// None of the elements that are there has the response, which has been said.
     knows_missing_response: bool,
 }
@@ -146,10 +148,10 @@ impl Common {
     }
 
     /// Take tags of nodes or elements.
-    fn take_tags(&mut self, what: &str, a: &mut Args<'_>) -> Vec<Tag> {
+    fn take_tags(&mut self, what: &'static str, a: &mut Args<'_>) -> Vec<Tag> {
         let placed = a.placed_ints();
         for (tag, span) in &placed {
-            self.tags.extend(span.map(|s| (format!("{what} {tag}"), s)));
+            self.tags.extend(span.map(|s| (Absent::new(what, tag), s)));
         }
         placed.into_iter().map(|(tag, _)| tag).collect()
     }
@@ -160,9 +162,9 @@ impl Common {
         for (d, span) in a.placed_ints() {
             match usize::try_from(d - 1) {
                 Ok(from_zero) => out.push(from_zero),
-                Err(_) => return Err(a.refuse(format!("there is no degree of freedom {d}"), "expected 1, 2, ...")),
+                Err(_) => return Err(a.absent(things::DOF, d, "expected 1, 2, ...")),
             }
-            self.tags.extend(span.map(|s| (format!("degree of freedom {d}"), s)));
+            self.tags.extend(span.map(|s| (Absent::new(things::DOF, d), s)));
         }
         Ok(out)
     }
@@ -182,7 +184,7 @@ impl Common {
                 made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
             }
             None => {
-                let d = Diagnostic::warning("recorder: there is no file, so nothing is kept");
+                let d = Diagnostic::warning(&checks::output::NO_FILE, "recorder: there is no file, so nothing is kept");
                 warn(interp, d.at(call.span(0), "expected -file"))?;
                 Box::new(Nowhere)
             }
@@ -197,7 +199,7 @@ impl Common {
 /// A recorder with the places of the tags in its command.
 pub(super) struct Placed {
     pub(super) recorder: Recorder,
-    pub(super) tags: BTreeMap<String, Span>,
+    pub(super) tags: BTreeMap<Absent, Span>,
     pub(super) knows_missing_response: bool,
 }
 
@@ -248,7 +250,7 @@ fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 pub(super) fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
     let tag = a.int("tag of a region")?;
     let Some(r) = interp.host.builder.regions.get(&tag) else {
-        return Err(a.refuse(format!("there is no region {tag}"), "expected the tag of a region"));
+        return Err(a.absent(things::REGION, tag, "expected the tag of a region"));
     };
     let model = interp.host.engine.model();
     Ok(if nodes {
@@ -259,14 +261,19 @@ pub(super) fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<
 }
 
 /// Tags within a range that are there when the recorder is made, with a warning where there is none.
-pub(super) fn range(interp: &mut Tcl, a: &mut Args<'_>, what: &str, there: Vec<Tag>) -> Result<Vec<Tag>, Exception> {
+pub(super) fn range(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    what: &'static str,
+    there: Vec<Tag>,
+) -> Result<Vec<Tag>, Exception> {
     let first = a.int("first tag")?;
     let span = a.last_span();
     let last = a.int("last tag")?;
     let found: Vec<Tag> = there.into_iter().filter(|t| (first.min(last)..=first.max(last)).contains(t)).collect();
-    if found.is_empty() && !interp.host.check.holds_back(&format!("there is no {what} {first}")) {
+    if found.is_empty() && !interp.host.check.holds_back(&Absent::new(what, first)) {
         let message = format!("recorder: no {what} from {first} to {last} has been defined");
-        warn(interp, Diagnostic::warning(message).at(span, "nothing is recorded"))?;
+        warn(interp, Diagnostic::warning(&checks::output::NOTHING_RECORDED, message).at(span, "nothing is recorded"))?;
     }
     Ok(found)
 }
@@ -319,7 +326,10 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
     }
     let quantity = match &response {
         None if interp.host.follows(&[slips::MISSING_RESPONSE]) => {
-            let d = Diagnostic::warning("recorder: the response is missing: OpenSees takes disp");
+            let d = Diagnostic::warning(
+                &checks::words::MISSING_WORD,
+                "recorder: the response is missing: OpenSees takes disp",
+            );
             warn(interp, d.at(call.span(0), "expected for instance disp"))?;
             NodeQuantity::Disp
         }
@@ -397,6 +407,7 @@ fn check_response(
     }
     let (index, mut d) = unknown_response(engine, *first, &list);
     d.severity = Severity::Warning;
+    d.check = Some(&checks::output::NOT_IN_MODEL);
     warn(interp, d.at(places.get(index).copied().flatten(), "nothing is recorded"))?;
     Ok(true)
 }
@@ -434,7 +445,10 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outc
     }
     if dof.is_none() || across.is_none() {
         let message = "recorder Drift: the direction is missing: OpenSees takes dof 1 and perpDirn 2";
-        warn(interp, Diagnostic::warning(message).at(call.span(0), "expected -dof and -perpDirn"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::words::MISSING_WORD, message).at(call.span(0), "expected -dof and -perpDirn"),
+        )?;
     }
     if i.is_empty() || i.len() != j.len() {
         let message = format!("recorder Drift: {} nodes i but {} nodes j", i.len(), j.len());

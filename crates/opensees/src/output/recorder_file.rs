@@ -1,6 +1,7 @@
 //! The file of a recorder: its folder is there, and no other recorder writes it.
 
 use super::recorder::words;
+use crate::checks;
 use crate::host::Mode;
 use crate::{Tcl, warn};
 use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span};
@@ -34,7 +35,7 @@ fn replace_recorder(interp: &mut Tcl, call: &Call<'_>, name: &str, span: Option<
     let Some(other) = interp.host.output.recorders.of_file(&path) else { return Ok(()) };
     let (place, is_same) = (other.span, other.words == words(call));
     let message = format!("another recorder writes {name}{}", if is_same { ": its rows are lost" } else { "" });
-    let mut d = Diagnostic::warning(message).at(span, "expected a file of its own");
+    let mut d = Diagnostic::warning(&checks::output::SHARED_FILE, message).at(span, "expected a file of its own");
     if let Some(place) = place {
         d = d.help(format!("{}: the other one", interp.sources.location(place)));
     }
@@ -56,7 +57,7 @@ fn make_missing_folder(interp: &mut Tcl, name: &str, path: &str, span: Option<Sp
         return Ok(());
     }
     let named = name.rsplit_once('/').map_or(folder, |(f, _)| f).to_owned();
-    let d = Diagnostic::warning(format!("there is no folder {named}; it is made"));
+    let d = Diagnostic::warning(&checks::output::FOLDER_MADE, format!("there is no folder {named}; it is made"));
     let help = format!("OpenSees would keep nothing: make it before, with \"file mkdir {named}\"");
     warn(interp, d.at(span, "cannot write here otherwise").help(help))?;
     if interp.host.mode == Mode::Check {

@@ -5,12 +5,14 @@ use super::collapse::Collapses;
 use crate::analysis::isolator_damping::IsolatorDamping;
 use crate::analysis::softening::BackboneWatch;
 use crate::checkpoint::Journal;
+use crate::checks;
 use crate::files::live::LiveFiles;
 use crate::host::{MotionObserver, Progress};
+use crate::things;
 use hysteron_engine::analysis::{Engine, Observer};
 use hysteron_engine::model::Tag;
 use hysteron_engine::record::{Missing, RecordError, Recorder};
-use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,7 +22,7 @@ pub(crate) struct PlacedRecorder {
     pub(crate) recorder: Recorder,
     pub(crate) span: Option<Span>,
     /// Places of the tags that the command names, by the words of a message: "node 3".
-    pub(crate) tags: BTreeMap<String, Span>,
+    pub(crate) tags: BTreeMap<Absent, Span>,
     /// Path of its file.
     pub(crate) path: Option<String>,
     /// The same as the script names it.
@@ -142,7 +144,7 @@ impl Recorders {
 
     /// Warnings about responses that recorders asked for in vain, once for each recorder. What `held_back` tells of
     /// is left out.
-    pub(crate) fn missing(&mut self, mut held_back: impl FnMut(&str) -> bool) -> Vec<Diagnostic> {
+    pub(crate) fn missing(&mut self, mut held_back: impl FnMut(&Absent) -> bool) -> Vec<Diagnostic> {
         let mut warnings = vec![];
         for r in self.by_tag.values_mut() {
             if r.recorder.missing.is_empty() || std::mem::replace(&mut r.reported, true) {
@@ -150,13 +152,13 @@ impl Recorders {
             }
             let known = |m: &&Missing| r.knows_missing_response && matches!(m, Missing::Response { .. });
             let missing = r.recorder.missing.iter().filter(|m| !known(m));
-            let missing = missing.filter(|m| m.thing().is_none_or(|thing| !held_back(&thing)));
+            let missing = missing.filter(|m| absent_of(m).is_none_or(|thing| !held_back(&thing)));
             let (zero, absent): (Vec<&Missing>, Vec<&Missing>) = missing.partition(|m| m.is_zero());
             for (group, label) in [(absent, "left out of the record"), (zero, "its column is zero, as in OpenSees")] {
                 let Some(first) = group.first() else { continue };
-                let place = first.thing().and_then(|thing| r.tags.get(&thing).copied()).or(r.span);
+                let place = absent_of(first).and_then(|thing| r.tags.get(&thing).copied()).or(r.span);
                 let message = format!("recorder: the model has no {}", Missing::list(group.iter().copied()));
-                warnings.push(Diagnostic::warning(message).at(place, label));
+                warnings.push(Diagnostic::warning(&checks::output::NOT_IN_MODEL, message).at(place, label));
             }
         }
         warnings
@@ -203,5 +205,15 @@ impl Recorders {
         for (i, norm) in test.norms.iter().enumerate().filter(|(i, _)| all || i + 1 == n) {
             let _ = writeln!(self.printed, "{name}: iteration {} norm {norm:.6e} (max {:.3e})", i + 1, test.tolerance);
         }
+    }
+}
+
+/// What a recorder or a region misses, as messages name it.
+pub(crate) fn absent_of(missing: &Missing) -> Option<Absent> {
+    match missing {
+        Missing::Node(tag) => Some(Absent::new(things::NODE, tag)),
+        Missing::Element(tag) => Some(Absent::new(things::ELEMENT, tag)),
+        Missing::Dof { dof, .. } => Some(Absent::new(things::DOF, dof)),
+        Missing::Response { .. } | Missing::Column { .. } | Missing::Drift { .. } => None,
     }
 }

@@ -1,6 +1,7 @@
 //! `verify`: a script compares a result with a number.
 
 use crate::args::Args;
+use crate::checks;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -29,7 +30,10 @@ fn verify(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     // In OpenSees the text stands in the place of the tolerance, and a number is less than a text.
     let tolerance = given.unwrap_or(if text.is_empty() { TOLERANCE } else { f64::INFINITY });
     if tolerance.is_infinite() {
-        let d = Diagnostic::warning("verify: the tolerance is missing, and nothing is compared");
+        let d = Diagnostic::warning(
+            &checks::output::NOTHING_COMPARED,
+            "verify: the tolerance is missing, and nothing is compared",
+        );
         warn(interp, d.at(a.last_span(), "expected a tolerance before this"))?;
     }
     finish(interp, &a)?;

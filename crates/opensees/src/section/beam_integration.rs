@@ -1,13 +1,15 @@
 //! `beamIntegration`, and the rules of quadrature that elements name.
 
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::beam::{Hinge, Rule};
 use hysteron_engine::model::Integration;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("beamIntegration", USAGE, beam_integration).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("beamIntegration", USAGE, beam_integration)
+    .defining(&[things::INTEGRATION], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 const USAGE: &str = "beamIntegration Lobatto|Legendre|Radau|NewtonCotes|Trapezoidal|CompositeSimpson $tag $section $n | \
                      HingeRadau|HingeRadauTwo|HingeMidpoint|HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE | \

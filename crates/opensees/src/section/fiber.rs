@@ -3,6 +3,7 @@
 use super::nd_fiber;
 use super::open::OpenSection;
 use crate::args::Args;
+use crate::checks;
 use crate::material::nd_material::Family;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
 use hysteron_engine::material::Material;
@@ -90,7 +91,11 @@ fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let material = material(interp, &mut a)?;
     if area == 0.0 {
         // OpenSees integrates it with no effect.
-        warn(interp, Diagnostic::warning("the fiber has no area, and is left out").at(at, "expected more than 0"))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::elements::FIBER_WITHOUT_AREA, "the fiber has no area, and is left out")
+                .at(at, "expected more than 0"),
+        )?;
         return Ok(Value::EMPTY);
     }
     add(interp, &a, material, [(place, area)])?;
@@ -133,7 +138,10 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             };
             if inner > outer && angles[0] > angles[1] {
                 // Both turned round give the same fibers in OpenSees.
-                let d = Diagnostic::warning("the radii and the angles of the patch are both turned round");
+                let d = Diagnostic::warning(
+                    &checks::elements::PATCH_TURNED_ROUND,
+                    "the radii and the angles of the patch are both turned round",
+                );
                 warn(interp, d.at(radii_at, "expected the inner radius before the outer one"))?;
                 std::mem::swap(&mut inner, &mut outer);
                 angles.reverse();

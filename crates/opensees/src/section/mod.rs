@@ -9,7 +9,9 @@ mod plate;
 mod shapes;
 
 use crate::args::Args;
+use crate::checks;
 use crate::model::nodes::need_model;
+use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
@@ -20,7 +22,9 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
+    .defining(&[things::SECTION, things::PLATE], 2)
+    .with_kinds(|| kind::usages(KINDS))];
 
 const SECTION: &str = "section $kind $tag ...";
 
@@ -187,7 +191,8 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
             "-GJ" => {
                 let gj = a.not_negative("torsional rigidity GJ")?;
                 if gj == 0.0 {
-                    let d = Diagnostic::warning("the section has no torsional stiffness");
+                    let d =
+                        Diagnostic::warning(&checks::elements::NO_STIFFNESS, "the section has no torsional stiffness");
                     warn(interp, d.at(a.last_span(), "expected more than 0"))?;
                 }
                 let material: hysteron_engine::material::Material = Arc::new(ElasticMaterial::new(gj));
@@ -221,7 +226,8 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
 
 /// OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses one without.
 fn warn_of_torsion(interp: &mut Tcl, span: Option<hysteron_tcl::diagnostic::Span>) -> Result<(), Exception> {
-    let d = Diagnostic::warning("a fiber section in space without a torsional stiffness");
+    let d =
+        Diagnostic::warning(&checks::elements::NO_STIFFNESS, "a fiber section in space without a torsional stiffness");
     warn(interp, d.at(span, "expected -GJ or -torsion after the tag, or an Aggregator with T around it"))
 }
 

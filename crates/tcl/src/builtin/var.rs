@@ -1,5 +1,6 @@
 //! `set`, `unset`, `incr`, `append`, `lappend`, and names for variables elsewhere.
 
+use crate::check::PASSED_OVER;
 use crate::diagnostic::Diagnostic;
 use std::rc::Rc;
 
@@ -274,7 +275,7 @@ fn trace(core: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {
     if let [_, kind] = &words[..]
         && matches!(kind.as_ref(), "execution" | "command")
     {
-        let warning = Diagnostic::warning("trace: commands are not watched here: it is ignored");
+        let warning = Diagnostic::warning(&PASSED_OVER, "trace: commands are not watched here: it is ignored");
         core.warn(warning.at(call.span(0), "not supported"));
         return Ok(Value::EMPTY);
     }

@@ -172,7 +172,8 @@ impl<'a> Parser<'a> {
         let mark = if marked { MARK } else { "" };
         let message = format!("{what}\nin expression \"{before}{scanned}{mark}{after}\"{post}");
         let end = at + length.max(1);
-        let error = ParseError { message, start: at as u32, end: end.min(text.len()) as u32, label: "", help: None };
+        let (start, end) = (at as u32, end.min(text.len()) as u32);
+        let error = ParseError { message, start, end, label: "", help: None, never_closed: false };
         Box::new(ExprError { error, code: code.to_vec() })
     }
 
@@ -229,11 +230,11 @@ impl<'a> Parser<'a> {
                     Ok(op) => op,
                     Err(e) => {
                         let start = e.start as usize;
-                        let unbalanced = e.message.starts_with("missing");
-                        let code: &[&str] = if unbalanced { &["UNBALANCED"] } else { &[] };
+                        let code: &[&str] = if e.never_closed { &["UNBALANCED"] } else { &[] };
                         let mut failed = self.error(e.message, start, 0, "", code);
                         failed.error.end = e.end;
                         failed.error.label = e.label;
+                        failed.error.never_closed = e.never_closed;
                         return Err(failed);
                     }
                 }

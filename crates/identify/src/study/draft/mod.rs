@@ -11,8 +11,9 @@ use super::script_simulator::{RunMode, ScriptSimulator, UnobservedTraces};
 use super::study_file::StudySpans;
 use super::trace::Trace;
 use hysteron_engine::analysis::Options;
+use hysteron_opensees::run::End;
 use hysteron_recordings::Recording;
-use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
+use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE};
 use hysteron_tcl::top_level;
 use matching::{Candidate, Match};
 use std::collections::BTreeMap;
@@ -39,6 +40,8 @@ struct DraftRun {
     guessed: Vec<String>,
     /// The reason why the run of the script has no outputs.
     failure: Option<String>,
+    /// The variable for want of which the script ended.
+    unknown_variable: Option<String>,
     /// A match for each column of the recording.
     matches: Vec<Option<Match>>,
 }
@@ -84,7 +87,16 @@ pub fn draft_study(
         let taken = |name: &str| runs.iter().any(|r| r.name == name);
         let name = (1..).map(|n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") }).find(|n| !taken(n));
         let (name, path) = (name.unwrap_or(stem), relative(path)?);
-        runs.push(DraftRun { name, path, recording, set: vec![], guessed: vec![], failure: None, matches: vec![] });
+        runs.push(DraftRun {
+            name,
+            path,
+            recording,
+            set: vec![],
+            guessed: vec![],
+            failure: None,
+            unknown_variable: None,
+            matches: vec![],
+        });
     }
     let mut draft = Draft { folder, model, outline, stop: stop.clone(), values: ScriptValues::default() };
     // The first run shows the script's own values of the variables that a run may set.
@@ -128,8 +140,7 @@ impl Draft {
 
     /// The variable that the script needs and has not, with a guess of its value. `None` if there is none to be guessed.
     fn missing_variable(&self, run: &DraftRun) -> Option<(String, String)> {
-        let (_, rest) = run.failure.as_ref()?.split_once("can't read \"")?;
-        let (name, _) = rest.split_once("\": no such variable")?;
+        let name = run.unknown_variable.as_ref()?;
         if run.set.iter().any(|(n, _)| n == name) {
             return None;
         }
@@ -185,6 +196,12 @@ impl Draft {
         let outputs = UnobservedTraces::default();
         let ended = simulator.run(0, None, RunMode { others: Some(outputs.clone()), ..RunMode::default() });
         run.failure = simulator.error(&ended, 0).map(|e| e.to_string());
+        run.unknown_variable = match &ended.end {
+            End::Raised(d) | End::Rejected(d) => {
+                d.absent.as_ref().filter(|a| a.kind == VARIABLE).map(|a| a.name.clone())
+            }
+            _ => None,
+        };
         let interp = &ended.script.interp;
         let mut declared: Vec<(u32, String, f64)> = interp
             .host

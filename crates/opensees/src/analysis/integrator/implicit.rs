@@ -2,6 +2,7 @@
 
 use super::{Kind, Made, alpha_parameters};
 use crate::args::Args;
+use crate::checks;
 use crate::slips;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Coefficients;
@@ -50,7 +51,10 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     let beta = a.not_negative("beta")?;
     let span = a.last_span();
     if gamma < 0.5 {
-        let mut d = Diagnostic::warning(format!("Newmark: gamma is {gamma}, so that the motion grows by itself"));
+        let mut d = Diagnostic::warning(
+            &checks::analysis::UNSTABLE_METHOD,
+            format!("Newmark: gamma is {gamma}, so that the motion grows by itself"),
+        );
         if beta >= 0.5 {
             d = d.help("gamma comes first, then beta: are they the wrong way round?");
         }
@@ -88,7 +92,9 @@ fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     if !good {
         let message = format!("HHT: alpha is {alpha}, so that the method is not stable whatever the step");
         let help = "here alpha is 1 less what the paper calls minus alpha: 1 is Newmark's method";
-        let d = Diagnostic::warning(message).at(a.last_span(), "expected 2/3 to 1").help(help);
+        let d = Diagnostic::warning(&checks::analysis::UNSTABLE_METHOD, message)
+            .at(a.last_span(), "expected 2/3 to 1")
+            .help(help);
         warn(interp, d)?;
     }
     Ok(match a.optional_float("gamma")? {
@@ -122,7 +128,11 @@ fn collocation_point(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f
     let theta = a.positive("theta")?;
     if theta < least {
         let message = format!("theta is {theta}, so that the method is not stable whatever the step");
-        warn(interp, Diagnostic::warning(message).at(a.last_span(), format!("expected at least {least}")))?;
+        warn(
+            interp,
+            Diagnostic::warning(&checks::analysis::UNSTABLE_METHOD, message)
+                .at(a.last_span(), format!("expected at least {least}")),
+        )?;
     }
     Ok(theta)
 }

@@ -7,6 +7,7 @@ mod load_stepping;
 mod trapezoidal;
 
 use crate::args::Args;
+use crate::checks;
 use crate::{Command, Outcome, Tcl, finish, kind, slips, warn};
 use hysteron_engine::analysis::integrator::{AlphaParameters, Integrator};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -30,10 +31,10 @@ fn integrator(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let taken = kind::take(&mut a, "kind of integrator", "integrator", FAMILIES.iter().copied().flatten());
     let kind = match taken {
         Err(_) if interp.host.follows(&[slips::UNKNOWN_INTEGRATOR]) && call.len() > 1 => {
-            let d = Diagnostic::warning(format!(
-                "the integrator \"{}\" is not known, and the command does nothing",
-                call.arg(1).as_str()
-            ));
+            let d = Diagnostic::warning(
+                &checks::analysis::UNKNOWN_INTEGRATOR,
+                format!("the integrator \"{}\" is not known, and the command does nothing", call.arg(1).as_str()),
+            );
             return warn(interp, d.at(call.span(1), "not known")).map(|()| Value::EMPTY);
         }
         taken => taken?,

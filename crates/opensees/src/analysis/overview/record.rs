@@ -2,6 +2,7 @@
 
 use super::rules::Gravity;
 use super::short;
+use crate::checks;
 use hysteron_engine::model::{Excitation, Tag};
 use hysteron_engine::series::{Path, Series};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -66,8 +67,9 @@ pub(super) fn finding(peak: &Peak, gravity: Option<&Gravity>, in_g: &[(Series, S
     if let Some(name) = file.filter(|_| peak.is_unscaled_record()) {
         let message =
             format!("the record of pattern {tag} is in g, as {name} says, and no factor makes accelerations of it");
-        let d = Diagnostic::warning(message).label("expected a factor of g in the units of the model");
-        return Some(d.coded("record-in-g"));
+        let d = Diagnostic::warning(&checks::load::RECORD_IN_G, message)
+            .label("expected a factor of g in the units of the model");
+        return Some(d);
     }
     let (g, unit) = known?;
     let share = value / g;
@@ -77,9 +79,9 @@ pub(super) fn finding(peak: &Peak, gravity: Option<&Gravity>, in_g: &[(Series, S
             short(value),
             short(share)
         );
-        let d = Diagnostic::warning(message)
+        let d = Diagnostic::warning(&checks::load::RECORD_TOO_STRONG, message)
             .label(format!("expected at most {MAX_GROUND} g, the strongest motion recorded"));
-        return Some(d.coded("record-too-strong"));
+        return Some(d);
     }
     if share < MIN_GROUND && PEAKS_IN_G.contains(&value) && peak.is_unscaled_record() {
         let message = format!(
@@ -87,8 +89,8 @@ pub(super) fn finding(peak: &Peak, gravity: Option<&Gravity>, in_g: &[(Series, S
             short(value),
             short(share)
         );
-        let d = Diagnostic::warning(message).label("a record in g needs a factor of g");
-        return Some(d.coded("record-in-g"));
+        let d = Diagnostic::warning(&checks::load::RECORD_IN_G, message).label("a record in g needs a factor of g");
+        return Some(d);
     }
     None
 }

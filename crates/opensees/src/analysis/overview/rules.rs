@@ -2,6 +2,7 @@
 
 use super::short;
 use crate::analysis::isolator_damping::is_bearing;
+use crate::checks;
 use hysteron_engine::analysis::{Engine, LinearEstimate};
 use hysteron_tcl::diagnostic::Diagnostic;
 
@@ -94,7 +95,7 @@ fn upwards(g: &Gravity, axis: usize) -> Option<Diagnostic> {
         "the static loads are the weight of the masses and push upwards: {} along {axis}, with g = {size} {unit}/s²",
         short(g.load)
     );
-    let d = Diagnostic::warning(message).coded("gravity-upwards");
+    let d = Diagnostic::warning(&checks::analysis::GRAVITY_UPWARDS, message);
     Some(d.label(format!("expected loads along -{axis} before this")))
 }
 
@@ -106,7 +107,7 @@ fn mass_is_weight(engine: &Engine, g: &Gravity) -> Option<Diagnostic> {
         return None;
     }
     let message = format!("the masses are the same numbers as the static loads, {} in all", short(g.mass));
-    let d = Diagnostic::warning(message).coded("mass-is-weight");
+    let d = Diagnostic::warning(&checks::analysis::MASS_IS_WEIGHT, message);
     Some(d.label("expected a mass that is its weight over g").help("with such masses each period is √g times too long"))
 }
 
@@ -123,7 +124,7 @@ fn long_period(engine: &Engine, period: f64, mass: &[f64; 3]) -> Option<Diagnost
         short(period),
         short(mass)
     );
-    let d = Diagnostic::warning(message).coded("long-period");
+    let d = Diagnostic::warning(&checks::analysis::LONG_PERIOD, message);
     Some(
         d.label("expected a shorter period")
             .help("a mass is its weight over g, in units that go with those of the stiffness"),
@@ -149,7 +150,7 @@ fn bearing_on_its_side(engine: &Engine, axis: usize) -> Option<Diagnostic> {
         axis + 1,
         short(across)
     );
-    let d = Diagnostic::warning(message).coded("bearing-on-its-side");
+    let d = Diagnostic::warning(&checks::analysis::BEARING_ON_ITS_SIDE, message);
     Some(
         d.label("its shear would carry the load")
             .help("\"-orient\" gives the local x, which is the axis of the bearing"),

@@ -1,0 +1,78 @@
+//! Recorders of a study, added before the first step of the transient analysis of its script.
+
+use super::study::Study;
+use hysteron_opensees::Tcl;
+use hysteron_tcl::{Exception, Value};
+use std::fmt::Write;
+use std::sync::{Arc, Mutex};
+
+/// Elements and nodes that a study records, by their tags.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Observed {
+    bearings: Vec<i64>,
+    contacts: Vec<i64>,
+    members: Vec<i64>,
+    floors: Vec<i64>,
+    /// Coordinates of the upper nodes of the bearings, once the recorders are there.
+    pub(super) places: Arc<Mutex<Vec<Vec<f64>>>>,
+}
+
+impl Observed {
+    pub(super) fn of(study: &Study) -> Self {
+        Self {
+            bearings: study.bearings.iter().flat_map(|b| b.tags.iter().copied()).collect(),
+            contacts: study.contacts().collect(),
+            members: study.members.clone(),
+            floors: study.floors.iter().map(|f| f.node).collect(),
+            places: Arc::default(),
+        }
+    }
+
+    /// Add the recorders.
+    ///
+    /// # Errors
+    /// An element or a node is not in the model.
+    pub(super) fn add(&self, interp: &mut Tcl) -> Result<(), Exception> {
+        let ndm = interp.host.engine.model().nodes.first().map_or(0, |n| n.coords.len());
+        let dofs = |n: usize| (1..=n).map(|d| d.to_string()).collect::<Vec<_>>().join(" ");
+        let (all, horizontal) = (dofs(ndm), dofs(ndm.saturating_sub(1)));
+        let (mut text, mut places) = (String::new(), vec![]);
+        for tag in &self.bearings {
+            let model = interp.host.engine.model();
+            let id = i32::try_from(*tag).ok().and_then(|t| model.element(t));
+            let nodes = id.map(|id| &model.elements[id.0].nodes[..]);
+            let Some([lower, upper, ..]) = nodes else {
+                return Err(Exception::error(format!("there is no bearing {tag} with two nodes")));
+            };
+            places.push(model.nodes[upper.0].coords.clone());
+            for (what, node) in [("lower", lower), ("upper", upper)] {
+                let node = model.nodes[node.0].tag;
+                let _ =
+                    writeln!(text, "recorder Node -file hysteron_isolate/{tag}/{what} -node {node} -dof {all} disp");
+            }
+            let _ = writeln!(text, "recorder Element -file hysteron_isolate/{tag}/force -ele {tag} globalForce");
+        }
+        for tag in &self.contacts {
+            let _ = writeln!(text, "recorder Element -file hysteron_isolate/contact{tag} -ele {tag} globalForce");
+        }
+        for tag in &self.members {
+            let _ = writeln!(text, "recorder Element -file hysteron_isolate/member{tag} -ele {tag} localForce");
+        }
+        for node in &self.floors {
+            for what in ["disp", "accel"] {
+                let file = format!("hysteron_isolate/floor{node}/{what}");
+                let _ = writeln!(text, "recorder Node -file {file} -node {node} -dof {horizontal} {what}");
+            }
+        }
+        if let Ok(mut kept) = self.places.lock() {
+            *kept = places;
+        }
+        interp.eval_value(&Value::from(text)).map(|_| ())
+    }
+
+    /// Horizontal coordinates of the bearings; empty before the recorders are there.
+    pub(super) fn horizontal_places(&self) -> Vec<Vec<f64>> {
+        let all = self.places.lock().map(|p| p.clone()).unwrap_or_default();
+        all.into_iter().filter(|xyz| xyz.len() > 1).map(|xyz| xyz[..xyz.len() - 1].to_vec()).collect()
+    }
+}
