@@ -70,18 +70,18 @@ pub(super) fn view(args: &ViewArgs) -> i32 {
     let by_name = || Path::new(&args.model).with_extension("html").file_name().map(PathBuf::from);
     let page = args.out.clone().or_else(|| if args.vtk.is_none() { by_name() } else { None });
     let (vtk, every) = (args.vtk.as_deref(), args.every as usize);
-    let wanted = Wanted { page: page.as_deref(), vtk, every, modes: args.modes.into(), units };
+    let wanted = ViewRequest { page: page.as_deref(), vtk, every, modes: args.modes.into(), units };
     wanted.run(&run_args, &args.model, &args.args)
 }
 
 /// Run a script for its results, and write the page as well; the exit status.
 pub(super) fn run(args: &RunArgs<'_>, page: &Path, model: &str, words: &[String]) -> i32 {
-    Wanted { page: Some(page), ..Wanted::default() }.run(args, model, words)
+    ViewRequest { page: Some(page), ..ViewRequest::default() }.run(args, model, words)
 }
 
 /// Files to be made of a run.
 #[derive(Default)]
-struct Wanted<'a> {
+struct ViewRequest<'a> {
     page: Option<&'a Path>,
     vtk: Option<&'a Path>,
     every: usize,
@@ -89,7 +89,7 @@ struct Wanted<'a> {
     units: Units,
 }
 
-impl Wanted<'_> {
+impl ViewRequest<'_> {
     fn run(&self, args: &RunArgs<'_>, model: &str, words: &[String]) -> i32 {
         let vtk = match self.vtk.map(|folder| Writer::new(folder, self.every)).transpose() {
             Ok(vtk) => vtk,

@@ -128,7 +128,9 @@ pub const LAYERS: &[Layers] = &[
         modules: &[
             "host",
             "check",
-            "elsewhere",
+            "opensees_names",
+            "checks",
+            "things",
             "foreign",
             "slips",
             "args",
@@ -169,6 +171,7 @@ pub const LAYERS: &[Layers] = &[
     Layers {
         krate: "identify",
         modules: &[
+            "checks",
             "autoregressive",
             "fourier",
             "halton",

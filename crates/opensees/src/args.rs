@@ -3,7 +3,7 @@
 mod number_words;
 
 use crate::checks::words;
-use crate::{Tcl, elsewhere, slips, warn};
+use crate::{Tcl, opensees_names, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{self, Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
@@ -494,7 +494,7 @@ impl<'a> Args<'a> {
 
     fn unknown(&self, what: &str, known: &[&'static str], list: impl Fn(&[&str]) -> String) -> Exception {
         let word = self.last_word();
-        let label = elsewhere::kind(&self.call.name(), &word).unwrap_or("not known");
+        let label = opensees_names::kind_label(&self.call.name(), &word).unwrap_or("not known");
         let d = Diagnostic::error(format!("unknown {what} \"{word}\"")).by(&words::UNKNOWN_KIND);
         let mut d = d.at(self.last_span(), label);
         if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {

@@ -27,7 +27,7 @@ use crate::files::live::RecordedFiles;
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
 use crate::slips;
-use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, elsewhere};
+use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, opensees_names};
 use hysteron_engine::analysis::Failure;
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
@@ -92,7 +92,7 @@ impl Run {
         let files = RecordedFiles::new(files, session.output.recorders.live.clone());
         let mut interp = Interp::new(session, console, Box::new(files));
         crate::install(&mut interp);
-        interp.elsewhere = elsewhere::command;
+        interp.unknown_command_label = opensees_names::command_label;
         interp.core.follow_current_dir();
         interp.host.called_by_host = true;
         let interrupt = interp.interrupt.clone();
@@ -109,7 +109,7 @@ impl Run {
     /// The command is rejected. The places in the message are those of [`CallNumbers`].
     pub fn call(&mut self, command: &'static Command, words: &[Value]) -> Outcome {
         let (source, number) = next_number(&mut self.interp);
-        self.interp.host.looked.again = None;
+        self.interp.host.analysis_checks.again = None;
         let is_open = self.interp.host.builder.open_section.is_some();
         if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             open::settle(&mut self.interp)?;

@@ -4,7 +4,7 @@ use crate::course::{self, Course};
 use crate::files::live::RecordedFiles;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
-use crate::{elsewhere, foreign};
+use crate::{foreign, opensees_names};
 use hysteron_engine::analysis::{Failure, Options, WorkCounts};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Console, Exception, Files, Interp, Value, Vocabulary};
@@ -110,7 +110,7 @@ impl Run {
             }
             (Mode::Check, _) => fresh(session, console, files),
         });
-        interp.elsewhere = elsewhere::command;
+        interp.unknown_command_label = opensees_names::command_label;
         interp.is_foreign = foreign::recognize;
         // Where a file cannot be written, the script is told at its next command that looks.
         interp.on_pause = Some(Box::new(move || drop(live.sync())));

@@ -1,7 +1,7 @@
 //! State that the OpenSees commands of a script work on.
 
 use crate::analysis::overview::Overview;
-use crate::analysis::plausibility::Looked;
+use crate::analysis::plausibility::AnalysisChecks;
 use crate::calls::CallNumbers;
 use crate::check::CheckState;
 use crate::course::Course;
@@ -153,7 +153,7 @@ pub struct Session {
     /// Name of the database that states are saved in.
     pub(crate) database: Option<String>,
     /// Patterns and models that the warnings about analyses have looked at.
-    pub(crate) looked: Looked,
+    pub(crate) analysis_checks: AnalysisChecks,
     /// What a check finds out about the first model that is analysed.
     pub overview: Overview,
     /// The first failure of an `analyze` whose result nobody has looked at.
@@ -204,7 +204,7 @@ impl Session {
             warnings: Warnings::default(),
             kinds_made: BTreeMap::new(),
             database: None,
-            looked: Looked::default(),
+            analysis_checks: AnalysisChecks::default(),
             overview: Overview::default(),
             ignored_failure: None,
             called_by_host: false,
@@ -293,7 +293,7 @@ impl Session {
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
-        self.looked = Looked::default();
+        self.analysis_checks = AnalysisChecks::default();
         self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished

@@ -85,7 +85,7 @@ pub struct Core {
     /// Index of the warning of each kind and place.
     warned: HashMap<WarningKind, usize>,
     /// Returns the label of the message about an unknown command that another program knows.
-    pub elsewhere: fn(&str) -> Option<&'static str>,
+    pub unknown_command_label: fn(&str) -> Option<&'static str>,
     /// Recognises a script in another language, by its name and its text, before any command of it runs.
     pub is_foreign: fn(&str, &str) -> Option<ForeignScript>,
     /// Set this, from any thread, to stop the script before its next command.
@@ -240,7 +240,7 @@ impl Core {
             warnings: vec![],
             on_pause: None,
             warned: HashMap::new(),
-            elsewhere: |_| None,
+            unknown_command_label: |_| None,
             is_foreign: |_, _| None,
             interrupt: Arc::default(),
             budget: None,

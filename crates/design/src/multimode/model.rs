@@ -3,7 +3,7 @@
 use super::linearized::Linearized;
 use super::{Mode, PeriodMode};
 use crate::isolate::{Study, run_to_transient};
-use hysteron_engine::analysis::{ModalProperties, Modes, ModesError, Wanted};
+use hysteron_engine::analysis::{ModalProperties, ModeRequest, Modes, ModesError};
 use hysteron_engine::element::Element;
 use hysteron_engine::model::ElementId;
 use hysteron_opensees::run::Run;
@@ -77,7 +77,7 @@ impl ModalModel {
         }
         let mut count = self.wanted;
         self.modes = loop {
-            match engine.find_modes(Wanted::smallest(count)) {
+            match engine.find_modes(ModeRequest::smallest(count)) {
                 Ok(modes) => break modes.clone(),
                 Err(ModesError::TooFew { available }) if (1..count).contains(&available) => count = available,
                 Err(ModesError::Failure(f)) => return Err(format!("the modes cannot be found: {f}")),

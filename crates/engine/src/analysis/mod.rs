@@ -38,7 +38,7 @@ pub use failure::{Cause, Failure};
 pub use lockstep::{LockstepRows, Recorded, lockstep};
 pub use matrices::Equations;
 pub use modal_properties::{ModalProperties, cumulative};
-pub use modes::{Modes, ModesError, Problem, Wanted};
+pub use modes::{ModeRequest, Modes, ModesError, Problem};
 pub use opensees::Parts as MotionParts;
 pub use plausibility::{ElementPower, LooseConstraint};
 pub use reactions::ReactionKind;

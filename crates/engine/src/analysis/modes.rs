@@ -30,7 +30,7 @@ pub enum Problem {
 
 /// Choice of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wanted {
+pub struct ModeRequest {
     /// Their number.
     pub count: usize,
     /// Eigenvalue problem.
@@ -43,7 +43,7 @@ pub struct Wanted {
     pub lapack: bool,
 }
 
-impl Wanted {
+impl ModeRequest {
     /// The `count` smallest.
     pub fn smallest(count: usize) -> Self {
         Self { count, problem: Problem::Generalized, largest: false, lapack: false }
@@ -148,8 +148,8 @@ impl Engine {
     ///
     /// # Errors
     /// A model that cannot be analysed, or that has fewer modes.
-    pub fn find_modes(&mut self, wanted: Wanted) -> Result<&Modes, ModesError> {
-        let Wanted { count, problem, largest, lapack } = wanted;
+    pub fn find_modes(&mut self, wanted: ModeRequest) -> Result<&Modes, ModesError> {
+        let ModeRequest { count, problem, largest, lapack } = wanted;
         let largest = largest && !lapack;
         let handler = self.handler();
         self.prepare(handler)?;

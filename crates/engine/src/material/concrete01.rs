@@ -1,6 +1,6 @@
 //! Concrete without tension: Kent, Scott and Park.
 
-use super::lanes::{BlockLaw, Given, Response, update_blocks};
+use super::lanes::{BlockLaw, LaneInput, Response, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
@@ -73,7 +73,11 @@ const MIN: usize = 3;
 
 impl BlockLaw<{ History::LEN }> for Concrete01 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
+    fn respond<const W: usize>(
+        &self,
+        given: &LaneInput<'_, { History::LEN }, W>,
+        out: &mut Response<{ History::LEN }, W>,
+    ) {
         let law = self.clone();
         let mut on_envelope = [0; W];
         for (i, on_envelope) in on_envelope.iter_mut().enumerate() {

@@ -9,7 +9,7 @@ use crate::state_struct::StateStruct as _;
 
 /// Committed history and strains of `W` points of a law with `Q` state variables: one array for each quantity.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<'a, const Q: usize, const W: usize> {
+pub(crate) struct LaneInput<'a, const Q: usize, const W: usize> {
     /// Trial strains.
     pub(crate) strain: &'a [f64; W],
     /// State variables of the committed state.
@@ -28,7 +28,7 @@ pub(crate) struct Response<const Q: usize, const W: usize> {
     pub(crate) tangent: [f64; W],
 }
 
-impl<const Q: usize, const W: usize> Given<'_, Q, W> {
+impl<const Q: usize, const W: usize> LaneInput<'_, Q, W> {
     /// State variables of a point.
     #[inline(always)]
     pub(crate) fn point(&self, i: usize) -> [f64; Q] {
@@ -82,7 +82,7 @@ impl<const Q: usize, const W: usize> Response<Q, W> {
 /// A law that is evaluated in blocks. The number of its state variables is `Q`.
 pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
     /// Writes trial state, stress and tangent of the points of a block. The method must be inlined.
-    fn respond<const W: usize>(&self, given: &Given<'_, Q, W>, out: &mut Response<Q, W>);
+    fn respond<const W: usize>(&self, given: &LaneInput<'_, Q, W>, out: &mut Response<Q, W>);
 }
 
 /// A law without branches at a single point, which is a law of blocks by this alone.
@@ -101,7 +101,7 @@ pub(crate) trait PointLaw<const Q: usize>: UniaxialLaw {
 
 impl<L: PointLaw<Q>, const Q: usize> BlockLaw<Q> for L {
     #[inline(always)]
-    fn respond<const W: usize>(&self, given: &Given<'_, Q, W>, out: &mut Response<Q, W>) {
+    fn respond<const W: usize>(&self, given: &LaneInput<'_, Q, W>, out: &mut Response<Q, W>) {
         // A copy, so that the optimiser knows that no point of the block changes the law.
         let law = self.clone();
         for i in 0..W {
@@ -131,7 +131,7 @@ impl<L: BlockLaw<Q>, const Q: usize> Points<'_, L, Q> {
         let is_whole = end - start == W;
         // Whole blocks are read where they are, others from copies with zeros behind them.
         let (strain, mut words);
-        let mut given = Given { strain: &[0.0; W], words: [&[0.0; W]; Q] };
+        let mut given = LaneInput { strain: &[0.0; W], words: [&[0.0; W]; Q] };
         if is_whole {
             if let Some(strain) = self.strain[start..].first_chunk() {
                 given.strain = strain;

@@ -1,6 +1,6 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
-use super::lanes::{BlockLaw, Given, Response, update_blocks};
+use super::lanes::{BlockLaw, LaneInput, Response, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
@@ -48,7 +48,11 @@ crate::state_struct! {
 
 impl BlockLaw<{ History::LEN }> for Steel01 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
+    fn respond<const W: usize>(
+        &self,
+        given: &LaneInput<'_, { History::LEN }, W>,
+        out: &mut Response<{ History::LEN }, W>,
+    ) {
         let law = self.clone();
         let mut turned = [0.0; W];
         for (i, turned) in turned.iter_mut().enumerate() {

@@ -1,6 +1,6 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use super::lanes::{BlockLaw, Given, Response, no_stress, update_blocks};
+use super::lanes::{BlockLaw, LaneInput, Response, no_stress, update_blocks};
 use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
@@ -177,7 +177,11 @@ impl Lanes for BranchPoint<'_> {
 
 impl BlockLaw<{ History::LEN }> for Steel02 {
     #[inline(always)]
-    fn respond<const W: usize>(&self, given: &Given<'_, { History::LEN }, W>, out: &mut Response<{ History::LEN }, W>) {
+    fn respond<const W: usize>(
+        &self,
+        given: &LaneInput<'_, { History::LEN }, W>,
+        out: &mut Response<{ History::LEN }, W>,
+    ) {
         let law = self.clone();
         let initial = law.sig_init / law.e0;
         let mut turns = [0; W];

@@ -23,7 +23,7 @@ impl Session {
     /// The checks before an analysis with steps of `dt` have been made, and stand until the next command.
     pub(super) fn note_checked(&mut self, kind: Kind, dt: f64) {
         let is_plain = self.mode == Mode::Run && !self.parts.variable_steps && self.output.recorders.journal.is_none();
-        self.looked.again = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
+        self.analysis_checks.again = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
     }
 }
 
@@ -42,7 +42,7 @@ impl Run {
     /// A static analysis takes no `dt`. The receiver of progress is told of no step.
     pub fn analyze_again(&mut self, steps: usize, dt: Option<f64>) -> Option<Again> {
         let session = &mut self.interp.host;
-        let dt = match (session.looked.again?, dt) {
+        let dt = match (session.analysis_checks.again?, dt) {
             (Checked { kind: Kind::Static, .. }, _) => 0.0,
             (checked, Some(dt)) if checked.dt == dt => dt,
             _ => return None,
@@ -58,7 +58,7 @@ impl Run {
             session.last_failure = None;
             return Some(Again::Silent);
         }
-        session.looked.again = None;
+        session.analysis_checks.again = None;
         Some(Again::Told(done))
     }
 

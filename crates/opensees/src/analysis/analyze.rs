@@ -15,7 +15,7 @@ use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
 use hysteron_engine::analysis::integrator::Form;
 use hysteron_engine::analysis::integrator::{Adaptive, Integrator, LoadControl, Newmark};
 use hysteron_engine::analysis::{
-    Cause, Failure, Kind, Measure, ModesError, Problem, RecoveryStrategy, Setup, TangentMix, Test, Wanted,
+    Cause, Failure, Kind, Measure, ModeRequest, ModesError, Problem, RecoveryStrategy, Setup, TangentMix, Test,
 };
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::element::Overload;
@@ -447,7 +447,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Some(handler) = interp.host.parts.handler {
         engine.default_handler = handler;
     }
-    match engine.find_modes(Wanted { count, problem, largest, lapack }) {
+    match engine.find_modes(ModeRequest { count, problem, largest, lapack }) {
         Ok(modes) => {
             let (mut lambda, rigid) = (modes.lambda.clone(), modes.rigid);
             // Degrees of freedom without stiffness leave round-off, of either sign.

@@ -25,7 +25,7 @@ const MAX_EQUATIONS: usize = 200_000;
 
 /// Patterns and steps that have been looked at.
 #[derive(Debug, Default)]
-pub(crate) struct Looked {
+pub(crate) struct AnalysisChecks {
     /// Analysis that a host may go on with, without the checks before it.
     pub(crate) again: Option<Checked>,
     /// Patterns that a transient analysis has begun with.
@@ -49,10 +49,10 @@ pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<()
         return Ok(());
     }
     let state = (interp.host.engine.model().revision(), dt);
-    if interp.host.looked.before == Some(state) {
+    if interp.host.analysis_checks.before == Some(state) {
         return Ok(());
     }
-    interp.host.looked.before = Some(state);
+    interp.host.analysis_checks.before = Some(state);
     fixed_and_tied(interp, span)?;
     growing_pattern(interp, dt, span)?;
     if interp.host.kind() != Some(Kind::Transient) {
@@ -70,8 +70,8 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
     excess(interp, span)?;
     loose_constraint(interp, span)?;
     let session = &mut interp.host;
-    session.looked.largest_displacement =
-        session.looked.largest_displacement.max(session.engine.largest_displacement());
+    session.analysis_checks.largest_displacement =
+        session.analysis_checks.largest_displacement.max(session.engine.largest_displacement());
     buckled_beam(interp, span)?;
     match interp.host.output.recorders.isolator_damping.warning(span) {
         Some(d) => warn_once(interp, d),
@@ -82,14 +82,14 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 /// Returns true if [`after`] has nothing to look at more closely.
 pub(super) fn is_plausible(session: &mut Session) -> bool {
     (session.engine.excess.is_none() || session.warnings.has(&checks::analysis::EXCESS))
-        && session.engine.loose_constraint(MAX_LOOSENESS, session.looked.largest_displacement).is_none()
+        && session.engine.loose_constraint(MAX_LOOSENESS, session.analysis_checks.largest_displacement).is_none()
         && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())
         && !session.output.recorders.isolator_damping.is_suspect()
 }
 
 /// Look at the Euler loads of the beams, which are worked out once for a revision of the model.
 fn euler_loads<T>(session: &mut Session, look: impl FnOnce(&Engine, &[(ElementId, f64)]) -> T) -> T {
-    let Session { engine, looked, .. } = session;
+    let Session { engine, analysis_checks: looked, .. } = session;
     let revision = engine.model().revision();
     if looked.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
         looked.euler_loads = Some((revision, engine.euler_loads()));
@@ -129,7 +129,7 @@ const STEPS_AHEAD: f64 = 1000.0;
 ///
 /// In a check also one that follows a path: a run tells of it where a step fails.
 fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    let Session { engine, looked, mode, .. } = &mut interp.host;
+    let Session { engine, analysis_checks: looked, mode, .. } = &mut interp.host;
     let (model, time) = (engine.model(), engine.state().time);
     let Some(setup) = engine.setup() else { return Ok(()) };
     let plain = |p: &Pattern| matches!(p.kind, PatternKind::Plain { .. }) && p.held.is_none() && p.has_loads();
@@ -174,7 +174,7 @@ fn series(pattern: &Pattern) -> Option<&Series> {
 fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
     let mut warnings: Vec<Diagnostic> = vec![];
     let session = &mut interp.host;
-    let (engine, looked) = (&session.engine, &mut session.looked);
+    let (engine, looked) = (&session.engine, &mut session.analysis_checks);
     let (model, time): (&Model, f64) = (engine.model(), engine.state().time);
     for (tag, pattern) in &model.patterns {
         let is_new = looked.patterns.insert(*tag);
@@ -212,7 +212,7 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
         return Ok(());
     };
     let state = (session.engine.model().revision(), dt);
-    let is_known = session.looked.stability.is_some_and(|known| known.0 == state.0 && known.1 >= dt);
+    let is_known = session.analysis_checks.stability.is_some_and(|known| known.0 == state.0 && known.1 >= dt);
     // Under --compat elements may depend on the number of their calls.
     let is_exempt = session.follows(&[]) || session.mode == Mode::Check;
     if is_known
@@ -222,7 +222,7 @@ fn stability(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Except
     {
         return Ok(());
     }
-    session.looked.stability = Some(state);
+    session.analysis_checks.stability = Some(state);
     let Some(lambda) = session.engine.largest_eigenvalue() else { return Ok(()) };
     let stable = limit / lambda.sqrt();
     if dt <= STABILITY_MARGIN * stable {
@@ -255,7 +255,7 @@ fn loose_constraint(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
     if interp.host.warnings.has(&checks::analysis::LOOSE_CONSTRAINT) {
         return Ok(());
     }
-    let earlier = interp.host.looked.largest_displacement;
+    let earlier = interp.host.analysis_checks.largest_displacement;
     let Some(loose) = interp.host.engine.loose_constraint(MAX_LOOSENESS, earlier) else { return Ok(()) };
     let (node, dof) = loose.node;
     let to = loose.retained.map_or("its support".into(), |n| format!("node {n}"));

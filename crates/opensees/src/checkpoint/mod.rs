@@ -182,7 +182,7 @@ fn is_kept(engine: &Engine) -> bool {
 
 /// Call of an analysis, which both runs must have in common.
 #[derive(Clone, Copy)]
-struct Asked {
+struct CheckpointRequest {
     steps: usize,
     dt: f64,
 }
@@ -204,7 +204,7 @@ pub(crate) fn analyze(
     journal.calls += 1;
     journal.has_analysed = true;
     journal.rows.clear();
-    let asked = Asked { steps, dt };
+    let asked = CheckpointRequest { steps, dt };
     let replayed = replay(&mut journal, engine, recorders, asked);
     let begins = matches!(replayed, Ok(Replayed::Steps(0))) && journal.earlier.is_empty();
     if begins && journal.since == 0 && journal.is_due() {
@@ -228,7 +228,7 @@ fn replay(
     journal: &mut Journal,
     engine: &mut Engine,
     recorders: &mut Recorders,
-    asked: Asked,
+    asked: CheckpointRequest,
 ) -> Result<Replayed, String> {
     let mut done = 0;
     while let Some(event) = journal.earlier.pop_front() {
@@ -267,7 +267,7 @@ fn replay(
 fn compute(
     engine: &mut Engine,
     recorders: &mut Recorders,
-    asked: Asked,
+    asked: CheckpointRequest,
     mut done: usize,
 ) -> Result<Result<(), Failure>, String> {
     let mut printed = recorders.printed.len();

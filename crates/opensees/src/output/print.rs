@@ -16,7 +16,7 @@ const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <
 
 /// Things to print, their form and the file they go to.
 #[derive(Default)]
-struct Wanted {
+struct PrintRequest {
     file: Option<String>,
     json: bool,
     /// Tags of nodes, all of them if there are none; not printed for `None`.
@@ -27,7 +27,7 @@ struct Wanted {
 
 fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PRINT);
-    let mut w = Wanted::default();
+    let mut w = PrintRequest::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-file" | "file" => w.file = Some(a.word("name of the file")?.into_owned()),
@@ -99,7 +99,7 @@ fn on_diagonal(n: usize, i: usize, value: f64) -> Vec<f64> {
     (0..n).map(|j| if i == j { value } else { 0.0 }).collect()
 }
 
-fn text(interp: &Tcl, w: &Wanted) -> String {
+fn text(interp: &Tcl, w: &PrintRequest) -> String {
     let engine = &interp.host.engine;
     let (model, state) = (engine.model(), engine.state());
     let mut out = String::new();

@@ -1,9 +1,11 @@
 //! Interface between interpreter and host.
 
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Check, Diagnostic};
 use hysteron_tcl::{Call, Exception, Interp, MemoryFiles, Recorded, Value};
 
 use super::{elements, error, interp, value};
+
+static LARGE: Check = Check::new("large", "An amount is large.", "Take less.");
 
 fn add(interp: &mut Interp<f64>, call: &Call<'_>) -> Result<Value, Exception> {
     if call.len() != 2 {
@@ -15,7 +17,7 @@ fn add(interp: &mut Interp<f64>, call: &Call<'_>) -> Result<Value, Exception> {
         return Err(call.refuse(1, diagnostic));
     }
     if amount > 1e3 {
-        interp.warn(Diagnostic::warning("a large amount").at(call.span(1), "more than 1000"));
+        interp.warn(Diagnostic::warning(&LARGE, "a large amount").at(call.span(1), "more than 1000"));
     }
     interp.host += amount;
     Ok(Value::from(interp.host))

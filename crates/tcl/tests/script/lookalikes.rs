@@ -2,7 +2,7 @@
 
 use super::{error, interp};
 use hysteron_tcl::Exception;
-use hysteron_tcl::diagnostic::Diagnostic;
+use hysteron_tcl::diagnostic::{Check, Diagnostic};
 
 fn help(script: &str) -> String {
     error(&mut interp().0, script).diagnostic.help.join("\n")
@@ -87,19 +87,22 @@ fn marks_of_encodings() {
     }
 }
 
+static EXAMPLE: Check = Check::new("example", "An example.", "None.");
+static ONCE: Check = Check::new("once", "An example with one message at a place.", "None.").once();
+
 /// A warning of a kind and a place is kept once, with the number of times.
 #[test]
 fn warnings_are_counted_by_kind_and_place() {
     let (mut i, ..) = interp();
     for time in 0..5 {
-        let first = i.warn(Diagnostic::warning(format!("at {time}")).label("returns -3"));
+        let first = i.warn(Diagnostic::warning(&EXAMPLE, format!("at {time}")).label("returns -3"));
         assert_eq!(first.is_some(), time == 0);
     }
-    i.warn(Diagnostic::warning("of another kind at 0").label("returns -3"));
-    i.warn(Diagnostic::warning("at 9").coded("a-check"));
-    i.warn(Diagnostic::warning("at 10").coded("a-check"));
+    i.warn(Diagnostic::warning(&EXAMPLE, "of another kind at 0").label("returns -3"));
+    i.warn(Diagnostic::warning(&ONCE, "at 9"));
+    i.warn(Diagnostic::warning(&ONCE, "at 10"));
     let all: Vec<(&str, usize)> = i.warnings.iter().map(|w| (w.message.as_str(), w.count)).collect();
     assert_eq!(all, [("at 0", 5), ("of another kind at 0", 1), ("at 9", 2)]);
     i.clear_warnings();
-    assert!(i.warn(Diagnostic::warning("at 0").label("returns -3")).is_some());
+    assert!(i.warn(Diagnostic::warning(&EXAMPLE, "at 0").label("returns -3")).is_some());
 }

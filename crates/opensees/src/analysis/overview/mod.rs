@@ -6,7 +6,7 @@
 mod record;
 mod rules;
 
-use hysteron_engine::analysis::{Engine, Kind, LinearEstimate, Wanted};
+use hysteron_engine::analysis::{Engine, Kind, LinearEstimate, ModeRequest};
 use hysteron_engine::model::PatternKind;
 use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -167,7 +167,7 @@ impl Overview {
 
 /// The longest period of the model. `None` where a mode has none.
 fn first_period(engine: &mut Engine) -> Option<f64> {
-    let modes = engine.find_modes(Wanted::smallest(1)).ok()?;
+    let modes = engine.find_modes(ModeRequest::smallest(1)).ok()?;
     let lambda = *modes.lambda.first()?;
     (lambda > 0.0 && lambda < f64::MAX).then(|| std::f64::consts::TAU / lambda.sqrt())
 }

@@ -13,12 +13,12 @@ fn has(family: &str, name: &str) -> bool {
 }
 
 /// The label for a kind of a family, named by its command, that OpenSees alone has.
-pub(crate) fn kind(command: &str, name: &str) -> Option<&'static str> {
+pub(crate) fn kind_label(command: &str, name: &str) -> Option<&'static str> {
     has(command, name).then_some(LABEL)
 }
 
 /// The label for a command that OpenSees alone has.
-pub(crate) fn command(name: &str) -> Option<&'static str> {
+pub(crate) fn command_label(name: &str) -> Option<&'static str> {
     has("command", name).then_some(LABEL)
 }
 
@@ -26,10 +26,10 @@ pub(crate) fn command(name: &str) -> Option<&'static str> {
 mod tests {
     #[test]
     fn names_of_opensees_are_told_from_mistakes() {
-        assert!(super::kind("uniaxialMaterial", "Masonryt").is_some());
-        assert!(super::kind("uniaxialMaterial", "Concrete").is_none());
-        assert!(super::kind("section", "Masonryt").is_none());
-        assert!(super::command("ShallowFoundationGen").is_some() && super::command("analyse").is_none());
+        assert!(super::kind_label("uniaxialMaterial", "Masonryt").is_some());
+        assert!(super::kind_label("uniaxialMaterial", "Concrete").is_none());
+        assert!(super::kind_label("section", "Masonryt").is_none());
+        assert!(super::command_label("ShallowFoundationGen").is_some() && super::command_label("analyse").is_none());
     }
 
     #[test]
