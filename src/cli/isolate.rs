@@ -7,9 +7,9 @@ use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, Study, script_text};
-use hysteron::design::prototype::Posterior;
+use hysteron::design::isolate::{self, Properties, Study, script_text};
 use hysteron::design::review;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -21,8 +21,9 @@ pub(super) struct IsolateArgs {
     /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
     #[arg(long, value_name = "DIR")]
     compare: Option<PathBuf>,
-    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, for several
-    /// types several times
+    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, or the
+    /// calibration.json of calibrate --posterior with the formulas of Q_d and K_d in its parameters, as in
+    /// "LRB=calibration.json;q_d=Fy*(1-b);k_d=b*k"; for several types several times
     #[arg(long, value_name = "NAME=FILE", conflicts_with = "compare")]
     posterior: Vec<String>,
     /// Draws of --posterior; the motions are taken in turn
@@ -82,16 +83,25 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     finish(result, &stop)
 }
 
+/// Type of bearing and properties of `NAME=FILE`, or of `NAME=FILE;q_d=FORMULA;k_d=FORMULA`.
+fn properties(text: &str) -> Result<(String, Properties), String> {
+    let wrong = || format!("--posterior {text}: expected NAME=FILE, or NAME=FILE;q_d=FORMULA;k_d=FORMULA");
+    let mut parts = text.split(';');
+    let (name, file) = parts.next().and_then(|first| first.split_once('=')).ok_or_else(wrong)?;
+    let entry = |part: &str| {
+        let (key, formula) = part.split_once('=').ok_or_else(wrong)?;
+        Ok((key.trim().to_owned(), formula.trim().to_owned()))
+    };
+    let formulas = parts.map(entry).collect::<Result<BTreeMap<_, _>, String>>()?;
+    let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let properties = Properties::parse(&json, &formulas).map_err(|e| format!("\"{file}\": {e}"))?;
+    Ok((name.to_owned(), properties))
+}
+
 /// Analyses of draws of the properties.
 fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let read = |text: &String| -> Result<(String, Posterior), String> {
-        let (name, file) = text.split_once('=').ok_or_else(|| format!("--posterior {text}: expected NAME=FILE"))?;
-        let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
-        let posterior = serde_json::from_str(&json).map_err(|e| format!("\"{file}\": {e}"))?;
-        Ok((name.to_owned(), posterior))
-    };
-    let posteriors = a.posterior.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    study.draw(&posteriors, a.draws as usize)?;
+    let properties = a.posterior.iter().map(|text| properties(text)).collect::<Result<Vec<_>, _>>()?;
+    study.draw(&properties, a.draws as usize)?;
     let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
     let all = isolate::draw_jobs(study);
     let outcomes = jobs.all(&all, all.len(), |job| {

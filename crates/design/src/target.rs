@@ -36,8 +36,8 @@ impl Target {
     /// file of periods and accelerations with a unit.
     ///
     /// # Errors
-    /// A word is unknown or missing, or the file cannot be understood. `read` gives the text of a file.
-    pub fn parse(words: &[String], read: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
+    /// A word is unknown or missing, or the file cannot be understood. `read` gives the bytes of a file.
+    pub fn parse(words: &[String], read: impl Fn(&str) -> Result<Vec<u8>, String>) -> Result<Self, String> {
         let (first, rest) = words.split_first().ok_or("the target spectrum is missing")?;
         match first.as_str() {
             "asce7" => {
@@ -64,9 +64,9 @@ impl Target {
     }
 
     /// Points of a file with columns of the period and of an acceleration, `Sa[g]` for instance.
-    fn of_file(name: &str, text: &str) -> Result<Self, String> {
+    fn of_file(name: &str, bytes: &[u8]) -> Result<Self, String> {
         let fault = |e: String| format!("\"{name}\": {e}");
-        let table = Table::parse(text).map_err(fault)?;
+        let table = Table::read(name, bytes).map_err(fault)?;
         let (Some(periods), Some(values)) = (table.columns.first(), table.columns.get(1)) else {
             return Err(fault("expected columns of periods and accelerations".into()));
         };
@@ -156,7 +156,7 @@ mod tests {
 
     fn target(words: &str) -> Result<Target, String> {
         let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
-        Target::parse(&words, |_| Ok("T[s],Sa[g]\n0.1,1\n1,0.5\n10,0.05\n".into()))
+        Target::parse(&words, |_| Ok(b"T[s],Sa[g]\n0.1,1\n1,0.5\n10,0.05\n".to_vec()))
     }
 
     #[test]

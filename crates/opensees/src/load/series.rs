@@ -181,6 +181,7 @@ const PATH_OPTIONS: &[&str] = &[
     "-channel",
     "-quantity",
     "-unit",
+    "-layout",
     "-to",
 ];
 
