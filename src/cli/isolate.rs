@@ -6,7 +6,7 @@ use super::files::{make_folder, write_atomically};
 use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
-use hysteron::design::check::{Status, check_table};
+use hysteron::design::check::check_table;
 use hysteron::design::isolate::{self, Properties, Study, script_text};
 use hysteron::design::review;
 use std::collections::BTreeMap;
@@ -150,7 +150,6 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     if a.jobs.json {
         return Ok((review::json(&study, &outcomes, &results), status));
     }
-    let missed = results.checks.iter().filter(|c| c.status == Status::NotMet).count();
     let tables = [
         study.agreement.table(),
         results.procedure(&study),
@@ -161,5 +160,5 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     ];
     let text: String = tables.iter().map(|t| t.text() + "\n").collect();
     let remark = study.code.remark();
-    Ok((format!("{text}{missed} of {} checks are not met; {remark}\n", results.checks.len()), status))
+    Ok((format!("{text}{}; {remark}\n", results.verdict()), status))
 }

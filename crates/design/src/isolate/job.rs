@@ -87,6 +87,7 @@ proc analyze {args} {
         foreach tag $::hysteron_bearings {
             lassign [eleNodes $tag] lower upper
             lappend ::hysteron_places {*}[nodeCoord $upper]
+            lappend ::hysteron_heights [expr {[lindex [nodeCoord $upper] end] - [lindex [nodeCoord $lower] end]}]
             set dofs [lrange {1 2 3} 0 [expr {[llength [nodeCoord $upper]] - 1}]]
             recorder Node -file hysteron_isolate/$tag/lower -node $lower -dof {*}$dofs disp
             recorder Node -file hysteron_isolate/$tag/upper -node $upper -dof {*}$dofs disp
@@ -306,6 +307,8 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     measure_bearings(study, &rows, &mut out);
     let found = places(&mut run.interp, out.bearings.len());
     out.bearings.iter_mut().zip(found).for_each(|(b, place)| b.place = place);
+    let found = numbers(&mut run.interp, "hysteron_heights");
+    out.bearings.iter_mut().zip(found).for_each(|(b, height)| b.height = Some(height));
     measure_floors(study, job, &rows, &mut out);
     out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
@@ -326,11 +329,16 @@ fn member(tag: i64, rows: &Rows) -> MemberOutcome {
 
 /// Horizontal coordinates of `count` bearings, as the recorders found them.
 fn places(interp: &mut Tcl, count: usize) -> Vec<Vec<f64>> {
-    let text = "if {[info exists ::hysteron_places]} {set ::hysteron_places} else {list}";
-    let Ok(all) = interp.eval_str("isolation study", text) else { return vec![] };
-    let numbers: Vec<f64> = all.as_str().split_whitespace().filter_map(|w| w.parse().ok()).collect();
+    let numbers = numbers(interp, "hysteron_places");
     let ndm = numbers.len() / count.max(1);
     if ndm < 2 { vec![] } else { numbers.chunks(ndm).map(|xyz| xyz[..ndm - 1].to_vec()).collect() }
+}
+
+/// Numbers of a global list of the recorders; none without it.
+fn numbers(interp: &mut Tcl, name: &str) -> Vec<f64> {
+    let text = format!("if {{[info exists ::{name}]}} {{set ::{name}}} else {{list}}");
+    let Ok(all) = interp.eval_str("isolation study", &text) else { return vec![] };
+    all.as_str().split_whitespace().filter_map(|w| w.parse().ok()).collect()
 }
 
 /// Element of the largest length among vectors.
@@ -409,6 +417,7 @@ fn bearing(
     let second = if u.len() > 1 { &u[1] } else { &u[0] };
     BearingOutcome {
         tag,
+        height: None,
         place: vec![],
         displacement: (0..n).map(length).fold(0.0, f64::max),
         residual: u.iter().map(|u| rest(u).powi(2)).sum::<f64>().sqrt(),
