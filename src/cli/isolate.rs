@@ -69,6 +69,7 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     args.limits.enforce(&stop);
     let checked = load(Path::new(&args.model), &stop).and_then(|study| {
         review::periods(&study).agree(&study)?;
+        review::suite(&study).agree(&study)?;
         Ok(study)
     });
     let result = checked.map(|study| {
@@ -123,6 +124,7 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     let mut study = load(&a.jobs.study, stop)?;
     let periods = review::periods(&study);
     periods.agree(&study)?;
+    review::suite(&study).agree(&study)?;
     if !a.posterior.is_empty() {
         return drawn(a, &mut study, stop);
     }

@@ -235,6 +235,12 @@ fn headers_of_diadem_are_read_with_the_file_beside_them() {
     place.write("a.R64", values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>());
     let (status, out, err) = place.run(&["recording", "a.DAT", "--out", "a.csv"]);
     assert!(status == Some(0) && out.contains("-7 kN at 0.5 s") && out.contains("steps of 0.5 s"), "{out}{err}");
-    let (status, _, err) = place.run(&["loops", "a.DAT", "-u", "Time", "-f", "Force"]);
-    assert!(status == Some(2) && err.contains("hysteron recording FILE --out FILE.csv"), "{err}");
+    let [pair, csv] = ["a.DAT", "a.csv"].map(|file| place.run(&["loops", file, "-u", "Force", "-f", "Force"]));
+    assert!(pair.0 == Some(0) && pair == csv, "{}", pair.2);
+    place.write(
+        "s.tcl",
+        "puts [columns a.DAT]\nlassign [motionFile 1 a.DAT -channel Force -to N] dt n\nputs \"$dt $n\"\n",
+    );
+    let (status, out, err) = place.run(&["run", "s.tcl"]);
+    assert!(status == Some(0) && out.contains("{3.0 -7.0 2.0}") && out.contains("0.5 3"), "{out}{err}");
 }

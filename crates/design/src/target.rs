@@ -31,6 +31,9 @@ pub enum Target {
     Points(Vec<f64>, Vec<f64>),
 }
 
+/// Ordinate of a target in g, at most: larger ones are in another unit.
+const LARGEST_ORDINATE: f64 = 10.0;
+
 impl Target {
     /// A target from the words of the command line: `asce7 sms=1.5 sm1=0.9 tl=8`, `ec8 ag=0.35 ground=B type=1`, or a
     /// file of periods and accelerations with a unit.
@@ -145,7 +148,10 @@ impl Parameters {
     fn positive(&self, name: &str) -> Result<f64, String> {
         let word = self.0.get(name).ok_or_else(|| format!("{name}= is missing"))?;
         let value = word.parse::<f64>().ok().filter(|x| *x > 0.0 && x.is_finite());
-        value.ok_or_else(|| format!("{name}={word}: expected a number above 0"))
+        let value = value.ok_or_else(|| format!("{name}={word}: expected a number above 0"))?;
+        // Periods are below 100 s, and ordinates are in g.
+        let most = if name == "tl" { 100.0 } else { LARGEST_ORDINATE };
+        if value > most { Err(format!("{name}={word}: expected at most {most}, in g or s")) } else { Ok(value) }
     }
 }
 

@@ -5,8 +5,9 @@ use crate::fault::Fault;
 use crate::format::Beside;
 use crate::interpret::meaning;
 use crate::measured::Measured;
+use crate::sheet::head::seconds;
 use crate::sheet::{Form, Sheet};
-use crate::unit::{Unit, unit};
+use crate::unit::{Quantity, Unit};
 
 /// A table by columns, all of the same length.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -124,7 +125,15 @@ impl Table {
     /// # Errors
     /// There is no such column, it is no time, or a time is missing.
     pub fn seconds(&self, which: &str) -> Result<Vec<f64>, String> {
-        self.column_in(which, unit("s"))
+        let values = self.complete_column(which)?;
+        let own = self.sheet.find(which).ok().and_then(|i| meaning(&self.sheet.columns[i]).1);
+        match own {
+            Some(u) if u.quantity != Quantity::Time => {
+                Err(format!("the column \"{which}\" is {} in {}", u.quantity, u.name))
+            }
+            Some(u) => Ok(values.iter().map(|x| seconds(*x, &u)).collect()),
+            None => Ok(values.to_vec()),
+        }
     }
 
     /// The table without the rows in which a sample is missing, and the number of these.

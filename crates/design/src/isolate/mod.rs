@@ -11,6 +11,7 @@ mod draft;
 mod inputs;
 mod job;
 mod outcome;
+mod plausibility;
 mod procedures;
 mod properties;
 mod runaway;

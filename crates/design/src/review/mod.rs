@@ -55,6 +55,11 @@ pub struct Review {
 /// Share of the energy of isolators that Rayleigh damping may take: a bearing has no such damping.
 const MAX_DAMPING_SHARE: f64 = 0.05;
 
+/// The suite of a study beside its target.
+pub fn suite(study: &Study) -> SuiteMatch {
+    suite_match(study, &procedures(study))
+}
+
 /// The review of analyses, which may be some of all.
 pub fn review(study: &Study, outcomes: &[JobOutcome], periods: Periods) -> Review {
     let mut out = Review { lateral_force: procedures(study), periods, ..Review::default() };
