@@ -123,7 +123,8 @@ fn sizes(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<()
 fn motions(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
     let pair = &study.motions[0];
     let [x, y] = &pair.components;
-    let points = x.acceleration.len();
+    // A path may end before its last point.
+    let points = x.acceleration.len() - 1;
     let patterns: Vec<_> = model
         .model()
         .patterns

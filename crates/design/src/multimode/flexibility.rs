@@ -2,6 +2,7 @@
 
 use super::ModalModel;
 use crate::isolate::Study;
+use hysteron_tcl::Exception;
 
 /// Loads over the weights of the floors: small, so that the structure stays elastic.
 const LOAD_SHARE: f64 = 1.0e-3;
@@ -54,7 +55,10 @@ impl ModalModel {
         for direction in 1..=self.horizontal() {
             let text = format!("{STATIC}hysteron_floor_displacements {{{floors}}} {{{loads}}} {direction}");
             let failed = "the storey drifts of the lateral forces cannot be found".to_owned();
-            let rows = self.run.interp.eval_str("isolation study", &text).map_err(|_| failed.clone())?;
+            let rows = self.run.interp.eval_str("isolation study", &text).map_err(|e| match e {
+                Exception::Error(e) => format!("{failed}: {}", e.diagnostic.message),
+                _ => failed.clone(),
+            })?;
             let numbers = |row: &hysteron_tcl::Value| -> Option<Vec<f64>> {
                 row.to_list().ok()?.iter().map(|v| v.to_f64().ok()).collect()
             };

@@ -35,12 +35,13 @@ impl SuiteMatch {
     /// # Errors
     /// Its mean is another. The message has both and the ratio.
     pub fn agree(&self, study: &Study) -> Result<(), String> {
-        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-        let [mean, target] = [largest(&self.mean), largest(&self.target)];
+        let mean_of_logs = |values: &[f64]| (values.iter().map(|x| x.ln()).sum::<f64>() / values.len() as f64).exp();
+        let [mean, target] = [mean_of_logs(&self.mean), mean_of_logs(&self.target)];
         let ratio = mean / target;
         if ratio.is_finite() && !(1.0 / OTHER_UNIT..=OTHER_UNIT).contains(&ratio) {
             return Err(format!(
-                "the largest ordinate of the mean spectrum of the motions is {mean:.4e} g, that of the target ({}) {target:.4e} g:                  ratio {ratio:.4e}. Look at unit and factor of the motions, and at the target",
+                "the mean spectrum of the motions is {mean:.4e} g in the mean of its range, the target ({}) {target:.4e} g: ratio \
+                 {ratio:.4e}. Look at unit and factor of the motions, and at the target",
                 study.target_words
             ));
         }
