@@ -20,7 +20,7 @@ proc hysteron_floor_displacements {floors loads direction} {
     integrator LoadControl 1.0
     analysis Static
     set rows {}
-    set tag 987654000
+    set tag [expr {987650000 + 1000*$direction}]
     foreach node [concat {{} {}} $floors] load [concat {0.0 0.0} $loads] {
         incr tag
         timeSeries Linear $tag
