@@ -183,7 +183,9 @@ fn same_in_each_form(test: &Test<'_>, command: impl Fn(&Place, &str) -> String) 
         let place = Place::new();
         form.iter().for_each(|(name, bytes)| place.write(name, bytes));
         let name = &form[0].0;
+        // Tables are as wide as the name of the file.
         let said = command(&place, name).replace(name, "FILE");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
         let plain = plain.get_or_insert_with(|| said.clone());
         assert_eq!(&said, plain, "{name}");
     }

@@ -15,7 +15,7 @@ _RETURNS = {
         _NODE,
     ),
     **dict.fromkeys(
-        "eigen eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
+        "eigen motionFile eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
         "getNodeLoadData".split(),
         "list[float]",
     ),
