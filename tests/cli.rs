@@ -17,6 +17,8 @@ mod endings;
 mod evidence;
 #[path = "cli/findings.rs"]
 mod findings;
+#[path = "cli/formats.rs"]
+mod formats;
 #[path = "cli/guard.rs"]
 mod guard;
 #[path = "cli/isolation.rs"]

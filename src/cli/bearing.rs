@@ -6,13 +6,17 @@ use super::files::NoFiles;
 use super::limits::LimitArgs;
 use super::loops::ReportArgs;
 use super::progress::ProgressLine;
+use super::recording::ToldArgs;
 use super::run::{self, RunArgs};
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
 use hysteron::measure::CycleDetection;
 use hysteron::opensees::{Mode, Tcl};
-use hysteron::protocol::{Bearing, Motion, Protocol};
-use hysteron::recordings::Table as Columns;
+use hysteron::protocol::{Bearing, Motion, Protocol, RecordedPath};
+use hysteron::recordings::series::{channel_names, find_channel};
+use hysteron::recordings::told::Key;
+use hysteron::recordings::unit::{Quantity, Unit};
+use hysteron::recordings::{Clock, Fault, Measured, Series, Table as Columns, Way};
 use hysteron::report::{Column, Record, Table};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::Silent;
@@ -41,7 +45,7 @@ pub(super) struct BearingArgs {
         short = 'a',
         value_delimiter = ',',
         allow_negative_numbers = true,
-        required_unless_present = "strains"
+        required_unless_present_any = ["strains", "recording"]
     )]
     amplitudes: Vec<f64>,
     /// Amplitudes as shear strains, displacements over --thickness
@@ -62,6 +66,12 @@ pub(super) struct BearingArgs {
     /// Steps of a cycle (of a ramp as long as the largest amplitude)
     #[arg(long, default_value_t = 200)]
     steps: usize,
+    /// Move the upper end as a measured file of any format says, instead of --motion: its channel of displacements, or two
+    /// of them, along x and y. In the unit of length of --units, else in that of the file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["amplitudes", "strains", "motion"])]
+    recording: Option<String>,
+    #[command(flatten)]
+    told: ToldArgs,
     #[command(flatten)]
     axial_load: AxialLoadArgs,
     #[command(flatten)]
@@ -125,18 +135,22 @@ enum MotionKind {
 }
 
 impl BearingArgs {
-    fn protocol(&self, depends_on_velocity: bool) -> Protocol {
+    fn protocol(&self, depends_on_velocity: bool) -> Result<Protocol, String> {
         let thickness = self.report.thickness().unwrap_or(1.0);
         let strains = self.strains.iter().map(|s| s * thickness);
-        Protocol {
+        let recorded = self.recording.as_deref().map(|file| self.recorded_path(file)).transpose()?;
+        let peak = recorded.iter().flat_map(|r| r.displacements.iter().flatten()).map(|x| x.abs()).reduce(f64::max);
+        Ok(Protocol {
             motion: match self.motion {
+                _ if recorded.is_some() => Motion::Recorded,
                 MotionKind::Cycles => Motion::Cycles { angle: self.details.angle },
                 MotionKind::Circles => Motion::Circles,
                 MotionKind::Eights => Motion::Eights,
                 MotionKind::Axial => Motion::Axial { offset: self.details.offset },
                 MotionKind::Ramps => Motion::Ramps { speed: self.details.speed, hold: self.details.hold },
             },
-            amplitudes: self.amplitudes.iter().copied().chain(strains).collect(),
+            amplitudes: self.amplitudes.iter().copied().chain(strains).chain(peak).collect(),
+            recorded: recorded.unwrap_or_default(),
             cycles: self.cycles,
             frequency: self.frequency,
             steps: self.steps,
@@ -144,7 +158,24 @@ impl BearingArgs {
             axial_amplitude: self.axial_load.axial_amplitude,
             axial_ratio: self.axial_load.axial_ratio,
             rates: self.details.rates || depends_on_velocity,
+        })
+    }
+
+    /// The path of a measured file.
+    fn recorded_path(&self, file: &str) -> Result<RecordedPath, String> {
+        let of_file = |e: String| format!("\"{file}\": {e}");
+        let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+        let told = self.told.told()?;
+        let measured = Measured::read_beside(file, &bytes, &hysteron_files::read_beside(file));
+        let measured = measured.map_err(|e| of_file(e.to_string()))?;
+        measured.notes.iter().for_each(|note| eprintln!("warning: \"{file}\": {note}"));
+        let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
+        let length = self.report.length_unit();
+        let path = recorded_path(&measured, all, self.told.channels(), length).map_err(|e| of_file(e.to_string()))?;
+        if length.is_none() {
+            eprintln!("note: the displacements of \"{file}\" are taken as they are written; --units converts them");
         }
+        Ok(path)
     }
 
     /// Find the bearing: run its file alone, and inspect the model. True if its forces depend on velocity.
@@ -206,6 +237,53 @@ impl BearingArgs {
     }
 }
 
+/// The path along the channels of displacements, in a unit if one is asked for.
+fn recorded_path(
+    measured: &Measured,
+    all: Vec<Series>,
+    channels: &[String],
+    to: Option<Unit>,
+) -> Result<RecordedPath, Fault> {
+    let series: Vec<Series> = match channels {
+        [] => all.iter().filter(|s| s.quantity == Some(Quantity::Length)).cloned().collect(),
+        _ => {
+            let find = |word: &String| Ok(all[find_channel(all.iter(), word)?].clone());
+            channels.iter().map(find).collect::<Result<_, Fault>>()?
+        }
+    };
+    let Some(first) = series.first().filter(|_| series.len() <= 2) else {
+        let key = Way::CommandLine.spelled(Key::Channel);
+        let message = format!("there are {} channels of displacements", series.len());
+        let expected = format!("say {key} with one or two of {}", channel_names(all.iter()));
+        return Err(Fault::new(message).expected(expected));
+    };
+    if first.clock == Clock::Unknown {
+        return Err(measured.no_step(Way::CommandLine));
+    }
+    let Some(dt) = first.clock.dt() else {
+        let remedy = "write it at equal steps";
+        return Err(Fault::new("the steps of time differ, and a test needs equal ones").help(remedy));
+    };
+    let mut displacements = vec![];
+    for s in &series {
+        let shown = if s.name.is_empty() { "the channel" } else { &s.name };
+        if let Some(q) = s.quantity.filter(|q| *q != Quantity::Length) {
+            return Err(Fault::new(format!("{shown} is {}, and a path needs displacements", q.word())));
+        }
+        if let Some(i) = s.values.iter().position(|x| !x.is_finite()) {
+            return Err(Fault::new(format!("value {} of {shown} is missing or not finite", i + 1)));
+        }
+        if s.clock != first.clock || s.values.len() != first.values.len() {
+            return Err(Fault::new("the two channels have other times"));
+        }
+        displacements.push(match to {
+            Some(unit) => s.in_unit(unit, Way::CommandLine)?,
+            None => s.values.clone(),
+        });
+    }
+    Ok(RecordedPath { dt, displacements })
+}
+
 /// Returns true if the forces of an element of a model depend on velocity.
 fn depends_on_velocity(run: &Run) -> bool {
     run.interp.host.engine.model().elements.iter().any(|e| e.element.traits().viscous)
@@ -240,7 +318,7 @@ pub(super) fn bearing(args: &BearingArgs) -> i32 {
 
 fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     let (bearing, depends_on_velocity) = args.bearing()?;
-    let protocol = args.protocol(depends_on_velocity);
+    let protocol = args.protocol(depends_on_velocity)?;
     protocol.check(bearing.ndm)?;
     let folder = args.folder();
     let in_folder = |name: &str| format!("{folder}/{name}");
@@ -291,6 +369,13 @@ fn measure(args: &BearingArgs, time: &[f64], u: &[&Vec<f64>], f: &[&Vec<f64>]) -
     let record = |u, f| Record { time: Some(time), u, f };
     let svg = format!("{}/loops.svg", args.folder());
     let detection = CycleDetection::default();
+    if args.recording.is_some() {
+        let moves = |d: &[f64]| d.iter().any(|x| *x != 0.0);
+        return match u {
+            [x, y, _] if moves(y) => args.report.measure(&[record(x, f[0]), record(y, f[1])], &detection, Some(&svg)),
+            _ => args.report.measure(&[record(u[0], f[0])], &detection, Some(&svg)),
+        };
+    }
     match args.motion {
         MotionKind::Circles | MotionKind::Eights => {
             args.report.measure(&[record(u[0], f[0]), record(u[1], f[1])], &detection, Some(&svg))

@@ -6,10 +6,10 @@ use super::files::{make_folder, write_atomically};
 use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
-use hysteron::design::check::{Status, check_table};
-use hysteron::design::isolate::{self, Study, script_text};
-use hysteron::design::prototype::Posterior;
+use hysteron::design::check::check_table;
+use hysteron::design::isolate::{self, Properties, Study, script_text};
 use hysteron::design::review;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -21,8 +21,9 @@ pub(super) struct IsolateArgs {
     /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
     #[arg(long, value_name = "DIR")]
     compare: Option<PathBuf>,
-    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, for several
-    /// types several times
+    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, or the
+    /// calibration.json of calibrate --posterior with the formulas of Q_d and K_d in its parameters, as in
+    /// "LRB=calibration.json;q_d=Fy*(1-b);k_d=b*k"; for several types several times
     #[arg(long, value_name = "NAME=FILE", conflicts_with = "compare")]
     posterior: Vec<String>,
     /// Draws of --posterior; the motions are taken in turn
@@ -68,6 +69,7 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     args.limits.enforce(&stop);
     let checked = load(Path::new(&args.model), &stop).and_then(|study| {
         review::periods(&study).agree(&study)?;
+        review::suite(&study).agree(&study)?;
         Ok(study)
     });
     let result = checked.map(|study| {
@@ -82,16 +84,25 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     finish(result, &stop)
 }
 
+/// Type of bearing and properties of `NAME=FILE`, or of `NAME=FILE;q_d=FORMULA;k_d=FORMULA`.
+fn properties(text: &str) -> Result<(String, Properties), String> {
+    let wrong = || format!("--posterior {text}: expected NAME=FILE, or NAME=FILE;q_d=FORMULA;k_d=FORMULA");
+    let mut parts = text.split(';');
+    let (name, file) = parts.next().and_then(|first| first.split_once('=')).ok_or_else(wrong)?;
+    let entry = |part: &str| {
+        let (key, formula) = part.split_once('=').ok_or_else(wrong)?;
+        Ok((key.trim().to_owned(), formula.trim().to_owned()))
+    };
+    let formulas = parts.map(entry).collect::<Result<BTreeMap<_, _>, String>>()?;
+    let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let properties = Properties::parse(&json, &formulas).map_err(|e| format!("\"{file}\": {e}"))?;
+    Ok((name.to_owned(), properties))
+}
+
 /// Analyses of draws of the properties.
 fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let read = |text: &String| -> Result<(String, Posterior), String> {
-        let (name, file) = text.split_once('=').ok_or_else(|| format!("--posterior {text}: expected NAME=FILE"))?;
-        let json = hysteron_files::read_text(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
-        let posterior = serde_json::from_str(&json).map_err(|e| format!("\"{file}\": {e}"))?;
-        Ok((name.to_owned(), posterior))
-    };
-    let posteriors = a.posterior.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    study.draw(&posteriors, a.draws as usize)?;
+    let properties = a.posterior.iter().map(|text| properties(text)).collect::<Result<Vec<_>, _>>()?;
+    study.draw(&properties, a.draws as usize)?;
     let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
     let all = isolate::draw_jobs(study);
     let outcomes = jobs.all(&all, all.len(), |job| {
@@ -113,6 +124,7 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     let mut study = load(&a.jobs.study, stop)?;
     let periods = review::periods(&study);
     periods.agree(&study)?;
+    review::suite(&study).agree(&study)?;
     if !a.posterior.is_empty() {
         return drawn(a, &mut study, stop);
     }
@@ -140,7 +152,6 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     if a.jobs.json {
         return Ok((review::json(&study, &outcomes, &results), status));
     }
-    let missed = results.checks.iter().filter(|c| c.status == Status::NotMet).count();
     let tables = [
         study.agreement.table(),
         results.procedure(&study),
@@ -151,5 +162,5 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     ];
     let text: String = tables.iter().map(|t| t.text() + "\n").collect();
     let remark = study.code.remark();
-    Ok((format!("{text}{missed} of {} checks are not met; {remark}\n", results.checks.len()), status))
+    Ok((format!("{text}{}; {remark}\n", results.verdict()), status))
 }

@@ -4,6 +4,7 @@ use clap::{Args, ValueEnum};
 use hysteron::measure::{CycleDetection, Specimen};
 use hysteron::opensees::chart::{Figure, sheet};
 use hysteron::recordings::Table as Columns;
+use hysteron::recordings::unit::{Unit, unit};
 use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_charts, orbit_table};
 
 /// Columns of the loops, and options of the report.
@@ -42,7 +43,7 @@ pub(super) struct LoopsArgs {
 /// Options of a report of loops.
 #[derive(Args, Debug)]
 pub(super) struct ReportArgs {
-    /// Names of the units, for headings (for instance: kN mm)
+    /// Names of the units, for headings (for instance: kN mm); columns of a file with other units are converted
     #[arg(long, num_args = 2, value_names = ["FORCE", "LENGTH"])]
     units: Option<Vec<String>>,
     /// Area of the rubber: with the thickness, shear strain, modulus and loss are told too
@@ -71,6 +72,17 @@ impl ReportArgs {
     pub(super) fn thickness(&self) -> Option<f64> {
         self.thickness
     }
+
+    /// Unit of length, if it is said and known.
+    pub(super) fn length_unit(&self) -> Option<Unit> {
+        self.units.as_ref().and_then(|words| unit(words.get(1)?))
+    }
+
+    /// Unit of force, if it is said and known.
+    fn force_unit(&self) -> Option<Unit> {
+        self.units.as_ref().and_then(|words| unit(words.first()?))
+    }
+
     fn units(&self) -> Units {
         match self.units.as_deref() {
             Some([force, length]) => Units { force: force.clone(), length: length.clone() },
@@ -131,14 +143,18 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
     }
     let bytes = hysteron_files::read_input(&a.file).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
     let of_file = |e: String| format!("\"{}\": {e}", a.file);
-    let columns = Columns::read(&a.file, &bytes).map_err(of_file)?;
-    let column = |which: &String, factor: f64| {
-        let values = columns.complete_column(which).map_err(of_file)?;
+    let columns = Columns::read_beside(&a.file, &bytes, &hysteron_files::read_beside(&a.file)).map_err(of_file)?;
+    let column = |which: &String, factor: f64, unit: Option<Unit>| {
+        // A factor that is no sign is the conversion itself.
+        let values = columns.column_in(which, unit.filter(|_| factor.abs() == 1.0)).map_err(of_file)?;
         Ok::<Vec<f64>, String>(values.iter().map(|x| factor * x).collect())
     };
-    let all = |which: &[String], factor: f64| which.iter().map(|w| column(w, factor)).collect::<Result<Vec<_>, _>>();
-    let (u, f) = (all(&a.displacement, a.displacement_factor)?, all(&a.force, a.force_factor)?);
-    let time = a.time.as_ref().map(|t| column(t, 1.0)).transpose()?;
+    let all = |which: &[String], factor: f64, unit: Option<Unit>| {
+        which.iter().map(|w| column(w, factor, unit)).collect::<Result<Vec<_>, _>>()
+    };
+    let u = all(&a.displacement, a.displacement_factor, a.report.length_unit())?;
+    let f = all(&a.force, a.force_factor, a.report.force_unit())?;
+    let time = a.time.as_ref().map(|t| columns.seconds(t).map_err(of_file)).transpose()?;
     let record = |i: usize| Record { time: time.as_deref(), u: &u[i], f: &f[i] };
     let records: Vec<Record<'_>> = (0..u.len()).map(record).collect();
     let detection = CycleDetection { centre: a.centre, threshold: a.threshold };

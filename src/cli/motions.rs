@@ -68,13 +68,13 @@ pub(super) struct MotionsArgs {
 /// Run the command; the text for standard output.
 pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
     let bytes = |file: &str| hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"));
-    let as_text = |file: &str| bytes(file).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let options =
         ReadOptions { told: a.told.told()?, channels: a.told.channels().to_vec(), differentiate: a.differentiate };
     let mut motions = vec![];
     for file in &a.files {
         let name = file.rsplit('/').next().unwrap_or(file);
-        let found = read(name, &bytes(file)?, &options).map_err(|e| format!("\"{file}\": {e}"))?;
+        let beside = hysteron_files::read_beside(file);
+        let found = read(name, &bytes(file)?, &options, &beside).map_err(|e| format!("\"{file}\": {e}"))?;
         found.notes.iter().for_each(|note| eprintln!("warning: {note}"));
         motions.extend(found.motions);
     }
@@ -90,7 +90,7 @@ pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
         (_, Some(strike), _) => Grouping::FaultComponents(strike),
         (_, None, Some(azimuth)) => Grouping::Turned(azimuth),
     };
-    let target = if a.target.is_empty() { None } else { Some(Target::parse(&a.target, as_text)?) };
+    let target = if a.target.is_empty() { None } else { Some(Target::parse(&a.target, bytes)?) };
     let least = match &a.code {
         None => a.least,
         Some(name) => {

@@ -10,6 +10,7 @@ use hysteron::design::prototype::{
 };
 use hysteron::measure::CycleDetection;
 use hysteron::recordings::Table as Columns;
+use hysteron::recordings::unit::unit;
 use std::path::PathBuf;
 
 /// Tests, nominal values and factors.
@@ -27,7 +28,7 @@ pub(super) struct PrototypeArgs {
     /// Column of the time in s
     #[arg(long, short = 't', value_name = "COLUMN")]
     time: Option<String>,
-    /// Names of the units of force and length, for headings (for instance: kN m)
+    /// Names of the units of force and length, for headings (for instance: kN m); columns with other units are converted
     #[arg(long, num_args = 2, value_names = ["FORCE", "LENGTH"])]
     units: Vec<String>,
     /// Code whose limits hold: asce7-16, asce7-22, aashto or en1998
@@ -91,13 +92,15 @@ struct Columnar {
 fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
     let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
     let of_file = |e: String| format!("\"{file}\": {e}");
-    let (table, missing) = Columns::read(file, &bytes).map_err(of_file)?.without_missing();
+    let (table, missing) =
+        Columns::read_beside(file, &bytes, &hysteron_files::read_beside(file)).map_err(of_file)?.without_missing();
     if missing > 0 {
         eprintln!("warning: \"{file}\": {missing} rows with missing samples are left out");
     }
-    let column = |which: &str| table.complete_column(which).map(<[f64]>::to_vec).map_err(of_file);
-    let time = a.time.as_deref().map(column).transpose()?;
-    Ok(Columnar { time, u: column(&a.displacement)?, f: column(&a.force)? })
+    let column =
+        |which: &str, at: usize| table.column_in(which, a.units.get(at).and_then(|word| unit(word))).map_err(of_file);
+    let time = a.time.as_deref().map(|which| table.seconds(which).map_err(of_file)).transpose()?;
+    Ok(Columnar { time, u: column(&a.displacement, 1)?, f: column(&a.force, 0)? })
 }
 
 /// Run the command; the text for standard output.

@@ -4,10 +4,12 @@ use super::files::write_atomically;
 use clap::Args;
 use hysteron::opensees::files::write_whole;
 use hysteron::recordings::check::doubts;
-use hysteron::recordings::convert::{derivative, integral, turned, without_line, without_mean};
+use hysteron::recordings::convert::{Baseline, derivative, integral, turned};
 use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
+use hysteron::recordings::series::find_channel;
+use hysteron::recordings::told::unit_of;
 use hysteron::recordings::unit::{self, Quantity, Unit};
-use hysteron::recordings::{Clock, Layout, Measured, Series, Told};
+use hysteron::recordings::{Clock, Layout, Measured, Series, Told, Way};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +40,8 @@ impl ToldArgs {
             return Err("--dt: expected more than 0".into());
         }
         let layout = self.layout.as_deref().map(Layout::named).transpose()?;
-        Ok(Told { unit: self.unit.clone(), dt: self.dt, quantity: self.quantity.clone(), layout })
+        let (unit, quantity) = (self.unit.clone(), self.quantity.clone());
+        Ok(Told { unit, dt: self.dt, quantity, layout, way: Way::CommandLine })
     }
 
     /// Channels that are wanted; empty for all.
@@ -90,9 +93,7 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let shown = file.display();
     let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{shown}\": {e}"))?;
     let of_file = |e: String| format!("\"{shown}\": {e}");
-    let folder = file.parent().unwrap_or(Path::new(""));
-    let beside = |name: &str| hysteron_files::read_input(folder.join(name)).ok();
-    let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &beside);
+    let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &hysteron_files::read_beside(file));
     let measured = measured.map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;
     let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
@@ -103,10 +104,10 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
         eprintln!("warning: \"{shown}\": {doubt}");
     }
     let series = chosen(all, a.told.channels()).map_err(of_file)?;
-    let series = converted(a, series).map_err(of_file)?;
+    let (series, conversions) = converted(a, series).map_err(of_file)?;
     let mut out = header(&measured);
-    for (i, s) in series.iter().enumerate() {
-        out += &describe(s, i);
+    for (i, (s, conversion)) in series.iter().zip(&conversions).enumerate() {
+        out += &describe(s, i, conversion);
     }
     if let Some(path) = &a.out {
         out += &write(path, &series)?;
@@ -128,15 +129,7 @@ fn chosen(all: Vec<Series>, which: &[String]) -> Result<Vec<Series>, String> {
     if which.is_empty() {
         return Ok(all);
     }
-    let find = |word: &String| {
-        let named = all.iter().find(|s| s.name == *word || s.direction == *word);
-        let numbered = || word.parse::<usize>().ok().and_then(|n| all.get(n.checked_sub(1)?));
-        named.or_else(numbered).cloned().ok_or_else(|| {
-            let label = |(i, s): (usize, &Series)| if s.name.is_empty() { (i + 1).to_string() } else { s.name.clone() };
-            let names = all.iter().enumerate().map(label).collect::<Vec<_>>().join(", ");
-            format!("there is no channel \"{word}\": they are {names}")
-        })
-    };
+    let find = |word: &String| Ok(all[find_channel(all.iter(), word)?].clone());
     which.iter().map(find).collect()
 }
 
@@ -148,32 +141,35 @@ fn next(q: Quantity, differentiate: bool) -> Option<Quantity> {
     order.get(to).copied()
 }
 
-/// A correction of the baseline.
-type Baseline = fn(&[f64]) -> Vec<f64>;
-
-fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, String> {
-    let remove: Option<Baseline> = match a.baseline.as_deref() {
-        None => None,
-        Some("mean") => Some(without_mean),
-        Some("line") => Some(without_line),
-        Some(word) => return Err(format!("--baseline {word}: expected mean or line")),
-    };
-    let sums = a.differentiate || a.integrate || a.turn.is_some() || remove.is_some();
+/// The channels after the conversions that are asked for, and a line about these for each.
+fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<(Vec<Series>, Vec<String>), String> {
+    let baseline = a
+        .baseline
+        .as_deref()
+        .map(|word| Baseline::named(word).ok_or_else(|| format!("--baseline {word}: expected mean or line")));
+    let baseline = baseline.transpose()?.unwrap_or_default();
+    let sums = a.differentiate || a.integrate || a.turn.is_some() || baseline != Baseline::Kept;
+    let mut conversions = vec![];
     for s in &mut series {
+        let mut done = vec![];
         if let Some(i) = s.values.iter().position(|x| !x.is_finite()).filter(|_| sums) {
             return Err(format!("value {} of {} is missing or not finite: a conversion needs all", i + 1, s.name));
         }
-        if let Some(remove) = remove {
-            s.values = remove(&s.values);
+        if a.differentiate || a.integrate || baseline != Baseline::Kept {
+            let (values, removed) = baseline.removed(&s.values, s.unit.map_or("", |u| u.name));
+            s.values = values;
+            done.push(removed);
         }
         if let Some(factor) = a.factor {
             if factor == 0.0 || !factor.is_finite() {
                 return Err(format!("--factor {factor}: expected a number other than 0"));
             }
             s.values.iter_mut().for_each(|x| *x *= factor);
+            done.push(format!("multiplied by {factor}"));
         }
         if a.reverse {
             s.values.iter_mut().for_each(|x| *x = -*x);
+            done.push("sign changed".into());
         }
         if a.differentiate || a.integrate {
             let dt = s.clock.dt().ok_or("a derivative or an integral needs equal steps of time: add --dt")?;
@@ -182,18 +178,25 @@ fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, 
             let to =
                 to.and_then(si).ok_or_else(|| format!("{} has no such derivative or integral here", u.quantity))?;
             let values: Vec<f64> = s.values.iter().map(|x| u.factor * x).collect();
-            s.values = if a.differentiate { derivative(&values, dt) } else { integral(&values, dt) };
-            *s = s.clone().with_unit(to);
+            if a.differentiate {
+                s.values = derivative(&values, dt);
+                done.push("differentiated by central differences".into());
+            } else {
+                s.values = integral(&values, dt);
+                let end = s.values.last().copied().unwrap_or(0.0);
+                done.push(format!(
+                    "integrated from 0 by the trapezoidal rule; the last value is {end:.4e} {}",
+                    to.name
+                ));
+            }
+            s.set_unit(to);
         }
         if let Some(word) = &a.to {
-            let to = unit::unit(word).ok_or_else(|| format!("\"{word}\" is no unit"))?;
-            let from = s.unit.ok_or_else(|| format!("{} has no unit to convert from: add --unit", s.name))?;
-            let both = from.conversion(&to);
-            let (factor, offset) =
-                both.ok_or_else(|| format!("{} is {}, {word} is {}", from.name, from.quantity, to.quantity))?;
-            s.values.iter_mut().for_each(|x| *x = factor * *x + offset);
-            *s = s.clone().with_unit(to);
+            let to = unit_of(word)?;
+            s.values = s.in_unit(to, Way::CommandLine)?;
+            s.set_unit(to);
         }
+        conversions.push(done);
     }
     if let Some(angle) = a.turn {
         let [x, y] = &mut series[..] else {
@@ -208,7 +211,7 @@ fn converted(a: &RecordingArgs, mut series: Vec<Series>) -> Result<Vec<Series>, 
             s.direction = format!("turned by {angle}°");
         }
     }
-    Ok(series)
+    Ok((series, conversions.iter().map(|done| done.join("; ")).collect()))
 }
 
 /// The SI unit of a quantity of motion.
@@ -230,7 +233,7 @@ fn header(m: &Measured) -> String {
     out
 }
 
-fn describe(s: &Series, i: usize) -> String {
+fn describe(s: &Series, i: usize, conversion: &str) -> String {
     let name = if s.name.is_empty() { format!("channel {}", i + 1) } else { format!("channel {}: {}", i + 1, s.name) };
     let mut out = format!("\n{name}\n");
     let mut line = |key: &str, value: String| {
@@ -259,6 +262,7 @@ fn describe(s: &Series, i: usize) -> String {
             format!("from {} s to {} s, in steps that differ", t.first().unwrap_or(&0.0), t.last().unwrap_or(&0.0))
         }
     };
+    line("converted", conversion.to_owned());
     line("times", clock);
     let missing = s.values.iter().filter(|x| x.is_nan()).count();
     let missing = if missing > 0 { format!(", {missing} of them missing") } else { String::new() };

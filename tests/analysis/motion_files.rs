@@ -58,12 +58,36 @@ fn paths_take_measured_files() {
     for (options, said) in [
         ("-dt 0.01", "the file gives the step 0.02 s"),
         ("-to kN", "g is an acceleration"),
-        ("-unit m/s2", "is told m/s2"),
+        ("-unit m/s2", "told to be in m/s2"),
         ("-values {1 2}", "its own values"),
         ("-quantity velocity", "acceleration"),
     ] {
         let ran =
             Script::default().with_file("m.txt", peer).run(&format!("timeSeries Path 1 -fileMotion m.txt {options}"));
         assert!(ran.error().message.contains(said), "{options}: {}", ran.error().message);
+    }
+}
+
+/// What a file does not say is asked for in the words of the command, and one of several channels is never taken silently.
+#[test]
+fn files_ask_in_the_words_of_the_script() {
+    let list = "0.1\n0.2\n-0.3\n";
+    let two = "time[s],acc N[g],acc E[g]\n0,1,2\n0.1,2,3\n0.2,1,0\n";
+    let side: String = (0..40).map(|i| format!("{} {} 5\n", i % 2, 100 + i % 2)).collect();
+    for (text, options, said) in [
+        (list, "", "the file gives no step of time: add -dt"),
+        (list, "-dt 0.1 -to m/s2", "the file gives no unit of its values: a conversion needs it: add -unit"),
+        (list, "-dt 0.1 -unit gg", "did you mean"),
+        (two, "", "there are 2 channels: say -channel with one of acc N, acc E"),
+        (two, "-channel acc", "there is no channel \"acc\": they are acc N, acc E"),
+        (&side, "-dt 0.1", "add -layout"),
+        (&side, "-dt 0.1 -layout rows", "is no layout"),
+    ] {
+        let ran = Script::default().with_file("m.txt", text).run(&format!("motionFile 1 m.txt {options}"));
+        assert!(ran.error().message.contains(said), "{options}: {}", ran.error().message);
+    }
+    for (text, options) in [(two, "-channel 2"), (two, "-channel {acc E}"), (&side, "-dt 0.1 -layout wrapped")] {
+        let ran = Script::default().with_file("m.txt", text).run(&format!("puts [motionFile 1 m.txt {options}]"));
+        assert_eq!(ran.done().numbers().len(), 2, "{options}");
     }
 }

@@ -149,6 +149,12 @@ fn contradictions_of_study_and_script_are_refused() {
             "plan = [12000.0, 1.2]",
             ["smaller than the grid of the bearings in y", "ratio 0.1000"],
         ),
+        ("length", "units = [\"kN\", \"m\"]", "units = [\"kN\", \"mm\"]", ["gravity = 9.81", "ratio 0.0010"]),
+        ("diameter", "diameter = 0.5", "diameter = 500.0", ["diameter = 500 of LRB", "ratio 83.3333"]),
+        ("capacity", "displacement = 0.35", "displacement = 350.0", ["displacement = 350 of LRB", "ratio 58.3333"]),
+        ("critical", "critical_load = 3000.0", "critical_load = 3.0e6", ["critical_load = 3000000", "ratio 5733"]),
+        ("order", "[0.8, 0.95]", "[4.0, 0.95]", ["exchanged", "ratio"]),
+        ("target", "sms=1.0", "sms=100", ["sms=100", "at most 10"]),
         ("tag", "7, 8, 9]", "7, 8, 99]", ["LRB 99", "is no element"]),
         ("key", "k_d = 440.0", "k_D = 440.0", ["k_D", "k_d"]),
     ] {
@@ -160,6 +166,43 @@ fn contradictions_of_study_and_script_are_refused() {
             assert!(named.iter().all(|n| said.contains(n)), "{name}, {command}: {said}");
         }
         assert!(!place.0.join("isolation/analyses").exists(), "{name}: the suite ran");
+    }
+}
+
+/// A ground that moves otherwise than the study says, and a floor without its mass, are refused with both numbers.
+#[test]
+fn a_script_that_uses_other_motions_or_masses_is_refused() {
+    let place = Place::new();
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    let folder = format!("{INPUTS}/isolation_study/building.tcl");
+    place.write("study.toml", changed(&[]).replace(&folder, "building.tcl"));
+    for (from, to, named) in [
+        ("-values $isolate(ax)", "-values $isolate(ax) -factor $g", ["in x", "ratio 9.8100"]),
+        ("-values $isolate(ay)", "-values $isolate(ax)", ["in y", "differs by"]),
+        ("Path 2 -dt $isolate(dt)", "Path 2 -dt 0.02", ["isolate(dt)", "differs by"]),
+        ("pattern UniformExcitation 3 2", "pattern UniformExcitation 3 1", ["in x", "in its direction"]),
+        ("pattern UniformExcitation 3 2 -accel 3\n", "", ["in y", "ratio 0.0000"]),
+        (
+            "    mass [expr {100 + $l}] $mass",
+            "    mass [expr {$l == 2 ? 100 : 100 + $l}] $mass",
+            ["weight = 1177.2 of the floor at node 102", "ratio 0.0000"],
+        ),
+    ] {
+        assert!(script.contains(from), "{from}");
+        place.write("building.tcl", script.replacen(from, to, 1));
+        let (status, _, said) = place.run(&["check", "study.toml"]);
+        assert!(status == Some(2) && named.iter().all(|n| said.contains(n)), "{to}: {said}");
+    }
+    // In cm/s² in the place of g the suite is 1/981 of its target.
+    place.write("building.tcl", &script);
+    let study = changed(&[("unit = \"g\"", "unit = \"cm/s2\""), ("scale = [1.5, 3.5]\n", "")]);
+    place.write("study.toml", study.replace(&folder, "building.tcl"));
+    for command in ["check", "isolate"] {
+        let (status, _, said) = place.run(&[command, "study.toml"]);
+        assert!(
+            status == Some(2) && said.contains("the mean spectrum of the motions") && said.contains("e-4"),
+            "{command}: {said}"
+        );
     }
 }
 

@@ -135,6 +135,33 @@ fn forms_are_written_and_read_back() {
     }
 }
 
+/// What a conversion did is said: baseline, rule, last value.
+#[test]
+fn conversions_state_the_baseline() {
+    let place = Place::new();
+    let rows = (0..=100).fold("time[s],acc[m/s2]\n".to_owned(), |s, i| {
+        s + &format!("{:.2},{}\n", 0.01 * f64::from(i), 2.0 + 0.01 * f64::from(i))
+    });
+    place.write("a.csv", rows);
+    for (args, said) in [
+        (
+            &["--integrate"][..],
+            "baseline not corrected; integrated from 0 by the trapezoidal rule; the last value is 2.5000e0 m/s",
+        ),
+        (&["--integrate", "--baseline", "mean"], "mean removed: 2.5000e0 m/s2; integrated"),
+        (
+            &["--baseline", "line", "--integrate"],
+            "line of least squares removed: from 2.0000e0 m/s2 to 3.0000e0 m/s2; integrated",
+        ),
+        (&["--baseline", "mean"], "mean removed: 2.5000e0 m/s2"),
+        (&["--factor", "-2"], "multiplied by -2"),
+    ] {
+        let (status, out, err) = place.run(&[&["recording", "a.csv"], args].concat());
+        assert!(status == Some(0) && out.contains(said), "{args:?}: {out}{err}");
+    }
+    assert!(!place.run(&["recording", "a.csv"]).1.contains("converted"));
+}
+
 #[test]
 fn tables_of_test_machines_are_measured() {
     let place = Place::new();
@@ -235,6 +262,12 @@ fn headers_of_diadem_are_read_with_the_file_beside_them() {
     place.write("a.R64", values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>());
     let (status, out, err) = place.run(&["recording", "a.DAT", "--out", "a.csv"]);
     assert!(status == Some(0) && out.contains("-7 kN at 0.5 s") && out.contains("steps of 0.5 s"), "{out}{err}");
-    let (status, _, err) = place.run(&["loops", "a.DAT", "-u", "Time", "-f", "Force"]);
-    assert!(status == Some(2) && err.contains("hysteron recording FILE --out FILE.csv"), "{err}");
+    let (_, _, err) = place.run(&["loops", "a.DAT", "-u", "Force", "-f", "Force"]);
+    assert!(!err.contains("beside"), "{err}");
+    place.write(
+        "s.tcl",
+        "puts [columns a.DAT]\nlassign [motionFile 1 a.DAT -channel Force -to N] dt n\nputs \"$dt $n\"\n",
+    );
+    let (status, out, err) = place.run(&["run", "s.tcl"]);
+    assert!(status == Some(0) && out.contains("{3.0 -7.0 2.0}") && out.contains("0.5 3"), "{out}{err}");
 }

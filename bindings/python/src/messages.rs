@@ -96,7 +96,10 @@ fn in_python(help: &str) -> String {
 
 /// A usage of a command in Python's notation: `node $tag $x` becomes `node(tag, x)`.
 pub(crate) fn usage_in_python(usage: &str) -> String {
-    usage.split(" or ").map(call_in_python).collect::<Vec<_>>().join(" or ")
+    // What a command gives may be told behind its call, or by a call around it: `lassign [motionFile $series] dt: a series`.
+    let call = usage.split_once(": ").map_or(usage, |(call, _)| call);
+    let call = call.strip_prefix("lassign [").and_then(|c| c.split_once(']')).map_or(call, |(inner, _)| inner);
+    call.split(" or ").map(call_in_python).collect::<Vec<_>>().join(" or ")
 }
 
 fn call_in_python(usage: &str) -> String {
@@ -161,5 +164,7 @@ mod tests {
             "section('Fiber', tag, <'-GJ', GJ | '-torsion', material>, <'-noCentroid'>)"
         );
         assert_eq!(usage_in_python("getTime"), "getTime()");
+        let lassign = "lassign [motionFile $series $file <-dt $dt>] dt npts: a measured file, or a series";
+        assert_eq!(usage_in_python(lassign), "motionFile(series, file, <'-dt', dt>)");
     }
 }

@@ -1,7 +1,8 @@
 //! Measured files of any format, as arrays.
 
-use hysteron_recordings::unit::{self, Quantity};
-use hysteron_recordings::{Clock, Layout, Measured, Series, Told};
+use hysteron_recordings::told::unit_of;
+use hysteron_recordings::unit::Quantity;
+use hysteron_recordings::{Clock, Layout, Measured, Series, Told, Way};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -77,12 +78,8 @@ impl MeasuredSeries {
 
     /// Samples in another unit of the same quantity.
     fn to<'py>(&self, py: Python<'py>, unit: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let target = unit_named(unit)?;
-        let own = self.0.unit.ok_or_else(|| PyValueError::new_err("the series has no unit: say it by unit="))?;
-        let (factor, offset) = own.conversion(&target).ok_or_else(|| {
-            PyValueError::new_err(format!("{} is {}, {} is {}", own.name, own.quantity, target.name, target.quantity))
-        })?;
-        Ok(PyArray1::from_vec(py, self.0.values.iter().map(|x| factor * x + offset).collect()))
+        let values = unit_of(unit).and_then(|to| self.0.in_unit(to, Way::Python));
+        values.map(|v| PyArray1::from_vec(py, v)).map_err(|e| PyValueError::new_err(e.to_string()))
     }
 
     fn __len__(&self) -> usize {
@@ -94,10 +91,6 @@ impl MeasuredSeries {
         let unit = self.0.unit.map_or("unknown unit", |u| u.name);
         format!("<series {:?}: {} values, {quantity} in {unit}>", self.0.name, self.0.values.len())
     }
-}
-
-fn unit_named(word: &str) -> PyResult<unit::Unit> {
-    unit::unit(word).ok_or_else(|| PyValueError::new_err(format!("{word:?} is no unit")))
 }
 
 /// The channels of a measured file of any format: ground motions, tests, sensors, tables.
@@ -119,13 +112,12 @@ pub(crate) fn read_recording(
     }
     let shown = path.display().to_string();
     let refused = |e: String| PyValueError::new_err(format!("{shown}: {e}"));
-    let layout = layout.map(Layout::named).transpose().map_err(refused)?;
-    let told = Told { unit, dt, quantity, layout };
+    let layout = layout.map(Layout::named).transpose().map_err(|e| refused(e.to_string()))?;
+    let told = Told { unit, dt, quantity, layout, way: Way::Python };
     let bytes = hysteron_files::read_input(&path).map_err(|e| PyOSError::new_err(format!("cannot read {shown}: {e}")))?;
-    let folder = path.parent().unwrap_or(std::path::Path::new("")).to_owned();
-    let beside = |name: &str| hysteron_files::read_input(folder.join(name)).ok();
+    let beside = hysteron_files::read_beside(&path);
     let read = py.detach(|| {
-        let measured = Measured::read_beside(&shown, &bytes, &|name| beside(name))?;
+        let measured = Measured::read_beside(&shown, &bytes, &beside)?;
         let series = measured.told_series(&told)?;
         Ok((measured, series))
     });

@@ -31,13 +31,16 @@ pub enum Target {
     Points(Vec<f64>, Vec<f64>),
 }
 
+/// Ordinate of a target in g, at most: larger ones are in another unit.
+const LARGEST_ORDINATE: f64 = 10.0;
+
 impl Target {
     /// A target from the words of the command line: `asce7 sms=1.5 sm1=0.9 tl=8`, `ec8 ag=0.35 ground=B type=1`, or a
     /// file of periods and accelerations with a unit.
     ///
     /// # Errors
-    /// A word is unknown or missing, or the file cannot be understood. `read` gives the text of a file.
-    pub fn parse(words: &[String], read: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
+    /// A word is unknown or missing, or the file cannot be understood. `read` gives the bytes of a file.
+    pub fn parse(words: &[String], read: impl Fn(&str) -> Result<Vec<u8>, String>) -> Result<Self, String> {
         let (first, rest) = words.split_first().ok_or("the target spectrum is missing")?;
         match first.as_str() {
             "asce7" => {
@@ -64,9 +67,9 @@ impl Target {
     }
 
     /// Points of a file with columns of the period and of an acceleration, `Sa[g]` for instance.
-    fn of_file(name: &str, text: &str) -> Result<Self, String> {
+    fn of_file(name: &str, bytes: &[u8]) -> Result<Self, String> {
         let fault = |e: String| format!("\"{name}\": {e}");
-        let table = Table::parse(text).map_err(fault)?;
+        let table = Table::read(name, bytes).map_err(fault)?;
         let (Some(periods), Some(values)) = (table.columns.first(), table.columns.get(1)) else {
             return Err(fault("expected columns of periods and accelerations".into()));
         };
@@ -145,7 +148,10 @@ impl Parameters {
     fn positive(&self, name: &str) -> Result<f64, String> {
         let word = self.0.get(name).ok_or_else(|| format!("{name}= is missing"))?;
         let value = word.parse::<f64>().ok().filter(|x| *x > 0.0 && x.is_finite());
-        value.ok_or_else(|| format!("{name}={word}: expected a number above 0"))
+        let value = value.ok_or_else(|| format!("{name}={word}: expected a number above 0"))?;
+        // Periods are below 100 s, and ordinates are in g.
+        let most = if name == "tl" { 100.0 } else { LARGEST_ORDINATE };
+        if value > most { Err(format!("{name}={word}: expected at most {most}, in g or s")) } else { Ok(value) }
     }
 }
 
@@ -156,7 +162,7 @@ mod tests {
 
     fn target(words: &str) -> Result<Target, String> {
         let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
-        Target::parse(&words, |_| Ok("T[s],Sa[g]\n0.1,1\n1,0.5\n10,0.05\n".into()))
+        Target::parse(&words, |_| Ok(b"T[s],Sa[g]\n0.1,1\n1,0.5\n10,0.05\n".to_vec()))
     }
 
     #[test]

@@ -18,7 +18,9 @@ mod write;
 
 pub use folder::{list, make_folder, make_folders, make_inner_folder, make_own_folder, remove_folder};
 pub use lock::{FolderLock, open_alone};
-pub use read::{MAX_FILE_SIZE, MAX_INPUT_SIZE, read, read_input, read_lossy, read_text, read_up_to, read_whole};
+pub use read::{
+    MAX_FILE_SIZE, MAX_INPUT_SIZE, read, read_beside, read_input, read_lossy, read_text, read_up_to, read_whole,
+};
 pub use result_file::ResultFile;
 pub use scratch::Scratch;
 pub use std::fs::{File, Metadata};

@@ -63,6 +63,13 @@ pub fn read_input(path: impl AsRef<Path>) -> io::Result<Vec<u8>> {
     read_up_to(path, MAX_INPUT_SIZE)
 }
 
+/// Reads other inputs of the folder of a file by their names, such as the values that a header names. `None` for one that is
+/// not there or that [`read_input`] refuses.
+pub fn read_beside(path: impl AsRef<Path>) -> impl Fn(&str) -> Option<Vec<u8>> {
+    let folder = path.as_ref().parent().unwrap_or(Path::new("")).to_owned();
+    move |name| read_input(folder.join(name)).ok()
+}
+
 /// The same as text.
 ///
 /// # Errors

@@ -29,6 +29,17 @@ pub enum Motion {
         /// Duration of a hold.
         hold: f64,
     },
+    /// The path of a recording, [`Protocol::recorded`].
+    Recorded,
+}
+
+/// A recorded path of the upper node.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RecordedPath {
+    /// Step of time.
+    pub dt: f64,
+    /// Displacements along x, and along y where the path has two directions; of one length.
+    pub displacements: Vec<Vec<f64>>,
 }
 
 impl Motion {
@@ -40,6 +51,7 @@ impl Motion {
             Self::Eights => "figures of eight",
             Self::Axial { .. } => "axial cycles",
             Self::Ramps { .. } => "ramps and holds",
+            Self::Recorded => "a recorded path",
         }
     }
 }
@@ -49,8 +61,10 @@ impl Motion {
 pub struct Protocol {
     /// Motion of the upper node.
     pub motion: Motion,
-    /// Amplitudes of displacement, in order.
+    /// Amplitudes of displacement, in order; the peak of a recorded path.
     pub amplitudes: Vec<f64>,
+    /// The path of [`Motion::Recorded`]; empty for others.
+    pub recorded: RecordedPath,
     /// Number of cycles of each amplitude.
     pub cycles: usize,
     /// Number of cycles in a unit of time.
@@ -137,6 +151,10 @@ impl Protocol {
             Motion::Circles | Motion::Eights if plane => {
                 Err(format!("{} need a bearing in space, not in the plane", self.motion.title()))
             }
+            Motion::Recorded if plane && self.recorded.displacements.len() > 1 => {
+                Err("a path of two directions needs a bearing in space, not in the plane".into())
+            }
+            Motion::Recorded => check("step of the path", self.recorded.dt, self.recorded.dt > 0.0, positive),
             Motion::Circles | Motion::Eights => Ok(()),
         }
     }
@@ -150,6 +168,7 @@ impl Protocol {
     fn time_step(&self) -> f64 {
         match self.motion {
             Motion::Ramps { speed, .. } => self.largest() / (speed * self.steps as f64),
+            Motion::Recorded => self.recorded.dt,
             _ => 1.0 / (self.frequency * self.steps as f64),
         }
     }
@@ -197,12 +216,18 @@ impl Protocol {
         t
     }
 
+    /// Samples at the start of a recorded path that are the state at rest: one, or none.
+    fn samples_at_rest(&self) -> usize {
+        usize::from(self.recorded.displacements.iter().all(|d| d.first() == Some(&0.0)))
+    }
+
     /// Directions of imposed displacements, from 1.
     fn imposed_directions(&self, plane: bool) -> Vec<usize> {
         let vertical = if plane { 2 } else { 3 };
         match self.motion {
             Motion::Cycles { angle } if angle != 0.0 => vec![1, 2],
             Motion::Cycles { .. } | Motion::Ramps { .. } => vec![1],
+            Motion::Recorded => (1..=self.recorded.displacements.len()).collect(),
             Motion::Circles | Motion::Eights => vec![1, 2],
             Motion::Axial { .. } => vec![1, vertical],
         }
@@ -271,6 +296,17 @@ impl Protocol {
                 t.push_str("foreach a $amplitudes {\n    set way [expr {abs($a - [lindex $xs end])}]\n");
                 t.push_str("    ramp $a [expr {max(1, round($way/($speed*$dt)))}]\n");
                 t.push_str("    ramp $a [expr {round($hold/$dt)}]\n}\n\n");
+            }
+            Motion::Recorded => {
+                let list = |d: usize| {
+                    let values = self.recorded.displacements.get(d).map_or(&[][..], Vec::as_slice);
+                    // A path that starts at rest needs no step to its first sample.
+                    values.iter().skip(self.samples_at_rest()).map(|x| format!("{x:?}")).collect::<Vec<_>>().join(" ")
+                };
+                let _ = match self.recorded.displacements.len() {
+                    1 => writeln!(t, "foreach x {{{}}} {{ place $x 0.0 0.0 }}\n", list(0)),
+                    _ => writeln!(t, "foreach x {{{}}} y {{{}}} {{ place $x $y 0.0 }}\n", list(0), list(1)),
+                };
             }
         }
     }

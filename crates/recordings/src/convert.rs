@@ -1,4 +1,46 @@
-//! Derivatives, integrals and turns of series.
+//! Baselines, derivatives, integrals and turns of series.
+
+/// What is removed from a series before other conversions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Baseline {
+    /// Nothing.
+    #[default]
+    Kept,
+    /// Its mean.
+    Mean,
+    /// Its line of least squares.
+    Line,
+}
+
+impl Baseline {
+    /// The correction of a word: `mean` or `line`.
+    pub fn named(word: &str) -> Option<Self> {
+        match word {
+            "mean" => Some(Self::Mean),
+            "line" => Some(Self::Line),
+            _ => None,
+        }
+    }
+
+    /// The series without its baseline, and what was removed, with the unit of the values.
+    pub fn removed(self, values: &[f64], unit: &str) -> (Vec<f64>, String) {
+        let number = |x: f64| format!("{x:.4e} {unit}").trim_end().to_owned();
+        match self {
+            Self::Kept => (values.to_vec(), "baseline not corrected".to_owned()),
+            Self::Mean => {
+                let out = without_mean(values);
+                let mean = values.first().zip(out.first()).map_or(0.0, |(a, b)| a - b);
+                (out, format!("mean removed: {}", number(mean)))
+            }
+            Self::Line => {
+                let out = without_line(values);
+                let ends = [values.first().zip(out.first()), values.last().zip(out.last())];
+                let [from, to] = ends.map(|end| end.map_or(0.0, |(a, b)| a - b));
+                (out, format!("line of least squares removed: from {} to {}", number(from), number(to)))
+            }
+        }
+    }
+}
 
 /// The derivative by central differences of second order, at the ends by one-sided ones of second order.
 pub fn derivative(values: &[f64], dt: f64) -> Vec<f64> {
@@ -27,13 +69,13 @@ pub fn integral(values: &[f64], dt: f64) -> Vec<f64> {
 }
 
 /// The series without its mean.
-pub fn without_mean(values: &[f64]) -> Vec<f64> {
+fn without_mean(values: &[f64]) -> Vec<f64> {
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     values.iter().map(|x| x - mean).collect()
 }
 
 /// The series without its line of least squares.
-pub fn without_line(values: &[f64]) -> Vec<f64> {
+fn without_line(values: &[f64]) -> Vec<f64> {
     let n = values.len() as f64;
     let middle = (n - 1.0) / 2.0;
     let mean = values.iter().sum::<f64>() / n.max(1.0);
@@ -57,7 +99,7 @@ pub fn turned(first: &[f64], second: &[f64], angle: f64) -> [Vec<f64>; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{derivative, integral, turned, without_line, without_mean};
+    use super::{Baseline, derivative, integral, turned, without_line, without_mean};
 
     #[test]
     fn parabolas_are_differentiated_exactly() {
@@ -80,6 +122,10 @@ mod tests {
         let line: Vec<f64> = (0..9).map(|i| 2.0 + 0.5 * f64::from(i)).collect();
         assert!(without_line(&line).iter().all(|x| x.abs() < 1e-12));
         assert!((without_mean(&line).iter().sum::<f64>()).abs() < 1e-12);
+        let said = |baseline: Baseline| baseline.removed(&line, "g").1;
+        assert_eq!(said(Baseline::Kept), "baseline not corrected");
+        assert_eq!(said(Baseline::Mean), "mean removed: 4.0000e0 g");
+        assert_eq!(said(Baseline::Line), "line of least squares removed: from 2.0000e0 g to 6.0000e0 g");
         let [a, b] = turned(&[1.0], &[0.0], 90.0);
         assert!(a[0].abs() < 1e-15 && (b[0] + 1.0).abs() < 1e-15);
     }

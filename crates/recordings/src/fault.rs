@@ -1,6 +1,5 @@
 //! Faults of measured files, with their place.
 
-use crate::unit::Unit;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, Span};
 use std::fmt;
 
@@ -20,13 +19,6 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// The fault of a channel of which the file gives the unit, and that is told to be in another one of the same quantity.
-    pub(crate) fn of_told_unit(own: Unit, told: Unit, channel: &str) -> Option<Self> {
-        let differs = own.quantity == told.quantity && (own.factor, own.offset) != (told.factor, told.offset);
-        differs
-            .then(|| Self::new(format!("the file says {} for {channel}, and is told to be in {}", own.name, told.name)))
-    }
-
     /// A fault of the whole file.
     pub fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), ..Self::default() }

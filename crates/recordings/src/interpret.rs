@@ -1,10 +1,12 @@
 //! The channels of a table: which column is the time, what the others are.
 
-use crate::content::{Content, Layout, Told};
+use crate::content::Content;
 use crate::fault::Fault;
 use crate::measured::Measured;
 use crate::series::{Clock, Origin, Series, uneven};
 use crate::sheet::{Column, Sheet, head};
+use crate::stated::Stated;
+use crate::told::{Key, Layout, Statement, Told, Way};
 use crate::unit::{self, Quantity, Unit};
 
 impl Measured {
@@ -31,56 +33,40 @@ impl Measured {
     /// As [`Measured::series`]; and what the user says has no meaning or contradicts the file.
     pub fn told_series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
         let mut all = self.series(told)?;
-        all.iter_mut().try_for_each(|s| say(s, told))?;
+        Statement::of(told)?.complete(&mut all)?;
         Ok(all)
     }
 }
 
-/// Give a channel the unit and the quantity that the user says, where the file has none.
-fn say(s: &mut Series, told: &Told) -> Result<(), Fault> {
-    let is = |s: &Series| s.quantity.map_or("", Quantity::word);
-    if let Some(word) = &told.quantity {
-        let q = Quantity::named(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no quantity")))?;
-        if s.quantity.is_some_and(|of| of != q) {
-            return Err(Fault::new(format!("the file says {}, and is told to be {}", is(s), q.word())));
-        }
-        s.quantity = Some(q);
-    }
-    if let Some(word) = &told.unit {
-        let u = unit::unit(word).ok_or_else(|| Fault::new(format!("\"{word}\" is no unit")))?;
-        if let Some(own) = s.unit {
-            return Fault::of_told_unit(own, u, &s.name).map_or(Ok(()), Err);
-        }
-        if s.quantity.is_some_and(|of| of != u.quantity) {
-            return Err(Fault::new(format!("{word} is {}, the channel {} is {}", u.quantity, s.name, is(s))));
-        }
-        *s = s.clone().with_unit(u);
-    }
-    Ok(())
-}
-
 fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fault> {
     let time = TimeColumn::find(sheet);
+    let stated = Stated::of(&sheet.header);
     let clock = match &time {
         Some(t) => t.clock(sheet, told)?,
-        None => Clock::Unknown,
+        None => stated.dt.map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }),
     };
     let clock = told_clock(clock, told, &|i| sheet.row_name(i))?;
     let is_time = |i: usize| time.as_ref().is_some_and(|t| t.columns.contains(&i));
     let lines = sheet.lines.first().map_or(0, |l| *l as usize)..sheet.lines.last().map_or(0, |l| *l as usize + 1);
     let origin = |column| Origin { file: m.file.clone(), lines: lines.clone(), bytes: 0..m.size, column };
     if time.is_none() && !sheet.named && sheet.columns.len() > 1 {
-        match told.layout.map_or_else(|| side_by_side(sheet), Ok)? {
+        match told.layout.map_or_else(|| side_by_side(sheet, told.way), Ok)? {
             Layout::Columns => {}
             Layout::Wrapped => {
                 let values = (0..sheet.rows()).flat_map(|i| sheet.columns.iter().map(move |c| c.values[i])).collect();
-                return Ok(vec![Series { clock, origin: origin(None), ..Series::new(values) }]);
+                let mut series = Series { clock, origin: origin(None), ..Series::new(values) };
+                stated.unit.into_iter().for_each(|u| series.set_unit(u));
+                return Ok(vec![series]);
             }
         }
     }
     let channel = |(i, c): (usize, &Column)| {
         let (name, unit, unit_name) = meaning(c);
         let quantity = unit.map(|u| u.quantity).or_else(|| Quantity::of_head(&name));
+        // A unit above the table is that of the columns without one of their own.
+        let of_all = stated.unit.filter(|u| unit_name.is_empty() && quantity.is_none_or(|q| q == u.quantity));
+        let (unit, quantity) = (unit.or(of_all), quantity.or(of_all.map(|u| u.quantity)));
+        let unit_name = of_all.map_or(unit_name, |u| u.name.to_owned());
         let direction = name.clone();
         let clock = clock.clone();
         Series {
@@ -111,7 +97,7 @@ pub(crate) fn meaning(c: &Column) -> (String, Option<Unit>, String) {
 /// The numbers in the rows of a table without names are one channel, or several channels side by side.
 ///
 /// One channel varies less in the order of reading than down the columns, since samples are near those before them.
-fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
+fn side_by_side(sheet: &Sheet, way: Way) -> Result<Layout, Fault> {
     let n = sheet.columns.len();
     let at = |k: usize| sheet.columns[k % n].values[k / n];
     let total = n * sheet.rows();
@@ -124,8 +110,8 @@ fn side_by_side(sheet: &Sheet) -> Result<Layout, Fault> {
         return Ok(Layout::Wrapped);
     }
     let message = format!("the rows of {n} numbers have no names and look like {n} channels side by side");
-    Err(Fault::new(message)
-        .help("--layout columns takes them so, --layout wrapped as one channel in the order of reading"))
+    let key = way.spelled(Key::Layout);
+    Err(Fault::new(message).help(format!("add {key}: columns, or wrapped for one channel in the order of reading")))
 }
 
 /// The column of the time, or those of the date and of the time of day.
@@ -183,9 +169,18 @@ impl TimeColumn {
                 true => format!("{} repeats the time {b} s of the row before", sheet.row_name(i + 1)),
                 false => format!("the time goes back from {a} s to {b} s in {}", sheet.row_name(i + 1)),
             };
-            return Err(Fault::new(message).help("if the times are rounded or out of order, say the step: --dt"));
+            let key = told.way.spelled(Key::Step);
+            return Err(Fault::new(message).help(format!("if the times are rounded or out of order, add {key}")));
         }
         Ok(Clock::of_times(times))
+    }
+}
+
+impl Measured {
+    /// The fault of a file without a step of time.
+    pub fn no_step(&self, way: Way) -> Fault {
+        let add = format!("add {}", way.spelled(Key::Step));
+        Fault::new("the file gives no step of time").expected(add).help(self.shown_header())
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::archive::{gunzip, is_gzip};
 use crate::content::Content;
 use crate::fault::Fault;
-use crate::format::{Beside, FORMATS, Format, Input};
+use crate::format::{Beside, FORMATS, Format, Input, unsupported};
 use crate::sheet::Sheet;
 use crate::text::decode;
 use std::borrow::Cow;
@@ -39,7 +39,7 @@ impl Measured {
     ///
     /// # Errors
     /// What is wrong with the files, and where.
-    pub fn read_beside(name: &str, bytes: &[u8], beside: &dyn Fn(&str) -> Option<Vec<u8>>) -> Result<Self, Fault> {
+    pub fn read_beside(name: &str, bytes: &[u8], beside: Beside<'_>) -> Result<Self, Fault> {
         Self::read_with_text(name, bytes, beside).map_err(|e| e.0)
     }
 
@@ -60,10 +60,14 @@ impl Measured {
         let of_bytes = FORMATS[..BINARY].iter().find(|f| f.recognises(&binary));
         let text = match of_bytes {
             Some(_) => Cow::Borrowed(""),
-            None => decode(bytes).map_err(bare)?,
+            // A binary file of a kind that is not read has no text to look at.
+            None => decode(bytes).map_err(|e| bare(unsupported::refusal(&binary).unwrap_or(e)))?,
         };
         let input = Input::new(short, bytes, &text, beside);
         let format = of_bytes.or_else(|| find(&input)).ok_or_else(|| bare(Fault::new("is of no known format")))?;
+        if let Some(fault) = unsupported::refusal(&input).filter(|_| format.name == FORMATS[FORMATS.len() - 1].name) {
+            return Err(Box::new((fault, text.into_owned())));
+        }
         let mut content = format.read(&input).map_err(|f| Box::new((f, text.clone().into_owned())))?;
         locate(&mut content, short, &text, bytes.len());
         let (header, notes) = match &mut content {

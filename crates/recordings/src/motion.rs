@@ -1,12 +1,12 @@
 //! Channels of one quantity in SI units: of what the file says, or the user.
 
-use crate::content::Told;
 use crate::convert::derivative;
 use crate::fault::Fault;
 use crate::interpret::uneven_fault;
 use crate::measured::Measured;
 use crate::series::{Clock, Series};
-use crate::unit::{self, Quantity, Unit};
+use crate::told::{Key, Statement, Told, Way};
+use crate::unit::{Quantity, Unit};
 
 /// A channel at equal steps in the SI unit of its quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,29 +28,6 @@ pub struct Channels {
     pub channels: Vec<Channel>,
     /// Remarks: samples left out or converted.
     pub notes: Vec<String>,
-}
-
-/// The unit and quantity that the user says.
-fn said(told: &Told, wanted: Quantity) -> Result<(Option<Unit>, Option<Quantity>), Fault> {
-    let quantity = match &told.quantity {
-        None => None,
-        Some(word) => Some(Quantity::named(word).ok_or_else(|| {
-            Fault::new(format!("\"{word}\" is no quantity"))
-                .expected("expected acceleration, velocity, displacement, ...")
-        })?),
-    };
-    let unit = match &told.unit {
-        None => None,
-        Some(word) => {
-            let of = quantity.unwrap_or(wanted);
-            let unit = unit::unit(word).filter(|u| u.quantity == of || (quantity.is_none() && is_motion(u.quantity)));
-            Some(unit.ok_or_else(|| {
-                let near = unit::nearest_name(word).map_or(String::new(), |n| format!("; did you mean {n}?"));
-                Fault::new(format!("\"{word}\" is no unit of {}{near}", of.words()))
-            })?)
-        }
-    };
-    Ok((unit, quantity))
 }
 
 fn is_motion(q: Quantity) -> bool {
@@ -80,26 +57,26 @@ impl Measured {
     /// A unit, a step or a quantity that neither the file nor the user says, or that they contradict each other about;
     /// a sample or a time that is missing.
     pub fn accelerations(&self, told: &Told, differentiate: bool) -> Result<Channels, Fault> {
-        let (unit, quantity) = said(told, Quantity::Acceleration)?;
-        let all = self.series(told)?;
-        let mut out = Channels::default();
-        let mut chosen = choose(self, all, unit, quantity, differentiate)?;
-        out.notes.append(&mut chosen.notes);
-        let own = chosen.series.iter().filter_map(|(s, _)| Some((s, s.unit?)));
-        if let Some(fault) = own.filter_map(|(s, own)| Fault::of_told_unit(own, unit?, &s.name)).next() {
-            return Err(fault);
+        let said = Statement::of(told)?;
+        if let Some(u) = said.unit.filter(|u| !is_motion(u.quantity)) {
+            return Err(Fault::new(format!("{} is {}, and a motion needs accelerations", u.name, u.quantity)));
         }
-        for (s, u) in chosen.series {
+        let mut chosen = choose(self, self.series(told)?, told, said, differentiate)?;
+        said.complete(&mut chosen.series)?;
+        let mut out = Channels { notes: chosen.notes, ..Channels::default() };
+        for s in chosen.series {
             let dt = match &s.clock {
                 Clock::Steps { dt, .. } => *dt,
                 Clock::Times(times) if times.len() > 1 => return Err(uneven_fault(self, times)),
                 Clock::Times(_) => return Err(Fault::new("there are fewer than two rows")),
-                Clock::Unknown => {
-                    let message = format!("the file gives no step of time: add --dt; {}", self.shown_header());
-                    return Err(Fault::new(message));
-                }
+                Clock::Unknown => return Err(self.no_step(told.way)),
             };
-            let u = u.ok_or_else(|| self.no_unit(&s))?;
+            let u = s.unit.ok_or_else(|| {
+                let of = Series { quantity: s.quantity.or(Some(Quantity::Acceleration)), ..s.clone() };
+                let fault = of.no_unit("", told.way);
+                let examples = format!("{} (g, m/s2, cm/s2, in/s2)", fault.expected);
+                fault.expected(examples).help(self.shown_header())
+            })?;
             self.check_samples(&s)?;
             let mut values: Vec<f64> = s.values.iter().map(|x| u.factor * x).collect();
             let times = match u.quantity {
@@ -123,22 +100,6 @@ impl Measured {
         Ok(out)
     }
 
-    fn no_unit(&self, s: &Series) -> Fault {
-        let what = s.quantity.map_or("accelerations".to_owned(), Quantity::words);
-        let examples = "(g, m/s2, cm/s2, in/s2)";
-        if s.unit_name.is_empty() {
-            return Fault::new(format!(
-                "the file gives no unit of its {what}: add --unit {examples}; {}",
-                self.shown_header()
-            ));
-        }
-        Fault::new(format!(
-            "the unit \"{}\" of the {what} is not known: add --unit {examples}; {}",
-            s.unit_name,
-            self.shown_header()
-        ))
-    }
-
     /// All samples are there.
     fn check_samples(&self, s: &Series) -> Result<(), Fault> {
         let name = if s.name.is_empty() { &self.file } else { &s.name };
@@ -154,20 +115,13 @@ impl Measured {
     }
 }
 
-/// Channels with the unit that holds for them.
+/// Channels that are taken, and what is said of the others.
 struct Chosen {
-    series: Vec<(Series, Option<Unit>)>,
+    series: Vec<Series>,
     notes: Vec<String>,
 }
 
-fn choose(
-    m: &Measured,
-    all: Vec<Series>,
-    unit: Option<Unit>,
-    quantity: Option<Quantity>,
-    differentiate: bool,
-) -> Result<Chosen, Fault> {
-    let told_quantity = quantity.or(unit.map(|u| u.quantity));
+fn choose(m: &Measured, all: Vec<Series>, told: &Told, said: Statement, differentiate: bool) -> Result<Chosen, Fault> {
     let of = |s: &Series| s.quantity;
     let is_acceleration = |s: &Series| of(s) == Some(Quantity::Acceleration);
     let mut notes = vec![];
@@ -177,56 +131,51 @@ fn choose(
     let with_known_unit: Vec<bool> = all.iter().map(|s| is_acceleration(s) && s.unit.is_some()).collect();
     let accelerations: Vec<bool> =
         if with_known_unit.contains(&true) { with_known_unit } else { all.iter().map(is_acceleration).collect() };
+    let take = |all: Vec<Series>, which: &[bool]| {
+        all.into_iter().zip(which).filter(|(_, taken)| **taken).map(|(s, _)| s).collect::<Vec<_>>()
+    };
     if accelerations.contains(&true) {
-        if let Some(q) = told_quantity.filter(|q| *q != Quantity::Acceleration) {
-            return Err(Fault::new(format!("the file says acceleration, and is told to be {}", q.word())));
+        if said.quantity.is_some_and(|q| q != Quantity::Acceleration) {
+            return Err(said.other_quantity(Quantity::Acceleration));
         }
         let left: Vec<&Series> = all.iter().zip(&accelerations).filter(|(_, is)| !**is).map(|(s, _)| s).collect();
         if !left.is_empty() && m.sheet().is_some() {
             notes.push(format!("{} channels are no accelerations with a unit: {}", left.len(), names(&left)));
         }
-        let series = all.into_iter().zip(accelerations).filter(|(_, is)| *is).map(|(s, _)| {
-            let u = s.unit.or(unit);
-            (s, u)
-        });
-        return Ok(Chosen { series: series.collect(), notes });
+        return Ok(Chosen { series: take(all, &accelerations), notes });
     }
     let open: Vec<bool> = all.iter().map(|s| of(s).is_none()).collect();
     if open.contains(&true) {
         let says = quantity_of_text(m);
-        let wanted = told_quantity.unwrap_or(Quantity::Acceleration);
-        if let Some(q) = says.filter(|q| *q != wanted && quantity.is_none()) {
+        let wanted = said.quantity.unwrap_or(Quantity::Acceleration);
+        if let Some(q) = says.filter(|q| *q != wanted && told.quantity.is_none()) {
             let message = format!("the header or the name of the file says {}; {}", q.word(), m.shown_header());
-            return Err(Fault::new(message).help("say what it holds: --quantity, with --unit"));
+            let [quantity, unit] = [Key::Quantity, Key::Unit].map(|key| told.way.spelled(key));
+            return Err(Fault::new(message).help(format!("say what it holds: {quantity}, with {unit}")));
         }
-        if is_motion(wanted) && wanted != Quantity::Acceleration && !differentiate {
-            return Err(not_accelerations(wanted, None));
+        if wanted != Quantity::Acceleration && !differentiate {
+            return Err(not_accelerations(wanted, None, told.way));
         }
-        let series = all.into_iter().zip(open).filter(|(_, is)| *is).map(|(s, _)| (s, unit));
-        return Ok(Chosen { series: series.collect(), notes });
+        return Ok(Chosen { series: take(all, &open), notes });
     }
     // Velocities before displacements: they are differentiated once.
     for q in [Quantity::Velocity, Quantity::Length] {
-        let some: Vec<Series> = all.iter().filter(|s| of(s) == Some(q)).cloned().collect();
-        let Some(first) = some.first() else { continue };
-        if told_quantity.is_some_and(|t| t != q) {
-            return Err(Fault::new(format!(
-                "the file says {}, and is told to be {}; {}",
-                q.word(),
-                told_quantity.map_or("", Quantity::word),
-                m.shown_header()
-            )));
+        let some: Vec<bool> = all.iter().map(|s| of(s) == Some(q)).collect();
+        let Some(first) = some.iter().position(|is| *is) else { continue };
+        if said.quantity.is_some_and(|said| said != q) {
+            return Err(said.other_quantity(q).help(m.shown_header()));
         }
         if !differentiate {
-            return Err(not_accelerations(q, first.unit));
+            return Err(not_accelerations(q, all[first].unit, told.way));
         }
-        return Ok(Chosen { series: some.into_iter().map(|s| (s.clone(), s.unit.or(unit))).collect(), notes });
+        return Ok(Chosen { series: take(all, &some), notes });
     }
     Err(Fault::new(format!("there is no channel of accelerations; {}", m.shown_header())))
 }
 
-fn not_accelerations(q: Quantity, unit: Option<Unit>) -> Fault {
+fn not_accelerations(q: Quantity, unit: Option<Unit>, way: Way) -> Fault {
     let unit = unit.map_or(String::new(), |u| format!(" in {}", u.name));
+    let key = way.spelled(Key::Differentiate);
     Fault::new(format!("the file holds {}{unit}, and a motion needs accelerations", q.words()))
-        .help("take the file of the accelerations, or differentiate with --differentiate")
+        .help(format!("take the file of the accelerations, or differentiate with {key}"))
 }

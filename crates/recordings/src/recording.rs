@@ -1,11 +1,13 @@
 //! Recordings of a study: measured channels over time, with faults that point into the file.
 
-use crate::content::{Content, Told};
+use crate::content::Content;
 use crate::fault::Fault;
+use crate::format::Beside;
 use crate::interpret::{time_unit_of, told_clock};
 use crate::measured::Measured;
 use crate::series::{Clock, Series};
 use crate::sheet::{Column as SheetColumn, Form, Sheet, SheetError, head};
+use crate::told::{Statement, Told};
 use crate::unit::{self, Quantity};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 
@@ -35,22 +37,29 @@ impl Recording {
     /// # Errors
     /// The bytes are none of a recording. The message about a text has the location.
     pub fn read(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
-        Self::read_told(name, bytes, &Told::default(), sources)
+        Self::read_told(name, bytes, &Told::default(), &|_| None, sources)
     }
 
     /// As [`Recording::read`], of a file about which the user says something: the step where the file has no times, the
-    /// unit of channels without one, the quantity and the layout of numbers without names.
+    /// unit of channels without one, the quantity and the layout of numbers without names. `beside` gives the bytes of
+    /// another file of its folder.
     ///
     /// # Errors
     /// As there; and what is said contradicts the file, or has no meaning.
-    pub fn read_told(name: &str, bytes: &[u8], told: &Told, sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
+    pub fn read_told(
+        name: &str,
+        bytes: &[u8],
+        told: &Told,
+        beside: Beside<'_>,
+        sources: &mut SourceMap,
+    ) -> Result<Self, Box<Diagnostic>> {
         let named = |fault: Fault| match (fault.line, fault.range) {
             (None, None) if !fault.message.contains(name) => {
                 Fault { message: format!("{name} {}", fault.message), ..fault }
             }
             _ => fault,
         };
-        let measured = Measured::read_with_text(name, bytes, &|_| None)
+        let measured = Measured::read_with_text(name, bytes, beside)
             .map_err(|e| named(whole_name(e.0, name)).diagnostic(name, &e.1, sources))?;
         let first_is_time =
             |sheet: &Sheet| sheet.columns.first().is_some_and(|c| time_unit_of(c).is_some() || c.is_clock);
@@ -58,9 +67,9 @@ impl Recording {
             Content::Table(sheet) if told.dt.is_none() || first_is_time(sheet) => {
                 of_sheet(name, sheet.clone(), &measured.text).and_then(|r| r.with_step(told, sheet))
             }
-            _ => measured.series(told).and_then(|series| of_series(name, series)),
+            _ => measured.series(told).and_then(|series| of_series(&measured, name, series, told)),
         };
-        let read = read.and_then(|r| r.with_unit(name, told));
+        let read = read.and_then(|r| r.with_unit(told));
         read.map_err(|fault| whole_name(fault, name).diagnostic(name, &measured.text, sources))
     }
 
@@ -90,23 +99,20 @@ impl Recording {
     }
 
     /// With the unit that the user says for the channels that have none.
-    fn with_unit(mut self, name: &str, told: &Told) -> Result<Self, Fault> {
-        let quantity = told.quantity.as_deref().map(|word| {
-            Quantity::named(word).ok_or_else(|| {
-                Fault::new(format!("\"{word}\" is no quantity")).expected("expected acceleration, force, ...")
-            })
-        });
-        let quantity = quantity.transpose()?;
-        let Some(word) = &told.unit else { return Ok(self) };
-        let unit = unit::unit(word).ok_or_else(|| Fault::new(format!("unknown unit \"{word}\"")))?;
-        if let Some(q) = quantity.filter(|q| *q != unit.quantity) {
-            return Err(Fault::new(format!("{word} is {}, and {name} is told to be {}", unit.quantity, q.word())));
-        }
-        let own = self.columns.iter().filter_map(|c| Some((c, unit::unit(&c.unit)?)));
-        if let Some(fault) = own.filter_map(|(c, own)| Fault::of_told_unit(own, unit, &c.name)).next() {
-            return Err(fault);
-        }
-        self.columns.iter_mut().filter(|c| c.unit.is_empty()).for_each(|c| unit.name.clone_into(&mut c.unit));
+    fn with_unit(mut self, told: &Told) -> Result<Self, Fault> {
+        let said = Statement::of(told)?;
+        said.complete_each(
+            &mut self.columns,
+            |c| {
+                let own = unit::unit(&c.unit);
+                (&c.name, own.map(|u| u.quantity).or_else(|| Quantity::of_head(&c.name)), own)
+            },
+            |c| {
+                if let Some(unit) = said.unit.filter(|_| c.unit.is_empty()) {
+                    unit.name.clone_into(&mut c.unit);
+                }
+            },
+        )?;
         Ok(self)
     }
 
@@ -127,11 +133,10 @@ fn whole_name(fault: Fault, name: &str) -> Fault {
     Fault { message: fault.message.replace(&format!(" {short} "), &format!(" {name} ")), ..fault }
 }
 
-fn of_series(name: &str, series: Vec<Series>) -> Result<Recording, Fault> {
+fn of_series(m: &Measured, name: &str, series: Vec<Series>, told: &Told) -> Result<Recording, Fault> {
     let Some(first) = series.first().cloned() else { return Err(Fault::new(format!("{name} has no channel"))) };
     let times: Option<Vec<f64>> = (0..first.values.len()).map(|i| first.clock.time(i)).collect();
-    let times = times
-        .ok_or_else(|| Fault::new(format!("{name} gives no step of time")).expected("expected a table with time[s]"))?;
+    let times = times.ok_or_else(|| m.no_step(told.way))?;
     if let Some(other) = series.iter().find(|s| s.clock != first.clock || s.values.len() != times.len()) {
         let message = format!("the channels \"{}\" and \"{}\" of {name} have other times", first.name, other.name);
         return Err(Fault::new(message));

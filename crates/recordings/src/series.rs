@@ -1,5 +1,7 @@
 //! A measured series with its meaning.
 
+use crate::fault::Fault;
+use crate::told::{Key, Way};
 use crate::unit::{Quantity, Unit};
 use std::ops::Range;
 use std::sync::Arc;
@@ -128,12 +130,59 @@ impl Series {
     /// With a known unit and its quantity.
     #[must_use]
     pub fn with_unit(mut self, unit: Unit) -> Self {
-        (self.quantity, self.unit, self.unit_name) = (Some(unit.quantity), Some(unit), unit.name.to_owned());
+        self.set_unit(unit);
         self
+    }
+
+    /// State a known unit and its quantity.
+    pub fn set_unit(&mut self, unit: Unit) {
+        (self.quantity, self.unit, self.unit_name) = (Some(unit.quantity), Some(unit), unit.name.to_owned());
+    }
+
+    /// The samples in another unit of the same quantity.
+    ///
+    /// # Errors
+    /// The unit of the samples is not known, or is one of another quantity.
+    pub fn in_unit(&self, to: Unit, way: Way) -> Result<Vec<f64>, Fault> {
+        let from = self.unit.ok_or_else(|| self.no_unit("a conversion needs it", way))?;
+        let (factor, offset) = from.conversion(&to).ok_or_else(|| {
+            Fault::new(format!("{} is {}, and {} is {}", from.name, from.quantity, to.name, to.quantity))
+        })?;
+        Ok(self.values.iter().map(|x| factor * x + offset).collect())
+    }
+
+    /// The fault of a unit that neither the file nor the user says.
+    pub(crate) fn no_unit(&self, why: &str, way: Way) -> Fault {
+        let what = self.quantity.map_or_else(|| "values".to_owned(), Quantity::words);
+        let message = match self.unit_name.as_str() {
+            "" => format!("the file gives no unit of its {what}"),
+            word => format!("the unit \"{word}\" of the {what} is not known"),
+        };
+        let add = format!("add {}", way.spelled(Key::Unit));
+        Fault::new(message).expected(if why.is_empty() { add } else { format!("{why}: {add}") })
     }
 
     /// Largest absolute value; 0 of no samples. Missing samples are left out.
     pub fn peak(&self) -> f64 {
         self.values.iter().fold(0.0, |m, x| m.max(x.abs()))
     }
+}
+
+/// The number of the channel of a name, a direction, or a number from 1.
+///
+/// # Errors
+/// There is none, with those that there are.
+pub fn find_channel<'a>(all: impl Iterator<Item = &'a Series> + Clone, word: &str) -> Result<usize, Fault> {
+    let named = all.clone().position(|s| s.name == word || s.direction == word);
+    let count = all.clone().count();
+    let number = || word.parse::<usize>().ok()?.checked_sub(1).filter(|i| *i < count);
+    named.or_else(number).ok_or_else(|| {
+        Fault::new(format!("there is no channel \"{word}\"")).expected(format!("they are {}", channel_names(all)))
+    })
+}
+
+/// Names of channels, or their numbers from 1, for a message.
+pub fn channel_names<'a>(all: impl Iterator<Item = &'a Series>) -> String {
+    let label = |(i, s): (usize, &Series)| if s.name.is_empty() { (i + 1).to_string() } else { s.name.clone() };
+    all.enumerate().map(label).collect::<Vec<_>>().join(", ")
 }

@@ -2,8 +2,12 @@
 
 use crate::content::Content;
 use crate::fault::Fault;
+use crate::format::Beside;
+use crate::interpret::meaning;
 use crate::measured::Measured;
+use crate::sheet::head::seconds;
 use crate::sheet::{Form, Sheet};
+use crate::unit::{Quantity, Unit};
 
 /// A table by columns, all of the same length.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,7 +39,15 @@ impl Table {
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, String> {
-        let measured = Measured::read(name, bytes)?;
+        Self::read_beside(name, bytes, &|_| None)
+    }
+
+    /// As [`Table::read`], with the files beside it as for [`Measured::read_beside`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn read_beside(name: &str, bytes: &[u8], beside: Beside<'_>) -> Result<Self, String> {
+        let measured = Measured::read_beside(name, bytes, beside)?;
         let series = match measured.content {
             Content::Table(sheet) => return Ok(Self::of(sheet)),
             // A list is a table of one column; rows of other lengths are none.
@@ -47,13 +59,13 @@ impl Table {
             return Err("the channels have different numbers of values".into());
         }
         let mut sheet = Sheet::default();
-        let mut add = |cell: String, values: Vec<f64>| {
-            sheet.columns.push(crate::sheet::Column { cell, values, ..crate::sheet::Column::default() });
+        let mut add = |cell: String, unit: String, values: Vec<f64>| {
+            sheet.columns.push(crate::sheet::Column { cell, unit, values, ..crate::sheet::Column::default() });
         };
         let times: Option<Vec<f64>> = series.first().and_then(|s| (0..rows).map(|i| s.clock.time(i)).collect());
         let named = times.is_some() || series.iter().any(|s| !s.name.is_empty());
         if let Some(times) = times {
-            add("time".into(), times);
+            add("time".into(), "s".into(), times);
         }
         for s in series {
             let name = match (s.name.is_empty(), s.quantity) {
@@ -62,7 +74,7 @@ impl Table {
                 (true, None) if named => "value".to_owned(),
                 (true, None) => String::new(),
             };
-            add(name, s.values);
+            add(name, s.unit.map_or(s.unit_name, |u| u.name.to_owned()), s.values);
         }
         sheet.named = named;
         Ok(Self::of(sheet))
@@ -91,6 +103,36 @@ impl Table {
         match values.iter().position(|x| !x.is_finite()) {
             Some(at) => Err(format!("{} of column \"{which}\" is not finite", self.sheet.row_name(at))),
             None => Ok(values),
+        }
+    }
+
+    /// As [`Table::complete_column`], in another unit where that of the column and this one are known.
+    ///
+    /// # Errors
+    /// As there; and the units are of other quantities.
+    pub fn column_in(&self, which: &str, to: Option<Unit>) -> Result<Vec<f64>, String> {
+        let values = self.complete_column(which)?;
+        let own = self.sheet.find(which).ok().and_then(|i| meaning(&self.sheet.columns[i]).1);
+        let Some((from, to)) = own.zip(to) else { return Ok(values.to_vec()) };
+        let (factor, offset) = from.conversion(&to).ok_or_else(|| {
+            format!("the column \"{which}\" is {} in {}, and is wanted in {}", from.quantity, from.name, to.name)
+        })?;
+        Ok(values.iter().map(|x| factor * x + offset).collect())
+    }
+
+    /// The times of a column in s: in the unit of its head, in s if that has none.
+    ///
+    /// # Errors
+    /// There is no such column, it is no time, or a time is missing.
+    pub fn seconds(&self, which: &str) -> Result<Vec<f64>, String> {
+        let values = self.complete_column(which)?;
+        let own = self.sheet.find(which).ok().and_then(|i| meaning(&self.sheet.columns[i]).1);
+        match own {
+            Some(u) if u.quantity != Quantity::Time => {
+                Err(format!("the column \"{which}\" is {} in {}", u.quantity, u.name))
+            }
+            Some(u) => Ok(values.iter().map(|x| seconds(*x, &u)).collect()),
+            None => Ok(values.to_vec()),
         }
     }
 

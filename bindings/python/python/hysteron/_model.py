@@ -148,9 +148,6 @@ class Model(_hysteron.Domain):
     def build(self):
         """Accepted: there is nothing to build."""
 
-    def barrier(self):
-        """Accepted: there is one process."""
-
 
 def _recorder_words(name, what):
     words = list(what) if isinstance(what, (list, tuple)) else [what]

@@ -25,14 +25,16 @@ class Model:
         """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other)"""
     def analysis(self, *args: _Word) -> None:
         """analysis('Static' | 'Transient' | 'VariableTransient')"""
-    def barrier(self) -> None: ...
+    def barrier(self) -> None:
+        """barrier()"""
     def basicDeformation(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
         """basicDeformation(element, <dof>)"""
     def basicForce(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
         """basicForce(element, <dof>)"""
     def basicStiffness(self, element: _Word, /) -> list[float]:
         """basicStiffness(element)"""
-    def Bcast(self, *args: Any) -> NoReturn: ...
+    def Bcast(self, data: _Word, /) -> None:
+        """Bcast(data)"""
     def beamIntegration(self, *args: _Word) -> None:
         """beamIntegration('Lobatto'|'Legendre'|'Radau'|'NewtonCotes'|'Trapezoidal'|'CompositeSimpson', tag, section, n | 'HingeRadau'|'HingeRadauTwo'|'HingeMidpoint'|'HingeEndpoint', tag, secI, lpI, secJ, lpJ, secE | 'UserDefined'|'FixedLocation'|'LowOrder'|'MidDistance', tag, n, sections, ..., places, ..., <weights, ...>)"""
     def block2D(self, nx: _Word, ny: _Word, firstNode: _Word, firstElement: _Word, kind: _Word, /) -> None:
@@ -43,8 +45,8 @@ class Model:
     def cbdiDisplacement(self, *args: Any) -> NoReturn: ...
     def classType(self, *args: _Word) -> str:
         """classType('section'|'element', tag)"""
-    def columns(self, *args: _Word) -> None:
-        """columns(file:, 'the', 'columns', 'of', 'a', 'table', 'of', 'numbers,', 'a', 'list', 'of', 'lists')"""
+    def columns(self, file: _Word, /) -> None:
+        """columns(file)"""
     def computeGradients(self, *args: Any) -> NoReturn: ...
     def constraints(self, *args: _Word) -> None:
         """constraints('Plain' | 'Transformation' | 'Penalty', alphaS, alphaM | 'Lagrange', <alphaS, alphaM>)"""
@@ -189,7 +191,7 @@ class Model:
     def integrator(self, *args: _Word) -> None:
         """integrator('LoadControl' | 'DisplacementControl' | 'ArcLength' | 'Newmark' | 'HHT' | ..., <'options'>)"""
     def ladder(self, *args: _Word) -> None:
-        """ladder('on' | 'off:', 'try', 'other', 'algorithms', 'and', 'shorter', 'steps', 'before', 'a', 'step', 'fails')"""
+        """ladder('on' | 'off')"""
     def layer(self, *args: _Word) -> None:
         """layer('straight', material, n, area, y1, z1, y2, z2 | 'circ', material, n, area, y, z, radius, <angle1, angle2>)"""
     def limitCurve(self, *args: _Word) -> None:
@@ -210,16 +212,16 @@ class Model:
     def mesh(self, *args: Any) -> NoReturn: ...
     def metaData(self, *args: _Word) -> None: ...
     def modalDamping(self, *args: _Word) -> None:
-        """modalDamping(ratio | ratio1, ratio2, '...:', 'damping', 'ratios', 'of', 'the', 'modes', 'that', 'eigen', 'has', 'found')"""
+        """modalDamping(ratio | ratio1, ratio2, ...)"""
     def modalDampingQ(self, *args: _Word) -> None:
-        """modalDampingQ(ratio | ratio1, ratio2, '...:', 'damping', 'ratios', 'of', 'the', 'modes', 'that', 'eigen', 'has', 'found')"""
+        """modalDampingQ(ratio | ratio1, ratio2, ...)"""
     def modalProperties(self, *args: _Word) -> dict[str, list[float]] | None:
         """modalProperties(<'-print'>, <'-file', file>, <'-unorm'>, <'-return'>)"""
     def model(self, *args: _Word) -> None:
         """model('BasicBuilder', '-ndm', ndm, <'-ndf', ndf>)"""
     def modulatingFunction(self, *args: Any) -> NoReturn: ...
-    def motionFile(self, *args: _Word) -> None:
-        """lassign('[motionFile', series, file, <'-factor', c>, <'-dt', dt>, <'-useLast>]', 'dt', 'npts:', 'PEER', 'AT2,', 'CSMIP', 'V2,') or one('column', 'of', 'values,') or two('of', 'times', 'and', 'values;', 'a', 'time', 'series', 'in', 'the', 'unit', 'of', 'the', 'file')"""
+    def motionFile(self, *args: _Word) -> list[float]:
+        """motionFile(series, file, <'-factor', c>, <'-dt', dt>, <'-useLast'>, <'-channel', name>, <'-quantity', word>, <'-unit', unit>, <'-layout', word>, <'-to', unit>)"""
     def nDMaterial(self, *args: _Word) -> None:
         """nDMaterial(kind, tag, ...)"""
     def NDTest(self, *args: Any) -> NoReturn: ...
@@ -257,7 +259,8 @@ class Model:
     def OpenSeesParameter(self, *args: Any) -> NoReturn: ...
     def parameter(self, *args: _Word) -> int:
         """parameter(tag, <value> | <'node', node, 'mass', 'x'|'y'|'z'|'xy'|'xyz'> | <'node', node, 'disp', dof> | <'loadPattern', pattern, 'loadAtNode', node, dof> | <'loadPattern', pattern, 'lambda'> | <'element'|'region', tag, name, ...>)"""
-    def partition(self, *args: Any) -> NoReturn: ...
+    def partition(self, element: _Word = ..., /) -> None:
+        """partition(<element>)"""
     def patch(self, *args: _Word) -> None:
         """patch('quad', material, nIJ, nJK, yI, zI, yJ, zJ, yK, zK, yL, zL | 'rect', material, nY, nZ, yI, zI, yK, zK | 'circ', material, nCirc, nRad, y, z, rInner, rOuter, <angle1, angle2>)"""
     def pattern(self, *args: _Word) -> None:
@@ -285,15 +288,16 @@ class Model:
     def pyversion(self, *args: _Word) -> str: ...
     def randomNumberGenerator(self, *args: Any) -> NoReturn: ...
     def randomVariable(self, *args: Any) -> NoReturn: ...
-    def rayleigh(self, alphaM: _Word, betaK: _Word, betaK0: _Word, betaKc: _Word, /) -> None:
-        """rayleigh(alphaM, betaK, betaK0, betaKc)"""
+    def rayleigh(self, *args: _Word) -> None:
+        """rayleigh(alphaM, betaK, betaK0, betaKc, <'-ele', tag, ...>, <'-node', tag, ...>)"""
     def reactions(self, *args: _Word) -> None:
         """reactions(<'-dynamic'>, <'-rayleigh'>)"""
     def record(self) -> None:
         """record()"""
     def recorder(self, *args: _Word) -> int:
         """recorder(kind, '-file', file, ...)"""
-    def recv(self, *args: Any) -> NoReturn: ...
+    def recv(self, *args: _Word) -> None:
+        """recv('-pid', process, variable)"""
     def region(self, *args: _Word) -> None:
         """region(tag, <'-ele', tag, ...>, <'-eleOnly', tag, ...>, <'-eleRange', first, last>, <'-eleOnlyRange', ...>, <'-node', tag, ...>, <'-nodeOnly', ...>, <'-nodeRange', first, last>, <'-nodeOnlyRange', ...>, <'-rayleigh', alphaM, betaK, betaK0, betaKc>, <'-damp', damping>)"""
     def reliabilityConvergenceCheck(self, *args: Any) -> NoReturn: ...
@@ -340,7 +344,8 @@ class Model:
         """sectionTag(element, <section>)"""
     def sectionWeight(self, element: _Word, section: _Word = ..., /) -> list[float] | float:
         """sectionWeight(element, <section>)"""
-    def send(self, *args: Any) -> NoReturn: ...
+    def send(self, *args: _Word) -> None:
+        """send('-pid', process, data)"""
     def sensitivityAlgorithm(self, *args: Any) -> NoReturn: ...
     def sensLambda(self, *args: Any) -> NoReturn: ...
     def sensNodeAccel(self, *args: Any) -> NoReturn: ...
@@ -372,7 +377,8 @@ class Model:
         """setParameter('-val', value, <'-ele', element, ... | '-eleRange', first, last>, name, ... | '-node', node, ..., 'mass', 'x'|'y'|'z'|'xy'|'xyz')"""
     def setPrecision(self, digits: _Word, /) -> None:
         """setPrecision(digits)"""
-    def setStartNodeTag(self, *args: Any) -> NoReturn: ...
+    def setStartNodeTag(self, tag: _Word, /) -> None:
+        """setStartNodeTag(tag)"""
     def setStrain(self, strain: _Word, rate: _Word = ..., /) -> None:
         """setStrain(strain, <rate>)"""
     def setTime(self, time: _Word, /) -> None:

@@ -2,7 +2,6 @@
 
 #: Names by reason. A call of one raises OpenSeesError with the reason.
 OUT_OF_SCOPE = {
-    "analyses of one model on several processes": "Bcast recv send partition",
     "reliability": (
         "randomVariable correlate getCDF getInverseCDF getLSFTags getMean getPDF getRVParamTag getRVTags getRVValue "
         "getStdv filter findDesignPoint functionEvaluator gradPerformanceFunction gradientEvaluator "
@@ -26,7 +25,7 @@ OUT_OF_SCOPE = {
     ),
     "queries that hysteron does not have yet": (
         "accelCPU solveCPU totalCPU cbdiDisplacement sectionDisplacement domainCommitTag printGID printX "
-        "setStartNodeTag updateElementDomain"
+        "updateElementDomain"
     ),
 }
 REASONS = {name: reason for reason, names in OUT_OF_SCOPE.items() for name in names.split()}

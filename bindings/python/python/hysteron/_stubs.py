@@ -15,7 +15,7 @@ _RETURNS = {
         _NODE,
     ),
     **dict.fromkeys(
-        "eigen eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
+        "eigen motionFile eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
         "getNodeLoadData".split(),
         "list[float]",
     ),
@@ -39,7 +39,6 @@ _PYTHON = {
     "analyze": "(steps: _Word, dt: _Word = ..., *more: _Word) -> int",
     "getNumThreads": "() -> int",
     "setNumThreads": "(number: int) -> None",
-    "barrier": "() -> None",
     "build": "() -> None",
     "nodePressure": "(node: _Word) -> float",
     "defaultUnits": "(*args: _Word) -> None",

@@ -20,14 +20,16 @@ def amend(*args: _Word) -> None:
 def analysis(*args: _Word) -> None:
     """analysis('Static' | 'Transient' | 'VariableTransient')"""
 def analyze(steps: _Word, dt: _Word = ..., *more: _Word) -> int: ...
-def barrier() -> None: ...
+def barrier() -> None:
+    """barrier()"""
 def basicDeformation(element: _Word, dof: _Word = ..., /) -> list[float] | float:
     """basicDeformation(element, <dof>)"""
 def basicForce(element: _Word, dof: _Word = ..., /) -> list[float] | float:
     """basicForce(element, <dof>)"""
 def basicStiffness(element: _Word, /) -> list[float]:
     """basicStiffness(element)"""
-def Bcast(*args: Any) -> NoReturn: ...
+def Bcast(data: _Word, /) -> None:
+    """Bcast(data)"""
 def beamIntegration(*args: _Word) -> None:
     """beamIntegration('Lobatto'|'Legendre'|'Radau'|'NewtonCotes'|'Trapezoidal'|'CompositeSimpson', tag, section, n | 'HingeRadau'|'HingeRadauTwo'|'HingeMidpoint'|'HingeEndpoint', tag, secI, lpI, secJ, lpJ, secE | 'UserDefined'|'FixedLocation'|'LowOrder'|'MidDistance', tag, n, sections, ..., places, ..., <weights, ...>)"""
 def block2D(nx: _Word, ny: _Word, firstNode: _Word, firstElement: _Word, kind: _Word, /) -> None:
@@ -38,8 +40,8 @@ def build() -> None: ...
 def cbdiDisplacement(*args: Any) -> NoReturn: ...
 def classType(*args: _Word) -> str:
     """classType('section'|'element', tag)"""
-def columns(*args: _Word) -> None:
-    """columns(file:, 'the', 'columns', 'of', 'a', 'table', 'of', 'numbers,', 'a', 'list', 'of', 'lists')"""
+def columns(file: _Word, /) -> None:
+    """columns(file)"""
 def computeGradients(*args: Any) -> NoReturn: ...
 def constraints(*args: _Word) -> None:
     """constraints('Plain' | 'Transformation' | 'Penalty', alphaS, alphaM | 'Lagrange', <alphaS, alphaM>)"""
@@ -184,7 +186,7 @@ def InitialStateAnalysis(*args: Any) -> NoReturn: ...
 def integrator(*args: _Word) -> None:
     """integrator('LoadControl' | 'DisplacementControl' | 'ArcLength' | 'Newmark' | 'HHT' | ..., <'options'>)"""
 def ladder(*args: _Word) -> None:
-    """ladder('on' | 'off:', 'try', 'other', 'algorithms', 'and', 'shorter', 'steps', 'before', 'a', 'step', 'fails')"""
+    """ladder('on' | 'off')"""
 def layer(*args: _Word) -> None:
     """layer('straight', material, n, area, y1, z1, y2, z2 | 'circ', material, n, area, y, z, radius, <angle1, angle2>)"""
 def limitCurve(*args: _Word) -> None:
@@ -205,16 +207,16 @@ def meritFunctionCheck(*args: Any) -> NoReturn: ...
 def mesh(*args: Any) -> NoReturn: ...
 def metaData(*args: _Word) -> None: ...
 def modalDamping(*args: _Word) -> None:
-    """modalDamping(ratio | ratio1, ratio2, '...:', 'damping', 'ratios', 'of', 'the', 'modes', 'that', 'eigen', 'has', 'found')"""
+    """modalDamping(ratio | ratio1, ratio2, ...)"""
 def modalDampingQ(*args: _Word) -> None:
-    """modalDampingQ(ratio | ratio1, ratio2, '...:', 'damping', 'ratios', 'of', 'the', 'modes', 'that', 'eigen', 'has', 'found')"""
+    """modalDampingQ(ratio | ratio1, ratio2, ...)"""
 def modalProperties(*args: _Word) -> dict[str, list[float]] | None:
     """modalProperties(<'-print'>, <'-file', file>, <'-unorm'>, <'-return'>)"""
 def model(*args: _Word) -> None:
     """model('BasicBuilder', '-ndm', ndm, <'-ndf', ndf>)"""
 def modulatingFunction(*args: Any) -> NoReturn: ...
-def motionFile(*args: _Word) -> None:
-    """lassign('[motionFile', series, file, <'-factor', c>, <'-dt', dt>, <'-useLast>]', 'dt', 'npts:', 'PEER', 'AT2,', 'CSMIP', 'V2,') or one('column', 'of', 'values,') or two('of', 'times', 'and', 'values;', 'a', 'time', 'series', 'in', 'the', 'unit', 'of', 'the', 'file')"""
+def motionFile(*args: _Word) -> list[float]:
+    """motionFile(series, file, <'-factor', c>, <'-dt', dt>, <'-useLast'>, <'-channel', name>, <'-quantity', word>, <'-unit', unit>, <'-layout', word>, <'-to', unit>)"""
 def nDMaterial(*args: _Word) -> None:
     """nDMaterial(kind, tag, ...)"""
 def NDTest(*args: Any) -> NoReturn: ...
@@ -252,7 +254,8 @@ def numIter() -> int:
 def OpenSeesParameter(*args: Any) -> NoReturn: ...
 def parameter(*args: _Word) -> int:
     """parameter(tag, <value> | <'node', node, 'mass', 'x'|'y'|'z'|'xy'|'xyz'> | <'node', node, 'disp', dof> | <'loadPattern', pattern, 'loadAtNode', node, dof> | <'loadPattern', pattern, 'lambda'> | <'element'|'region', tag, name, ...>)"""
-def partition(*args: Any) -> NoReturn: ...
+def partition(element: _Word = ..., /) -> None:
+    """partition(<element>)"""
 def patch(*args: _Word) -> None:
     """patch('quad', material, nIJ, nJK, yI, zI, yJ, zJ, yK, zK, yL, zL | 'rect', material, nY, nZ, yI, zI, yK, zK | 'circ', material, nCirc, nRad, y, z, rInner, rOuter, <angle1, angle2>)"""
 def pattern(*args: _Word) -> None:
@@ -280,15 +283,16 @@ def prp(x: _Word, y: _Word, z: _Word, /) -> None:
 def pyversion(*args: _Word) -> str: ...
 def randomNumberGenerator(*args: Any) -> NoReturn: ...
 def randomVariable(*args: Any) -> NoReturn: ...
-def rayleigh(alphaM: _Word, betaK: _Word, betaK0: _Word, betaKc: _Word, /) -> None:
-    """rayleigh(alphaM, betaK, betaK0, betaKc)"""
+def rayleigh(*args: _Word) -> None:
+    """rayleigh(alphaM, betaK, betaK0, betaKc, <'-ele', tag, ...>, <'-node', tag, ...>)"""
 def reactions(*args: _Word) -> None:
     """reactions(<'-dynamic'>, <'-rayleigh'>)"""
 def record() -> None:
     """record()"""
 def recorder(*args: _Word) -> int:
     """recorder(kind, '-file', file, ...)"""
-def recv(*args: Any) -> NoReturn: ...
+def recv(*args: _Word) -> None:
+    """recv('-pid', process, variable)"""
 def region(*args: _Word) -> None:
     """region(tag, <'-ele', tag, ...>, <'-eleOnly', tag, ...>, <'-eleRange', first, last>, <'-eleOnlyRange', ...>, <'-node', tag, ...>, <'-nodeOnly', ...>, <'-nodeRange', first, last>, <'-nodeOnlyRange', ...>, <'-rayleigh', alphaM, betaK, betaK0, betaKc>, <'-damp', damping>)"""
 def reliabilityConvergenceCheck(*args: Any) -> NoReturn: ...
@@ -335,7 +339,8 @@ def sectionTag(element: _Word, section: _Word = ..., /) -> list[int] | int:
     """sectionTag(element, <section>)"""
 def sectionWeight(element: _Word, section: _Word = ..., /) -> list[float] | float:
     """sectionWeight(element, <section>)"""
-def send(*args: Any) -> NoReturn: ...
+def send(*args: _Word) -> None:
+    """send('-pid', process, data)"""
 def sensitivityAlgorithm(*args: Any) -> NoReturn: ...
 def sensLambda(*args: Any) -> NoReturn: ...
 def sensNodeAccel(*args: Any) -> NoReturn: ...
@@ -367,7 +372,8 @@ def setParameter(*args: _Word) -> None:
     """setParameter('-val', value, <'-ele', element, ... | '-eleRange', first, last>, name, ... | '-node', node, ..., 'mass', 'x'|'y'|'z'|'xy'|'xyz')"""
 def setPrecision(digits: _Word, /) -> None:
     """setPrecision(digits)"""
-def setStartNodeTag(*args: Any) -> NoReturn: ...
+def setStartNodeTag(tag: _Word, /) -> None:
+    """setStartNodeTag(tag)"""
 def setStrain(strain: _Word, rate: _Word = ..., /) -> None:
     """setStrain(strain, <rate>)"""
 def setTime(time: _Word, /) -> None:

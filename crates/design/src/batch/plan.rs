@@ -93,9 +93,11 @@ fn motion(entry: &MotionEntry, folder: &Path, notes: &mut Vec<String>) -> Result
     let options = entry.options()?;
     let mut motions = vec![];
     for name in &entry.files {
-        let bytes = bytes_of(&folder.join(name))?;
+        let path = folder.join(name);
+        let bytes = bytes_of(&path)?;
         let short = name.rsplit('/').next().unwrap_or(name);
-        let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
+        let beside = hysteron_files::read_beside(&path);
+        let mut found = read(short, &bytes, &options, &beside).map_err(|e| format!("\"{name}\": {e}"))?;
         motions.append(&mut found.motions);
         notes.append(&mut found.notes);
     }

@@ -3,6 +3,7 @@
 //! A value that the study leaves out is taken from the script. A value that it gives is compared, and refused where the
 //! design would be another one.
 
+use super::plausibility;
 use super::script_model::{ScriptBearing, ScriptModel};
 use super::shear_test::BilinearLoop;
 use super::study::{BearingType, Study};
@@ -106,6 +107,7 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
     heights(study, stated, &model)?;
     plan(study, stated, &model)?;
     weights(study, stated, &model)?;
+    plausibility::compare(study, stated, &model)?;
     let design = design_loops(study, &model)?;
     let [amplitude, period] = design;
     for kind in 0..study.bearings.len() {
@@ -119,7 +121,7 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
 }
 
 /// Place of a type in the script, for messages.
-fn place(study: &Study, bearing: &ScriptBearing) -> String {
+pub(super) fn place(study: &Study, bearing: &ScriptBearing) -> String {
     let line = if bearing.line.is_empty() { study.script.display().to_string() } else { bearing.line.clone() };
     format!("{line}, element {} {}", bearing.class, bearing.tag)
 }

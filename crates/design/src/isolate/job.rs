@@ -266,7 +266,9 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
         (rows.rows.len() > 1).then_some(rows)
     };
     measure_bearings(study, &rows, &mut out);
-    out.bearings.iter_mut().zip(observed.horizontal_places()).for_each(|(b, place)| b.place = place);
+    for (b, place) in out.bearings.iter_mut().zip(observed.places()) {
+        (b.place, b.height) = (place.horizontal, Some(place.height));
+    }
     measure_floors(study, job, &rows, &mut out);
     out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
@@ -361,6 +363,7 @@ fn bearing(
     let second = if u.len() > 1 { &u[1] } else { &u[0] };
     BearingOutcome {
         tag,
+        height: None,
         place: vec![],
         displacement: (0..n).map(length).fold(0.0, f64::max),
         residual: u.iter().map(|u| rest(u).powi(2)).sum::<f64>().sqrt(),

@@ -13,8 +13,16 @@ pub(super) struct Observed {
     contacts: Vec<i64>,
     members: Vec<i64>,
     floors: Vec<i64>,
-    /// Coordinates of the upper nodes of the bearings, once the recorders are there.
-    pub(super) places: Arc<Mutex<Vec<Vec<f64>>>>,
+    places: Arc<Mutex<Vec<Place>>>,
+}
+
+/// Place of a bearing.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// Horizontal coordinates of its upper node.
+    pub(super) horizontal: Vec<f64>,
+    /// Height between its nodes.
+    pub(super) height: f64,
 }
 
 impl Observed {
@@ -44,7 +52,10 @@ impl Observed {
             let Some([lower, upper, ..]) = nodes else {
                 return Err(Exception::error(format!("there is no bearing {tag} with two nodes")));
             };
-            places.push(model.nodes[upper.0].coords.clone());
+            let (below, above) = (&model.nodes[lower.0].coords, &model.nodes[upper.0].coords);
+            if let (Some(low), Some((high, horizontal))) = (below.last(), above.split_last()) {
+                places.push(Place { horizontal: horizontal.to_vec(), height: high - low });
+            }
             for (what, node) in [("lower", lower), ("upper", upper)] {
                 let node = model.nodes[node.0].tag;
                 let _ =
@@ -70,9 +81,8 @@ impl Observed {
         interp.eval_value(&Value::from(text)).map(|_| ())
     }
 
-    /// Horizontal coordinates of the bearings; empty before the recorders are there.
-    pub(super) fn horizontal_places(&self) -> Vec<Vec<f64>> {
-        let all = self.places.lock().map(|p| p.clone()).unwrap_or_default();
-        all.into_iter().filter(|xyz| xyz.len() > 1).map(|xyz| xyz[..xyz.len() - 1].to_vec()).collect()
+    /// Places of the bearings; empty before the recorders are there.
+    pub(super) fn places(&self) -> Vec<Place> {
+        self.places.lock().map(|p| p.clone()).unwrap_or_default()
     }
 }

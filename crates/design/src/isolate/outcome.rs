@@ -9,6 +9,9 @@ pub struct BearingOutcome {
     pub tag: i64,
     /// Horizontal coordinates of its upper node.
     pub place: Vec<f64>,
+    /// Difference of elevation of its nodes.
+    #[serde(default)]
+    pub height: Option<f64>,
     /// Largest horizontal displacement: vector sum.
     pub displacement: f64,
     /// Displacement at the end: vector sum of the means of the last tenth of the record.

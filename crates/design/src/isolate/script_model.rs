@@ -123,6 +123,29 @@ impl ScriptModel {
         Some([extent(0)?, extent(1)?])
     }
 
+    /// The model.
+    pub(super) fn model(&self) -> &Model {
+        self.run.interp.host.engine.model()
+    }
+
+    /// Dimensions of space.
+    pub(super) fn dimensions(&self) -> usize {
+        self.model().nodes.first().map_or(0, |n| n.coords.len())
+    }
+
+    /// Least horizontal distance of two bearings that do not stand in one place; none without two.
+    pub(super) fn spacing(&self) -> Option<f64> {
+        let model = self.model();
+        let place = |b: &ScriptBearing| {
+            let coords = &model.nodes[model.elements[b.id.0].nodes[1].0].coords;
+            coords[..coords.len() - 1].to_vec()
+        };
+        let places: Vec<Vec<f64>> = self.bearings.iter().map(place).collect();
+        let distance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let all = places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().map(move |b| distance(a, b)));
+        all.filter(|d| *d > LEVEL * self.height.max(1.0)).reduce(f64::min)
+    }
+
     /// Axial forces of all bearings under gravity together.
     pub(super) fn gravity(&self) -> f64 {
         self.bearings.iter().map(|b| b.gravity).sum()

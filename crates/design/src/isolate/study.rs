@@ -1,17 +1,18 @@
 //! A study that has been read with its motions and settled with its script.
 
+use super::Properties;
 use super::agreement::{Agreement, StatedValues, settle};
 use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, Stiffness, StudyFile, Transition};
 use crate::codes::{Code, Structure};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
-use crate::prototype::Posterior;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
 use hysteron_tcl::diagnostic::nearest;
 use rand::SeedableRng as _;
 use rand_pcg::Pcg32;
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -178,10 +179,18 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
     let options = entry.options()?;
     let mut components: Vec<Motion> = vec![];
     for name in &entry.files {
-        let bytes =
-            hysteron_files::read_input(folder.join(name)).map_err(|e| format!("cannot read \"{name}\": {e}"))?;
+        let path = folder.join(name);
+        let bytes = hysteron_files::read_input(&path).map_err(|e| format!("cannot read \"{name}\": {e}"))?;
         let short = name.rsplit('/').next().unwrap_or(name);
-        let mut found = read(short, &bytes, &options).map_err(|e| format!("\"{name}\": {e}"))?;
+        let others = RefCell::new(vec![]);
+        let beside = hysteron_files::read_beside(&path);
+        let noted = |name: &str| {
+            let bytes = beside(name)?;
+            others.borrow_mut().push(String::from_utf8_lossy(&bytes).into_owned());
+            Some(bytes)
+        };
+        let mut found = read(short, &bytes, &options, &noted).map_err(|e| format!("\"{name}\": {e}"))?;
+        texts.append(&mut others.into_inner());
         components.append(&mut found.motions);
         notes.append(&mut found.notes);
         texts.push(String::from_utf8_lossy(&bytes).into_owned());
@@ -251,7 +260,9 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let script = folder.join(&file.script);
     let script_text = text_of(&script)?;
-    let target = Target::parse(&file.target, |name| text_of(&folder.join(name)))?;
+    let target = Target::parse(&file.target, |name| {
+        hysteron_files::read_input(folder.join(name)).map_err(|e| format!("cannot read \"{name}\": {e}"))
+    })?;
     let mut notes = vec![];
     let read = |m| pair(m, folder, texts, &mut notes);
     let mut motions = file.motion.iter().map(read).collect::<Result<Vec<_>, _>>()?;
@@ -340,21 +351,21 @@ impl Study {
     /// of aging and environment. Bearings of one type share a draw. The seed is that of the study.
     ///
     /// # Errors
-    /// There is no type of a name, or the numbers of a posterior have no meaning.
-    pub fn draw(&mut self, posteriors: &[(String, Posterior)], count: usize) -> Result<(), String> {
-        for (name, p) in posteriors {
-            p.check().map_err(|e| format!("posterior of {name}: {e}"))?;
-            if !self.bearings.iter().any(|b| b.name == *name) {
+    /// There is no type of a name, or its properties are those of another bearing.
+    pub fn draw(&mut self, properties: &[(String, Properties)], count: usize) -> Result<(), String> {
+        for (name, p) in properties {
+            let Some(b) = self.bearings.iter().find(|b| b.name == *name) else {
                 let names = self.bearings.iter().map(|b| b.name.as_str());
                 let near = nearest(name, names).map_or(String::new(), |n| format!("; did you mean {n}?"));
                 return Err(format!("there is no type of bearing \"{name}\"{near}"));
-            }
+            };
+            p.check([b.q_d, b.k_d]).map_err(|e| format!("posterior of {name}: {e}"))?;
         }
         let mut random = Pcg32::seed_from_u64(DRAW_SEED);
         let share = self.code.value("system_adjustment", "share").unwrap_or(1.0);
-        let one = |b: &BearingType, random: &mut Pcg32| match posteriors.iter().find(|(name, _)| *name == b.name) {
+        let one = |b: &BearingType, random: &mut Pcg32| match properties.iter().find(|(name, _)| *name == b.name) {
             Some((_, p)) => {
-                let drawn = p.draw(random);
+                let drawn = p.draw([b.q_d, b.k_d], random);
                 [0, 1].map(|of| drawn[of] * 0.5 * (b.lower.environment(of, share) + b.upper.environment(of, share)))
             }
             None => [1.0, 1.0],

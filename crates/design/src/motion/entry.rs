@@ -1,7 +1,7 @@
 //! Tables `[[motion]]` of studies and plans.
 
 use super::read::ReadOptions;
-use hysteron_recordings::{Layout, Told};
+use hysteron_recordings::{Layout, Told, Way};
 use serde::Deserialize;
 
 /// The files of a motion, and what they do not say themselves.
@@ -45,7 +45,8 @@ impl MotionEntry {
             return Err(format!("dt = {dt}: expected more than 0"));
         }
         let layout = self.layout.as_deref().map(Layout::named).transpose()?;
-        let told = Told { unit: self.unit.clone(), dt: self.dt, quantity: self.quantity.clone(), layout };
+        let (unit, quantity) = (self.unit.clone(), self.quantity.clone());
+        let told = Told { unit, dt: self.dt, quantity, layout, way: Way::Study };
         Ok(ReadOptions { told, channels: self.channels.clone(), differentiate: self.differentiate })
     }
 

@@ -2,7 +2,8 @@
 
 use super::Motion;
 use hysteron_recordings::check::doubts;
-use hysteron_recordings::{Channel, Measured, Told};
+use hysteron_recordings::series::find_channel;
+use hysteron_recordings::{Beside, Channel, Measured, Told};
 
 /// Statements of the user about files that do not state them.
 #[derive(Clone, Debug, Default)]
@@ -24,12 +25,13 @@ pub struct ReadMotions {
     pub notes: Vec<String>,
 }
 
-/// The motions of a file: one, or one for each channel of accelerations.
+/// The motions of a file: one, or one for each channel of accelerations. `beside` gives the bytes of another file of its
+/// folder.
 ///
 /// # Errors
 /// A description of the fault: of the file, or a unit, step or quantity that neither the file nor the options give.
-pub fn read(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<ReadMotions, String> {
-    let measured = Measured::read(name, bytes)?;
+pub fn read(name: &str, bytes: &[u8], options: &ReadOptions, beside: Beside<'_>) -> Result<ReadMotions, String> {
+    let measured = Measured::read_beside(name, bytes, beside)?;
     let found = measured.accelerations(&options.told, options.differentiate)?;
     let channels = chosen(found.channels, &options.channels)?;
     let mut notes: Vec<String> = measured.notes.iter().chain(&found.notes).map(|n| format!("{name}: {n}")).collect();
@@ -55,14 +57,7 @@ fn chosen(all: Vec<Channel>, which: &[String]) -> Result<Vec<Channel>, String> {
     if which.is_empty() {
         return Ok(all);
     }
-    let find = |word: &String| {
-        let named = all.iter().find(|c| c.series.name == *word || c.series.direction == *word);
-        let numbered = || word.parse::<usize>().ok().and_then(|n| all.get(n.checked_sub(1)?));
-        named.or_else(numbered).cloned().ok_or_else(|| {
-            let names: Vec<&str> = all.iter().map(|c| c.series.name.as_str()).filter(|n| !n.is_empty()).collect();
-            format!("there is no channel \"{word}\" of accelerations: they are {}", names.join(", "))
-        })
-    };
+    let find = |word: &String| Ok(all[find_channel(all.iter().map(|c| &c.series), word)?].clone());
     which.iter().map(find).collect()
 }
 
@@ -72,7 +67,7 @@ mod tests {
     use hysteron_recordings::Told;
 
     fn one(text: &str) -> super::Motion {
-        read("f", text.as_bytes(), &ReadOptions::default()).expect("a motion").motions.remove(0)
+        read("f", text.as_bytes(), &ReadOptions::default(), &|_| None).expect("a motion").motions.remove(0)
     }
 
     #[test]
@@ -99,7 +94,7 @@ mod tests {
             )
         };
         let text = channel(270) + &channel(360);
-        let m = read("f", text.as_bytes(), &ReadOptions::default()).expect("motions").motions;
+        let m = read("f", text.as_bytes(), &ReadOptions::default(), &|_| None).expect("motions").motions;
         assert_eq!((m.len(), m[0].azimuth, m[1].azimuth), (2, Some(270.0), Some(360.0)));
         assert!((m[1].acceleration[1] + 2.0).abs() < 1e-12 && m[0].acceleration.len() == 4);
     }
@@ -114,12 +109,13 @@ mod tests {
             told: Told { unit: Some(unit.into()), dt, ..Told::default() },
             ..ReadOptions::default()
         };
-        let wrapped = read("f", b"0.1 0.2 0.3\n0.4 0.5\n", &options("g", Some(0.02))).expect("a motion").motions;
+        let wrapped =
+            read("f", b"0.1 0.2 0.3\n0.4 0.5\n", &options("g", Some(0.02)), &|_| None).expect("a motion").motions;
         assert_eq!((wrapped[0].acceleration.len(), wrapped[0].dt), (5, 0.02));
-        let told = |text: &str, o: &ReadOptions| read("f", text.as_bytes(), o).expect_err("a fault");
-        assert!(told("0 1\n1 2\n2 3\n", &ReadOptions::default()).contains("--unit"));
+        let told = |text: &str, o: &ReadOptions| read("f", text.as_bytes(), o, &|_| None).expect_err("a fault");
+        assert!(told("0 1\n1 2\n2 3\n", &ReadOptions::default(), &|_| None).contains("--unit"));
         assert!(told("1\n2\n", &options("g", None)).contains("--dt"));
         assert!(told("1\n2\n", &options("gg", None)).contains("gg"));
-        assert!(told("t,a[g]\n0,1\n1,2\n5,3\n", &ReadOptions::default()).contains("equal steps"));
+        assert!(told("t,a[g]\n0,1\n1,2\n5,3\n", &ReadOptions::default(), &|_| None).contains("equal steps"));
     }
 }

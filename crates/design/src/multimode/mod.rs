@@ -7,6 +7,7 @@
 //! Buckle, Constantinou, Dicleli and Ghasemi, MCEER-06-SP07 (2006).
 
 mod combine;
+mod flexibility;
 mod linearized;
 mod model;
 pub mod report;

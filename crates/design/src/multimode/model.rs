@@ -17,7 +17,7 @@ type Bearing = (Arc<dyn Element>, ElementId, usize, [usize; 2]);
 
 /// The model of a study before its transient analysis.
 pub struct ModalModel {
-    run: Run,
+    pub(super) run: Run,
     ndm: usize,
     wanted: usize,
     /// Bearings in the order of the study: element as the script made it, its place, the type, and the first global degrees of
@@ -124,24 +124,24 @@ impl ModalModel {
         self.modes.lambda[mode]
     }
 
-    /// Periods and shares of the effective mass by direction of motion, with a stiffness of the bearings of each type.
+    /// The model and its modes with a stiffness of the bearings of each type.
     ///
     /// # Errors
     /// The script fails before its transient analysis, or the modes cannot be found.
-    pub(crate) fn periods(
-        study: &Study,
-        bound: &'static str,
-        stiffnesses: &[f64],
-        wanted: usize,
-    ) -> Result<Vec<Vec<PeriodMode>>, String> {
+    pub(crate) fn at(study: &Study, bound: &'static str, stiffnesses: &[f64], wanted: usize) -> Result<Self, String> {
         let mut model = Self::new(study, bound, wanted)?;
         model.linearize(study, stiffnesses)?;
+        Ok(model)
+    }
+
+    /// Periods and shares of the effective mass by direction of motion.
+    pub(crate) fn periods(&self) -> Vec<Vec<PeriodMode>> {
         let mode = |k: usize, direction: usize| PeriodMode {
-            period: TAU / model.modes.lambda[k].sqrt(),
-            mass: if model.masses[k][direction] < NO_MASS { 0.0 } else { model.masses[k][direction] },
+            period: TAU / self.modes.lambda[k].sqrt(),
+            mass: if self.masses[k][direction] < NO_MASS { 0.0 } else { self.masses[k][direction] },
         };
-        let of = |direction: usize| (0..model.modes.lambda.len()).map(|k| mode(k, direction)).collect();
-        Ok((0..model.horizontal()).map(of).collect())
+        let of = |direction: usize| (0..self.modes.lambda.len()).map(|k| mode(k, direction)).collect();
+        (0..self.horizontal()).map(of).collect()
     }
 
     /// Periods, composite dampings and spectral values. The damping of a mode is Σ β k Δ²/λ of the bearings plus the damping

@@ -107,6 +107,7 @@ pub fn files(study: &Study, outcomes: &[JobOutcome], review: &Review) -> Vec<(&'
         ("structure.csv", tables::structure(study, outcomes).csv()),
         ("members.csv", members::members(study, outcomes, review).csv()),
         ("diaphragms.csv", members::diaphragms(study, outcomes, review).csv()),
+        ("below.csv", members::below(study, review).csv()),
         ("storeys.csv", tables::storeys(study, outcomes).csv()),
         ("floor_spectra.csv", tables::floor_spectra(study, outcomes).csv()),
         ("design_values.csv", tables::design_values(review).csv()),

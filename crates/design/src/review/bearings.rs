@@ -1,6 +1,7 @@
 //! Design values of each bearing: displacement, vertical loads of the combinations, stability.
 
 use super::Review;
+use super::combinations::{combinations, dead_and_live};
 use super::distribution::reduction;
 use super::governing::value;
 use super::rules::factor;
@@ -16,6 +17,8 @@ pub struct BearingDesign {
     pub tag: i64,
     /// Horizontal coordinates of its upper node.
     pub place: Vec<f64>,
+    /// Difference of elevation of its nodes; NaN if it is not known.
+    pub height: f64,
     /// Displacement of the suite that counts.
     pub displacement: f64,
     /// Bound of the design displacement.
@@ -115,21 +118,17 @@ fn design(
     let designs = scaled(displacements, super::rules::DISPLACEMENT).map(|d| d * magnification(study));
     let place = (0..3).filter(|k| designs[*k].is_finite()).max_by(|a, b| designs[*a].total_cmp(&designs[*b]));
     let gravity = most(by_bound(&|b| b.gravity));
-    let (ratio, applied) = (study.live.over_dead, study.live.in_script);
-    let dead = gravity / (1.0 + applied * ratio);
-    let live = ratio * dead;
+    let dead_live = dead_and_live(study, gravity);
     let seismic = [
         most(scaled(by_bound(&|b| b.compression - b.gravity), super::rules::SHEAR_BELOW)),
         most(scaled(by_bound(&|b| b.gravity - b.least), super::rules::SHEAR_BELOW)),
     ];
-    let rule = |name: &str| study.code.value("load_combinations", name).unwrap_or(f64::NAN);
-    // A vertical component of the motion is in Q_E already.
-    let has_vertical = study.motions.iter().any(|p| p.vertical.is_some());
-    let vertical = if has_vertical { 0.0 } else { rule("vertical") * study.sms.unwrap_or(0.0) };
+    let [most_dead, least_dead] = combinations(study);
+    let live_average = study.code.value("load_combinations", "live_average").unwrap_or(f64::NAN);
     let loads = [
-        dead + rule("live_average") * live,
-        (rule("dead_max") + vertical) * dead + rule("live_max") * live + seismic[0],
-        (rule("dead_min") - vertical) * dead - seismic[1],
+        dead_live[0] + live_average * dead_live[1],
+        most_dead.of(dead_live) + seismic[0],
+        least_dead.of(dead_live) - seismic[1],
     ];
     let b = &study.bearings[kind];
     let design = most(designs);
@@ -146,6 +145,7 @@ fn design(
     BearingDesign {
         kind,
         tag,
+        height: outcomes.iter().find_map(|o| o.bearings.get(at)?.height).unwrap_or(f64::NAN),
         place: outcomes.iter().find_map(|o| Some(o.bearings.get(at)?.place.clone())).unwrap_or_default(),
         displacement,
         bound: place.map_or("", |k| BOUNDS[k]),
@@ -153,7 +153,7 @@ fn design(
         plan: totals.iter().filter_map(|t| t.get(at)).copied().fold(f64::NAN, f64::max),
         residual: most(by_bound(&|b| b.residual)),
         gravity,
-        dead_live: [dead, live],
+        dead_live,
         seismic,
         loads,
         uplift: most(by_bound(&|b| b.uplift)),

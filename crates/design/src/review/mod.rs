@@ -2,6 +2,7 @@
 
 mod annex;
 mod bearings;
+mod combinations;
 mod compare;
 mod distribution;
 mod drawing;
@@ -54,6 +55,11 @@ pub struct Review {
 /// Share of the energy of isolators that Rayleigh damping may take: a bearing has no such damping.
 const MAX_DAMPING_SHARE: f64 = 0.05;
 
+/// The suite of a study beside its target.
+pub fn suite(study: &Study) -> SuiteMatch {
+    suite_match(study, &procedures(study))
+}
+
 /// The review of analyses, which may be some of all.
 pub fn review(study: &Study, outcomes: &[JobOutcome], periods: Periods) -> Review {
     let mut out = Review { lateral_force: procedures(study), periods, ..Review::default() };
@@ -76,7 +82,7 @@ pub fn review(study: &Study, outcomes: &[JobOutcome], periods: Periods) -> Revie
 /// What the review leaves open.
 fn not_checked(study: &Study, review: &Review) -> Vec<String> {
     let mut out: Vec<String> = [
-        "strength of members, diaphragms, foundations and connections of the bearings: diaphragms.csv and members.csv have forces",
+        "strength of members, diaphragms, foundations and connections of the bearings: diaphragms.csv, members.csv and below.csv have forces",
         "wind and service loads, and the least shear above of wind",
         "fire, access for inspection and replacement, utilities across the isolation interface",
         "eccentricity of the masses in the plan formula of D_TM: the accidental one alone is in it",
@@ -105,6 +111,16 @@ fn not_checked(study: &Study, review: &Review) -> Vec<String> {
 }
 
 impl Review {
+    /// How many checks are not met and met, as the begin of a sentence. Other checks ask for more, or have no limit.
+    pub fn verdict(&self) -> String {
+        let count = |s: Status| self.checks.iter().filter(|c| c.status == s).count();
+        match (count(Status::NotMet), count(Status::Met)) {
+            (0, met) => format!("All {met} checks with a limit are met"),
+            (1, met) => format!("1 check is not met, {met} are met"),
+            (missed, met) => format!("{missed} checks are not met, {met} are met"),
+        }
+    }
+
     /// Schedule of the bearings.
     pub fn schedule(&self, study: &Study) -> Table {
         tables::schedule(study, self)

@@ -11,6 +11,9 @@ pub struct Periods {
     pub fixed: Option<Result<Vec<Vec<PeriodMode>>, String>>,
     /// On bearings with K_eff at the displacement of the procedure, by bound.
     pub isolated: Vec<Result<Vec<Vec<PeriodMode>>, String>>,
+    /// Storey drift ratios on a fixed base under a unit force at each floor: `[direction][floor of the force][storey]`. Empty if
+    /// the code has no limit of drifts of lateral forces; a description where they are not found.
+    pub drifts: Option<Result<Vec<Vec<Vec<f64>>>, String>>,
 }
 
 /// Modes that are found.
@@ -22,15 +25,19 @@ const DEVIATION: f64 = 0.05;
 
 /// Find the periods. The script runs once for the fixed base and once for each bound.
 pub fn periods(study: &Study) -> Periods {
-    let of = |bound: &'static str, factor: f64| -> Result<Vec<Vec<PeriodMode>>, String> {
+    let of = |bound: &'static str, factor: f64| -> Result<ModalModel, String> {
         let displacements = isolator_displacements(study, bound)?;
         let stiffness = |(b, d): (&crate::isolate::BearingType, &f64)| {
             factor * (b.k_d * study.factor(b, bound, 1) + b.q_d * study.factor(b, bound, 0) / d)
         };
         let stiffnesses: Vec<f64> = study.bearings.iter().zip(&displacements).map(stiffness).collect();
-        ModalModel::periods(study, bound, &stiffnesses, MODES)
+        ModalModel::at(study, bound, &stiffnesses, MODES)
     };
-    Periods { fixed: Some(of("nominal", FIXED)), isolated: BOUNDS.iter().map(|b| of(b, 1.0)).collect() }
+    let mut fixed = of("nominal", FIXED);
+    let has_drifts = study.floors.len() > 1 && study.code.value("elf_drift", "most").is_some();
+    let drifts = fixed.as_mut().ok().filter(|_| has_drifts).map(|model| model.drifts(study));
+    let isolated = BOUNDS.iter().map(|b| of(b, 1.0).map(|model| model.periods())).collect();
+    Periods { fixed: Some(fixed.map(|model| model.periods())), isolated, drifts }
 }
 
 /// The mode with the largest mass.
@@ -45,6 +52,16 @@ impl Periods {
         fixed.iter().filter_map(|m| main_mode(m)).map(|m| m.period).fold(f64::NAN, f64::max)
     }
 
+    /// Largest storey drift ratio under forces of the floors; `None` if it is not known.
+    pub fn largest_drift(&self, forces: &[f64]) -> Option<f64> {
+        let Some(Ok(all)) = &self.drifts else { return None };
+        let storey = |of_direction: &[Vec<f64>], s: usize| -> f64 {
+            forces.iter().zip(of_direction).map(|(f, row)| f * row.get(s).copied().unwrap_or(0.0)).sum()
+        };
+        let of = |d: &Vec<Vec<f64>>| (0..d.first().map_or(0, Vec::len)).map(|s| storey(d, s).abs()).fold(0.0, f64::max);
+        all.iter().map(of).reduce(f64::max).filter(|_| !forces.is_empty())
+    }
+
     /// Main modes of a bound by direction.
     pub fn main(&self, bound: usize) -> Vec<PeriodMode> {
         let found = self.isolated.get(bound).and_then(|r| r.as_ref().ok());
@@ -55,7 +72,8 @@ impl Periods {
     pub(super) fn remarks(&self) -> Vec<String> {
         let fixed = self.fixed.iter().filter_map(|f| f.as_ref().err()).map(|e| format!("period on a fixed base: {e}"));
         let isolated = BOUNDS.iter().zip(&self.isolated).filter_map(|(b, r)| Some((b, r.as_ref().err()?)));
-        fixed.chain(isolated.map(|(b, e)| format!("periods of the {b} bound: {e}"))).collect()
+        let drifts = self.drifts.iter().filter_map(|d| d.as_ref().err()).cloned();
+        fixed.chain(drifts).chain(isolated.map(|(b, e)| format!("periods of the {b} bound: {e}"))).collect()
     }
 
     /// Compare the periods of the model with those of the procedure: with the mass of the model, T lies between T_M and

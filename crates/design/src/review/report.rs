@@ -14,6 +14,7 @@ use hysteron_opensees::chart::{Curve, Figure, Mark, sheet};
 const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;height:auto}\
     .wide{overflow-x:auto}.wide td,.wide th{padding:.15em .5em;font-size:.85em}h2{margin-top:1.2em}\
     .sign{display:grid;grid-template-columns:1fr 1fr 1fr;gap:2em;margin-top:3em}.sign div{border-top:1px solid #222}\
+    @media screen and (max-width:600px){.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
     @media print{.two{grid-template-columns:1fr 1fr}.wide{overflow:visible}.wide td,.wide th{font-size:.72em;padding:.1em .25em}.new{break-before:page}h2{margin-top:.8em}}</style>\n";
 /// Bearings in the schedule of the page; the file has all.
 const MAX_BEARINGS: usize = 40;
@@ -86,12 +87,6 @@ fn worst(checks: &[Check]) -> Vec<Check> {
 /// First page: what governs, design values, checks.
 fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Review) {
     let worst = worst(&review.checks);
-    let count = |s: Status| review.checks.iter().filter(|c| c.status == s).count();
-    let (missed, met) = (count(Status::NotMet), count(Status::Met));
-    let first = match missed {
-        0 => format!("All {met} checks with a limit are met."),
-        n => format!("{n} of {} checks are not met.", n + met),
-    };
     let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status));
     let governs = governs.map_or("no check has a limit".to_owned(), |c| {
         let clause = if c.citation.clause.is_empty() { String::new() } else { format!(" ({})", c.citation.clause) };
@@ -110,7 +105,7 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
     let system = format!("{count} bearings under {} {}", number(study.weight), study.units[0]);
     page::summary(
         out,
-        &first,
+        &format!("{}.", review.verdict()),
         &[
             ("governs", governs),
             ("scaled up", if scaled.is_empty() { "nothing".into() } else { scaled.join("; ") }),
@@ -127,7 +122,9 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
     *out += "<h2>Checks</h2>\n";
     // What is not met is never cut.
     let shown = worst.iter().filter(|c| c.status != Status::Met).count().max(MAX_CHECKS).min(worst.len());
+    *out += "<div class=\"checks\">\n";
     wide(out, &check_table(&worst[..shown]));
+    *out += "</div>\n";
     *out += &format!(
         "<p>The bound with the worst result of each kind, {shown} of {} kinds; <code>checks.csv</code> has all {} checks. Wording: whether the \
          text of the clause, a secondary source or neither was read.</p>\n",

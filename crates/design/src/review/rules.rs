@@ -182,6 +182,9 @@ fn procedure_checks(study: &Study, out: &mut Review, k: usize, bound: &'static s
     let s = system(study, bound);
     let subject = |what: &str| format!("{bound}: {what}");
     let share = s.restoring_share(l.displacement);
+    let forces = out.forces.iter().find(|f| f.bound == bound);
+    let drift = forces.and_then(|f| Some(f.reduction * out.periods.largest_drift(&f.forces)?)).unwrap_or(f64::NAN);
+    let fixed_base = out.periods.fixed_base();
     let checks = &mut out.checks;
     checks.push(Check::least_of(code, "restoring_force", subject("restoring force over weight"), share));
     if code.value("restoring_period", "most").is_some() {
@@ -190,14 +193,10 @@ fn procedure_checks(study: &Study, out: &mut Review, k: usize, bound: &'static s
     }
     let fifth = s.k_d + 5.0 * s.q_d / l.displacement;
     let alone = [
+        Check::most_of(code, "elf_drift", subject("storey drift ratio of F_x times R_I, lateral force alone"), drift),
         Check::most_of(code, "elf_period", subject("T_M in s, lateral force alone"), l.period),
         Check::most_of(code, "elf_damping", subject("damping, lateral force alone"), l.damping),
-        Check::least_of(
-            code,
-            "elf_period_ratio",
-            subject("T_M over T_fb, lateral force alone"),
-            l.period / out.periods.fixed_base(),
-        ),
+        Check::least_of(code, "elf_period_ratio", subject("T_M over T_fb, lateral force alone"), l.period / fixed_base),
         Check::least_of(
             code,
             "elf_stiffness",

@@ -26,6 +26,29 @@ pub struct SuiteMatch {
     pub lowest: Option<(f64, f64)>,
 }
 
+/// Mean of the suite over the target beyond which one of them is in another unit.
+const OTHER_UNIT: f64 = 20.0;
+
+impl SuiteMatch {
+    /// The suite is of the order of its target.
+    ///
+    /// # Errors
+    /// Its mean is another. The message has both and the ratio.
+    pub fn agree(&self, study: &Study) -> Result<(), String> {
+        let mean_of_logs = |values: &[f64]| (values.iter().map(|x| x.ln()).sum::<f64>() / values.len() as f64).exp();
+        let [mean, target] = [mean_of_logs(&self.mean), mean_of_logs(&self.target)];
+        let ratio = mean / target;
+        if ratio.is_finite() && !(1.0 / OTHER_UNIT..=OTHER_UNIT).contains(&ratio) {
+            return Err(format!(
+                "the mean spectrum of the motions is {mean:.4e} g in the mean of its range, the target ({}) {target:.4e} g: ratio \
+                 {ratio:.4e}. Look at unit and factor of the motions, and at the target",
+                study.target_words
+            ));
+        }
+        Ok(())
+    }
+}
+
 /// Periods of the comparison.
 const PERIODS: usize = 60;
 /// Share of the range that is shown below and above it.

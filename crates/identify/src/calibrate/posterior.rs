@@ -37,8 +37,7 @@ pub struct Posterior {
     pub effective_draws: f64,
     /// Quantiles of the free parameters.
     pub quantiles: Vec<Quantiles>,
-    /// At most a thousand draws: values of the free parameters.
-    #[serde(skip)]
+    /// At most a thousand draws: values of the free parameters, in the order of the quantiles.
     pub draws: Vec<Vec<f64>>,
 }
 

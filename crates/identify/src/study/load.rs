@@ -6,7 +6,7 @@ use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace,
 use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use exmex::Express as _;
-use hysteron_recordings::{Layout, Recording, Told};
+use hysteron_recordings::{Layout, Recording, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -279,7 +279,8 @@ fn read_run(
     let bytes = hysteron_files::read_input(folder.join(path))
         .map_err(|e| spans.error(&t.recording, format!("cannot read {path}: {e}"), "expected a file"))?;
     let told = read_told(spans, t)?;
-    let recording = Recording::read_told(path, &bytes, &told, sources).map_err(|mut d| {
+    let beside = hysteron_files::read_beside(folder.join(path));
+    let recording = Recording::read_told(path, &bytes, &told, &beside, sources).map_err(|mut d| {
         if d.span.is_none() {
             (d.span, d.label) = (Some(spans.span(&t.recording)), "expected comma-separated values".into());
         }
@@ -297,10 +298,10 @@ fn read_told(spans: &SourceSpans, t: &RunTable) -> Result<Told, StudyError> {
     let dt = t.dt.as_ref();
     let dt = dt.map(|dt| spans.number("the step", dt, |x| x > 0.0, "expected a step in s, more than 0")).transpose()?;
     let layout = match &t.layout {
-        Some(word) => Some(Layout::named(word.get_ref()).map_err(|e| spans.error(word, e, "expected a layout"))?),
+        Some(word) => Some(Layout::named(word.get_ref()).map_err(|e| spans.error(word, e.message, &e.expected))?),
         None => None,
     };
-    Ok(Told { unit: t.unit.clone(), dt, quantity: t.quantity.clone(), layout })
+    Ok(Told { unit: t.unit.clone(), dt, quantity: t.quantity.clone(), layout, way: Way::Study })
 }
 
 /// Value of a variable that a run sets.

@@ -5,22 +5,25 @@ use crate::checks;
 use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::series::{self, Path};
-use hysteron_recordings::unit::{self, Quantity, Unit};
-use hysteron_recordings::{Clock, Measured, Series, Told};
+use hysteron_recordings::series::{channel_names, find_channel};
+use hysteron_recordings::told::{self, Key};
+use hysteron_recordings::unit::{Quantity, Unit};
+use hysteron_recordings::{Beside, Clock, Fault, Layout, Measured, Series, Statement, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
+use std::cell::RefCell;
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("motionFile", USAGE, motion_file)];
 
 const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-useLast> <-channel $name> <-quantity \
-                     $word> <-unit $unit> <-to $unit>] dt npts: a measured file of any format that hysteron recording \
+                     $word> <-unit $unit> <-layout $word> <-to $unit>] dt npts: a measured file of any format that hysteron recording \
                      reads; a time series in the unit of the file, or in that of -to";
 
 /// Options that say what a measured file does not, and what is taken from it.
-pub(super) const FILE_OPTIONS: [&str; 4] = ["-channel", "-quantity", "-unit", "-to"];
+pub(super) const FILE_OPTIONS: [&str; 5] = ["-channel", "-quantity", "-unit", "-layout", "-to"];
 
-const OPTIONS: &[&str] = &["-factor", "-dt", "-useLast", "-channel", "-quantity", "-unit", "-to"];
+const OPTIONS: &[&str] = &["-factor", "-dt", "-useLast", "-channel", "-quantity", "-unit", "-layout", "-to"];
 
 /// What a command says about a measured file.
 #[derive(Default)]
@@ -31,6 +34,7 @@ pub(super) struct FileOptions {
     quantity: Option<Quantity>,
     /// Unit of a file without one.
     unit: Option<Unit>,
+    layout: Option<Layout>,
     /// Unit of the values of the series.
     to: Option<Unit>,
 }
@@ -40,27 +44,20 @@ impl FileOptions {
     pub(super) fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
         match option {
             "-channel" => self.channel = Some(a.word("name or number of the channel")?.into_owned()),
-            "-quantity" => {
-                let word = a.word("quantity")?.into_owned();
-                let expected = "expected acceleration, velocity, displacement, ...";
-                let of =
-                    Quantity::named(&word).ok_or_else(|| a.refuse(format!("\"{word}\" is no quantity"), expected))?;
-                self.quantity = Some(of);
-            }
-            "-unit" => self.unit = Some(take_unit(a)?),
-            "-to" => self.to = Some(take_unit(a)?),
+            "-quantity" => self.quantity = Some(take(a, "quantity", told::quantity_of)?),
+            "-unit" => self.unit = Some(take(a, "unit", told::unit_of)?),
+            "-layout" => self.layout = Some(take(a, "layout", Layout::named)?),
+            "-to" => self.to = Some(take(a, "unit", told::unit_of)?),
             _ => return Ok(false),
         }
         Ok(true)
     }
 }
 
-fn take_unit(a: &mut Args<'_>) -> Result<Unit, Exception> {
-    let word = a.word("unit")?.into_owned();
-    unit::unit(&word).ok_or_else(|| {
-        let near = unit::nearest_name(&word).map_or(String::new(), |n| format!("; did you mean {n}?"));
-        a.refuse(format!("\"{word}\" is no unit{near}"), "expected a unit such as g, m/s2, in/s2")
-    })
+/// Take a word that the reader of measured files understands.
+fn take<T>(a: &mut Args<'_>, what: &str, of: fn(&str) -> Result<T, Fault>) -> Result<T, Exception> {
+    let word = a.word(what)?.into_owned();
+    of(&word).map_err(|fault| a.refuse(fault.message, &fault.expected))
 }
 
 /// The samples of a channel and their times.
@@ -80,6 +77,19 @@ impl FileSeries {
     }
 }
 
+/// What `of` makes of the bytes of a measured file and of the files beside it.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn measured<T>(interp: &mut Tcl, name: &str, of: impl FnOnce(&[u8], Beside<'_>) -> T) -> std::io::Result<T> {
+    let path = interp.absolute(name);
+    let bytes = interp.files.read(&path)?;
+    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let files = RefCell::new(&mut interp.files);
+    let beside = |other: &str| files.borrow_mut().read(&format!("{folder}/{other}")).ok();
+    Ok(of(&bytes, &beside))
+}
+
 /// Read one channel of a measured file.
 pub(super) fn read(
     interp: &mut Tcl,
@@ -87,21 +97,21 @@ pub(super) fn read(
     (name, span): (&str, Option<Span>),
     options: &FileOptions,
 ) -> Result<FileSeries, Exception> {
-    let path = interp.absolute(name);
-    let bytes = interp.files.read(&path);
-    let bytes = bytes.map_err(|e| a.refuse_at(span, format!("cannot read \"{name}\": {e}"), "expected a file"))?;
-    let told = Told { dt: options.dt, ..Told::default() };
-    let read = Measured::read(name, &bytes).and_then(|m| Ok((m.series(&told)?, m)));
+    let told = Told { dt: options.dt, layout: options.layout, way: Way::Script, ..Told::default() };
+    let read = measured(interp, name, |bytes, beside| {
+        let m = Measured::read_beside(name, bytes, beside)?;
+        Ok((m.series(&told)?, m))
+    });
+    let read = read.map_err(|e| a.refuse_at(span, format!("cannot read \"{name}\": {e}"), "expected a file"))?;
     let (all, measured) =
-        read.map_err(|e| a.refuse_at(span, format!("\"{name}\": {e}"), "expected a measured file"))?;
-    let refuse = |e: String| a.refuse_at(span, format!("\"{name}\": {e}"), "expected one channel");
+        read.map_err(|e: Fault| a.refuse_at(span, format!("\"{name}\": {e}"), "expected a measured file"))?;
+    let refuse = |e: Fault| a.refuse_at(span, format!("\"{name}\": {e}"), "expected one channel");
     let series = chosen(all, options).map_err(refuse)?;
     if series.clock == Clock::Unknown {
-        let message = format!("\"{name}\" gives no step of time; {}", measured.shown_header());
-        return Err(a.refuse_at(span, message, "expected -dt after it"));
+        return Err(refuse(measured.no_step(told.way)));
     }
     if let Some(i) = series.values.iter().position(|x| !x.is_finite()) {
-        return Err(refuse(format!("value {} is missing or not finite", i + 1)));
+        return Err(refuse(Fault::new(format!("value {} is missing or not finite", i + 1))));
     }
     for note in &measured.notes {
         warn(interp, Diagnostic::warning(&checks::load::RECORDING_NOTE, format!("\"{name}\": {note}")).at(span, ""))?;
@@ -110,43 +120,23 @@ pub(super) fn read(
     let other = series.quantity.filter(|q| no_quantity && matches!(q, Quantity::Velocity | Quantity::Length));
     if let Some(q) = other {
         let message = format!("\"{name}\" holds {} and no accelerations", q.words());
+        let key = told.way.spelled(Key::Quantity);
         let warning = Diagnostic::warning(&checks::load::NO_ACCELERATIONS, message)
             .at(span, "")
-            .help(format!("-quantity {} says that it is meant", q.word()));
+            .help(format!("{key} {} says that it is meant", q.word()));
         warn(interp, warning)?;
     }
     converted(series, options).map_err(refuse)
 }
 
 /// The samples in the unit that is asked for.
-fn converted(series: Series, options: &FileOptions) -> Result<FileSeries, String> {
-    let stated = |q: Quantity| format!("the file says {}", q.word());
-    if let (Some(q), Some(said)) = (series.quantity, options.quantity.filter(|q| series.quantity != Some(*q))) {
-        return Err(format!("{}, and is told to be {}", stated(q), said.word()));
-    }
-    if let (Some(q), Some(said)) = (series.quantity, options.unit.filter(|u| series.quantity != Some(u.quantity))) {
-        return Err(format!("{}, and {} is {}", stated(q), said.name, said.quantity));
-    }
-    if let (Some(of_file), Some(said)) = (series.unit, options.unit)
-        && of_file.factor != said.factor
-    {
-        return Err(format!("the file gives the unit {}, and is told {}", of_file.name, said.name));
-    }
-    let unit = series.unit.or(options.unit);
-    let mut values = series.values;
-    if let Some(to) = options.to {
-        let from = unit.ok_or_else(|| {
-            let word = &series.unit_name;
-            let what =
-                if word.is_empty() { "gives no unit".to_owned() } else { format!("has the unknown unit \"{word}\"") };
-            format!("the file {what}, which -to needs: say it by -unit")
-        })?;
-        let conversion = from.conversion(&to);
-        let (factor, offset) = conversion
-            .ok_or_else(|| format!("{} is {}, and {} is {}", from.name, from.quantity, to.name, to.quantity))?;
-        values.iter_mut().for_each(|x| *x = factor * *x + offset);
-    }
-    let in_g = options.to.or(unit).is_some_and(|u| u.name == "g");
+fn converted(mut series: Series, options: &FileOptions) -> Result<FileSeries, Fault> {
+    Statement::new(options.unit, options.quantity)?.complete(std::slice::from_mut(&mut series))?;
+    let in_g = options.to.or(series.unit).is_some_and(|u| u.name == "g");
+    let values = match options.to {
+        Some(to) => series.in_unit(to, Way::Script)?,
+        None => series.values,
+    };
     Ok(FileSeries { values, clock: series.clock, in_g })
 }
 
@@ -183,15 +173,9 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// The channel of a name or number; else that of the quantity, and of accelerations if none is said.
-fn chosen(all: Vec<Series>, options: &FileOptions) -> Result<Series, String> {
-    let label = |(i, s): (usize, &Series)| if s.name.is_empty() { (i + 1).to_string() } else { s.name.clone() };
-    let names = all.iter().enumerate().map(label).collect::<Vec<_>>().join(", ");
-    let of_name = |word: &str| {
-        let named = all.iter().position(|s| s.name == word || s.direction == word);
-        named.or_else(|| word.parse::<usize>().ok()?.checked_sub(1).filter(|i| *i < all.len()))
-    };
+fn chosen(all: Vec<Series>, options: &FileOptions) -> Result<Series, Fault> {
     let at = match options.channel.as_deref() {
-        Some(word) => of_name(word).ok_or_else(|| format!("there is no channel \"{word}\": they are {names}"))?,
+        Some(word) => find_channel(all.iter(), word)?,
         None => {
             let to = options.to.map(|u| u.quantity);
             let wanted = options.quantity.or(to).unwrap_or(Quantity::Acceleration);
@@ -199,11 +183,14 @@ fn chosen(all: Vec<Series>, options: &FileOptions) -> Result<Series, String> {
             match (&of[..], all.len()) {
                 ([one], _) => *one,
                 (_, 1) => 0,
-                // Channels of a record follow each other: the first is the one that a single name means.
-                ([first, ..], _) if all[*first].origin.column.is_none() => *first,
-                _ => return Err(format!("there are {} channels: say -channel with one of {names}", all.len())),
+                _ => {
+                    let key = Way::Script.spelled(Key::Channel);
+                    let names = channel_names(all.iter());
+                    let message = format!("there are {} channels", all.len());
+                    return Err(Fault::new(message).expected(format!("say {key} with one of {names}")));
+                }
             }
         }
     };
-    all.into_iter().nth(at).ok_or_else(|| "there is no channel".to_owned())
+    all.into_iter().nth(at).ok_or_else(|| Fault::new("there is no channel"))
 }

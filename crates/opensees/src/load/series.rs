@@ -188,6 +188,7 @@ const PATH_OPTIONS: &[&str] = &[
     "-channel",
     "-quantity",
     "-unit",
+    "-layout",
     "-to",
 ];
 

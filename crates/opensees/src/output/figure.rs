@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::chart::{Curve, Figure, MAX_DRAWN, Mark};
+use crate::load::motion_file::measured;
 use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_recordings::Table;
 use hysteron_tcl::{Call, Exception, Value};
@@ -17,11 +18,9 @@ const FIGURE: &str = "figure $file.svg -title $text -x $label -y $label <-xrange
 fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, COLUMNS);
     let name = a.word("name of the file")?.into_owned();
-    let path = interp.absolute(&name);
-    let bytes = interp.files.read(&path);
-    let bytes = bytes.map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
-    let table =
-        Table::read(&name, &bytes).map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
+    let read = measured(interp, &name, |bytes, beside| Table::read_beside(&name, bytes, beside));
+    let read = read.map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    let table = read.map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
     let column = |c: Vec<f64>| Value::list(c.into_iter().map(Value::from));
     Ok(Value::list(table.columns.into_iter().map(column)))
 }

@@ -3,6 +3,7 @@
 use super::{Format, Input};
 use crate::content::Content;
 use crate::fault::Fault;
+use crate::interpret::time_unit_of;
 use crate::series::{Clock, Series};
 use crate::sheet::{Column, Sheet};
 use crate::unit::{self, Quantity};
@@ -49,6 +50,12 @@ fn samples(name: &str, values: &[Value]) -> Result<Vec<f64>, Fault> {
     values.iter().enumerate().map(|(i, v)| sample(v, &format!("value {} of {name}", i + 1))).collect()
 }
 
+/// A table of columns, the time first: members of an object have no order.
+fn table(mut columns: Vec<Column>, header: Vec<String>) -> Content {
+    columns.sort_by_key(|c| time_unit_of(c).is_none());
+    Content::Table(Sheet { named: true, columns, header, ..Sheet::default() })
+}
+
 /// Rows as objects with the same members.
 fn objects(rows: &[Value]) -> Result<Content, Fault> {
     let members = |i: usize| rows[i].as_object().ok_or_else(|| Fault::new(format!("element {} is no object", i + 1)));
@@ -64,7 +71,7 @@ fn objects(rows: &[Value]) -> Result<Content, Fault> {
             column.values.push(sample(row.get(&column.cell).unwrap_or(&Value::Null), &place)?);
         }
     }
-    Ok(Content::Table(Sheet { named: true, columns, ..Sheet::default() }))
+    Ok(table(columns, vec![]))
 }
 
 fn object(members: &Map<String, Value>) -> Result<Content, Fault> {
@@ -95,7 +102,7 @@ fn object(members: &Map<String, Value>) -> Result<Content, Fault> {
     }
     let step = step(members)?;
     if step.is_none() {
-        return Ok(Content::Table(Sheet { named: true, columns, header: header(members), ..Sheet::default() }));
+        return Ok(table(columns, header(members)));
     }
     // A unit beside the arrays is that of a single one.
     let beside = ["unit", "units"].iter().find_map(|k| members.get(*k)?.as_str()).filter(|_| columns.len() == 1);

@@ -4,8 +4,9 @@ use super::{Format, Input};
 use crate::content::Content;
 use crate::fault::Fault;
 use crate::number::{NumberLines, number, resembles_number, shown, whole};
-use crate::series::Series;
+use crate::series::{Clock, Series};
 use crate::sheet::HEADER_LINES;
+use crate::stated::Stated;
 
 pub(super) const COUNTED: Format = Format {
     name: "counted list",
@@ -91,6 +92,11 @@ pub(super) fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let mut series = Series::new(numbers.values);
     series.origin.lines = first..last + 1;
     comments.extend(header);
+    let stated = Stated::of(&comments);
+    if let Some(dt) = stated.dt {
+        series.clock = Clock::Steps { start: 0.0, dt };
+    }
+    stated.unit.into_iter().for_each(|u| series.set_unit(u));
     Ok(Content::series(vec![series], comments, notes))
 }
 

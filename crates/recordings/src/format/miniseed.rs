@@ -1,7 +1,7 @@
-//! miniSEED 2: records of one channel each, which are joined to series.
+//! miniSEED 2 and 3: records of one channel each, which are joined to series.
 
 use super::steim::{self, Samples};
-use super::{Format, Input};
+use super::{Format, Input, miniseed3};
 use crate::content::Content;
 use crate::fault::Fault;
 use crate::series::{Clock, Series};
@@ -10,10 +10,10 @@ use crate::unit::Quantity;
 
 pub(super) const MINISEED: Format = Format {
     name: "miniSEED",
-    recognised_by: "records with a number of six digits, a quality D, R, Q or M, and a date",
+    recognised_by: "records with a number of six digits, a quality D, R, Q or M, and a date, or with MS and version 3",
     states: "times, number of values, network, station and channel; acceleration or velocity by the letter of the instrument; no unit",
-    description: "FDSN, SEED reference manual 2.4: fixed header of 48 bytes, blockettes 100, 1000, 1001; samples of int16, int32, float32, float64, Steim 1 and 2",
-    is: |input| first_record(input.bytes).is_some(),
+    description: "FDSN, SEED reference manual 2.4: fixed header of 48 bytes, blockettes 100, 1000, 1001; samples of int16, int32, float32, float64, Steim 1 and 2; FDSN, miniSEED 3: record definition, with its checksum",
+    is: |input| miniseed3::begins(input.bytes) || first_record(input.bytes).is_some(),
     read,
 };
 
@@ -23,24 +23,28 @@ const SHORTEST: usize = 256;
 const NANOSECONDS: f64 = 1e9;
 
 /// What the header of a record says.
-struct Record<'a> {
-    id: String,
+pub(super) struct Record<'a> {
+    /// Network, station, location and channel.
+    pub(super) id: String,
     /// Time of the first sample in ns since 1970.
-    start: i64,
-    rate: f64,
-    count: usize,
-    samples: Samples,
-    little: bool,
-    data: &'a [u8],
-    length: usize,
+    pub(super) start: i64,
+    /// Samples a second.
+    pub(super) rate: f64,
+    pub(super) count: usize,
+    pub(super) samples: Samples,
+    /// The little end of the samples is first.
+    pub(super) little: bool,
+    pub(super) data: &'a [u8],
+    /// Bytes of the whole record.
+    pub(super) length: usize,
 }
 
-fn half(bytes: &[u8], at: usize, little: bool) -> Option<u16> {
+pub(super) fn half(bytes: &[u8], at: usize, little: bool) -> Option<u16> {
     let two: [u8; 2] = bytes.get(at..at + 2)?.try_into().ok()?;
     Some(if little { u16::from_le_bytes(two) } else { u16::from_be_bytes(two) })
 }
 
-fn word(bytes: &[u8], at: usize, little: bool) -> Option<u32> {
+pub(super) fn word(bytes: &[u8], at: usize, little: bool) -> Option<u32> {
     let four: [u8; 4] = bytes.get(at..at + 4)?.try_into().ok()?;
     Some(if little { u32::from_le_bytes(four) } else { u32::from_be_bytes(four) })
 }
@@ -216,15 +220,23 @@ impl Channel {
 
 fn read(input: &Input<'_>) -> Result<Content, Fault> {
     let bytes = input.bytes;
-    let mut at = first_record(bytes).ok_or_else(|| Fault::new("has no record of data"))?;
+    let is_third = miniseed3::begins(bytes);
+    let first = if is_third { Some(0) } else { first_record(bytes) };
+    let mut at = first.ok_or_else(|| Fault::new("has no record of data"))?;
     let (mut channels, mut notes): (Vec<Channel>, Vec<String>) = (vec![], vec![]);
     let mut texts = 0;
     while at < bytes.len() {
-        if order(&bytes[at..]).is_none() && is_no_data(&bytes[at..]) {
+        if !is_third && order(&bytes[at..]).is_none() && is_no_data(&bytes[at..]) {
             at += SHORTEST;
             continue;
         }
-        let r = record(bytes, at)?;
+        let r = match is_third {
+            true if !miniseed3::begins(&bytes[at..]) => {
+                return Err(Fault::new(format!("there is no record of miniSEED 3 at byte {at}")));
+            }
+            true => miniseed3::record(bytes, at)?,
+            false => record(bytes, at)?,
+        };
         at += r.length;
         if r.samples == Samples::Text {
             texts += 1;

@@ -13,12 +13,14 @@ mod labview;
 mod list;
 mod matlab;
 mod miniseed;
+mod miniseed3;
 mod peer;
 mod sac;
 mod smc;
 mod steim;
 mod table;
 mod tcl;
+pub(crate) mod unsupported;
 mod volume1;
 mod workbook;
 mod xml;
@@ -42,7 +44,7 @@ pub(crate) struct Input<'a> {
 }
 
 /// Reads a file of the same folder by its name. `None` if it is not there, or if no other file may be read.
-pub(crate) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
+pub type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Lines that a format is recognised by.
 const HEAD_LINES: usize = 80;

@@ -11,8 +11,12 @@ const TIME_NAMES: &[&str] =
 pub fn name_and_unit(cell: &str) -> (String, String) {
     let cell = cell.trim();
     let split = |open: char, close: char| cell.strip_suffix(close).and_then(|c| c.rsplit_once(open));
-    let is_unit = |text: &str| unit::unit(text).is_some() && !text.trim().starts_with(|c: char| c.is_ascii_digit());
-    let parts = split('[', ']').or_else(|| split('(', ')').filter(|(_, u)| is_unit(u)));
+    let is_unit = |(name, text): &(&str, &str)| {
+        let unit = unit::header_unit(text).filter(|_| !text.trim().starts_with(|c: char| c.is_ascii_digit()));
+        // `Acc (N)` is an acceleration towards the north.
+        unit.is_some_and(|u| quantity_of_name(name).is_none_or(|q| q == u.quantity || u.quantity == Quantity::Ratio))
+    };
+    let parts = split('[', ']').or_else(|| split('(', ')').filter(is_unit));
     let (name, unit) = parts.unwrap_or((cell, ""));
     (name.trim().to_owned(), unit.trim().to_owned())
 }
@@ -127,6 +131,8 @@ mod tests {
             ("strain (left)", "strain (left)", ""),
             ("voltage[V]", "voltage", "V"),
             ("plain", "plain", ""),
+            ("T (S)", "T", "S"),
+            ("Acc (N)", "Acc (N)", ""),
         ] {
             assert_eq!(name_and_unit(cell), (name.to_owned(), unit.to_owned()), "{cell}");
         }

@@ -3,6 +3,7 @@
 mod binary;
 mod motions;
 mod tables;
+pub mod zip;
 
 use hysteron_recordings::{Fault, Measured};
 

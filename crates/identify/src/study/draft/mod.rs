@@ -12,7 +12,7 @@ use super::study_file::StudySpans;
 use super::trace::Trace;
 use hysteron_engine::analysis::Options;
 use hysteron_opensees::run::End;
-use hysteron_recordings::Recording;
+use hysteron_recordings::{Recording, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE};
 use hysteron_tcl::top_level;
 use matching::{Candidate, Match};
@@ -82,7 +82,9 @@ pub fn draft_study(
     for path in recordings {
         let shown = path.display().to_string();
         let bytes = hysteron_files::read_input(path).map_err(|e| unreadable(path, e))?;
-        let recording = Recording::read(&shown, &bytes, sources)?;
+        let told = Told { way: Way::Study, ..Told::default() };
+        let beside = hysteron_files::read_beside(path);
+        let recording = Recording::read_told(&shown, &bytes, &told, &beside, sources)?;
         let stem = path.file_stem().map_or("run".into(), |s| s.to_string_lossy().into_owned());
         let taken = |name: &str| runs.iter().any(|r| r.name == name);
         let name = (1..).map(|n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") }).find(|n| !taken(n));
