@@ -9,6 +9,8 @@
 
 #[path = "verdicts/imposed.rs"]
 mod imposed;
+#[path = "verdicts/invariance.rs"]
+mod invariance;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
 #[path = "support/studies.rs"]
@@ -58,6 +60,7 @@ const TABLE: &[Row] = &[
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 95),
     ("undamped model", "damping", "damping", 95),
+    ("drag", "damping", "damping", 95),
     ("eccentric", "torsion", "torsion", 50),
     ("pinching", "pinching", "pinching", 95),
     ("gain", "sensor_gain", "sensor_gain", 85),
@@ -88,6 +91,7 @@ const STUDIES: &[Named] = &[
     ("soft ground", shaken::soft_ground),
     ("yielding storey", shaken::yielding_storey),
     ("undamped model", shaken::undamped_model),
+    ("drag", shaken::drag),
     ("eccentric", shaken::eccentric),
     ("pinching", || imposed::pinching(0.7)),
     ("gain", imposed::gain),

@@ -111,6 +111,8 @@ pub(crate) enum TagPurpose {
     Regions,
     /// Dashpots beside columns.
     Dashpots,
+    /// Dashpots between a mass and the ground.
+    GroundDashpots,
     /// Contact elements between adjacent structures.
     Joints,
     /// Materials and elements of a repair in OpenSees' standard commands.
@@ -137,6 +139,7 @@ impl ModelInventory {
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
                 TagPurpose::StandardForms => 1000,
+                TagPurpose::GroundDashpots => 4900,
                 TagPurpose::WholeLaws => 5000,
             }
     }
