@@ -58,7 +58,7 @@ const TABLE: &[Row] = &[
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
-    ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 95),
+    ("yielding storey", "superstructure_yielding", "superstructure_yielding", 95),
     ("undamped model", "damping", "damping", 95),
     ("drag", "damping", "damping", 95),
     ("eccentric", "torsion", "torsion", 50),

@@ -1,7 +1,7 @@
 //! Runs of the script that show where commands can be inserted, what the model consists of and how far it moves.
 
 use super::insertion::{InsertionPoint, insert, insertion_point};
-use super::inventory::{ModelInventory, is_base_excited};
+use super::inventory::{Mass, ModelInventory, is_base_excited};
 use super::response::{NodeMotion, ResponseHistory, ResponseRanges};
 use hysteron_identify::study::{ObservedChannel, Role, Simulator, SimulatorFactory, Study};
 use hysteron_tcl::top_level;
@@ -110,8 +110,9 @@ pub(crate) fn record_responses(
     // Velocities are those of transient analyses.
     let masses = if inventory.base_excited { &inventory.masses[..] } else { &[] };
     let masses = &masses[..masses.len().min(MAX_RECORDED)];
+    let translations = |m: &Mass| inventory.ndm.min(m.mass.len());
     for m in masses {
-        NODE_RESPONSES.iter().for_each(|response| recorders.add_node(m.node, response, inventory.ndm));
+        NODE_RESPONSES.iter().for_each(|response| recorders.add_node(m.node, response, translations(m)));
     }
     let text = insert(text, at, &recorders.commands);
     let mut recorded = (**study).clone();
@@ -136,8 +137,8 @@ pub(crate) fn record_responses(
             *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));
         }
         for m in masses {
-            let [velocities, accelerations] =
-                NODE_RESPONSES.map(|_| channels.by_ref().take(inventory.ndm).map(|x| largest(&x)).collect::<Vec<_>>());
+            let [velocities, accelerations] = NODE_RESPONSES
+                .map(|_| channels.by_ref().take(translations(m)).map(|x| largest(&x)).collect::<Vec<_>>());
             for (dof, (v, a)) in (1..).zip(velocities.into_iter().zip(accelerations)) {
                 let motion = ranges.node_motions.entry((m.node, dof)).or_default();
                 *motion = NodeMotion { velocity: motion.velocity.max(v), acceleration: motion.acceleration.max(a) };
