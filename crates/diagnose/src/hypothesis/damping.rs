@@ -77,7 +77,6 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
 ///
 /// Beside a device on a support it would be a force of the device. `None` there, and for a mass that does not move.
 fn dashpot_on_ground(s: &ProposalContext<'_>, m: &Mass) -> Option<Proposal> {
-    let on_device = s.inventory.ground_supported_groups().iter().flatten().any(|d| d.nodes.contains(&m.node));
     // Horizontal directions; a chain along one axis moves along it.
     let horizontal = (1..s.inventory.ndm.max(2)).filter(|dof| m.mass.get(dof - 1).is_some_and(|x| *x > 0.0));
     let moving: Vec<(usize, f64, f64)> = horizontal
@@ -87,7 +86,11 @@ fn dashpot_on_ground(s: &ProposalContext<'_>, m: &Mass) -> Option<Proposal> {
         })
         .filter(|(_, velocity, force)| *velocity > 0.0 && *force > 0.0)
         .collect();
-    let (_, velocity, force) = moving.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| !on_device)?;
+    let is_ground = |node: &i32| *node != m.node && moving.iter().any(|(dof, ..)| s.inventory.is_held(*node, *dof));
+    if s.inventory.devices.iter().any(|d| d.nodes.contains(&m.node) && d.nodes.iter().any(is_ground)) {
+        return None;
+    }
+    let (_, velocity, force) = moving.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let tag = s.inventory.first_tag(TagPurpose::GroundDashpots);
     let ndf = m.mass.len();
     let directions: Vec<String> = moving.iter().map(|(dof, ..)| dof.to_string()).collect();

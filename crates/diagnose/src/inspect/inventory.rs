@@ -204,6 +204,11 @@ impl ModelInventory {
         out
     }
 
+    /// Returns true if a node is fixed in a degree of freedom.
+    pub(crate) fn is_held(&self, node: i32, dof: usize) -> bool {
+        self.supports.iter().any(|s| s.node == node && s.fixed.contains(&dof))
+    }
+
     /// Index of the vertical axis: the last one. None for a plan, in which supports reach as far as the free nodes.
     pub(crate) fn vertical_axis(&self) -> Option<usize> {
         let axis = self.ndm.checked_sub(1).filter(|n| *n > 0)?;

@@ -116,13 +116,13 @@ fn side(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -> Stri
         let sense = tags_after(command, ["-side", "-side"]).first().map(|s| f64::from(s.signum()))?;
         let number = *tags_after(command, ["-dir", "-dir"]).first()?;
         let axis = device.directions.iter().find(|d| d.number == number as usize)?.axis;
-        let is_support = |tag: i32| inventory.supports.iter().any(|s| s.node == tag && s.fixed.len() >= inventory.ndm);
+        let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT).filter(|_| sense != 0.0)?;
+        let is_held = |tag: i32| inventory.is_held(tag, along + 1);
         // The deformation is the motion of the second node against the first.
         let (moving, sense) = match device.nodes {
-            [first, second] if is_support(second) && !is_support(first) => (first, -sense),
+            [first, second] if is_held(second) && !is_held(first) => (first, -sense),
             [_, second] => (second, sense),
         };
-        let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT).filter(|_| sense != 0.0)?;
         let sign = if sense * axis[along] > 0.0 { "+" } else { "-" };
         Some(format!("met when node {moving} moves towards {sign}{}", AXES[along]))
     };
