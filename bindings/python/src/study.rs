@@ -220,7 +220,15 @@ impl Study {
         for w in warnings {
             py.import("warnings")?.call_method1("warn", (w, &category, 2))?;
         }
-        Ok(Self { study, factory, initial_run, compat, stop, pool: Mutex::default(), effective_samples: Mutex::default() })
+        Ok(Self {
+            study,
+            factory,
+            initial_run,
+            compat,
+            stop,
+            pool: Mutex::default(),
+            effective_samples: Mutex::default(),
+        })
     }
 
     /// Names of the free parameters, in the order of `x`.
@@ -303,7 +311,9 @@ impl Study {
             SearchSettings::of(&self.study).map_err(|d| OpenSeesError::new_err(place(&d, &SourceMap::default())))?;
         let found = self.calibrated(py, &settings, threads)?.uncertainty.map(|u| u.effective_samples);
         let n = found.ok_or_else(|| {
-            OpenSeesError::new_err("the calibration has no uncertainty, so that the independent samples are not known: give n")
+            OpenSeesError::new_err(
+                "the calibration has no uncertainty, so that the independent samples are not known: give n",
+            )
         })?;
         *self.effective_samples.lock().map_err(|_| unusable())? = Some(n);
         Ok(n)
