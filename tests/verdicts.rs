@@ -9,6 +9,8 @@
 
 #[path = "verdicts/imposed.rs"]
 mod imposed;
+#[path = "verdicts/invariance.rs"]
+mod invariance;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
 #[path = "support/studies.rs"]
@@ -56,8 +58,9 @@ const TABLE: &[Row] = &[
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
-    ("yielding storey", "superstructure_yielding", "superstructure_yielding + damping", 95),
+    ("yielding storey", "superstructure_yielding", "superstructure_yielding", 95),
     ("undamped model", "damping", "damping", 95),
+    ("drag", "damping", "damping", 95),
     ("eccentric", "torsion", "torsion", 50),
     ("pinching", "pinching", "pinching", 95),
     ("gain", "sensor_gain", "sensor_gain", 85),
@@ -88,6 +91,7 @@ const STUDIES: &[Named] = &[
     ("soft ground", shaken::soft_ground),
     ("yielding storey", shaken::yielding_storey),
     ("undamped model", shaken::undamped_model),
+    ("drag", shaken::drag),
     ("eccentric", shaken::eccentric),
     ("pinching", || imposed::pinching(0.7)),
     ("gain", imposed::gain),

@@ -44,6 +44,7 @@ fn study_errors_have_their_location() {
         ("growing.csv", "growin.csv", "study.toml:24:13", "cannot read growin.csv"),
         ("pad.tcl", "bad.tcl", "study.toml:3:9", "there is no script bad.tcl"),
         ("channel = \"force\"", "channel = \"forces\"", "study.toml:28:11", "did you mean \"force\""),
+        ("\"pad.tcl\"", "\"pad.tcl\"\nmaterial = \"concret\"", "study.toml:4:12", "did you mean \"concrete\""),
         ("column  = 2", "column  = -2", "study.toml:30:11", "the column is -2"),
         ("column  = 2", "column  = 2\nweight = -1.0", "study.toml:31:10", "the weight is -1"),
         ("{ motion", "{ k0 = 1.0, motion", "study.toml:25:15", "k0 is set in run \"growing\" and is a parameter"),

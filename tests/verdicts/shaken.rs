@@ -159,21 +159,34 @@ pub fn undamped_model() -> Concealed {
     })
 }
 
-/// On a bearing that yields stands a storey that the model takes for elastic, and that yields too.
-pub fn yielding_storey() -> Concealed {
+/// An elastic storey with a dashpot on a bearing that yields.
+fn storey_on_bearing() -> String {
     let model = STOREYS.replace("pset c 1.5", "pset uy 0.025").replace("pset k 130.0", "pset k 450.0").replace(
         "uniaxialMaterial Viscous 2 $c 1.0\n",
         "uniaxialMaterial Viscous 5 2.0 1.0\nuniaxialMaterial Elastic 2 60.0\n\
          uniaxialMaterial BoucWen 3 0.0 80.0 1.0 [expr {0.5/$uy}] [expr {0.5/$uy}] 1.0 0.0 0.0 0.0\n\
          uniaxialMaterial Parallel 4 2 3\n",
     );
-    let model =
-        format!("{model}element zeroLength 1 1 2 -mat 4 -dir 1\nelement zeroLength 2 2 3 -mat 1 5 -dir 1 1\n{SHAKE}");
+    format!("{model}element zeroLength 1 1 2 -mat 4 -dir 1\nelement zeroLength 2 2 3 -mat 1 5 -dir 1 1\n{SHAKE}")
+}
+
+/// On a bearing that yields stands a storey that the model takes for elastic, and that yields too.
+pub fn yielding_storey() -> Concealed {
     let (k, uy, storey_uy, hardening) = (400.0, 0.03, 0.008, 0.1);
-    storeys(model, vec![("k", 150.0, 900.0), ("uy", 0.008, 0.1)], |&[u, v, w, s, z, y], a| {
+    storeys(storey_on_bearing(), vec![("k", 150.0, 900.0), ("uy", 0.008, 0.1)], |&[u, v, w, s, z, y], a| {
         let lower = 60.0 * u + 80.0 * uy * z;
         let upper = k * (hardening * (w - u) + (1.0 - hardening) * storey_uy * y) + 2.0 * (s - v);
         [v, upper - lower - a, s, -upper - a, bouc_wen(v, z, uy), bouc_wen(s - v, y, storey_uy)]
+    })
+}
+
+/// On a bearing that yields stands a storey whose mass has a drag against the ground, with the square of its speed.
+pub fn drag() -> Concealed {
+    let (k, uy, drag) = (400.0, 0.03, 4.0);
+    storeys(storey_on_bearing(), vec![("k", 150.0, 900.0), ("uy", 0.008, 0.1)], |&[u, v, w, s, z, _], a| {
+        let lower = 60.0 * u + 80.0 * uy * z;
+        let upper = k * (w - u) + 2.0 * (s - v);
+        [v, upper - lower - a, s, -upper - drag * s * s.abs() - a, bouc_wen(v, z, uy), 0.0]
     })
 }
 

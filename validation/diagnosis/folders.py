@@ -92,6 +92,8 @@ def main():
     args = parser.parse_args()
     print(f"{'case':18} {'truth':32} {'answer':40} {'%':>3} {'held out':>8} {'repaired':>8} {'noise':>8} {'s':>5}")
     counts, sure_and_wrong, failed = {}, 0, []
+    # Of each kind of truth, what was answered rightly, and all; answers with an effect that is not in the truth.
+    kinds, surplus = {"none": [0, 0], "unknown": [0, 0], "a cause": [0, 0]}, 0
     for folder, name, truth in cases(args.folders):
         if args.only and not any(text in name for text in args.only):
             continue
@@ -103,8 +105,13 @@ def main():
         text, state, sure = line(name, truth, said, seconds)
         counts[state] = counts.get(state, 0) + 1
         sure_and_wrong += sure
+        of_kind = kinds[truth["cause"] if truth["cause"] in kinds else "a cause"]
+        of_kind[0] += state == "right"
+        of_kind[1] += 1
+        surplus += state == "right" and not set(said["verdict"].get("also", [])) <= {truth["cause"], *(truth.get("also") or [])}
         print(text, flush=True)
     print(", ".join(f"{n} {state}" for state, n in sorted(counts.items())), f"; wrong at 90 % and more: {sure_and_wrong} of {sum(counts.values())}")
+    print("; ".join(f"{kind}: {ok} of {n}" for kind, (ok, n) in kinds.items()), f"; right with an effect too many: {surplus}")
     if failed:
         sys.exit("no answer: " + ", ".join(failed))
 

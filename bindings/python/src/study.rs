@@ -35,6 +35,8 @@ pub(crate) struct Study {
     compat: bool,
     stop: Arc<AtomicBool>,
     pool: Pool,
+    /// Number of independent samples, once it is known.
+    effective_samples: Mutex<Option<f64>>,
 }
 
 fn place(d: &Diagnostic, sources: &SourceMap) -> String {
@@ -133,6 +135,28 @@ impl Study {
         runs.map(|o| o.values.iter().filter(|v| !v.is_nan()).count()).sum()
     }
 
+    /// A calibration with its uncertainty.
+    fn calibrated(&self, py: Python<'_>, settings: &SearchSettings, threads: usize) -> PyResult<CalibrationResult> {
+        let problem = self.problem(threads.max(1))?;
+        self.stop.store(false, Ordering::Relaxed);
+        let raised: Shared<Option<PyErr>> = Shared::default();
+        let mut watch = Watch { raised: raised.clone(), stop: self.stop.clone() };
+        let start = Checkpoint::new(settings.clone(), self.study.space.unit_point(&self.initial_run.values));
+        let result = py.detach(|| {
+            let began = std::time::Instant::now();
+            let found = search(&*problem, start, &mut watch);
+            let mut result = CalibrationResult::new(&problem, settings, found, began.elapsed().as_secs_f64())?;
+            result.uncertainty = uncertainty(&problem, &result.unit_point).ok();
+            Ok(result)
+        });
+        Self::finished(&raised, result)
+    }
+
+    /// `n` where it is given, else the number of independent samples.
+    fn independent_samples(&self, py: Python<'_>, n: Option<f64>, threads: usize) -> PyResult<f64> {
+        n.map_or_else(|| self.effective_samples(py, threads), Ok)
+    }
+
     fn finished<T>(raised: &Shared<Option<PyErr>>, result: Result<T, String>) -> PyResult<T> {
         match hold(raised).take() {
             Some(e) => Err(e),
@@ -196,7 +220,15 @@ impl Study {
         for w in warnings {
             py.import("warnings")?.call_method1("warn", (w, &category, 2))?;
         }
-        Ok(Self { study, factory, initial_run, compat, stop, pool: Mutex::default() })
+        Ok(Self {
+            study,
+            factory,
+            initial_run,
+            compat,
+            stop,
+            pool: Mutex::default(),
+            effective_samples: Mutex::default(),
+        })
     }
 
     /// Names of the free parameters, in the order of `x`.
@@ -265,13 +297,35 @@ impl Study {
         }
     }
 
+    /// Number of independent samples of the fitted runs, by which the intervals of a calibration are made: the differences of
+    /// neighbouring samples are alike, so that it is smaller than `samples`.
+    ///
+    /// The first call calibrates the study with its own settings. Raises OpenSeesError if that has no uncertainty.
+    #[pyo3(signature = (*, threads = 1))]
+    fn effective_samples(&self, py: Python<'_>, threads: usize) -> PyResult<f64> {
+        let unusable = || PyRuntimeError::new_err("the study is not usable any more");
+        if let Some(n) = *self.effective_samples.lock().map_err(|_| unusable())? {
+            return Ok(n);
+        }
+        let settings =
+            SearchSettings::of(&self.study).map_err(|d| OpenSeesError::new_err(place(&d, &SourceMap::default())))?;
+        let found = self.calibrated(py, &settings, threads)?.uncertainty.map(|u| u.effective_samples);
+        let n = found.ok_or_else(|| {
+            OpenSeesError::new_err(
+                "the calibration has no uncertainty, so that the independent samples are not known: give n",
+            )
+        })?;
+        *self.effective_samples.lock().map_err(|_| unusable())? = Some(n);
+        Ok(n)
+    }
+
     /// Logarithm of the likelihood at `x` but for a constant: -n/2 ln(objective), the likelihood of Gaussian errors whose
-    /// variance is the one of largest likelihood. `n` is the number of independent samples, by default of all samples.
-    /// It is -inf outside of the bounds and where the model has no response.
+    /// variance is the one of largest likelihood. `n` is the number of independent samples, by default `effective_samples`,
+    /// which calibrates the study once. It is -inf outside of the bounds and where the model has no response.
     #[pyo3(signature = (x, *, n = None, threads = 1))]
     fn loglike(&self, py: Python<'_>, x: Vec<f64>, n: Option<f64>, threads: usize) -> PyResult<f64> {
         let objective = self.objective(py, x, threads)?;
-        Ok(log_likelihood(objective, n.unwrap_or(self.fitted_samples() as f64)))
+        Ok(log_likelihood(objective, self.independent_samples(py, n, threads)?))
     }
 
     /// `loglike` at the rows of `x`, on several threads. Any number of threads gives the same bits.
@@ -284,7 +338,7 @@ impl Study {
         threads: usize,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let points = rows(&x)?.iter().map(|r| self.unit_point(r)).collect::<PyResult<Vec<_>>>()?;
-        let n = n.unwrap_or(self.fitted_samples() as f64);
+        let n = self.independent_samples(py, n, threads)?;
         let found = self.evaluate(py, &points, false, threads)?;
         let value = |e: Option<Evaluation>| {
             let objective = e.filter(|e| e.error.is_none()).map_or(f64::INFINITY, |e| e.trial.objective);
@@ -303,7 +357,6 @@ impl Study {
         evaluations: Option<usize>,
         threads: usize,
     ) -> PyResult<(String, Channels<'py>)> {
-        let problem = self.problem(threads.max(1))?;
         let wrong = |d: Box<Diagnostic>| OpenSeesError::new_err(place(&d, &SourceMap::default()));
         let mut settings = SearchSettings::of(&self.study).map_err(wrong)?;
         if let Some(method) = method {
@@ -311,18 +364,7 @@ impl Study {
         }
         settings.seed = seed.unwrap_or(settings.seed);
         settings.evaluations = evaluations.or(settings.evaluations);
-        self.stop.store(false, Ordering::Relaxed);
-        let raised: Shared<Option<PyErr>> = Shared::default();
-        let mut watch = Watch { raised: raised.clone(), stop: self.stop.clone() };
-        let start = Checkpoint::new(settings.clone(), self.study.space.unit_point(&self.initial_run.values));
-        let result = py.detach(|| {
-            let began = std::time::Instant::now();
-            let found = search(&*problem, start, &mut watch);
-            let mut result = CalibrationResult::new(&problem, &settings, found, began.elapsed().as_secs_f64())?;
-            result.uncertainty = uncertainty(&problem, &result.unit_point).ok();
-            Ok(result)
-        });
-        let result = Self::finished(&raised, result)?;
+        let result = self.calibrated(py, &settings, threads)?;
         let json = result.json().map_err(|e| PyRuntimeError::new_err(e.to_string()))?;
         let scored: Vec<Option<&ScoredRun>> = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
         Ok((json, self.channels(py, &scored)))

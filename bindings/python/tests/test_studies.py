@@ -100,6 +100,14 @@ def test_likelihoods_are_the_same_for_any_number_of_threads(pad):
     assert pad.loglike(pad.bounds[:, 1] * 2) == -np.inf
 
 
+def test_a_likelihood_counts_the_independent_samples_of_the_intervals(pad):
+    x = pad.bounds.mean(axis=1)
+    n = pad.effective_samples()
+    assert 10 < n < pad.samples and n == pad.calibrate().table["uncertainty"]["effective_samples"]
+    assert pad.loglike(x) == pytest.approx(-0.5 * n * np.log(pad.objective(x)), rel=1e-12)
+    assert pad.loglike(x, n=7.0) == pytest.approx(-3.5 * np.log(pad.objective(x)), rel=1e-12)
+
+
 def test_arrays_that_are_not_aligned_are_taken(pad):
     points = np.frombuffer(b"0" + np.repeat(pad.bounds.mean(axis=1)[None], 4, axis=0).tobytes(), offset=1).reshape(4, 3)
     assert not points.flags.aligned

@@ -69,7 +69,7 @@ prior! {
     LIKELIHOOD_POINTS: usize = 400, "points";
     /// Order of the autoregressive noise that whitens residuals. A choice.
     LIKELIHOOD_NOISE_ORDER: usize = 2, "count";
-    /// Largest root of that noise. Its correlation falls to a third within a fortieth of the record. A choice.
+    /// Largest root of that noise, of as many points. Its correlation falls to a third within a fortieth of the record. A choice.
     MAX_NOISE_ROOT: f64 = 0.9, "1";
     /// Blocks into which a run is cut for held-out samples. A choice.
     HOLDOUT_BLOCKS: usize = 8, "count";
@@ -150,8 +150,8 @@ prior! {
     SAMPLES_PER_REGRESSOR: usize = 8, "samples";
     /// Ridge of a regression, in parts of the mean square of a regressor. A choice.
     REGRESSION_RIDGE: f64 = 1e-3, "share";
-    /// Shifts of the channel that serve as regressors, samples. Neighbouring samples reveal a fault of its transfer. A choice.
-    CHANNEL_SHIFTS: [isize; 9] = [-16, -8, -4, -2, 0, 2, 4, 8, 16], "samples";
+    /// Shifts of the averaged channel that serve as regressors. Neighbouring points reveal a fault of its transfer. A choice.
+    CHANNEL_SHIFTS: [isize; 9] = [-16, -8, -4, -2, 0, 2, 4, 8, 16], "points";
     /// Shifts of other channels' residuals that serve as regressors, samples. A choice.
     RESIDUAL_SHIFTS: [isize; 13] = [0, -1, 1, -2, 2, -3, 3, -4, 4, -5, 5, -6, 6], "samples";
     /// Devices whose motion serves as regressors, each in one direction. A choice.
@@ -300,6 +300,8 @@ prior! {
     NATS_PER_COST: f64 = 10.0, "nats";
     /// Advantage over a closer fit with no more parameters, at most, nats: whitening alone is no evidence. A choice.
     MAX_ADVANTAGE_OF_WORSE_FIT: f64 = 5.0, "nats";
+    /// Advantage of a second effect over another beside the same first effect, at most, where both reach the noise, nats. A choice.
+    MAX_SECOND_EFFECT_GAIN: f64 = 20.0, "nats";
     /// Ratio of the errors of a cause and of a law with another memory from which the other explains more. Right families
     /// led by 1.4 to 18 in a prototype.
     MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";
@@ -309,9 +311,6 @@ prior! {
     MEMORY_PROBABILITY: f64 = 0.1, "share";
     /// Log odds against a cause whose kinds of memory leave e times the error of the best. A choice.
     MEMORY_LOG_ODDS: f64 = 2.0, "nats";
-    /// Log odds for the second effect of a pair where its first effect alone leaves e times twice the error of both on blocks
-    /// held back. A choice.
-    SECOND_EFFECT_LOG_ODDS: f64 = 1.0, "nats";
 
     // ---- error of the time steps ----
 

@@ -17,7 +17,9 @@ pub enum NoiseEvidence {
     RepeatedCycles,
     /// Stretches in which the motion is at rest.
     Rest,
-    /// Innovations of a long autoregression. Noise slower than the samples is not in them: a lower limit.
+    /// Innovations of a long autoregression of the recording, or of what the model leaves of it: the smaller ones. The past
+    /// predicts no jump of a force, but the model makes it at the same time. Noise slower than the samples is not in them: a
+    /// lower limit.
     Innovations,
 }
 
@@ -65,10 +67,10 @@ pub fn recorded_noise(study: &Study, run: usize, simulated: &[Vec<f64>]) -> Vec<
             (NoiseEvidence::RepeatedRuns, repeated_runs(study, of, &o.channel)),
             (NoiseEvidence::RepeatedCycles, repeated_cycles(&values)),
             (NoiseEvidence::Rest, at_rest(&values, &model)),
-            (NoiseEvidence::Innovations, innovations(&values)),
+            (NoiseEvidence::Innovations, least_innovations(&values, &model)),
         ];
         // Innovations are a lower limit of all others.
-        let least = innovations(&values)?;
+        let least = least_innovations(&values, &model)?;
         let (evidence, variance) = found.into_iter().find_map(|(e, v)| Some((e, v?)))?;
         Some(RecordedNoise { nmse: variance.max(least) / o.variance, evidence })
     };
@@ -157,8 +159,16 @@ fn variance_about_line(x: &[f64]) -> f64 {
     squares / (n - 2.0).max(1.0)
 }
 
-/// Variance of what the past of a series does not predict.
-fn innovations(x: &[f64]) -> Option<f64> {
+/// The smaller innovations of a recording, and of what a model leaves of it.
+///
+/// Physics that the model lacks follows from its own past as the recording does, so that it is in neither.
+fn least_innovations(values: &[f64], model: &[f64]) -> Option<f64> {
+    let left: Vec<f64> = values.iter().zip(model).map(|(v, y)| v - y).collect();
+    [innovation_variance(values), innovation_variance(&left)].into_iter().flatten().reduce(f64::min)
+}
+
+/// Variance of what the past of a series does not predict, by a long autoregression; `None` for a series that is too short.
+pub fn innovation_variance(x: &[f64]) -> Option<f64> {
     let mean = x.iter().sum::<f64>() / x.len() as f64;
     let centred: Vec<f64> = x.iter().map(|x| x - mean).collect();
     let coefficients = burg(&centred, ORDER);
@@ -169,7 +179,7 @@ fn innovations(x: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{at_rest, innovations, repeated_cycles};
+    use super::{at_rest, innovation_variance, least_innovations, repeated_cycles};
     use rand::{RngExt as _, SeedableRng as _};
     use rand_pcg::Pcg32;
 
@@ -190,9 +200,24 @@ mod tests {
         let sine = |t: f64| (1.7 * t).sin() + 0.3 * (5.1 * t).sin();
         let growing = |t: f64| 0.05 * t * (1.7 * t).sin();
         for deviation in [0.003, 0.03] {
-            assert!((0.7..1.5).contains(&ratio(innovations(&noisy(sine, deviation)), deviation)));
-            assert!((0.7..1.5).contains(&ratio(innovations(&noisy(growing, deviation)), deviation)));
+            assert!((0.7..1.5).contains(&ratio(innovation_variance(&noisy(sine, deviation)), deviation)));
+            assert!((0.7..1.5).contains(&ratio(innovation_variance(&noisy(growing, deviation)), deviation)));
         }
+    }
+
+    /// A force that jumps where the motion turns is no noise, also where the model's jump has another size.
+    #[test]
+    fn a_jump_of_the_force_is_no_noise() {
+        let force = |strength: f64| move |t: f64| (1.7 * t).sin() + strength * (1.7 * t).cos().signum();
+        let recorded = noisy(force(0.5), 0.01);
+        assert!(ratio(innovation_variance(&recorded), 0.01) > 5.0, "the past alone predicts no jump");
+        for strength in [0.5, 0.48] {
+            let found = ratio(least_innovations(&recorded, &noisy(force(strength), 0.0)), 0.01);
+            assert!((0.7..1.6).contains(&found), "{strength}: {found}");
+        }
+        // What a model lacks is not in them.
+        let found = ratio(least_innovations(&noisy(force(0.0), 0.01), &noisy(|t| 0.6 * (1.7 * t).sin(), 0.0)), 0.01);
+        assert!((0.7..1.5).contains(&found), "{found}");
     }
 
     #[test]

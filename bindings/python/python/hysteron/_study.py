@@ -102,9 +102,13 @@ class Study(_hysteron.Study):
         return self._submit(client, "residuals", x)
 
     def loglike(self, x, *, n=None, threads=1, client=None):
-        """Logarithm of the likelihood at `x` but for a constant: -n/2 ln(objective). `n` is the number of independent samples."""
+        """Logarithm of the likelihood at `x` but for a constant: -n/2 ln(objective).
+
+        `n` is the number of independent samples, by default `effective_samples()`, which calibrates the study once.
+        """
         if client is None:
             return super().loglike(x, n=n, threads=threads)
+        n = self.effective_samples(threads=threads) if n is None else n
         return self._submit(client, "loglike", x, n=n)
 
     def loglike_many(self, x, *, n=None, threads=1, client=None):
@@ -114,6 +118,8 @@ class Study(_hysteron.Study):
         x = np.asarray(x, dtype=float)
         if client is None:
             return super().loglike_many(x, n=n, threads=threads)
+        # Once here, not in each worker.
+        n = self.effective_samples(threads=threads) if n is None else n
         points = np.atleast_2d(x)
         tasks = min(len(points), max(1, 4 * sum(client.nthreads().values())))
         parts = [p for p in np.array_split(points, tasks) if len(p)] if tasks else []

@@ -2,13 +2,14 @@
 
 use super::likelihood::NoiseModel;
 use super::parametric_bootstrap::{BootstrapResult, Competitor, parametric_bootstrap};
+use super::verdict_evidence::{independent_samples, unpredicted};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::linearized::LinearizedFit;
 use crate::fit::scheduler::Scheduler;
 use crate::inspect::conditions::conditions_differ;
 use crate::prior::{
-    COMPLETE_MODEL_LOG_ODDS, EQUAL_FORM_LOG_EVIDENCE, MAX_ADVANTAGE_OF_WORSE_FIT, ONE_EFFECT_LOG_ODDS,
-    RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS,
+    COMPLETE_MODEL_LOG_ODDS, EQUAL_FORM_LOG_EVIDENCE, MAX_ADVANTAGE_OF_WORSE_FIT, MAX_SECOND_EFFECT_GAIN,
+    MIN_HOLDOUT_SIGNAL_RATIO, ONE_EFFECT_LOG_ODDS, RANGE_FAULT_IN_ALL_RUNS_LOG_ODDS,
 };
 use std::collections::BTreeSet;
 
@@ -35,26 +36,44 @@ pub(crate) fn rank(all: &mut [FittedHypothesis]) -> Result<(), String> {
 /// Raises the log likelihood of a hypothesis to that of one with no fewer parameters that fits the same samples less closely,
 /// held back and fitted, less [`MAX_ADVANTAGE_OF_WORSE_FIT`].
 ///
-/// The noise whitens residuals by one hypothesis, so that a worse fit can seem to have more evidence.
+/// The noise whitens residuals by one hypothesis, so that a worse fit can seem to have more evidence. Of two second effects
+/// beside one first effect that both reach the noise, the closer fit gains by all independent samples.
 fn limit_worse_fits(all: &mut [FittedHypothesis]) {
     struct Fit {
+        causes: (&'static str, Option<&'static str>),
         parameters: usize,
         errors: [f64; 2],
         log_likelihood: f64,
+        samples: f64,
+        reaches_noise: bool,
     }
     let of = |e: &FittedHypothesis| {
-        let held_back = e.held_out.as_ref()?.iter().flatten().map(|r| r * r).sum();
-        let log_likelihood = e.log_evidence - prior_log_odds(e);
-        let errors = [held_back, e.fitted.objective];
-        Some(Fit { parameters: e.variant.counted_parameters(), errors, log_likelihood })
+        let residuals = e.held_out.as_ref()?;
+        let held_back = residuals.iter().flatten().map(|r| r * r).sum();
+        Some(Fit {
+            causes: (e.cause(), e.second_cause()),
+            parameters: e.variant.counted_parameters(),
+            errors: [held_back, e.fitted.objective],
+            log_likelihood: e.log_evidence - prior_log_odds(e),
+            samples: independent_samples(residuals),
+            reaches_noise: unpredicted(residuals).is_some_and(|n| held_back <= MIN_HOLDOUT_SIGNAL_RATIO * n),
+        })
     };
     let fits: Vec<Option<Fit>> = all.iter().map(of).collect();
     for (e, own) in all.iter_mut().zip(&fits) {
         let Some(own) = own else { continue };
         let is_worse =
             |f: &&Fit| f.parameters >= own.parameters && f.errors[0] > own.errors[0] && f.errors[1] > own.errors[1];
-        let most = fits.iter().flatten().filter(is_worse).map(|f| f.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
-        e.log_evidence += (most - MAX_ADVANTAGE_OF_WORSE_FIT - own.log_likelihood).max(0.0);
+        let is_rival = |f: &Fit| {
+            let second_effects = f.causes.0 == own.causes.0 && f.causes.1.is_some() && own.causes.1.is_some();
+            second_effects && f.causes.1 != own.causes.1 && f.reaches_noise && own.reaches_noise
+        };
+        let least = |f: &Fit| {
+            let gain = 0.5 * own.samples * (f.errors[0] / own.errors[0]).ln();
+            f.log_likelihood + if is_rival(f) { gain.min(MAX_SECOND_EFFECT_GAIN) } else { -MAX_ADVANTAGE_OF_WORSE_FIT }
+        };
+        let most = fits.iter().flatten().filter(is_worse).map(least).fold(f64::NEG_INFINITY, f64::max);
+        e.log_evidence += (most - own.log_likelihood).max(0.0);
     }
 }
 

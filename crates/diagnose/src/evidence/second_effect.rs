@@ -1,8 +1,9 @@
 //! The second effect of a pair: what it gains over the first alone, and how likely it is.
 
+use super::memory_evidence::MIN_SIGNAL_RATIO;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::PAIR_WEIGHTS;
-use crate::prior::{MIN_TAKEN_SHARE, SECOND_EFFECT_LOG_ODDS};
+use crate::prior::MIN_HOLDOUT_SIGNAL_RATIO;
 
 /// The effects of a pair, each alone.
 fn parts_alone<'a>(
@@ -20,21 +21,27 @@ pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
 }
 
-/// Logarithm of the error that the better effect of a pair alone leaves on blocks held back over twice that of the pair; 0
-/// where the second effect takes less than half of what the first one leaves.
-fn log_error_ratio(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
-    let alone = parts_alone(evidence, pair).filter_map(|h| h.held_back).fold(f64::INFINITY, f64::min);
-    let ratio = pair.held_back.map_or(1.0, |of_pair| alone / of_pair);
-    let ratio = ratio * (1.0 - MIN_TAKEN_SHARE);
-    if ratio.is_finite() { ratio.max(1.0).ln() } else { 0.0 }
+/// Gain of a pair over the better of its effects alone by all independent samples, nats; `None` where the pair does not reach
+/// the noise, or its first effect does.
+///
+/// The likelihood counts few samples, because models are roughly right and their residuals are alike for long. An effect that
+/// lives in a quarter of a cycle is drowned by that. What leaves noise alone has no such residuals.
+fn gain_to_noise(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> Option<f64> {
+    let better = parts_alone(evidence, pair).filter(|h| h.held_back.is_some());
+    let better = better.min_by(|a, b| a.held_back.unwrap_or(f64::NAN).total_cmp(&b.held_back.unwrap_or(f64::NAN)))?;
+    let (alone, of_pair) = (better.held_back?, pair.held_back?);
+    let noise = evidence.recorded.noise.into_iter().chain(pair.unpredicted).reduce(f64::min)?;
+    let reaches = of_pair <= MIN_HOLDOUT_SIGNAL_RATIO * noise && alone > MIN_SIGNAL_RATIO * noise;
+    let samples = pair.independent_samples?;
+    let parameters = pair.parameters.saturating_sub(better.parameters) as f64;
+    reaches.then(|| 0.5 * (samples * (alone / of_pair).ln() - parameters * samples.ln()).clamp(0.0, 1e3))
 }
 
-/// Probability that the second effect of a pair is present if the first is: by the gain in nats, whose scale depends on how
-/// the samples are counted, and by the error on blocks held back, whose scale does not.
+/// Probability that the second effect of a pair is present if the first is.
 pub(super) fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     let [constant, of_gain] = PAIR_WEIGHTS;
-    let of_error = SECOND_EFFECT_LOG_ODDS * log_error_ratio(evidence, pair);
-    1.0 / (1.0 + (-constant - of_gain * pair_gain(evidence, pair).ln_1p() - of_error).exp())
+    let gain = gain_to_noise(evidence, pair).unwrap_or(0.0).max(pair_gain(evidence, pair));
+    1.0 / (1.0 + (-constant - of_gain * gain.ln_1p()).exp())
 }
 
 /// Returns true if the second effect of a pair is more likely than not.
@@ -48,17 +55,24 @@ mod tests {
     use super::has_second_effect;
     use crate::evidence::verdict_model::tests::evidence;
 
-    /// A pair that gains 29 nats is judged by the error that its second effect takes on blocks held back.
+    /// A pair that gains 9 nats by few samples is named where it reaches the noise, and its first effect alone does not.
     #[test]
-    fn a_second_effect_counts_by_the_error_that_it_takes() {
-        let named = |alone: Option<f64>, pair: Option<f64>| {
-            let pairs = [("self_heating", Some("mullins_softening"), 89.0), ("self_heating", None, 60.0)];
+    fn a_second_effect_counts_where_both_reach_the_noise() {
+        let named = |alone: Option<f64>, pair: Option<f64>, noise: f64, samples: f64| {
+            let pairs = [("self_heating", Some("mullins_softening"), 69.0), ("self_heating", None, 60.0)];
             let mut e = evidence(&pairs);
             (e.hypotheses[0].held_back, e.hypotheses[1].held_back) = (pair, alone);
+            (e.hypotheses[0].unpredicted, e.hypotheses[0].independent_samples) = (Some(noise), Some(samples));
+            e.hypotheses[0].parameters = 3;
             has_second_effect(&e, "self_heating", "mullins_softening")
         };
-        assert!(named(Some(3.2e-4), Some(5.9e-5)));
-        assert!(!named(Some(3.2e-4), Some(2.0e-4)) && !named(Some(3.2e-4), Some(4.0e-4)));
-        assert!(!named(None, Some(5.9e-5)) && !named(Some(3.2e-4), None));
+        assert!(named(Some(1.7e-4), Some(7.3e-5), 7.2e-5, 1500.0));
+        // Beyond the noise the form of a law leaves as much.
+        assert!(!named(Some(1.7e-4), Some(7.3e-5), 3e-5, 1500.0));
+        // The first effect alone reaches the noise.
+        assert!(!named(Some(8.2e-5), Some(7.3e-5), 7.2e-5, 1500.0));
+        // Few independent samples say nothing.
+        assert!(!named(Some(1.7e-4), Some(7.3e-5), 7.2e-5, 10.0));
+        assert!(!named(None, Some(7.3e-5), 7.2e-5, 1500.0) && !named(Some(1.7e-4), None, 7.2e-5, 1500.0));
     }
 }

@@ -8,11 +8,14 @@ use super::memory_evidence::RecordedEvidence;
 use super::parametric_bootstrap::BootstrapResult;
 use super::ranking::prior_log_odds;
 use crate::fit::fitted::FittedHypothesis;
+use crate::fit::job::ChannelResiduals;
 use crate::fit::search_settings::is_at_bound;
 use crate::hypothesis;
 use crate::inspect::response::ResponseRanges;
 use crate::residual::unmodelled_structure::{UnmodelledStructure, recurring_structure, unmodelled_structure};
 use crate::series::power;
+use hysteron_identify::calibrate::autocorrelation_time;
+use hysteron_identify::noise::innovation_variance;
 use hysteron_identify::study::{Role, ScoredRun, Study};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -92,7 +95,13 @@ pub struct HypothesisEvidence {
     /// Mean NMSE on blocks of the fitted runs that were held back in turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held_back: Option<f64>,
-    /// The same of the channel of the device whose kinds of memory compete.
+    /// Part of that error which its own past does not predict: the noise is at most that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unpredicted: Option<f64>,
+    /// Number of independent samples of these residuals, by their autocorrelation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub independent_samples: Option<f64>,
+    /// Error on these blocks of the channel of the device whose kinds of memory compete.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub device_held_back: Option<f64>,
 }
@@ -214,6 +223,8 @@ fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),
             held_back: held_back(e),
+            unpredicted: e.held_out.as_ref().and_then(unpredicted),
+            independent_samples: e.held_out.as_ref().map(independent_samples),
             device_held_back: held_back_of_channel(of.study, e, &of.recorded.channel),
         });
     }
@@ -225,7 +236,18 @@ fn held_back(e: &FittedHypothesis) -> Option<f64> {
     Some(e.held_out.as_ref()?.iter().flatten().map(|r| r * r).sum())
 }
 
-/// The same of one channel.
+/// Part of the error of some residuals that their own past does not predict; `None` for a channel that is too short.
+pub(crate) fn unpredicted(residuals: &ChannelResiduals) -> Option<f64> {
+    residuals.iter().map(|r| Some(r.len() as f64 * innovation_variance(r)?)).sum()
+}
+
+/// Number of independent samples of some residuals.
+pub(crate) fn independent_samples(residuals: &ChannelResiduals) -> f64 {
+    let of = |r: &&Vec<f64>| !r.is_empty();
+    residuals.iter().filter(of).map(|r| r.len() as f64 / autocorrelation_time(r)).sum()
+}
+
+/// The error on blocks held back of one channel.
 fn held_back_of_channel(study: &Study, e: &FittedHypothesis, channel: &str) -> Option<f64> {
     let residuals = e.held_out.as_ref()?;
     let observed = study.runs_of(Role::Fit).flat_map(|(_, r)| &r.observe);

@@ -353,6 +353,8 @@ pub(crate) mod tests {
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
             held_back: None,
+            unpredicted: None,
+            independent_samples: None,
             device_held_back: None,
         }
     }

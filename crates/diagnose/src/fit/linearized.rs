@@ -2,7 +2,7 @@
 
 use super::job::ChannelResiduals;
 use crate::prior::{LIKELIHOOD_POINTS, STEP_DAMPING_DIVISOR};
-use crate::series::averaged;
+use crate::series::resampled;
 use nalgebra::{DMatrix, DVector};
 
 /// Damped least-squares step p = -(JᵀJ + r²/100 I)⁻¹ Jᵀr from the normal matrix JᵀJ, the gradient Jᵀr and the square r².
@@ -37,7 +37,7 @@ impl LinearizedFit {
                 .map(|n| {
                     let (own, after) = rest.split_at(*n);
                     rest = after;
-                    averaged(own, LIKELIHOOD_POINTS)
+                    resampled(own, LIKELIHOOD_POINTS)
                 })
                 .collect();
             channels = parts.iter().map(Vec::len).collect();

@@ -17,6 +17,7 @@ mod device_commands;
 mod foundation_flexibility;
 mod friction;
 mod gap_impact;
+mod materials;
 mod mullins_softening;
 mod own_options;
 mod pinching;
@@ -32,6 +33,7 @@ mod whole_law;
 use crate::candidate::proposal::{AddedParameter, Proposal};
 use crate::memory::family::Family;
 use context::{MovingGroup, ProposalContext, element_names, element_tags};
+use hysteron_identify::study::Study;
 
 /// A cause, with the function that proposes its forms.
 pub struct Hypothesis {
@@ -76,6 +78,11 @@ pub const ALL: &[Hypothesis] = &[
 ];
 
 impl Hypothesis {
+    /// Returns true if devices of the material of a study can have the effect.
+    pub(crate) fn suits_material(&self, study: &Study) -> bool {
+        study.material.is_none_or(|m| materials::suits(self.cause, m))
+    }
+
     /// The proposals for a study.
     pub(crate) fn proposals(&self, context: &ProposalContext<'_>) -> Vec<Proposal> {
         let mut out = (self.propose)(context);

@@ -111,6 +111,8 @@ pub(crate) enum TagPurpose {
     Regions,
     /// Dashpots beside columns.
     Dashpots,
+    /// Dashpots between a mass and the ground.
+    GroundDashpots,
     /// Contact elements between adjacent structures.
     Joints,
     /// Materials and elements of a repair in OpenSees' standard commands.
@@ -137,6 +139,7 @@ impl ModelInventory {
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
                 TagPurpose::StandardForms => 1000,
+                TagPurpose::GroundDashpots => 4900,
                 TagPurpose::WholeLaws => 5000,
             }
     }
@@ -199,6 +202,11 @@ impl ModelInventory {
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
         out
+    }
+
+    /// Returns true if a node is fixed in a degree of freedom.
+    pub(crate) fn is_held(&self, node: i32, dof: usize) -> bool {
+        self.supports.iter().any(|s| s.node == node && s.fixed.contains(&dof))
     }
 
     /// Index of the vertical axis: the last one. None for a plan, in which supports reach as far as the free nodes.

@@ -1,14 +1,16 @@
 //! Runs of the script that show where commands can be inserted, what the model consists of and how far it moves.
 
 use super::insertion::{InsertionPoint, insert, insertion_point};
-use super::inventory::{ModelInventory, is_base_excited};
-use super::response::{ResponseHistory, ResponseRanges};
+use super::inventory::{Mass, ModelInventory, is_base_excited};
+use super::response::{NodeMotion, ResponseHistory, ResponseRanges};
 use hysteron_identify::study::{ObservedChannel, Role, Simulator, SimulatorFactory, Study};
 use hysteron_tcl::top_level;
 use std::sync::Arc;
 
 /// Largest number of devices, columns and girders that are recorded. Of many alike a few show the range.
 const MAX_RECORDED: usize = 60;
+/// Responses of nodes with mass: velocity and acceleration against the ground.
+const NODE_RESPONSES: [&str; 2] = ["vel", "accel"];
 
 /// Insertion point of a script, and the inventory of its model there. `None` if the script makes no analysis.
 pub(crate) fn inspect_model(
@@ -57,10 +59,22 @@ impl Recorders {
     fn add(&mut self, tag: i32, response: &str, columns: impl Iterator<Item = usize>) {
         let file = format!("hysteron-watch-{tag}-{response}.out");
         self.commands.push(format!("recorder Element -file {file} -time -ele {tag} {response}"));
+        self.observe(&file, columns);
+    }
+
+    /// Records the translations of a node.
+    fn add_node(&mut self, node: i32, response: &str, dofs: usize) {
+        let file = format!("hysteron-watch-node-{node}-{response}.out");
+        let all: Vec<String> = (1..=dofs).map(|d| d.to_string()).collect();
+        self.commands.push(format!("recorder Node -file {file} -time -node {node} -dof {} {response}", all.join(" ")));
+        self.observe(&file, 1..=dofs);
+    }
+
+    fn observe(&mut self, file: &str, columns: impl Iterator<Item = usize>) {
         self.observed.extend(columns.map(|column| ObservedChannel {
             channel: String::new(),
             unit: String::new(),
-            output: file.clone(),
+            output: file.to_owned(),
             column,
             at: String::new(),
             weight: 1.0,
@@ -93,6 +107,13 @@ pub(crate) fn record_responses(
     for beam in &beams {
         recorders.add(beam.tag, "localForce", moments.iter().copied());
     }
+    // Velocities are those of transient analyses.
+    let masses = if inventory.base_excited { &inventory.masses[..] } else { &[] };
+    let masses = &masses[..masses.len().min(MAX_RECORDED)];
+    let translations = |m: &Mass| inventory.ndm.min(m.mass.len());
+    for m in masses {
+        NODE_RESPONSES.iter().for_each(|response| recorders.add_node(m.node, response, translations(m)));
+    }
     let text = insert(text, at, &recorders.commands);
     let mut recorded = (**study).clone();
     recorded.runs.iter_mut().for_each(|r| r.observe.clone_from(&recorders.observed));
@@ -115,8 +136,21 @@ pub(crate) fn record_responses(
             let largest = ranges.end_moments.entry(beam.tag).or_default();
             *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));
         }
+        for m in masses {
+            let [velocities, accelerations] = NODE_RESPONSES
+                .map(|_| channels.by_ref().take(translations(m)).map(|x| largest(&x)).collect::<Vec<_>>());
+            for (dof, (v, a)) in (1..).zip(velocities.into_iter().zip(accelerations)) {
+                let motion = ranges.node_motions.entry((m.node, dof)).or_default();
+                *motion = NodeMotion { velocity: motion.velocity.max(v), acceleration: motion.acceleration.max(a) };
+            }
+        }
     }
     ranges
+}
+
+/// Largest absolute sample that is finite; 0 without one.
+fn largest(x: &[f64]) -> f64 {
+    x.iter().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()))
 }
 
 /// Sum of series of one length.

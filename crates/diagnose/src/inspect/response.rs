@@ -81,6 +81,17 @@ pub(crate) struct ResponseRanges {
     pub(crate) histories: BTreeMap<(usize, i32, usize), ResponseHistory>,
     /// Largest absolute bending moment at the ends of beams, by tag.
     pub(crate) end_moments: BTreeMap<i32, f64>,
+    /// Largest absolute velocity and acceleration of nodes with mass against the ground, by tag and degree of freedom.
+    pub(crate) node_motions: BTreeMap<(i32, usize), NodeMotion>,
+}
+
+/// Range of the motion of a node in a translation.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct NodeMotion {
+    /// Largest absolute velocity, length/s.
+    pub(crate) velocity: f64,
+    /// Largest absolute acceleration, length/s².
+    pub(crate) acceleration: f64,
 }
 
 impl ResponseRanges {

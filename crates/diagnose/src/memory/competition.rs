@@ -1,6 +1,6 @@
 //! Choice of the terms of a law, and of the family of memory.
 
-use super::data::{BLOCK_FOLDS, Data, DeviceRun};
+use super::data::{Data, DeviceRun};
 use super::family::Family;
 use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, Target};
 use super::slow_variables::{SlowVariable, factors, forces};
@@ -129,7 +129,7 @@ impl Competition<'_> {
             self.error(law, &self.fitter.fit(law, &kept, FOLD_STEPS, &start), held)
         };
         let folds: Vec<f64> = d.folds.iter().map(of_fold).collect();
-        let (blocks, whole) = folds.split_at(BLOCK_FOLDS);
+        let (blocks, whole) = folds.split_at(d.block_folds);
         HeldBack { pooled: 0.5 * (blocks.iter().sum::<f64>() + d.whole_factor * whole.iter().sum::<f64>()), folds }
     }
 
@@ -271,7 +271,7 @@ impl Competition<'_> {
             terms.push(format!("{part} x (1 {a:+.3} {})", v.name));
         }
         terms.extend(law.forces.iter().map(|f| format!("force by {}", f.name)));
-        let (blocks, whole) = errors.folds.split_at(BLOCK_FOLDS);
+        let (blocks, whole) = errors.folds.split_at(d.block_folds);
         FamilyResult {
             family: family.name().into(),
             channel,

@@ -60,8 +60,10 @@ pub(super) struct Data {
     pub(super) weight: Vec<f64>,
     /// True for samples of fitted runs.
     pub(super) fitted: Vec<bool>,
-    /// Samples held back by each fold: blocks first, then whole runs.
+    /// Samples held back by each fold: blocks first, then whole runs; no fold is empty.
     pub(super) folds: Vec<Vec<bool>>,
+    /// Number of the folds of blocks.
+    pub(super) block_folds: usize,
     /// Factor of the errors of whole runs.
     pub(super) whole_factor: f64,
 }
@@ -70,7 +72,9 @@ pub(super) struct Data {
 const SAMPLES: usize = 2000;
 /// Blocks of a run, and folds to which they belong in turn.
 const BLOCKS: usize = 8;
-pub(super) const BLOCK_FOLDS: usize = 4;
+const BLOCK_FOLDS: usize = 4;
+/// Folds of blocks that have samples, at least.
+const MIN_BLOCK_FOLDS: usize = 2;
 /// First block of the end of a single run that is held back as a whole.
 const END_BLOCK: usize = 5;
 
@@ -101,15 +105,18 @@ impl Data {
         }
         let of =
             |held: &dyn Fn(usize) -> bool| -> Vec<bool> { (0..samples.len()).map(|i| fitted[i] && held(i)).collect() };
-        let mut folds: Vec<Vec<bool>> = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f)).collect();
+        let has_samples = |f: &Vec<bool>| f.iter().any(|x| *x);
+        let of_blocks = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f));
+        let mut folds: Vec<Vec<bool>> = of_blocks.filter(has_samples).collect();
+        let block_folds = folds.len();
         if fitted_runs > 1 {
             folds.extend((0..runs.len()).filter(|k| !runs[*k].held_out).map(|k| of(&|i| samples[i].0 == k)));
         } else {
             folds.push(of(&|i| block[i] >= END_BLOCK));
         }
-        folds.retain(|f| f.iter().any(|x| *x));
+        folds.retain(has_samples);
         let whole_factor = if fitted_runs > 1 { 1.0 } else { BLOCKS as f64 / (BLOCKS - END_BLOCK) as f64 };
-        (folds.len() > BLOCK_FOLDS).then_some(Self {
+        (block_folds >= MIN_BLOCK_FOLDS && folds.len() > block_folds).then_some(Self {
             runs,
             scales,
             has_clock,
@@ -118,6 +125,7 @@ impl Data {
             weight,
             fitted,
             folds,
+            block_folds,
             whole_factor,
         })
     }
@@ -176,4 +184,38 @@ impl Scales {
 fn deviation(x: &[f64]) -> f64 {
     let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
     (x.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Data, DeviceRun};
+
+    /// A fold of blocks without a sample is left out, and the next one is none of the whole runs.
+    #[test]
+    fn a_gap_in_the_recording_leaves_the_other_folds_where_they_are() {
+        // Of eight blocks of 100 samples the second and the sixth belong to one fold.
+        let run = |has_gap: bool| {
+            let times: Vec<f64> = (0..800).map(|i| 0.01 * f64::from(i)).collect();
+            let deformation: Vec<f64> = times.iter().map(|t| (3.0 * t).sin()).collect();
+            let is_lost = |i: usize| has_gap && matches!(i / 100, 1 | 5);
+            let recorded = (0..800).map(|i| if is_lost(i) { f64::NAN } else { deformation[i] }).collect();
+            DeviceRun {
+                modelled: deformation.clone(),
+                times,
+                deformation,
+                recorded,
+                conditions: vec![],
+                held_out: false,
+            }
+        };
+        let data = |has_gap| Data::new(vec![run(has_gap), run(has_gap)], true).expect("samples");
+        let whole = data(false);
+        assert_eq!((whole.block_folds, whole.folds.len()), (4, 6));
+        let with_gap = data(true);
+        assert_eq!((with_gap.block_folds, with_gap.folds.len()), (3, 5));
+        let of_runs =
+            |fold: &Vec<bool>| (0..fold.len()).filter(|i| fold[*i]).map(|i| with_gap.samples[i].0).collect::<Vec<_>>();
+        assert!(with_gap.folds[3..].iter().all(|f| of_runs(f).windows(2).all(|w| w[0] == w[1])));
+        assert!(with_gap.folds[..3].iter().all(|f| of_runs(f).windows(2).any(|w| w[0] != w[1])));
+    }
 }

@@ -151,12 +151,12 @@ impl RunResiduals<'_> {
 
     /// Share of a residual that the motion and the channel itself predict, in innovations or beyond surrogates.
     fn motion_share(&self, simulated: &[f64], points: &[f64], noise: &[f64]) -> f64 {
+        let channel = averaged(simulated, STRUCTURE_POINTS);
         let columns: Vec<Vec<f64>> = CHANNEL_SHIFTS
             .iter()
-            .map(|s| shifted(simulated, *s))
-            .chain(self.motion.iter().cloned())
+            .map(|s| shifted(&channel, *s))
+            .chain(self.motion.iter().map(|m| averaged(m, STRUCTURE_POINTS)))
             .take(points.len() / SAMPLES_PER_REGRESSOR)
-            .map(|c| averaged(&c, STRUCTURE_POINTS))
             .collect();
         // Slow noise correlates with every slow regressor, so that both sides are whitened. Whitening hides smooth effects in
         // white noise, so that surrogates of the plain residual are compared as well.

@@ -2,6 +2,7 @@
 
 use super::quantity::duration;
 use crate::fit::step_error::StepError;
+use crate::inspect::conditions::recorded_column;
 use crate::prior::NEGLIGIBLE_STEP_ERROR;
 use hysteron_identify::study::{Role, Run, Study};
 
@@ -127,10 +128,73 @@ const MEASUREMENTS: &[Measurement] = &[
     ),
 ];
 
-/// Measurement that shows a cause, in words.
-pub(super) fn measurement(cause: &str, place: &str, building: bool) -> Option<String> {
+/// A condition of the runs that may be recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Condition {
+    Temperature,
+    AxialForce,
+}
+
+/// Units of temperature.
+const TEMPERATURES: [&str; 6] = ["degC", "°C", "C", "K", "degF", "°F"];
+
+impl Condition {
+    /// Returns true if every run has it: a column of this name or unit, or a setting.
+    fn is_recorded(self, study: &Study) -> bool {
+        let has = |r: &Run| match self {
+            Self::Temperature => {
+                recorded_column(r, "temp").is_some()
+                    || r.recording.columns.iter().any(|c| TEMPERATURES.contains(&c.unit.as_str()))
+            }
+            Self::AxialForce => recorded_column(r, "axial").is_some() || r.number("axial").is_some(),
+        };
+        study.runs.iter().all(has)
+    }
+}
+
+/// A cause whose measurement is a record of a condition, and what is left to do where it is recorded already.
+struct Recorded {
+    cause: &'static str,
+    condition: Condition,
+    rig: Option<&'static str>,
+}
+
+const RECORDED: &[Recorded] = &[
+    Recorded {
+        cause: "self_heating",
+        condition: Condition::Temperature,
+        rig: Some("repeat a run after {place} has cooled: the first cycle must be strong again"),
+    },
+    Recorded {
+        cause: "ambient_temperature",
+        condition: Condition::Temperature,
+        rig: Some("repeat one run at the temperature of the model"),
+    },
+    Recorded {
+        cause: "axial_shear_interaction",
+        condition: Condition::AxialForce,
+        rig: Some("repeat a run at another axial load: the lateral stiffness must change"),
+    },
+    Recorded { cause: "varying_axial_load", condition: Condition::AxialForce, rig: None },
+];
+
+/// What an unknown cause may depend on and no run records, in words.
+pub(super) fn unrecorded(study: &Study) -> String {
+    let conditions = [("temperature", Condition::Temperature), ("axial force", Condition::AxialForce)];
+    let missing = conditions.iter().filter(|(_, c)| !c.is_recorded(study)).map(|(name, _)| *name);
+    let all: Vec<&str> = missing.chain(["both horizontal directions"]).collect();
+    format!("record what may matter and is not recorded: {}", all.join(", "))
+}
+
+/// Measurement that shows a cause, in words; `None` where it is recorded already.
+pub(super) fn measurement(cause: &str, place: &str, building: bool, study: &Study) -> Option<String> {
     let m = MEASUREMENTS.iter().find(|m| m.cause == cause)?;
-    let text = if building { m.building } else { m.rig };
+    let text = match RECORDED.iter().find(|r| r.cause == cause && r.condition.is_recorded(study)) {
+        Some(_) if building => return None,
+        Some(r) => r.rig?,
+        None if building => m.building,
+        None => m.rig,
+    };
     Some(text.replace("{place}", if place.is_empty() { "the device" } else { place }))
 }
 
@@ -165,21 +229,37 @@ fn script_step(run: &Run, steps: Option<usize>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MEASUREMENTS, measurement, script_step};
+    use super::{MEASUREMENTS, RECORDED, measurement, script_step, unrecorded};
     use crate::hypothesis;
     use crate::test_support::pad_study;
-    use hysteron_identify::study::Setting;
+    use hysteron_identify::study::{Column, Setting};
 
     #[test]
     fn every_cause_has_a_measurement() {
         let causes: Vec<&str> = hypothesis::ALL.iter().map(|h| h.cause).collect();
         assert_eq!(MEASUREMENTS.iter().map(|m| m.cause).collect::<Vec<_>>(), causes);
-        let text = measurement("gap_impact", "element 4", true).expect("a measurement");
+        let text = measurement("gap_impact", "element 4", true, &pad_study()).expect("a measurement");
         assert!(text.starts_with("measure the clearance at element 4, "), "{text}");
         // Nobody orders an earthquake.
         for m in MEASUREMENTS {
             assert!(!m.building.contains("drive") && !m.building.contains("repeat"), "{}", m.cause);
         }
+    }
+
+    /// Nobody is told to record what the recordings have.
+    #[test]
+    fn advice_asks_for_nothing_that_is_recorded() {
+        let mut study = pad_study();
+        study.runs.iter_mut().for_each(|r| r.recording.columns.retain(|c| !c.name.starts_with("temp")));
+        let heating = |s: &_| measurement("self_heating", "element 1", false, s).expect("a measurement");
+        assert!(heating(&study).contains("thermometer") && unrecorded(&study).contains("temperature"));
+        for r in &mut study.runs {
+            let values = vec![20.0; r.recording.times.len()];
+            r.recording.columns.push(Column { name: "inside".into(), unit: "degC".into(), values });
+        }
+        assert!(!heating(&study).contains("thermometer") && !unrecorded(&study).contains("temperature"));
+        assert!(heating(&study).contains("repeat a run") && measurement("self_heating", "", true, &study).is_none());
+        assert!(RECORDED.iter().all(|r| hypothesis::of(r.cause).is_some()));
     }
 
     #[test]

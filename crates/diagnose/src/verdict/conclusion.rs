@@ -57,6 +57,8 @@ pub(super) struct ConclusionContext<'a> {
     pub(super) step_error: StepError,
     /// Causes left out because the recordings have no clock.
     pub(super) causes_without_clock: Vec<&'static str>,
+    /// Causes left out because devices of the study's material cannot have them.
+    pub(super) causes_of_other_materials: Vec<&'static str>,
     /// True if the baseline is poor and the runs are too long for a global search.
     pub(super) global_search_too_long: bool,
     pub(super) inventory: &'a ModelInventory,
@@ -434,6 +436,10 @@ fn verdict_in_words(
             " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
             c.causes_without_clock.join(" and ")
         );
+    }
+    if let Some(material) = c.study.material.filter(|_| !c.causes_of_other_materials.is_empty()) {
+        let causes = c.causes_of_other_materials.join(" and ");
+        text += &format!(" Devices of {} have no {causes}, which were left out.", material.name());
     }
     if c.global_search_too_long {
         text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \

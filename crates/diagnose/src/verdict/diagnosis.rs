@@ -129,6 +129,7 @@ pub fn diagnose(
     };
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);
+    let (library, of_other_materials): (Vec<_>, Vec<_>) = library.into_iter().partition(|h| h.suits_material(&study));
     let causes_tried = library.len();
     let mut proposals: Vec<Proposal> = library.iter().flat_map(|h| h.proposals(&context)).collect();
     let structure = unmodelled_structure(&study, &responses, &baseline.fitted.fits, true);
@@ -176,6 +177,7 @@ pub fn diagnose(
         imposed_motion: !inventory.base_excited,
         step_error,
         causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
+        causes_of_other_materials: of_other_materials.iter().map(|h| h.cause).collect(),
         global_search_too_long: poor && !global,
         inventory: &inventory,
         tried: (proposals.len(), causes_tried),

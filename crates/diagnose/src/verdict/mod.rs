@@ -4,6 +4,7 @@
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
 //! - [`explanation`]: the verdict in words
 //! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
+//! - `fault_in_words`: faults of channels with their corrections
 //! - `gain`: errors before and after a repair, beside the noise of the recordings
 //! - `gates`: limits of the probability of a cause by physics, bounds and channels
 //! - `plausibility`: balances and published ranges
@@ -21,6 +22,7 @@ pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;
 mod error_conditions;
 pub(crate) mod explanation;
+mod fault_in_words;
 mod gain;
 mod gates;
 pub(crate) mod mismatch;

@@ -15,6 +15,12 @@ pub struct Place {
     pub nodes: Vec<NodePlace>,
     /// Directions along the global axes, in words.
     pub directions: Vec<String>,
+    /// Motion that meets a contact of one side, along the global axes, in words; empty for other effects.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub side: String,
+    /// Number of the elements or nodes that stand side by side; 1 where they do not.
+    #[serde(skip)]
+    pub(super) parallel_parts: usize,
     /// Level in the structure, in words; empty if the heights of the nodes do not tell it.
     pub level: String,
     /// Name of the channel at fault; empty if the model is.
@@ -77,6 +83,8 @@ fn place(location: &str, commands: &[&str], inventory: &ModelInventory) -> Place
     let nodes: Vec<NodePlace> = tags.iter().filter_map(node).collect();
     Place {
         directions: directions(&elements, commands, inventory),
+        side: side(&elements, commands, inventory),
+        parallel_parts: parallel_parts(&elements, &nodes, inventory),
         level: level(&elements, &nodes, inventory),
         elements,
         nodes,
@@ -100,9 +108,60 @@ fn directions(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -
     out
 }
 
+/// Motion that meets the contact of a command with the option `-side`: of the node that no support holds, along a global axis.
+fn side(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -> String {
+    let found = || {
+        let device = inventory.devices.iter().find(|d| elements.contains(&d.tag))?;
+        let command = commands.iter().find(|c| c.starts_with("amend element") && c.contains(" -side "))?;
+        let sense = tags_after(command, ["-side", "-side"]).first().map(|s| f64::from(s.signum()))?;
+        let number = *tags_after(command, ["-dir", "-dir"]).first()?;
+        let axis = device.directions.iter().find(|d| d.number == number as usize)?.axis;
+        let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT).filter(|_| sense != 0.0)?;
+        let is_held = |tag: i32| inventory.is_held(tag, along + 1);
+        // The deformation is the motion of the second node against the first.
+        let (moving, sense) = match device.nodes {
+            [first, second] if is_held(second) && !is_held(first) => (first, -sense),
+            [_, second] => (second, sense),
+        };
+        let sign = if sense * axis[along] > 0.0 { "+" } else { "-" };
+        Some(format!("met when node {moving} moves towards {sign}{}", AXES[along]))
+    };
+    found().unwrap_or_default()
+}
+
+/// Number of elements, or of nodes without elements, that stand side by side: their ends are at the same heights, or all are
+/// on supports where the model has no height.
+fn parallel_parts(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> usize {
+    let all: Vec<&[i32]> = if elements.is_empty() {
+        nodes.iter().map(|n| std::slice::from_ref(&n.tag)).collect()
+    } else {
+        elements.iter().filter_map(|e| inventory.element_nodes.get(e)).map(Vec::as_slice).collect()
+    };
+    let is_support = |tag: &i32| inventory.supports.iter().any(|s| s.node == *tag && s.fixed.len() >= inventory.ndm);
+    let side_by_side = match inventory.vertical_axis() {
+        None => all.iter().all(|nodes| nodes.iter().any(is_support)),
+        Some(axis) => {
+            let height = |n: &i32| inventory.coordinates.get(n).and_then(|x| x.get(axis)).copied();
+            let heights = |nodes: &[i32]| {
+                let mut all: Vec<f64> = nodes.iter().filter_map(height).collect();
+                all.sort_by(f64::total_cmp);
+                all
+            };
+            let (low, high) = range(inventory.coordinates.keys().filter_map(height));
+            let near = |a: &f64, b: &f64| (a - b).abs() <= EQUAL_HEIGHT * (high - low).max(f64::MIN_POSITIVE);
+            let alike = |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(a, b));
+            all.windows(2).all(|w| alike(&heights(w[0]), &heights(w[1])))
+        }
+    };
+    if side_by_side { all.len().max(1) } else { 1 }
+}
+
+/// Names of the global axes.
+const AXES: [&str; 3] = ["X", "Y", "Z"];
+
 /// A direction along the global axes.
 fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
-    let names = ["X", "Y", "Z"];
+    let names = AXES;
     let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT);
     let vertical = inventory.vertical_axis();
     match (along, vertical) {
@@ -206,6 +265,9 @@ impl Place {
         if !self.directions.is_empty() {
             parts.push(self.directions.join(" and "));
         }
+        if !self.side.is_empty() {
+            parts.push(self.side.clone());
+        }
         parts.join("; ")
     }
 }
@@ -237,6 +299,32 @@ mod tests {
         let mass = place("node 4", &[], &inventory);
         assert_eq!(mass.level, "floor 2 of 2");
         assert_eq!(level(&[2, 3], &place("elements 2 3", &[], &inventory).nodes, &inventory), "storeys 1 to 2 of 2");
+    }
+
+    /// A side is told along the global axes, whatever the local ones are and whichever node is held.
+    #[test]
+    fn the_side_of_a_wall_is_that_of_the_global_axes() {
+        let side = |script: &str, side: &str| {
+            let command = format!("amend element 1 gap -at $hy_gap -side {side} -dir 1");
+            place("element 1", &[&command], &inventory_of(script)).side
+        };
+        assert_eq!(side(BUILDING, "1"), "met when node 2 moves towards +X");
+        assert_eq!(side(BUILDING, "-1"), "met when node 2 moves towards -X");
+        assert_eq!(side(BUILDING, "0"), "");
+        let turned = BUILDING.replace("-dir 1 2 6", "-dir 1 2 6 -orient -1 0 0 0 -1 0");
+        assert_eq!(side(&turned, "1"), "met when node 2 moves towards -X");
+        let from_above = BUILDING.replace("zeroLength 1 1 2", "zeroLength 1 2 1");
+        assert_eq!(side(&from_above, "1"), "met when node 2 moves towards -X");
+    }
+
+    /// Storeys stand on each other, and their forces do not add up.
+    #[test]
+    fn bearings_stand_side_by_side_and_storeys_do_not() {
+        let inventory = inventory_of(BUILDING);
+        assert_eq!(place("elements 2 3", &[], &inventory).parallel_parts, 1);
+        assert_eq!(place("element 2", &[], &inventory).parallel_parts, 1);
+        let twins = BUILDING.replace("geomTransf", "element zeroLength 5 1 2 -mat 1 -dir 1\ngeomTransf");
+        assert_eq!(place("elements 1 5", &[], &inventory_of(&twins)).parallel_parts, 2);
     }
 
     #[test]

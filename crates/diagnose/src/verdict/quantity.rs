@@ -115,6 +115,13 @@ enum Dimension {
     Unnamed,
 }
 
+impl Dimension {
+    /// Returns true if a quantity of parts side by side adds up.
+    fn adds_up(self) -> bool {
+        matches!(self, Self::Force | Self::Stiffness | Self::Dashpot | Self::Energy)
+    }
+}
+
 /// Names of the parameters of causes, in words, with their dimensions. Of one name the row of the cause comes first.
 const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
     use Dimension::{
@@ -225,13 +232,15 @@ const MAX_ASYMMETRY: f64 = 1.5;
 /// Smallest half width of an interval that is written, in parts of the value.
 const MIN_HALF_WIDTH: f64 = 1e-3;
 
-/// Size of the added parameter `name` of a cause. None for parameters of channels that a sentence about the channel contains.
+/// Size of the added parameter `name` of a cause, which each of some parts side by side has. None for parameters of channels
+/// that a sentence about the channel contains.
 pub(super) fn effect_size(
     cause: &str,
     name: &str,
     value: f64,
     interval: Option<&Interval>,
     units: &Units,
+    parts: usize,
 ) -> Option<EffectSize> {
     let (_, plain) = name.split_once('_')?;
     let row = QUANTITIES.iter().find(|(of, n, ..)| *n == plain && (*of == cause || of.is_empty()));
@@ -253,6 +262,10 @@ pub(super) fn effect_size(
     };
     if unit.is_empty() && dimension != Dimension::Ratio {
         number += " in the script's units";
+    }
+    if parts > 1 && dimension.adds_up() {
+        let sum = with_unit(&digits(factor * value * parts as f64, 3), &unit);
+        number += &format!(" at each of {parts}, {sum} together");
     }
     let own = scales.iter().find(|(factor, _)| *factor == 1.0).map_or_else(String::new, |(_, unit)| unit.clone());
     Some(EffectSize {
@@ -345,7 +358,7 @@ mod tests {
 
     fn size(cause: &str, name: &str, value: f64, [lower, upper]: [f64; 2], units: &Units) -> String {
         let interval = Interval { name: name.into(), value, lower, upper, standard_error: 0.01, from_noise: None };
-        effect_size(cause, name, value, Some(&interval), units).expect("a size").text
+        effect_size(cause, name, value, Some(&interval), units, 1).expect("a size").text
     }
 
     #[test]
@@ -367,12 +380,24 @@ mod tests {
         );
     }
 
+    /// Forces of devices side by side have their sum; other quantities have none.
+    #[test]
+    fn parts_side_by_side_have_their_sum() {
+        let units = Units { length: "m".into(), force: "N".into() };
+        let of = |name: &str, value: f64, parts: usize| {
+            effect_size("friction", name, value, None, &units, parts).expect("a size").text
+        };
+        assert_eq!(of("hy_force", 9900.0, 4), "friction force 9.9 kN at each of 4, 39.6 kN together");
+        assert_eq!(of("hy_force", 9900.0, 1), "friction force 9.9 kN");
+        assert_eq!(of("hy_way", 0.002, 4), "elastic slip 2 mm");
+    }
+
     #[test]
     fn an_undetermined_size_is_called_so() {
         let units = Units { length: "m".into(), force: "kN".into() };
         let interval =
             Interval { name: String::new(), value: 4.7, lower: 1.0, upper: 9.0, standard_error: 0.4, from_noise: None };
-        let text = effect_size("friction", "hy_force", 4.7, Some(&interval), &units).expect("a size").text;
+        let text = effect_size("friction", "hy_force", 4.7, Some(&interval), &units, 1).expect("a size").text;
         assert_eq!(text, "friction force about 4.7 kN (the recordings hardly determine it)");
     }
 

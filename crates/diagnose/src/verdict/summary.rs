@@ -1,13 +1,13 @@
 //! The verdict for readers without statistics: one template of the terminal, the report and the result file.
 
-use super::advice::{measurement, shorter_step};
+use super::advice::{measurement, shorter_step, unrecorded};
 use super::explanation::unsteady_in_words;
+use super::fault_in_words::{cause_of, fault_in_words, unit_of};
 use super::gain::gain;
 use super::place::{Place, places};
 use super::plausibility::{beyond_fitted_amplitude, contradictions, parameters_that_leave_bounds};
-use super::quantity::{EffectSize, Units, digits, duration, effect_size};
+use super::quantity::{EffectSize, Units, digits, effect_size};
 use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
-use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
 use crate::fit::step_error::StepError;
 use crate::hypothesis;
@@ -151,8 +151,7 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
     } else {
         "repeat a run unchanged: what repeats is missing in the model, what does not is noise".into()
     };
-    let unrecorded = "record what may matter and is not recorded: temperature, axial force, both horizontal directions";
-    let mut next = vec![repetition, unrecorded.into()];
+    let mut next = vec![repetition, unrecorded(c.study)];
     next.extend(steps(c));
     Summary {
         what,
@@ -170,7 +169,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
     let units = Units::of(c.study, c.script);
     let places = places(c.variant, c.inventory);
     let described: Vec<String> = places.iter().map(|(location, p)| p.description(location, c.study, &units)).collect();
-    let sizes = sizes(c, &units);
+    let sizes = sizes(c, &units, &places);
     // What the recordings hardly determine is left to the list of sizes.
     let named = |determined: bool| sizes.iter().filter(move |s| s.determined || !determined).map(|s| s.text.clone());
     let mut in_words: Vec<String> = named(true).collect();
@@ -182,7 +181,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
     if !c.test.is_empty() {
         next.push(c.test.to_owned());
     }
-    next.extend(measurement(c.verdict.0, place, c.is_building()));
+    next.extend(measurement(c.verdict.0, place, c.is_building(), c.study));
     // A shorter step is for the script; what tells causes apart comes first.
     next.extend(steps(c));
     Summary {
@@ -226,77 +225,16 @@ fn what(c: &SummaryContext<'_>) -> String {
     format!("{}.{form}", capitalised(&sentences.join(". Also: ")))
 }
 
-/// Cause that a fault of a channel stands for; `None` for no fault.
-fn cause_of(f: &ChannelFault) -> Option<&'static str> {
-    let of = [
-        (f.gain != 1.0, "sensor_gain"),
-        (f.lag_s != 0.0, "sensor_lag"),
-        (!f.drift.is_empty(), "sensor_drift"),
-        (f.clip.is_some(), "sensor_clipping"),
-    ];
-    of.into_iter().find(|(is, _)| *is).map(|(_, cause)| cause)
-}
-
-fn unit_of<'a>(study: &'a Study, channel: &str) -> &'a str {
-    let observed = study.runs.iter().flat_map(|r| &r.observe).find(|o| o.channel == channel);
-    observed.map_or("", |o| o.unit.as_str())
-}
-
-/// A level is open if it is this many times as far from zero as the other.
-const OPEN_LEVEL: f64 = 5.0;
-/// Time between two points of a drift from which it is a slope, s.
-const SLOPE_LENGTH: f64 = 9e3;
-
-/// A fault of a channel as a sentence with its correction.
-pub(super) fn fault_in_words(f: &ChannelFault, unit: &str) -> String {
-    let in_run = f.run.as_ref().map_or_else(String::new, |r| format!(" in run {r}"));
-    let channel = format!("the channel {}{in_run}", f.channel);
-    let value = |x: f64| if unit.is_empty() { digits(x, 3) } else { format!("{} {unit}", digits(x, 3)) };
-    if f.gain != 1.0 {
-        let size = f.gain.abs();
-        let sign = if f.gain < 0.0 { "with the sign turned" } else { "" };
-        let factor = match size {
-            g if (g - 1.0).abs() < 5e-4 => String::new(),
-            g if g > 1.0 => format!("{} times too large", digits(g, 4)),
-            g => format!("{} times too small", digits(1.0 / g, 3)),
-        };
-        let and = if sign.is_empty() || factor.is_empty() { "" } else { " and " };
-        return format!("{channel} is recorded {sign}{and}{factor}: divide it by {}", digits(f.gain, 4));
-    }
-    if f.lag_s != 0.0 {
-        let size = duration(f.lag_s.abs());
-        let (is, shift) = if f.lag_s > 0.0 { ("late", "earlier") } else { ("early", "later") };
-        return format!("{channel} is {is} by {size}: shift it {size} {shift}");
-    }
-    if let Some([low, high]) = f.clip {
-        let levels = match (low.abs(), high.abs()) {
-            (l, h) if l > OPEN_LEVEL * h => format!("above {}", value(high)),
-            (l, h) if h > OPEN_LEVEL * l => format!("below {}", value(low)),
-            _ => format!("beyond {} and {}", value(low), value(high)),
-        };
-        return format!("{channel} shows nothing {levels}: leave the samples at that level out");
-    }
-    match f.drift[..] {
-        [a, b] if b[0] - a[0] > SLOPE_LENGTH => {
-            let slope = (b[1] - a[1]) / (b[0] - a[0]);
-            format!("{channel} drifts by {} per second, from {} at time 0: take it off", value(slope), value(a[1]))
-        }
-        [a, b] => format!("{channel} jumps by {} at {}: take it off", value(b[1] - a[1]), duration(a[0])),
-        _ => {
-            let (low, high) = f.drift.iter().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p[1]), b.max(p[1])));
-            format!("the zero of {channel} wanders between {} and {}", value(low), value(high))
-        }
-    }
-}
-
 /// Sizes of the added parameters, of the first effect and then of the second.
-fn sizes(c: &SummaryContext<'_>, units: &Units) -> Vec<EffectSize> {
+fn sizes(c: &SummaryContext<'_>, units: &Units, places: &[(String, Place)]) -> Vec<EffectSize> {
     let Some(p) = &c.variant.proposal else { return vec![] };
     let added = c.variant.split(c.values).1;
     let size = |(a, value): (&crate::candidate::proposal::AddedParameter, &f64)| {
-        let cause = if a.name.starts_with("hy2_") { p.second_cause.unwrap_or(p.cause) } else { p.cause };
+        let is_second = a.name.starts_with("hy2_");
+        let cause = if is_second { p.second_cause.unwrap_or(p.cause) } else { p.cause };
+        let parts = places.get(usize::from(is_second)).map_or(1, |(_, place)| place.parallel_parts);
         let interval = c.uncertainty.and_then(|u| u.intervals.iter().find(|i| i.name == a.name));
-        effect_size(cause, &a.name, *value, interval, units)
+        effect_size(cause, &a.name, *value, interval, units, parts)
     };
     p.parameters.iter().zip(added).filter_map(size).collect()
 }
@@ -455,32 +393,7 @@ fn wrapped(text: &str, width: usize, indent: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Summary, fault_in_words, wrapped};
-    use crate::candidate::channel_fault::ChannelFault;
-
-    fn fault(change: impl FnOnce(&mut ChannelFault)) -> String {
-        let mut f = ChannelFault::none("force", None);
-        change(&mut f);
-        fault_in_words(&f, "kN")
-    }
-
-    #[test]
-    fn faults_of_sensors_state_their_correction() {
-        assert_eq!(fault(|f| f.gain = 1.05), "the channel force is recorded 1.05 times too large: divide it by 1.05");
-        assert_eq!(fault(|f| f.gain = 0.65), "the channel force is recorded 1.54 times too small: divide it by 0.65");
-        assert_eq!(fault(|f| f.gain = -1.0), "the channel force is recorded with the sign turned: divide it by -1");
-        let both = "the channel force is recorded with the sign turned and 1.2 times too large: divide it by -1.2";
-        assert_eq!(fault(|f| f.gain = -1.2), both);
-        assert_eq!(fault(|f| f.lag_s = 0.02), "the channel force is late by 20 ms: shift it 20 ms earlier");
-        assert_eq!(fault(|f| f.lag_s = -0.0107), "the channel force is early by 10.7 ms: shift it 10.7 ms later");
-        let clipped = "the channel force shows nothing above 20 kN: leave the samples at that level out";
-        assert_eq!(fault(|f| f.clip = Some([-200.0, 20.0])), clipped);
-        let jump = "the channel force in run a jumps by 0.6 kN at 13.2 s: take it off";
-        let in_run = |f: &mut ChannelFault| (f.run, f.drift) = (Some("a".into()), vec![[13.2, 0.0], [13.21, 0.6]]);
-        assert_eq!(fault(in_run), jump);
-        let slope = "the channel force drifts by 0.02 kN per second, from -1 kN at time 0: take it off";
-        assert_eq!(fault(|f| f.drift = vec![[0.0, -1.0], [1e4, 199.0]]), slope);
-    }
+    use super::{Summary, wrapped};
 
     #[test]
     fn lines_are_no_longer_than_the_width() {

@@ -2,6 +2,7 @@
 
 use super::channel::read_channel;
 use super::checks;
+use super::material::DeviceMaterial;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
@@ -30,6 +31,8 @@ pub struct Study {
     pub calibration: CalibrationOptions,
     /// Limits of the laboratory.
     pub rig: Option<Rig>,
+    /// Material of the devices; none if the study does not say.
+    pub material: Option<DeviceMaterial>,
     /// Locations of its words, for messages.
     pub(super) spans: StudySpans,
     /// Warnings about the study and its recordings.
@@ -129,6 +132,7 @@ impl Study {
             runs,
             calibration: read_calibration_options(&spans, &parsed)?,
             rig: read_rig(&spans, &parsed)?,
+            material: read_material(&spans, &parsed)?,
             spans: StudySpans::new(&spans, &parsed),
             warnings,
         })
@@ -342,6 +346,13 @@ fn read_calibration_options(spans: &SourceSpans, file: &StudyFile) -> Result<Cal
         polish: c.polish,
         time_limit: optional("the limit of time", &c.time_limit, |x| x > 0.0, "expected seconds, more than 0")?,
     })
+}
+
+/// The key `material`.
+fn read_material(spans: &SourceSpans, file: &StudyFile) -> Result<Option<DeviceMaterial>, StudyError> {
+    let Some(word) = &file.material else { return Ok(None) };
+    let name = spans.choice("material", word, &DeviceMaterial::ALL.map(DeviceMaterial::name))?;
+    Ok(DeviceMaterial::ALL.into_iter().find(|m| m.name() == name))
 }
 
 /// The table `[rig]`.

@@ -18,6 +18,7 @@ pub(super) struct StudyFile {
     #[serde(default)]
     pub(super) calibration: CalibrationTable,
     pub(super) rig: Option<RigTable>,
+    pub(super) material: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,6 +1,7 @@
 //! Friction of a slider that grows with the speed.
 
 use super::{LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
+use hysteron_identify::study::DeviceMaterial;
 
 const TESTS: &str = "Constantinou, Mokha and Reinhorn (1990): friction at rest is 0.2 to 0.5 of that at speed";
 
@@ -8,6 +9,7 @@ pub(super) const LAW: WholeLaw = WholeLaw {
     cause: "rate_dependence",
     form: "friction between a slow and a fast coefficient in the place of a constant one",
     replaces: Replaces::Friction(&["Coulomb", "Constant"]),
+    materials: &[DeviceMaterial::Sliding],
     command: "VelDependent {tag} [expr {$::hy_slow*({old})}] {old} $::hy_rate",
     parameters: &[
         LawParameter::linear("slow", 0.5, [0.1, 1.0], LawUnit::One, TESTS),

@@ -3,6 +3,7 @@
 //! The numbers are those of the compound HDR3 at 23 degrees. Factors move each of the three parts.
 
 use super::{LAWS_OF_RUBBER, LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
+use crate::hypothesis::materials::RUBBERS;
 
 /// Least factor of a part: it is absent.
 const ABSENT: f64 = 1e-3;
@@ -15,6 +16,7 @@ pub(super) const LAW: WholeLaw = WholeLaw {
     cause: "rate_dependence",
     form: "high damping rubber as a rheology in the place of the law",
     replaces: Replaces::Shear { kinds: LAWS_OF_RUBBER, bearings: true },
+    materials: RUBBERS,
     command: "HDRRheology {tag} [expr {$::hy_friction*7.12}] 0.486 [expr {$::hy_stiffening*0.0079}] \
               [expr {$::hy_friction*0.355}] 5.03 [expr {$::hy_overstress*10.2}] [expr {$::hy_overstress*0.652}] \
               [expr {$::hy_overstress*0.711}] [expr {$::hy_overstress*1.45}] 0.238 -area $::hy_area -height $::hy_height",

@@ -5,6 +5,7 @@
 //! because the largest strain is known from the user's model alone.
 
 use super::{LAWS_OF_RUBBER, LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
+use crate::hypothesis::materials::RUBBERS;
 
 const REPLACES: Replaces = Replaces::Shear { kinds: LAWS_OF_RUBBER, bearings: true };
 const COMMAND: &str = "KikuchiAikenHDR {tag} X0.6 $::hy_area $::hy_height -coGHU 1.0 $::hy_damping $::hy_share";
@@ -37,6 +38,7 @@ pub(super) const SOFTENING: WholeLaw = WholeLaw {
     cause: "mullins_softening",
     form: "high damping rubber by Kikuchi and Aiken in the place of the law",
     replaces: REPLACES,
+    materials: RUBBERS,
     command: COMMAND,
     parameters: &[area(0.89e6), height(1.5, [0.15, 1.15 * STIFFENS]), damping(), share()],
     phenomena: &[],
@@ -48,6 +50,7 @@ pub(super) const STIFFENING: WholeLaw = WholeLaw {
     cause: "strain_stiffening",
     form: "high damping rubber by Kikuchi and Aiken in the place of the law",
     replaces: REPLACES,
+    materials: RUBBERS,
     command: COMMAND,
     parameters: &[area(1.53e6), height(2.6, [STIFFENS, 4.0]), damping(), share()],
     phenomena: &[Phenomenon { name: "stiffening at large strain", neutral: &[("height", 1.0 / STIFFENS)] }],

@@ -19,6 +19,7 @@ use super::device_commands::device_commands;
 use super::{AddedParameter, Proposal};
 use crate::candidate::proposal::{Switch, TextEdit, WholeLawParts};
 use crate::inspect::inventory::TagPurpose;
+use hysteron_identify::study::DeviceMaterial;
 use sites::Site;
 
 /// A law that can stand in the place of a device's own.
@@ -29,6 +30,8 @@ struct WholeLaw {
     form: &'static str,
     /// Devices whose law it can replace.
     replaces: Replaces,
+    /// Their materials.
+    materials: &'static [DeviceMaterial],
     /// Kind and further words of its command. `{tag}` is the tag, `{old}` the last word of a replaced command, `{axial}`
     /// the axial force at rest, and parameters are `$::hy_name`.
     command: &'static str,
@@ -160,7 +163,8 @@ impl WholeLaw {
 
 /// Forms of a cause that replace the law of the devices with the most work.
 pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Proposal> {
-    let laws = || LAWS.iter().filter(|law| law.cause == cause);
+    let suits = |law: &WholeLaw| s.study.material.is_none_or(|m| law.materials.contains(&m));
+    let laws = || LAWS.iter().filter(|law| law.cause == cause && suits(law));
     if laws().next().is_none() {
         return vec![];
     }

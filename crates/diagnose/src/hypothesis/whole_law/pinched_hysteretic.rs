@@ -3,6 +3,7 @@
 //! The smooth law of Baber and Noori for pinching is none of the library; the trilinear law of OpenSees stands for it.
 
 use super::{LawParameter, LawUnit, Phenomenon, Replaces, WholeLaw};
+use hysteron_identify::study::DeviceMaterial;
 
 const MANUAL: &str = "OpenSees' manual, Hysteretic";
 
@@ -13,6 +14,7 @@ pub(super) const LAW: WholeLaw = WholeLaw {
         kinds: &["Elastic", "Steel01", "Steel02", "Hardening", "ElasticPP", "BoucWen"],
         bearings: false,
     },
+    materials: &[DeviceMaterial::Steel, DeviceMaterial::Concrete, DeviceMaterial::Timber],
     command: "Hysteretic {tag} $::hy_strength $::hy_yield [expr {$::hy_strength*(1.0+$::hy_hardening)}] \
               [expr {10.0*$::hy_yield}] [expr {-$::hy_strength}] [expr {-$::hy_yield}] \
               [expr {-$::hy_strength*(1.0+$::hy_hardening)}] [expr {-10.0*$::hy_yield}] \

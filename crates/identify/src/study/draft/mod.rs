@@ -190,6 +190,7 @@ impl Draft {
             runs: vec![spec],
             calibration: CalibrationOptions::default(),
             rig: None,
+            material: None,
             spans: StudySpans::default(),
             warnings: vec![],
         };
