@@ -19,6 +19,7 @@ mod fragility;
 mod help;
 mod init;
 mod isolate;
+mod learn;
 mod limits;
 mod loops;
 mod messages;

@@ -46,8 +46,18 @@ pub(super) struct Scales {
     pub(super) conditions: Vec<(f64, f64)>,
 }
 
+/// State at which slow variables are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// Of the moment, with weights of any sign: kinds of memory are compared.
+    Comparison,
+    /// The committed one, with weights that make no energy: the law is one of the engine.
+    Engine,
+}
+
 /// Samples of all runs, with weights and folds.
 pub(super) struct Data {
+    pub(super) mode: Mode,
     pub(super) runs: Vec<DeviceRun>,
     pub(super) scales: Scales,
     /// True if the times are those of a clock.
@@ -60,8 +70,10 @@ pub(super) struct Data {
     pub(super) weight: Vec<f64>,
     /// True for samples of fitted runs.
     pub(super) fitted: Vec<bool>,
-    /// Samples held back by each fold: blocks first, then whole runs.
+    /// Samples held back by each fold: blocks first, then whole runs; no fold is empty.
     pub(super) folds: Vec<Vec<bool>>,
+    /// Number of the folds of blocks.
+    pub(super) block_folds: usize,
     /// Factor of the errors of whole runs.
     pub(super) whole_factor: f64,
 }
@@ -70,7 +82,9 @@ pub(super) struct Data {
 const SAMPLES: usize = 2000;
 /// Blocks of a run, and folds to which they belong in turn.
 const BLOCKS: usize = 8;
-pub(super) const BLOCK_FOLDS: usize = 4;
+const BLOCK_FOLDS: usize = 4;
+/// Folds of blocks that have samples, at least.
+const MIN_BLOCK_FOLDS: usize = 2;
 /// First block of the end of a single run that is held back as a whole.
 const END_BLOCK: usize = 5;
 
@@ -101,15 +115,19 @@ impl Data {
         }
         let of =
             |held: &dyn Fn(usize) -> bool| -> Vec<bool> { (0..samples.len()).map(|i| fitted[i] && held(i)).collect() };
-        let mut folds: Vec<Vec<bool>> = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f)).collect();
+        let has_samples = |f: &Vec<bool>| f.iter().any(|x| *x);
+        let of_blocks = (0..BLOCK_FOLDS).map(|f| of(&|i| block[i] % BLOCK_FOLDS == f));
+        let mut folds: Vec<Vec<bool>> = of_blocks.filter(has_samples).collect();
+        let block_folds = folds.len();
         if fitted_runs > 1 {
             folds.extend((0..runs.len()).filter(|k| !runs[*k].held_out).map(|k| of(&|i| samples[i].0 == k)));
         } else {
             folds.push(of(&|i| block[i] >= END_BLOCK));
         }
-        folds.retain(|f| f.iter().any(|x| *x));
+        folds.retain(has_samples);
         let whole_factor = if fitted_runs > 1 { 1.0 } else { BLOCKS as f64 / (BLOCKS - END_BLOCK) as f64 };
-        (folds.len() > BLOCK_FOLDS).then_some(Self {
+        (block_folds >= MIN_BLOCK_FOLDS && folds.len() > block_folds).then_some(Self {
+            mode: Mode::Comparison,
             runs,
             scales,
             has_clock,
@@ -118,6 +136,7 @@ impl Data {
             weight,
             fitted,
             folds,
+            block_folds,
             whole_factor,
         })
     }
@@ -130,6 +149,13 @@ impl Data {
     /// Series of the runs at the samples.
     pub(super) fn sampled(&self, runs: &[Vec<f64>]) -> Vec<f64> {
         self.samples.iter().map(|(k, i)| runs[*k][*i]).collect()
+    }
+
+    /// Conditions of a run at a sample, each less its mean over three standard deviations.
+    pub(super) fn scaled_conditions(&self, run: &DeviceRun, sample: usize) -> Vec<f64> {
+        let all = run.conditions.iter().zip(&self.scales.conditions);
+        let scaled = all.map(|(c, (mean, deviation))| (c.values[sample] - mean) / (3.0 * deviation));
+        scaled.map(|x| if x.is_finite() { x } else { 0.0 }).collect()
     }
 
     /// Families that can be told from these runs, with the index of their condition.
