@@ -87,6 +87,9 @@ fn print_law(l: &LearnedStudy, dir: &Path) {
     if let (Some(before), Some(after)) = (e.user_held_out, e.held_out) {
         println!("runs held out        {before:10.2e}   {after:10.2e}");
     }
+    if let Some(beyond) = e.held_out_beyond.filter(|_| e.outside > 0.0) {
+        println!("the same beyond range         -   {beyond:10.2e}");
+    }
     if let Some([before, after]) = l.simulated {
         println!("the same, simulated  {before:10.2e}   {after:10.2e}");
     }

@@ -135,6 +135,9 @@ impl Competition<'_> {
     /// Errors on blocks and whole runs that are held back in turn.
     pub(super) fn held_back(&self, law: &Law) -> HeldBack {
         let d = self.data;
+        if d.mode == Mode::Engine {
+            return self.linear_held_back(law);
+        }
         let start = self.fitter.fit(law, &d.fitted, FIT_STEPS, &[]).factors;
         let of_fold = |held: &Vec<bool>| {
             let kept: Vec<bool> = d.fitted.iter().zip(held).map(|(f, h)| *f && !*h).collect();
@@ -191,10 +194,17 @@ impl Competition<'_> {
     /// A law at the best of some slip levels over its own, where a factor acts on its strength: such a factor is one where
     /// nothing is remembered yet, so that the level of the law without it is too low or too high.
     pub(super) fn at_best_level(&self, law: Law, ratios: &[f64]) -> (HeldBack, Law) {
-        let own = self.held_back(&law);
         if law.shape == Shape::User || law.factors.iter().all(|(t, _)| *t != Target::Strength) {
-            return (own, law);
+            return (self.held_back(&law), law);
         }
+        if self.data.mode == Mode::Engine {
+            let error =
+                |l: &Law| self.error(l, &self.fitter.fit(l, &self.data.fitted, FOLD_STEPS, &[]), &self.data.fitted);
+            let all = ratios.iter().map(|r| self.at_level(&law, r * law.level)).chain([law.clone()]);
+            let best = all.map(|l| (error(&l), l)).min_by(|a, b| a.0.total_cmp(&b.0)).map_or(law, |x| x.1);
+            return (self.held_back(&best), best);
+        }
+        let own = self.held_back(&law);
         let others = ratios.iter().map(|r| self.at_level(&law, r * law.level)).map(|l| (self.held_back(&l), l));
         let best = others.min_by(|a, b| a.0.pooled.total_cmp(&b.0.pooled));
         best.filter(|(e, _)| e.pooled < own.pooled).unwrap_or((own, law))

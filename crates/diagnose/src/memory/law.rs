@@ -165,6 +165,8 @@ pub(super) const SIDE_HINGES: [f64; 2] = [0.35, 0.7];
 /// Largest coefficient of a slow variable, and its largest change in a step.
 const MAX_COEFFICIENT: f64 = 3.0;
 const MAX_STEP: f64 = 0.5;
+/// Largest change of a coefficient in a step with which they are found.
+const SETTLED: f64 = 1e-3;
 /// Step of the derivative by a factor on the strength.
 pub(super) const STRENGTH_STEP: f64 = 0.02;
 
@@ -305,7 +307,7 @@ impl<'a> Fitter<'a> {
     }
 
     /// Columns whose weights may not be negative.
-    fn positive(&self, law: &Law, counts: [usize; 4]) -> Vec<bool> {
+    pub(super) fn positive(&self, law: &Law, counts: [usize; 4]) -> Vec<bool> {
         let [e, h, x, _] = counts;
         let is_engine = self.data.mode == Mode::Engine;
         let elastic = (0..e).map(|k| k == 0 || is_engine);
@@ -365,12 +367,13 @@ impl<'a> Fitter<'a> {
         };
         let kept: Vec<usize> = (0..rows.len()).filter(|i| rows[*i]).collect();
         let steps = if count > 0 { steps } else { 0 };
+        let mut settled = false;
         for step in 0..=steps {
             let columns = self.columns(law, &c.factors);
             let positive = self.positive(law, columns.counts);
             let (normal, right) = self.normal(&columns.all, &self.data.recorded, &kept);
             c.weights = weights(&normal, &right, &positive);
-            if step == steps {
+            if step == steps || settled {
                 break;
             }
             let value = self.value_of(&columns, &c);
@@ -383,6 +386,7 @@ impl<'a> Fitter<'a> {
                 DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / scale[i] / scale[j] + if i == j { 1e-4 } else { 0.0 });
             let Some(factored) = scaled.cholesky() else { break };
             let moved = factored.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
+            let mut largest = 0.0f64;
             for i in 0..count {
                 let k = n - count + i;
                 let change = (moved[k] / scale[k]).clamp(-MAX_STEP, MAX_STEP);
@@ -392,14 +396,18 @@ impl<'a> Fitter<'a> {
                     Admitted::NotNegative => [0.0, MAX_COEFFICIENT],
                     _ => [-MAX_COEFFICIENT, MAX_COEFFICIENT],
                 };
-                c.factors[i] = (c.factors[i] + change).clamp(least, most);
+                let next = (c.factors[i] + change).clamp(least, most);
+                largest = largest.max((next - c.factors[i]).abs());
+                c.factors[i] = next;
             }
+            // The next pass finds the weights of the factors that stand.
+            settled = self.data.mode == Mode::Engine && largest < SETTLED;
         }
         c
     }
 
     /// Weighted normal matrix and right side over some samples.
-    fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
+    pub(super) fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
         let w = &self.data.weight;
         let gathered: Vec<Vec<f64>> = columns.iter().map(|c| kept.iter().map(|i| c[*i] * w[*i]).collect()).collect();
         let right: Vec<f64> = kept.iter().map(|i| target[*i] * w[*i]).collect();

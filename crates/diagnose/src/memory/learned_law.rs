@@ -76,7 +76,7 @@ pub(super) fn engine_law(fitter: &Fitter<'_>, law: &Law, c: &Coefficients) -> Op
     };
     add_elastic(&mut out, law, elastic, s.deformation);
     if has(Group::Unequal) {
-        out.unequal = short(hysteretic[h - 1] / by_force) - out.strength;
+        out.unequal = short(hysteretic[h - 1] / by_force - out.strength);
     }
     if has(Group::Stops) {
         let all = (0..STOP_LEVELS).map(|k| [short(s.deformation * stop_level(k)), short(hysteretic[1 + k])]);
@@ -107,12 +107,9 @@ pub(super) fn engine_law(fitter: &Fitter<'_>, law: &Law, c: &Coefficients) -> Op
     }
     for ((target, v), a) in law.factors.iter().zip(&c.factors) {
         let Kind::Variable(variable) = v.kind else { continue };
-        let variable = match variable {
-            Variable::Channel { channel } => Variable::Channel { channel: place(channel) },
-            Variable::ChannelSquare { channel } => Variable::ChannelSquare { channel: place(channel) },
-            Variable::ChannelLate { channel, constant } => Variable::ChannelLate { channel: place(channel), constant },
-            other => other,
-        };
+        let (name, numbers) = variable.words();
+        let numbers: Vec<f64> = numbers.into_iter().map(short).collect();
+        let variable = Variable::of(name, &numbers, variable.channel().map_or(0, place))?;
         out.factors.push(Factor { target: *target, variable, coefficient: short(*a), range: v.range.map(short) });
     }
     for i in used {

@@ -4,7 +4,7 @@ use super::competition::{Competition, HeldBack};
 use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
 use super::law::{Coefficients, Fitter, Law, Shape};
-use super::learned_law::engine_law;
+use super::learned_law::{engine_law, used_conditions};
 use super::slow_variables::{Kind, with_variable};
 use hysteron_engine::element::amendment::learned::LearnedLaw;
 
@@ -23,7 +23,9 @@ pub struct Learned {
     pub fitted: f64,
     /// Mean NMSE of the runs held out; none without such runs.
     pub held_out: Option<f64>,
-    /// The same of the user's fitted law.
+    /// The same if slow variables go on beyond the range of the fitted runs.
+    pub held_out_beyond: Option<f64>,
+    /// Mean NMSE of the user's fitted law on the fitted runs.
     pub user_fitted: f64,
     /// Mean NMSE of the user's fitted law on the runs held out.
     pub user_held_out: Option<f64>,
@@ -98,7 +100,6 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
     let best = refined(&c, best);
     let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
     let law = engine_law(&c.fitter, &best.law, &last)?;
-    let outside = outside_share(&law, &data, &best.law);
     let mean = |held_out: bool, of_run: &dyn Fn(usize) -> f64| {
         let own: Vec<usize> = (0..data.runs.len()).filter(|k| data.runs[*k].held_out == held_out).collect();
         (!own.is_empty()).then(|| own.iter().map(|k| of_run(*k)).sum::<f64>() / own.len() as f64)
@@ -106,6 +107,7 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
     let errors = RunErrors { c: &c, law: &best.law, last: &last };
     let of_law = errors.of_law();
     let of_user = errors.of_user();
+    let (of_engine, outside) = errors.of_engine(&LearnedLaw { goes_on: true, ..law.clone() });
     let (blocks, whole) = best.errors.folds.split_at(data.block_folds);
     Some(Learned {
         law,
@@ -114,9 +116,10 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
         whole_runs: data.whole_factor * whole.iter().sum::<f64>(),
         fitted: mean(false, &|k| of_law[k])?,
         held_out: mean(true, &|k| of_law[k]),
+        held_out_beyond: mean(true, &|k| of_engine[k]),
         user_fitted: mean(false, &|k| of_user[k])?,
         user_held_out: mean(true, &|k| of_user[k]),
-        outside,
+        outside: mean(true, &|k| outside[k]).unwrap_or(0.0),
         rivals,
     })
 }
@@ -229,20 +232,25 @@ impl RunErrors<'_> {
         self.by_run(&self.c.fitter.value(self.law, self.last))
     }
 
+    /// Errors of a law of the engine, and shares of the steps outside its range, by run.
+    fn of_engine(&self, law: &LearnedLaw) -> (Vec<f64>, Vec<f64>) {
+        let used = used_conditions(self.law);
+        let along = |r: &DeviceRun| {
+            let channels = used.iter().map(|i| {
+                let mean = self.c.data.scales.conditions[*i].0;
+                r.conditions[*i].values.iter().map(|x| if x.is_finite() { *x } else { mean }).collect::<Vec<f64>>()
+            });
+            let channels: Vec<Vec<f64>> = channels.collect();
+            let channels: Vec<&[f64]> = channels.iter().map(Vec::as_slice).collect();
+            law.along(&r.deformation, &r.times, &r.modelled, &channels)
+        };
+        let (forces, shares): (Vec<Vec<f64>>, Vec<f64>) = self.c.data.runs.iter().map(along).unzip();
+        (self.by_run(&self.c.data.sampled(&forces)), shares)
+    }
+
     fn of_user(&self) -> Vec<f64> {
         self.by_run(&self.c.data.at_samples(|r| r.modelled.clone()))
     }
-}
-
-/// Share of the steps of the runs held out that lie outside the range.
-fn outside_share(law: &LearnedLaw, data: &Data, fitted: &Law) -> f64 {
-    let used = super::learned_law::used_conditions(fitted);
-    let of_run = |r: &&DeviceRun| {
-        let channels: Vec<&[f64]> = used.iter().map(|i| r.conditions[*i].values.as_slice()).collect();
-        law.along(&r.deformation, &r.times, &[], &channels).1
-    };
-    let shares: Vec<f64> = data.runs.iter().filter(|r| r.held_out).map(|r| of_run(&r)).collect();
-    shares.iter().sum::<f64>() / shares.len().max(1) as f64
 }
 
 #[cfg(test)]

@@ -176,8 +176,8 @@ pub fn diagnose(
         let fits: Vec<Option<ScoredRun>> = (0..study.runs.len()).map(fit).collect();
         let responses = [&responses[0], &responses[1]];
         let imposed_motion = !inventory.base_excited;
-        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock };
-        (runs.evidence(), runs.device_runs())
+        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock, lone_device: false };
+        (runs.evidence(), runs.learnable_runs())
     };
     let context = ConclusionContext {
         study: &study,

@@ -69,8 +69,9 @@ pub fn learn_law(
         responses: [&responses[0], &responses[1]],
         imposed_motion: !inventory.base_excited,
         has_clock,
+        lone_device: false,
     };
-    let device = runs.device_runs().ok_or(
+    let device = runs.learnable_runs().ok_or(
         "no channel shows the force of a device along one direction under an imposed motion, so that there is nothing to learn from",
     )?;
     let noise = runs.noise(Role::Holdout).or_else(|| runs.noise(Role::Fit));

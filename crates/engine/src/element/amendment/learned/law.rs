@@ -257,8 +257,9 @@ impl LearnedLaw {
         next[Self::HYSTERETIC_AT] = reached.0;
         let scaled = (reached.0 / level, reached.1 / level);
         if self.shape == Shape::Own {
-            out.force += g.hysteretic * self.strength * step.own;
-            out.by_own = g.hysteretic * self.strength;
+            let strength = self.strength + if step.own > 0.0 { self.unequal } else { 0.0 };
+            out.force += g.hysteretic * strength * step.own;
+            out.by_own = g.hysteretic * strength;
         } else {
             hysteretic.add(self.strength, scaled);
             if scaled.0 > 0.0 {

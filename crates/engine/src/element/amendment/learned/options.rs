@@ -73,7 +73,7 @@ pub const VARIABLES: &[(&str, &[&str])] = &[
 
 impl Variable {
     /// The variable by its name, numbers and channel.
-    fn of(name: &str, p: &[f64], channel: usize) -> Option<Self> {
+    pub fn of(name: &str, p: &[f64], channel: usize) -> Option<Self> {
         let n = |i: usize| p.get(i).copied().unwrap_or(f64::NAN);
         Some(match name {
             "deformation" => Self::Deformation { power: n(0) },
