@@ -27,6 +27,8 @@ mod isolation;
 mod isolation_review;
 #[path = "cli/kikuchi.rs"]
 mod kikuchi;
+#[path = "cli/learn.rs"]
+mod learn;
 #[path = "cli/limits.rs"]
 mod limits;
 #[path = "cli/live.rs"]

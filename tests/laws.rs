@@ -31,6 +31,8 @@ mod heated;
 mod hinges;
 #[path = "laws/kikuchi.rs"]
 mod kikuchi;
+#[path = "laws/learned.rs"]
+mod learned;
 #[path = "laws/links.rs"]
 mod links;
 #[path = "laws/materials.rs"]

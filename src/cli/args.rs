@@ -81,6 +81,8 @@ pub(super) enum Command {
     Calibrate(CalibrateArgs),
     /// Find why a model and recordings differ, and repair the model
     Diagnose(DiagnoseArgs),
+    /// Learn a law with memory from the runs of a device, and put it into the script
+    Learn(LearnArgs),
     /// Show the commands of OpenSees that scripts may use, with their arguments
     Commands {
         /// A command (element lists its kinds), or a kind (Steel02); with both, the kind of that command
@@ -256,6 +258,23 @@ pub(super) struct DiagnoseArgs {
     /// Reproduce known errors of another program
     #[arg(long, value_enum, value_name = "PROGRAM")]
     pub(super) compat: Option<Compat>,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct LearnArgs {
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
+    /// The study
+    pub(super) study: PathBuf,
+    /// Where the results go
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Number of threads; all cores if it is not given. The result does not depend on it
+    #[arg(long, value_name = "N")]
+    pub(super) threads: Option<usize>,
+    /// Times that count by one are seconds, and not the numbers of samples
+    #[arg(long)]
+    pub(super) clock: bool,
 }
 
 #[derive(Args, Debug)]

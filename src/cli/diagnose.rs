@@ -130,6 +130,8 @@ fn prepare(
 
 /// File of the result.
 const RESULT_FILE: &str = "diagnosis.json";
+/// File of a learned law.
+pub(super) const LEARNED_FILE: &str = "learned_law.json";
 /// File of an interrupted diagnosis.
 const CHECKPOINT_FILE: &str = "diagnosis-checkpoint.json";
 
@@ -159,6 +161,11 @@ fn write(dir: &Path, simulator: &ScriptSimulator, d: &Diagnosis, report: &str, v
         Some(text) => write_atomically(&opensees, &standalone_script(simulator, dir, text))?,
         // That of an earlier diagnosis would be another model's.
         None => drop(hysteron_files::remove(&opensees)),
+    }
+    let learned = dir.join(LEARNED_FILE);
+    match &d.outcome.learned {
+        Some(l) => write_atomically(&learned, &l.json)?,
+        None => drop(hysteron_files::remove(&learned)),
     }
     let models = [("simulated", &d.baseline_fits), ("repaired", &d.repaired_fits)];
     let models = models.map(|(name, runs)| (name, runs.iter().map(Option::as_ref).collect()));

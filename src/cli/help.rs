@@ -79,6 +79,12 @@ const EXAMPLES: [(&str, &str); 9] = [
     hysteron diagnose study.toml --verbose",
     ),
     (
+        "learn",
+        "Examples:
+  Learn the law of a device on a bench, and write results/learned.tcl and results/learned_law.json.
+    hysteron learn study.toml --out results",
+    ),
+    (
         "commands",
         "Examples:
   All commands, and the kinds of elements.

@@ -20,6 +20,7 @@ mod fragility;
 mod help;
 mod init;
 mod isolate;
+mod learn;
 mod limits;
 mod loops;
 mod messages;

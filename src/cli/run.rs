@@ -51,6 +51,7 @@ pub(crate) fn main() -> i32 {
         Command::Init(args) => super::init::init(&args),
         Command::Calibrate(args) => super::calibrate::calibrate(&args),
         Command::Diagnose(args) => super::diagnose::run(&args),
+        Command::Learn(args) => super::learn::run(&args),
         Command::Loops(args) => print(loops(&args)),
         Command::Prototype(args) => print(super::prototype::prototype(&args)),
         Command::Isolate(args) => super::isolate::isolate(&args),

@@ -1,10 +1,11 @@
 //! Modifiers of a bearing: consistent tangents, and the effect of each.
 
 use super::driver::{SingleElement, difference, path};
+use super::learned::{AGING, CURVE, SOFTENING, law};
 use hysteron::element::amendment::{
-    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
-    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
-    Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Learned,
+    Mullins, Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening,
+    Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
@@ -76,6 +77,9 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Relaxation { strength: 0.6, time: 0.02, decades: 2.4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),
+        Arc::new(Learned::new(law(AGING).unwrap(), vec![]).unwrap()),
+        Arc::new(Learned::new(law(SOFTENING).unwrap(), vec![]).unwrap()),
+        Arc::new(Learned::new(law(CURVE).unwrap(), vec![]).unwrap()),
     ]
 }
 

@@ -4,6 +4,7 @@ mod answers;
 mod batch;
 mod domain;
 mod errors;
+mod learned;
 mod messages;
 mod methods;
 mod outputs;
@@ -27,6 +28,7 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<methods::Method>()?;
     m.add_class::<methods::BoundMethod>()?;
     m.add_class::<script::ScriptResult>()?;
+    m.add_class::<learned::LearnedLaw>()?;
     m.add_class::<study::Study>()?;
     m.add_class::<batch::Plan>()?;
     m.add_class::<script::Message>()?;

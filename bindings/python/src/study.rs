@@ -129,6 +129,35 @@ impl Study {
         Ok(points.iter().map(|p| p.as_ref().and_then(|_| found.next())).collect())
     }
 
+    /// Text of the script.
+    pub(crate) fn text(&self) -> Result<String, String> {
+        let path = self.study.folder.join(&self.study.model);
+        hysteron_files::read_text(&path).map_err(|e| format!("{}: {e}", path.display()))
+    }
+
+    /// A simulator of the study.
+    pub(crate) fn simulator(&self) -> ScriptSimulator {
+        self.factory.simulator()
+    }
+
+    /// The run that opened the study.
+    pub(crate) fn initial_run(&self) -> &InitialRun {
+        &self.initial_run
+    }
+
+    /// Work without Python's lock that stops when Python has a signal.
+    pub(crate) fn watched<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&Self, &mut dyn ProgressMonitor) -> Result<T, String> + Send,
+    ) -> PyResult<T> {
+        self.stop.store(false, Ordering::Relaxed);
+        let raised: Shared<Option<PyErr>> = Shared::default();
+        let mut watch = Watch { raised: raised.clone(), stop: self.stop.clone() };
+        let result = py.detach(|| work(self, &mut watch));
+        Self::finished(&raised, result)
+    }
+
     /// Number of samples of the fitted channels.
     fn fitted_samples(&self) -> usize {
         let runs = self.study.runs_of(Role::Fit).flat_map(|(_, r)| &r.observe);
@@ -382,8 +411,7 @@ impl Study {
         let raised: Shared<Option<PyErr>> = Shared::default();
         let mut watch = Watch { raised: raised.clone(), stop: self.stop.clone() };
         let diagnosis = py.detach(|| {
-            let path = self.study.folder.join(&self.study.model);
-            let text = hysteron_files::read_text(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+            let text = self.text()?;
             let settings = Settings { threads: threads.max(1), excluded_causes: without, ..Settings::default() };
             diagnose(&self.factory.simulator(), &self.initial_run, &text, &settings, &mut watch)
         });

@@ -307,6 +307,12 @@ prior! {
     MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";
     /// Difference of the logarithms of the errors within which two kinds of memory tie. A choice.
     MEMORY_TIE: f64 = 0.15, "nats";
+    /// Least share of the user's error on the runs held out that a learned law must take away to be written. A choice.
+    MIN_LEARNED_GAIN: f64 = 0.3, "share";
+    /// Error over the noise up to which a learned law is said to reach it. A choice.
+    NOISE_RATIO: f64 = 3.0, "ratio";
+    /// Probability of faulty sensors above which no law is learned, since it would absorb their fault. A choice.
+    MAX_LEARNED_SENSOR_PROBABILITY: f64 = 0.25, "share";
     /// Largest probability of a cause where another kind of memory explains clearly more. A choice.
     MEMORY_PROBABILITY: f64 = 0.1, "share";
     /// Log odds against a cause whose kinds of memory leave e times the error of the best. A choice.

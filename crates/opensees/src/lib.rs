@@ -43,6 +43,7 @@ pub use analysis::isolator_damping::may_isolate;
 pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
+pub use element::learned::{law_of_json, law_to_json, law_to_words};
 pub use files::number_files::NumberFiles;
 pub use files::outputs::{FileFormat, Outputs};
 pub use files::series::{DiskSeries, FileSeries};

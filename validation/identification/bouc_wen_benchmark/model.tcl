@@ -20,6 +20,9 @@ pset c     0.010    ;# N s/mm
 
 if {![info exists force]} {set force train.dat}
 if {![info exists npts]}  {set npts 2048}
+# The exponent of the benchmark is 1. For others beta is 1e3 20^(1-nu) in N and m, which is this times 1/mm^nu for ζ.
+if {![info exists nu]}    {set nu 1.0}
+set scale [expr {1.0e3*pow(2500.0, $nu-1.0)*pow(1.0e-3, $nu)}]
 set every 20
 set dt [expr {1.0/750/$every}]
 
@@ -29,7 +32,7 @@ fix 1 1
 mass 2 0.002
 
 set ko [expr {$k+$alpha}]
-uniaxialMaterial BoucWen 1 [expr {$k/$ko}] $ko 1.0 $bd $bg 1.0 0.0 0.0 0.0
+uniaxialMaterial BoucWen 1 [expr {$k/$ko}] $ko $nu [expr {$scale*$bd}] [expr {$scale*$bg}] 1.0 0.0 0.0 0.0
 uniaxialMaterial Viscous 2 $c 1.0
 element zeroLength 1 1 2 -mat 1 2 -dir 1 1
 

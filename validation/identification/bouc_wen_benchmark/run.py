@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """The Bouc-Wen benchmark: generated from its specification, identified from noisy training data, tested without noise.
 
-    validation/identification/bouc_wen_benchmark/run.py [--out DIR]
+    validation/identification/bouc_wen_benchmark/run.py [--out DIR] [--black-box] [--exponent NU] [--noise DB]
+
+With --black-box the model is a learned law (black_box.tcl), which knows nothing of the equation.
 
 Training: a random-phase multisine, 5 to 150 Hz, 50 N rms, 1024 samples at 750 Hz from rest, with white noise 40 dB below the
 output. Tests as published: a multisine of 8192 samples in steady state (the second of two periods), and a sine sweep of
@@ -24,6 +26,8 @@ HERE = Path(__file__).resolve().parent
 BINARY = os.environ.get("HYSTERON", HERE.parent.parent.parent / "target/release/hysteron")
 RATE, EVERY = 750, 20
 BOUNDS = {"k": (20, 100), "alpha": (20, 100), "bg": (0.1, 3), "bd": (-3, -0.1), "c": (0.001, 0.05)}
+BLACK_BOX = {"m": (1e-3, 4e-3), "k": (0.1, 120), "c": (0.0, 0.1), "a": (1, 120)}
+BLACK_BOX |= {f"u{i}": (0.05, 20) for i in range(1, 5)} | {f"d{i}": (0, 1) for i in range(1, 5)}
 
 
 def multisine(samples, seed):
@@ -43,9 +47,10 @@ def sweep():
     return 40 * np.sin(2 * math.pi * (20 * t + t * t / 12))
 
 
-def simulate(folder, script, force, samples):
+def simulate(folder, script, force, samples, exponent):
     """Displacement in mm at 750 Hz."""
-    (folder / "go.tcl").write_text(f"setPrecision 15\nset force {force}\nset npts {samples}\nsource {script}\n")
+    (folder / "go.tcl").write_text(
+        f"setPrecision 15\nset nu {exponent}\nset force {force}\nset npts {samples}\nsource {script}\n")
     subprocess.run([BINARY, "run", "go.tcl"], cwd=folder, check=True)
     return np.loadtxt(folder / "y.out")
 
@@ -57,9 +62,15 @@ def rms(x):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--out", type=Path, default=Path("results/bouc_wen_benchmark"))
-    folder = parser.parse_args().out.resolve()
+    parser.add_argument("--black-box", action="store_true", help="identify a learned law in place of the equation")
+    parser.add_argument("--exponent", type=float, default=1.0, help="exponent nu of the true system")
+    parser.add_argument("--noise", type=float, default=40.0, help="noise below the output, dB")
+    args = parser.parse_args()
+    folder, nu = args.out.resolve(), args.exponent
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(HERE / "model.tcl", folder)
+    shutil.copy(HERE / "black_box.tcl", folder)
+    script, all_bounds = ("black_box.tcl", BLACK_BOX) if args.black_box else ("model.tcl", BOUNDS)
     inputs = {
         "train": (multisine(1024, 1), 1024),
         "multisine": (np.tile(multisine(8192, 2), 2), 16384),
@@ -68,28 +79,30 @@ def main():
     for name, (u, _) in inputs.items():
         # The path gives the force at each step's end; the first value is that at rest.
         np.savetxt(folder / f"{name}.dat", np.concatenate([[0.0], u]), fmt="%.9g")
-    truth = {n: simulate(folder, "model.tcl", f"{n}.dat", count) for n, (_, count) in inputs.items()}
+    truth = {n: simulate(folder, "model.tcl", f"{n}.dat", count, nu) for n, (_, count) in inputs.items()}
     t, y = truth["train"].T
-    noisy = y + np.random.default_rng(3).normal(0, y.std() / 100, len(y))
+    noisy = y + np.random.default_rng(3).normal(0, y.std() * 10 ** (-args.noise / 20), len(y))
     rows = "".join(f"{a:.12g},{b:.9g}\n" for a, b in zip(t, noisy))
     (folder / "train.csv").write_text("time[s],y[mm]\n" + rows)
-    bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, (a, b) in BOUNDS.items())
+    bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, (a, b) in all_bounds.items())
     (folder / "study.toml").write_text(
-        f'title = "Bouc-Wen benchmark"\nmodel = "model.tcl"\n{bounds}[[run]]\nname = "train"\nrecording = "train.csv"\n'
-        'set = { force = "train.dat", npts = 1024 }\n'
+        f'title = "Bouc-Wen benchmark"\nmodel = "{script}"\n{bounds}[[run]]\nname = "train"\nrecording = "train.csv"\n'
+        f'set = {{ force = "train.dat", npts = 1024, nu = {nu} }}\n'
         '[[run.observe]]\nchannel = "y"\noutput = "y.out"\ncolumn = 1\n'
-        "[calibration]\nevaluations = 600\n")
+        f"[calibration]\nevaluations = {3000 if args.black_box else 600}\n")
     subprocess.run([BINARY, "calibrate", "study.toml", "--out", "fit"], cwd=folder, check=True)
     shutil.copy(folder / "fit/fitted.tcl", folder)
     result = json.loads((folder / "fit/calibration.json").read_text())
     print("\n| parameter | true | found |\n| --- | --- | --- |")
-    for name, true in [("k", 50), ("alpha", 50), ("bg", 0.8), ("bd", -1.1), ("c", 0.01)]:
+    true = {"k": 50, "alpha": 50, "bg": 0.8, "bd": -1.1, "c": 0.01, "m": 0.002, "a": 50}
+    for name, true in [(n, true.get(n, "-")) for n in all_bounds]:
         print(f"| {name} | {true} | {result['parameters'][name]:.6g} |")
     print(f"\n{result['evaluations']} evaluations, {result['wall_s']:.1f} s\n")
-    print("| test | output, m RMS | this (grey-box), m RMS | best published (black-box) | linear |\n| --- | --- | --- | --- | --- |")
+    kind = "black-box" if args.black_box else "grey-box"
+    print(f"| test | output, m RMS | this ({kind}), m RMS | best published (black-box) | linear |\n| --- | --- | --- | --- | --- |")
     for name, best, linear in [("multisine", "7.5e-6", "1.6e-4"), ("sinesweep", "-", "-")]:
         true = truth[name][:, 1]
-        found = simulate(folder, "fitted.tcl", f"{name}.dat", inputs[name][1])[:, 1]
+        found = simulate(folder, "fitted.tcl", f"{name}.dat", inputs[name][1], nu)[:, 1]
         kept = slice(8192, None) if name == "multisine" else slice(None)
         print(f"| {name} | {1e-3 * rms(true[kept]):.2e} | {1e-3 * rms((found - true)[kept]):.2e} | {best} | {linear} |")
 

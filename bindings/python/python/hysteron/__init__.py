@@ -13,12 +13,15 @@ from ._hysteron import (
     run,
 )
 from ._install import install
+from ._learned import Learned, LearnedLaw
 from ._model import Model, Recording, USAGES as _USAGES
 from ._study import Calibration, Diagnosis, Study
 
 __all__ = [
     "Calibration",
     "Diagnosis",
+    "Learned",
+    "LearnedLaw",
     "MeasuredSeries",
     "Message",
     "Model",

@@ -3,6 +3,7 @@
 import json
 
 from . import _hysteron
+from ._learned import Learned
 
 
 class _Result:
@@ -137,6 +138,10 @@ class Study(_hysteron.Study):
     def diagnose(self, *, without=(), threads=1):
         """Name the physics that the model leaves out. ``without`` has causes that are not considered."""
         return Diagnosis(*self._diagnose(without=list(without), threads=threads))
+
+    def learn(self, *, threads=1):
+        """Learn a law with memory from the runs of a device."""
+        return Learned(*self._learn(threads=threads))
 
 
 #: The study that a worker has read last.

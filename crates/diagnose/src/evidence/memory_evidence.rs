@@ -8,6 +8,7 @@ use crate::memory::family::Family;
 use hysteron_identify::noise::recorded_noise;
 use hysteron_identify::study::{Role, ScoredRun, Study};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// What the recordings themselves say, whatever the library has.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -30,6 +31,7 @@ pub struct RecordedEvidence {
 }
 
 /// The user's fitted model in all runs.
+#[derive(Clone, Copy)]
 pub(crate) struct ModelRuns<'a> {
     pub(crate) study: &'a Study,
     /// Channels by run; none for a run without a result.
@@ -39,8 +41,35 @@ pub(crate) struct ModelRuns<'a> {
     /// True if motions of nodes are imposed, so that deformations are known.
     pub(crate) imposed_motion: bool,
     pub(crate) has_clock: bool,
+    /// True if the channel is taken for the force of the only device.
+    pub(crate) lone_device: bool,
 }
 
+/// Runs of a device with the channel of its force.
+#[derive(Clone, Debug)]
+pub(crate) struct DeviceRuns {
+    /// The channel.
+    pub(crate) channel: String,
+    /// The runs.
+    pub(crate) runs: Vec<DeviceRun>,
+    /// The element; none where the channel is not the force of one element.
+    pub(crate) device: Option<MeasuredDevice>,
+}
+
+/// An element whose force a channel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct MeasuredDevice {
+    /// Its tag.
+    pub(crate) tag: i32,
+    /// Its direction.
+    pub(crate) direction: usize,
+    /// Size of the channel over the force of the element.
+    pub(crate) factor: f64,
+}
+
+/// Squared correlation from which a channel is the force of one element, and largest difference of its factor between runs.
+const ONE_FORCE: f64 = 0.999;
+const SAME_FACTOR: f64 = 0.01;
 /// Least squared correlation of a channel with the force of a device that it shows.
 const SAME_FORCE: f64 = 0.8;
 /// Squared correlation with the deformation from which a column is the deformation under another name.
@@ -56,14 +85,14 @@ impl ModelRuns<'_> {
         let (noise, noise_held_out) = (self.noise(Role::Fit), self.noise(Role::Holdout));
         let is_single = self.study.runs.iter().all(|r| r.observe.len() == 1);
         let (channel, families) = match self.device_runs() {
-            Some((channel, runs)) => (channel, compete(runs, self.has_clock)),
+            Some(d) => (d.channel, compete(d.runs, self.has_clock)),
             None => (String::new(), vec![]),
         };
         RecordedEvidence { noise, noise_held_out, is_single, channel, families }
     }
 
     /// Mean noise of the channels of a role.
-    fn noise(&self, role: Role) -> Option<f64> {
+    pub(crate) fn noise(&self, role: Role) -> Option<f64> {
         let of_run = |(i, _): (usize, _)| {
             let fit = self.fits[i].as_ref()?;
             let known: Vec<f64> =
@@ -76,13 +105,29 @@ impl ModelRuns<'_> {
 
     /// Channel with the largest error that shows the force of one device, and the runs with it. `None` if there is no such
     /// channel, or if a device moves in two directions.
-    fn device_runs(&self) -> Option<(String, Vec<DeviceRun>)> {
+    pub(crate) fn device_runs(&self) -> Option<DeviceRuns> {
+        self.channels().iter().find_map(|name| {
+            let runs = self.runs_of_channel(name)?;
+            Some(DeviceRuns { channel: (*name).to_owned(), runs, device: self.device_of_channel(name) })
+        })
+    }
+
+    /// The same, or else the only device of the model: the force of a dashpot alone is not among its responses. A law of it is
+    /// judged by the script with the law.
+    pub(crate) fn learnable_runs(&self) -> Option<DeviceRuns> {
+        let lone = ModelRuns { lone_device: true, ..*self };
+        self.device_runs().or_else(|| lone.device_runs())
+    }
+
+    /// Channels of runs under an imposed motion, that with the largest error first.
+    fn channels(&self) -> Vec<&str> {
         if !self.imposed_motion {
-            return None;
+            return vec![];
         }
         let mut channels: Vec<(&str, f64)> = vec![];
         for (i, run) in self.study.runs_of(Role::Fit) {
-            for (o, s) in run.observe.iter().zip(&self.fits[i].as_ref()?.scores) {
+            let Some(fit) = &self.fits[i] else { return vec![] };
+            for (o, s) in run.observe.iter().zip(&fit.scores) {
                 match channels.iter_mut().find(|(name, _)| *name == o.channel) {
                     Some((_, error)) => *error += s.nmse,
                     None => channels.push((&o.channel, s.nmse)),
@@ -90,8 +135,37 @@ impl ModelRuns<'_> {
             }
         }
         channels.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let found = channels.iter().find_map(|(name, _)| Some((*name, self.runs_of_channel(name)?)))?;
-        Some((found.0.to_owned(), found.1))
+        channels.into_iter().map(|(name, _)| name).collect()
+    }
+
+    /// The device whose force a channel shows in all fitted runs, where it is that force times one factor.
+    fn device_of_channel(&self, channel: &str) -> Option<MeasuredDevice> {
+        let mut found: Option<MeasuredDevice> = None;
+        for (i, run) in self.study.runs_of(Role::Fit) {
+            let Some(c) = run.observe.iter().position(|o| o.channel == channel) else { continue };
+            let simulated = &self.fits[i].as_ref()?.channels[c];
+            let ((_, tag, direction), h) = self.found_history(i, 0, simulated)?;
+            if self.lone_device {
+                found = Some(MeasuredDevice { tag: *tag, direction: *direction, factor: 1.0 });
+                continue;
+            }
+            if correlation(&h.force, simulated).powi(2) < ONE_FORCE {
+                return None;
+            }
+            let both = || h.force.iter().zip(simulated).filter(|(f, y)| f.is_finite() && y.is_finite());
+            let factor = both().map(|(f, y)| f * y).sum::<f64>() / both().map(|(f, _)| f * f).sum::<f64>();
+            let of_run = MeasuredDevice { tag: *tag, direction: *direction, factor: factor.abs() };
+            let is_same = |d: &MeasuredDevice| {
+                d.tag == of_run.tag
+                    && d.direction == of_run.direction
+                    && (d.factor / of_run.factor - 1.0).abs() < SAME_FACTOR
+            };
+            if found.as_ref().is_some_and(|d| !is_same(d)) {
+                return None;
+            }
+            found.get_or_insert(of_run);
+        }
+        found
     }
 
     /// Fitted runs and runs held out that have a channel.
@@ -104,7 +178,11 @@ impl ModelRuns<'_> {
             let Some(fit) = &self.fits[i] else { continue };
             let held_out = run.role == Role::Holdout;
             let history = self.history(i, usize::from(held_out), &fit.channels[c])?;
-            let sign = correlation(&history.deformation, &fit.channels[c]).signum();
+            // The force of a dashpot does not follow the deformation, but takes work.
+            let sign = match self.lone_device {
+                true => work(&history.deformation, &fit.channels[c]).signum(),
+                false => correlation(&history.deformation, &fit.channels[c]).signum(),
+            };
             let column = |name: &String| {
                 let known = run.recording.columns.iter().find(|c| c.name == *name).map(|c| c.values.clone());
                 let set = axial.as_ref().filter(|_| name == AXIAL_LOAD).map(|a| vec![a[i]; run.recording.times.len()]);
@@ -126,17 +204,30 @@ impl ModelRuns<'_> {
 
     /// History of the device that deforms most among those whose force a channel shows.
     fn history(&self, run: usize, role: usize, simulated: &[f64]) -> Option<&ResponseHistory> {
+        self.found_history(run, role, simulated).map(|(_, h)| h)
+    }
+
+    /// The same with its run, tag and direction.
+    fn found_history(
+        &self,
+        run: usize,
+        role: usize,
+        simulated: &[f64],
+    ) -> Option<(&(usize, i32, usize), &ResponseHistory)> {
         let of_run = || self.responses[role].histories.iter().filter(move |((r, ..), _)| *r == run);
         let size = |h: &ResponseHistory| h.range().deformation;
-        let shown = of_run().filter(|((_, _, d), h)| *d <= 3 && correlation(&h.force, simulated).powi(2) > SAME_FORCE);
-        let ((_, tag, direction), found) = shown.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+        let is_shown = |h: &ResponseHistory| correlation(&h.force, simulated).powi(2) > SAME_FORCE;
+        let is_lone = self.lone_device && of_run().map(|((_, tag, _), _)| tag).collect::<BTreeSet<_>>().len() == 1;
+        let shown = of_run().filter(|((_, _, d), h)| *d <= 3 && (is_lone || is_shown(h)));
+        let (key, found) = shown.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+        let (_, tag, direction) = key;
         let most = size(found);
         let mut others = of_run().filter(|((_, t, d), _)| t == tag && d != direction && *d <= 3);
         let moves_in_two = others.any(|(_, h)| {
             size(h) > SECOND_DIRECTION * most
                 && correlation(&h.deformation, &found.deformation).powi(2) < SAME_DEFORMATION
         });
-        (!moves_in_two).then_some(found)
+        (!moves_in_two).then_some((key, found))
     }
 
     /// Names of columns of all runs that are neither observed nor the deformation, and of an axial load that differs.
@@ -165,6 +256,12 @@ impl ModelRuns<'_> {
 
 /// Name of the variable that sets the axial load of a run.
 const AXIAL_LOAD: &str = "axial";
+
+/// Work of a force along a deformation, over finite samples.
+fn work(deformation: &[f64], force: &[f64]) -> f64 {
+    let steps = deformation.windows(2).zip(force.windows(2));
+    steps.map(|(u, f)| 0.5 * (f[0] + f[1]) * (u[1] - u[0])).filter(|w| w.is_finite()).sum()
+}
 
 /// Correlation of two series about their means, over finite pairs; 0 where one is constant.
 fn correlation(a: &[f64], b: &[f64]) -> f64 {

@@ -1,9 +1,10 @@
 //! Choice of the terms of a law, and of the family of memory.
 
-use super::data::{Data, DeviceRun};
+use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
-use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, Target};
-use super::slow_variables::{SlowVariable, factors, forces};
+use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, TARGETS, signs};
+use super::slow_variables::{SlowVariable, factors, forces, with_level};
+use hysteron_engine::element::amendment::learned::{Admitted, Target};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -47,14 +48,14 @@ const LEVELS: usize = 16;
 
 /// Errors on what was held back.
 #[derive(Clone, Debug)]
-struct HeldBack {
-    pooled: f64,
-    folds: Vec<f64>,
+pub(super) struct HeldBack {
+    pub(super) pooled: f64,
+    pub(super) folds: Vec<f64>,
 }
 
 impl HeldBack {
     /// Change of the logarithm of the error: half of the pooled one, half of the mean over the folds.
-    fn change_from(&self, old: &Self) -> f64 {
+    pub(super) fn change_from(&self, old: &Self) -> f64 {
         let ratio = |new: f64, old: f64| (new.max(f64::MIN_POSITIVE) / old.max(f64::MIN_POSITIVE)).ln();
         let folds: f64 = self.folds.iter().zip(&old.folds).map(|(a, b)| ratio(*a, *b)).sum();
         0.5 * ratio(self.pooled, old.pooled) + 0.5 * folds / old.folds.len() as f64
@@ -62,9 +63,9 @@ impl HeldBack {
 }
 
 /// Competition over the samples of one device.
-struct Competition<'a> {
-    data: &'a Data,
-    fitter: Fitter<'a>,
+pub(super) struct Competition<'a> {
+    pub(super) data: &'a Data,
+    pub(super) fitter: Fitter<'a>,
 }
 
 /// Results of all families, the best first; empty if the runs do not suffice.
@@ -75,7 +76,7 @@ pub(crate) fn compete(runs: Vec<DeviceRun>, has_clock: bool) -> Vec<FamilyResult
     let start = competition.held_back(&base);
     let mut all: Vec<(f64, FamilyResult)> = vec![];
     for (family, condition) in data.families() {
-        let (law, errors) = competition.learn(family, condition, base.clone(), start.clone());
+        let (law, errors) = competition.learn(&[(family, condition)], MAX_TERMS, base.clone(), start.clone());
         let channel = condition.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone());
         all.push((errors.change_from(&start), competition.result(family, channel, &law, &errors)));
     }
@@ -86,7 +87,23 @@ pub(crate) fn compete(runs: Vec<DeviceRun>, has_clock: bool) -> Vec<FamilyResult
 
 impl Competition<'_> {
     /// Spring and slip without a memory: the best shape and level.
-    fn base(&self) -> Law {
+    pub(super) fn base(&self) -> Law {
+        let (shapes, user) = self.shapes();
+        let of_user = self.held_back(&user).pooled;
+        let near =
+            shapes.iter().map(|l| (self.held_back(l).pooled, l)).filter(|(e, _)| *e <= MAX_SHAPE_RATIO * of_user);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(user, |x| x.1.clone())
+    }
+
+    /// The best plain shape, and the user's law.
+    pub(super) fn plain_and_user(&self) -> (Option<Law>, Law) {
+        let (shapes, user) = self.shapes();
+        let with_errors = shapes.into_iter().map(|l| (self.held_back(&l).pooled, l));
+        (with_errors.min_by(|a, b| a.0.total_cmp(&b.0)).map(|x| x.1), user)
+    }
+
+    /// Each plain shape at its best level, and the user's law.
+    fn shapes(&self) -> (Vec<Law>, Law) {
         let law = |shape, level| Law { shape, level, groups: vec![], factors: vec![], forces: vec![] };
         let u = self.data.scales.deformation;
         let error = |l: &Law| self.error(l, &self.fitter.fit(l, &self.data.fitted, 0, &[]), &self.data.fitted);
@@ -102,27 +119,25 @@ impl Competition<'_> {
             let fine = best(shape, &mut near(coarse.level, 1.45))?;
             best(shape, &mut near(fine.level, 1.05))
         };
-        let mut shapes: Vec<Law> = [Shape::Bilinear, Shape::BoucWen].into_iter().filter_map(of_shape).collect();
+        let shapes: Vec<Law> = [Shape::Bilinear, Shape::BoucWen].into_iter().filter_map(of_shape).collect();
         // Work and slip of the user's law are those of the best stop.
         let level = shapes.first().map_or(u, |l| l.level);
-        let user = law(Shape::User, level);
-        let of_user = self.held_back(&user).pooled;
-        shapes.retain(|l| self.held_back(l).pooled <= MAX_SHAPE_RATIO * of_user);
-        let errors = shapes.iter().map(|l| self.held_back(l).pooled);
-        let best = errors.zip(&shapes).min_by(|a, b| a.0.total_cmp(&b.0)).map(|x| x.1.clone());
-        best.unwrap_or(user)
+        (shapes, law(Shape::User, level))
     }
 
     /// Sum of the weighted squares over some samples.
-    fn error(&self, law: &Law, c: &Coefficients, rows: &[bool]) -> f64 {
+    pub(super) fn error(&self, law: &Law, c: &Coefficients, rows: &[bool]) -> f64 {
         let value = self.fitter.value(law, c);
         let d = self.data;
         (0..rows.len()).filter(|i| rows[*i]).map(|i| ((value[i] - d.recorded[i]) * d.weight[i]).powi(2)).sum()
     }
 
     /// Errors on blocks and whole runs that are held back in turn.
-    fn held_back(&self, law: &Law) -> HeldBack {
+    pub(super) fn held_back(&self, law: &Law) -> HeldBack {
         let d = self.data;
+        if d.mode == Mode::Engine {
+            return self.linear_held_back(law);
+        }
         let start = self.fitter.fit(law, &d.fitted, FIT_STEPS, &[]).factors;
         let of_fold = |held: &Vec<bool>| {
             let kept: Vec<bool> = d.fitted.iter().zip(held).map(|(f, h)| *f && !*h).collect();
@@ -133,44 +148,70 @@ impl Competition<'_> {
         HeldBack { pooled: 0.5 * (blocks.iter().sum::<f64>() + d.whole_factor * whole.iter().sum::<f64>()), folds }
     }
 
-    /// Adds terms of a family one at a time while the errors fall, and takes out those that they do not need.
-    fn learn(&self, family: Family, condition: Option<usize>, base: Law, start: HeldBack) -> (Law, HeldBack) {
-        let of_families = |level| {
-            let mut all = factors(self.data, family, condition, level);
-            if family != Family::Shape {
-                all.extend(factors(self.data, Family::Shape, None, level));
-            }
-            all.into_iter().map(Rc::new).collect::<Vec<_>>()
+    /// Adds terms of some families one at a time while the errors fall, and takes out those that they do not need.
+    pub(super) fn learn(
+        &self,
+        families: &[(Family, Option<usize>)],
+        max_terms: usize,
+        base: Law,
+        start: HeldBack,
+    ) -> (Law, HeldBack) {
+        let shape = [(Family::Shape, None)];
+        let all = || families.iter().chain(shape.iter().filter(|s| !families.contains(s)));
+        let of_level = |level: f64| -> Vec<Rc<SlowVariable>> {
+            all().flat_map(|(f, c)| factors(self.data, *f, *c, level)).map(Rc::new).collect()
         };
-        let variables = of_families(base.level);
-        let forces: Vec<Rc<SlowVariable>> = forces(self.data, family, condition).into_iter().map(Rc::new).collect();
+        let mut variables = of_level(base.level);
+        let forces: Vec<Rc<SlowVariable>> =
+            families.iter().flat_map(|(f, c)| forces(self.data, *f, *c)).map(Rc::new).collect();
         let (mut law, mut errors) = (base, start);
-        while law.terms() < MAX_TERMS {
-            let tried = self.candidates(&law, family, &variables, &forces);
+        while law.terms() < max_terms {
+            let tried = self.candidates(&law, families, &variables, &forces);
             let weighed = tried.into_iter().map(|l| self.at_best_level(l, &COARSE_LEVELS));
             let best = weighed.min_by(|a, b| a.0.change_from(&errors).total_cmp(&b.0.change_from(&errors)));
             let Some((_, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
             let (e, l) = self.at_best_level(l, &FINE_LEVELS);
+            // A law of the engine has one level.
+            if self.data.mode == Mode::Engine && l.level != law.level {
+                variables = of_level(l.level);
+            }
             (law, errors) = (l, e);
         }
         self.without_needless(law, errors)
     }
 
+    /// A law at another slip level.
+    pub(super) fn at_level(&self, law: &Law, level: f64) -> Law {
+        let mut other = Law { level, ..law.clone() };
+        if self.data.mode == Mode::Engine {
+            for (_, v) in &mut other.factors {
+                *v = with_level(self.data, v, level);
+            }
+        }
+        other
+    }
+
     /// A law at the best of some slip levels over its own, where a factor acts on its strength: such a factor is one where
     /// nothing is remembered yet, so that the level of the law without it is too low or too high.
-    fn at_best_level(&self, law: Law, ratios: &[f64]) -> (HeldBack, Law) {
-        let own = self.held_back(&law);
+    pub(super) fn at_best_level(&self, law: Law, ratios: &[f64]) -> (HeldBack, Law) {
         if law.shape == Shape::User || law.factors.iter().all(|(t, _)| *t != Target::Strength) {
-            return (own, law);
+            return (self.held_back(&law), law);
         }
-        let others =
-            ratios.iter().map(|r| Law { level: r * law.level, ..law.clone() }).map(|l| (self.held_back(&l), l));
+        if self.data.mode == Mode::Engine {
+            let error =
+                |l: &Law| self.error(l, &self.fitter.fit(l, &self.data.fitted, FOLD_STEPS, &[]), &self.data.fitted);
+            let all = ratios.iter().map(|r| self.at_level(&law, r * law.level)).chain([law.clone()]);
+            let best = all.map(|l| (error(&l), l)).min_by(|a, b| a.0.total_cmp(&b.0)).map_or(law, |x| x.1);
+            return (self.held_back(&best), best);
+        }
+        let own = self.held_back(&law);
+        let others = ratios.iter().map(|r| self.at_level(&law, r * law.level)).map(|l| (self.held_back(&l), l));
         let best = others.min_by(|a, b| a.0.pooled.total_cmp(&b.0.pooled));
         best.filter(|(e, _)| e.pooled < own.pooled).unwrap_or((own, law))
     }
 
     /// Takes out terms without which the error hardly grows.
-    fn without_needless(&self, mut law: Law, mut errors: HeldBack) -> (Law, HeldBack) {
+    pub(super) fn without_needless(&self, mut law: Law, mut errors: HeldBack) -> (Law, HeldBack) {
         loop {
             let shorter = |k: usize| {
                 let mut l = law.clone();
@@ -194,7 +235,7 @@ impl Competition<'_> {
     fn candidates(
         &self,
         law: &Law,
-        family: Family,
+        families: &[(Family, Option<usize>)],
         variables: &[Rc<SlowVariable>],
         forces: &[Rc<SlowVariable>],
     ) -> Vec<Law> {
@@ -219,8 +260,9 @@ impl Competition<'_> {
         };
         let mut scored: Vec<(f64, Law)> = vec![];
         for v in variables {
-            for target in Target::ALL.into_iter().filter(|t| t.takes(v.family, law.shape)) {
-                if law.factors.iter().any(|(t, w)| *t == target && Rc::ptr_eq(w, v)) {
+            let takes = |t: &Target| signs(d.mode, *t, v, law.shape) != Admitted::None;
+            for target in TARGETS.into_iter().filter(takes) {
+                if law.factors.iter().any(|(t, w)| *t == target && w.name == v.name && w.family == v.family) {
                     continue;
                 }
                 let mut longer = law.clone();
@@ -238,8 +280,9 @@ impl Competition<'_> {
         }
         scored.sort_by(|a, b| b.0.total_cmp(&a.0));
         let of_group = |(group, of): &(Group, Family)| {
-            let fits = (*of == family || *of == Family::Shape) && !law.groups.contains(group);
-            let has_clock = d.has_clock || !matches!(group, Group::Maxwell | Group::Dashpots | Group::Viscous);
+            let is_asked = *of == Family::Shape || families.iter().any(|(f, _)| f == of);
+            let fits = is_asked && !law.groups.contains(group) && group.is_of(d.mode);
+            let has_clock = d.has_clock || !group.needs_clock();
             (fits && has_clock).then(|| {
                 let mut longer = law.clone();
                 longer.groups.push(*group);
@@ -314,14 +357,14 @@ fn orthonormal(vectors: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::compete;
     use crate::memory::data::DeviceRun;
     use crate::test_support::white_noise;
 
     /// Runs of a slider beside a spring: two fitted and one held out. `factor` is that of the slip force, by time, work and
     /// logarithm of the time at rest; the work of a run at full strength is about 40.
-    fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
+    pub(in crate::memory) fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
         let motions: [fn(f64) -> f64; 3] = [
             |t| (1.0 - (-0.2 * t).exp()) * (2.1 * t).sin(),
             |t| {

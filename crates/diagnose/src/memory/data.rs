@@ -46,8 +46,18 @@ pub(super) struct Scales {
     pub(super) conditions: Vec<(f64, f64)>,
 }
 
+/// State at which slow variables are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// Of the moment, with weights of any sign: kinds of memory are compared.
+    Comparison,
+    /// The committed one, with weights that make no energy: the law is one of the engine.
+    Engine,
+}
+
 /// Samples of all runs, with weights and folds.
 pub(super) struct Data {
+    pub(super) mode: Mode,
     pub(super) runs: Vec<DeviceRun>,
     pub(super) scales: Scales,
     /// True if the times are those of a clock.
@@ -117,6 +127,7 @@ impl Data {
         folds.retain(has_samples);
         let whole_factor = if fitted_runs > 1 { 1.0 } else { BLOCKS as f64 / (BLOCKS - END_BLOCK) as f64 };
         (block_folds >= MIN_BLOCK_FOLDS && folds.len() > block_folds).then_some(Self {
+            mode: Mode::Comparison,
             runs,
             scales,
             has_clock,
@@ -138,6 +149,13 @@ impl Data {
     /// Series of the runs at the samples.
     pub(super) fn sampled(&self, runs: &[Vec<f64>]) -> Vec<f64> {
         self.samples.iter().map(|(k, i)| runs[*k][*i]).collect()
+    }
+
+    /// Conditions of a run at a sample, each less its mean over three standard deviations.
+    pub(super) fn scaled_conditions(&self, run: &DeviceRun, sample: usize) -> Vec<f64> {
+        let all = run.conditions.iter().zip(&self.scales.conditions);
+        let scaled = all.map(|(c, (mean, deviation))| (c.values[sample] - mean) / (3.0 * deviation));
+        scaled.map(|x| if x.is_finite() { x } else { 0.0 }).collect()
     }
 
     /// Families that can be told from these runs, with the index of their condition.

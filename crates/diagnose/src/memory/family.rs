@@ -2,7 +2,7 @@
 
 /// A kind of memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Family {
+pub enum Family {
     /// No memory but that of a spring with slip: another shape of the same law.
     Shape,
     /// Elapsed time.
@@ -47,7 +47,7 @@ impl Family {
     ];
 
     /// Its name in `diagnosis.json`.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Shape => "shape",
             Self::Clock => "clock",
@@ -84,7 +84,7 @@ impl Family {
     }
 
     /// Its phenomenon as a clause.
-    pub(crate) fn statement(self) -> &'static str {
+    pub fn statement(self) -> &'static str {
         match self {
             Self::Shape => "the device has another shape of its loop, without a further memory",
             Self::Clock => "the force changes with elapsed time",

@@ -1,24 +1,45 @@
 //! A law with memory, and its fit.
 
-use super::data::Data;
+use super::data::{Data, Mode};
 use super::family::Family;
 use super::least_squares::weights;
-use super::operators::{bouc_wen, maxwell, speed, stop};
-use super::slow_variables::SlowVariable;
+use super::operators::{bouc_wen, curve, stop};
+use super::slow_variables::{Kind, SlowVariable};
+use hysteron_engine::element::amendment::learned::{self, Admitted, FACTOR_RANGE, Target, admitted};
 use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Form of the hysteretic part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shape {
     /// A stop.
     Bilinear,
     /// Bouc and Wen's, of exponent one.
     BoucWen,
+    /// Slopes of unloading at the level and at half of it, and of loading at half of the level and at the level, over the
+    /// initial one.
+    Curve([f64; 4]),
     /// The force of the user's fitted law.
     User,
+}
+
+impl Shape {
+    /// Slopes of [`Shape::Curve`] from unloading to loading.
+    pub(super) fn knots([unloading, half_unloading, half_loading, loading]: [f64; 4]) -> [f64; 5] {
+        [unloading, half_unloading, 1.0, half_loading, loading]
+    }
+
+    /// The same in the engine.
+    pub(super) fn of_engine(self) -> learned::Shape {
+        match self {
+            Self::Bilinear => learned::Shape::Bilinear,
+            Self::BoucWen => learned::Shape::BoucWen,
+            Self::Curve(k) => learned::Shape::Curve(Self::knots(k).to_vec()),
+            Self::User => learned::Shape::Own,
+        }
+    }
 }
 
 /// Columns that enter together.
@@ -38,11 +59,13 @@ pub(super) enum Group {
     Dashpots,
     /// Friction smoothed over the speed.
     Viscous,
+    /// Maxwell elements of long times.
+    Creep,
 }
 
 impl Group {
     /// All groups with their families.
-    pub(super) const ALL: [(Self, Family); 7] = [
+    pub(super) const ALL: [(Self, Family); 8] = [
         (Self::Hinges, Family::Shape),
         (Self::Stops, Family::Shape),
         (Self::Viscous, Family::Shape),
@@ -50,34 +73,42 @@ impl Group {
         (Self::Unequal, Family::Side),
         (Self::Maxwell, Family::Rate),
         (Self::Dashpots, Family::Rate),
+        (Self::Creep, Family::Set),
     ];
 
+    /// Returns true if it needs times of a clock.
+    pub(super) fn needs_clock(self) -> bool {
+        matches!(self, Self::Maxwell | Self::Dashpots | Self::Viscous | Self::Creep)
+    }
+
+    /// Returns true if a mode has it. A comparison has forces of its own in place of creep.
+    pub(super) fn is_of(self, mode: Mode) -> bool {
+        mode == Mode::Engine || self != Self::Creep
+    }
+
     /// Returns true for elastic pieces.
-    fn is_elastic(self) -> bool {
+    pub(super) fn is_elastic(self) -> bool {
         matches!(self, Self::Hinges | Self::Sides)
     }
 }
 
-/// Part of the force on which a factor acts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Target {
-    Elastic,
-    Hysteretic,
-    Whole,
-    Strength,
-}
+/// Parts on which a factor may act.
+pub(super) const TARGETS: [Target; 4] = [Target::Elastic, Target::Hysteretic, Target::Whole, Target::Strength];
 
-impl Target {
-    pub(super) const ALL: [Self; 4] = [Self::Elastic, Self::Hysteretic, Self::Whole, Self::Strength];
-
-    /// Returns true if a factor of the family keeps the energy of the law bounded, and the shape has the target.
-    pub(super) fn takes(self, family: Family, shape: Shape) -> bool {
-        match self {
-            Self::Strength => shape != Shape::User,
-            _ if shape == Shape::User => true,
-            Self::Elastic => !matches!(family, Family::Rate | Family::Rest),
-            _ => !family.is_fast() && !matches!(family, Family::Largest | Family::Shape),
-        }
+/// Signs of the coefficient of a variable on a part: in a comparison any where a family keeps the energy bounded, in a law of
+/// the engine those with which it makes none.
+pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) -> Admitted {
+    let (family, is_user) = (v.family, shape == Shape::User);
+    let takes = match target {
+        Target::Strength => !is_user,
+        _ if is_user => true,
+        Target::Elastic => !matches!(family, Family::Rate | Family::Rest),
+        _ => !family.is_fast() && !matches!(family, Family::Largest | Family::Shape),
+    };
+    match (mode, v.kind) {
+        (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
+        _ if takes => Admitted::Both,
+        _ => Admitted::None,
     }
 }
 
@@ -101,7 +132,7 @@ impl Law {
 /// Values of a law's coefficients: weights of the columns, and factors.
 #[derive(Clone, Default)]
 pub(super) struct Coefficients {
-    weights: Vec<f64>,
+    pub(super) weights: Vec<f64>,
     pub(super) factors: Vec<f64>,
 }
 
@@ -110,24 +141,32 @@ pub(super) struct Columns {
     /// Columns in the order elastic, hysteretic, viscous, forces; before their factors.
     raw: Vec<Rc<Vec<f64>>>,
     /// Numbers of columns of each kind.
-    counts: [usize; 4],
+    pub(super) counts: [usize; 4],
     /// The same with their factors.
     pub(super) all: Vec<Vec<f64>>,
 }
 
 /// Number of stops of their group.
-const STOP_LEVELS: usize = 10;
+pub(super) const STOP_LEVELS: usize = 10;
 
 /// Level of a stop of the group over the largest deformation: geometric from 0.004 to 0.8.
-fn stop_level(k: usize) -> f64 {
+pub(super) fn stop_level(k: usize) -> f64 {
     0.004 * 200f64.powf(k as f64 / (STOP_LEVELS - 1) as f64)
 }
 
-/// Least and largest factor.
-const FACTOR_RANGE: [f64; 2] = [0.05, 5.0];
+/// Powers of dashpots, and widths of smoothed friction over the speed.
+pub(super) const POWERS: [f64; 4] = [1.0, 0.5, 0.25, 0.12];
+pub(super) const WIDTHS: [f64; 4] = [0.01, 0.03, 0.1, 0.3];
+/// Ends of the segments of a spring of either side over the largest deformation, alike on both sides and by side. In a law of
+/// the engine each segment has its stiffness, which is not negative; a comparison has signed pieces beyond the ends.
+pub(super) const HINGES: [f64; 3] = [0.35, 0.6, 0.8];
+pub(super) const SIDE_HINGES: [f64; 2] = [0.35, 0.7];
+
 /// Largest coefficient of a slow variable, and its largest change in a step.
 const MAX_COEFFICIENT: f64 = 3.0;
 const MAX_STEP: f64 = 0.5;
+/// Largest change of a coefficient in a step with which they are found.
+const SETTLED: f64 = 1e-3;
 /// Step of the derivative by a factor on the strength.
 pub(super) const STRENGTH_STEP: f64 = 0.02;
 
@@ -145,7 +184,7 @@ impl<'a> Fitter<'a> {
         Self { data, cache: Cache::default() }
     }
 
-    fn cached(&self, name: &str, level: f64, make: impl FnOnce() -> Vec<f64>) -> Rc<Vec<f64>> {
+    pub(super) fn cached(&self, name: &str, level: f64, make: impl FnOnce() -> Vec<f64>) -> Rc<Vec<f64>> {
         let key = (name.to_owned(), level.to_bits());
         if let Some(known) = self.cache.borrow().get(&key) {
             return known.clone();
@@ -153,44 +192,6 @@ impl<'a> Fitter<'a> {
         let made = Rc::new(make());
         self.cache.borrow_mut().insert(key, made.clone());
         made
-    }
-
-    /// Columns of a group beside the hysteretic ones.
-    fn group_columns(&self, group: Group) -> Vec<Rc<Vec<f64>>> {
-        let (d, s) = (self.data, &self.data.scales);
-        let hinge = |x: f64, side: f64, at: f64| side * (side * x - at).max(0.0);
-        let of_deformation = |name: String, f: &dyn Fn(f64) -> f64| {
-            self.cached(&name, 0.0, || d.at_samples(|r| r.deformation.iter().map(|u| f(u / s.deformation)).collect()))
-        };
-        let of_speed = |name: String, f: &dyn Fn(f64) -> f64| {
-            self.cached(&name, 0.0, || {
-                d.at_samples(|r| speed(&r.deformation, &r.times).iter().map(|v| f(v / s.speed)).collect())
-            })
-        };
-        match group {
-            Group::Hinges => [0.35, 0.6, 0.8]
-                .map(|at| of_deformation(format!("hinge {at}"), &|x| hinge(x, 1.0, at) + hinge(x, -1.0, at)))
-                .to_vec(),
-            Group::Sides => [(1.0, 0.0), (1.0, 0.35), (-1.0, 0.35), (1.0, 0.7), (-1.0, 0.7)]
-                .map(|(side, at)| of_deformation(format!("side {side} {at}"), &|x| hinge(x, side, at)))
-                .to_vec(),
-            Group::Maxwell => s.constants[..6]
-                .iter()
-                .map(|t| {
-                    let of_run = |r: &super::data::DeviceRun| {
-                        maxwell(&r.deformation, &r.times, *t).into_iter().map(|h| h / s.deformation).collect()
-                    };
-                    self.cached("maxwell", *t, || d.at_samples(of_run))
-                })
-                .collect(),
-            Group::Dashpots => [1.0, 0.5, 0.25, 0.12]
-                .map(|p| of_speed(format!("dashpot {p}"), &|v| v.signum() * v.abs().powf(p)))
-                .to_vec(),
-            Group::Viscous => {
-                [0.01, 0.03, 0.1, 0.3].map(|e| of_speed(format!("viscous {e}"), &|v| (v / e).tanh())).to_vec()
-            }
-            Group::Stops | Group::Unequal => vec![],
-        }
     }
 
     /// Hysteretic columns of a law at factors of its strength.
@@ -218,22 +219,26 @@ impl<'a> Fitter<'a> {
                 (0..d.runs[k].times.len()).map(at).collect()
             })
             .collect();
-        let operator = if law.shape == Shape::BoucWen { bouc_wen } else { stop };
-        let of = |operator: fn(&[f64], f64, &[f64]) -> Vec<f64>, level: f64| {
+        let of = |operator: &dyn Fn(&[f64], f64, &[f64]) -> Vec<f64>, level: f64| {
             let runs: Vec<Vec<f64>> =
                 d.runs.iter().zip(&strength).map(|(r, g)| operator(&r.deformation, level, g)).collect();
             d.sampled(&runs)
         };
-        let name = if law.shape == Shape::BoucWen { "bouc_wen" } else { "stop" };
-        let first = if is_plain {
-            self.cached(name, law.level, || of(operator, law.level))
-        } else {
-            Rc::new(of(operator, law.level))
+        let first = || match law.shape {
+            Shape::BoucWen => of(&bouc_wen, law.level),
+            Shape::Curve(k) => of(&|u, level, g| curve(u, level, g, &Shape::knots(k)), law.level),
+            _ => of(&stop, law.level),
         };
+        let name = match law.shape {
+            Shape::BoucWen => "bouc_wen".to_owned(),
+            Shape::Curve(k) => format!("curve {k:?}"),
+            _ => "stop".to_owned(),
+        };
+        let first = if is_plain { self.cached(&name, law.level, first) } else { Rc::new(first()) };
         let stops = law.groups.contains(&Group::Stops).then(|| {
             let levels = (0..STOP_LEVELS).map(|k| d.scales.deformation * stop_level(k));
             let column = |level: f64| {
-                if is_plain { self.cached("stop", level, || of(stop, level)) } else { Rc::new(of(stop, level)) }
+                if is_plain { self.cached("stop", level, || of(&stop, level)) } else { Rc::new(of(&stop, level)) }
             };
             levels.map(column).collect()
         });
@@ -259,20 +264,19 @@ impl<'a> Fitter<'a> {
         }));
         if law.groups.contains(&Group::Unequal) {
             columns.push(Rc::new(columns[0].iter().map(|x| x.max(0.0)).collect()));
+            // Each side has a strength of its own, which is not negative.
+            if self.data.mode == Mode::Engine {
+                columns[0] = Rc::new(columns[0].iter().map(|x| x.min(0.0)).collect());
+            }
         }
         columns
     }
 
     /// Columns of a law at factors.
     pub(super) fn columns(&self, law: &Law, factors: &[f64]) -> Columns {
-        let (d, s) = (self.data, &self.data.scales);
-        let mut elastic =
-            vec![self.cached("u", 0.0, || d.at_samples(|r| r.deformation.iter().map(|u| u / s.deformation).collect()))];
-        let mut viscous = vec![];
-        for g in &law.groups {
-            let target = if g.is_elastic() { &mut elastic } else { &mut viscous };
-            target.extend(self.group_columns(*g));
-        }
+        let d = self.data;
+        let elastic = self.elastic(law);
+        let viscous: Vec<Rc<Vec<f64>>> = law.groups.iter().flat_map(|g| self.viscous(*g)).collect();
         let hysteretic = self.hysteretic(law, factors);
         let counts = [elastic.len(), hysteretic.len(), viscous.len(), law.forces.len()];
         let forces = law.forces.iter().map(|f| Rc::new(f.at_samples.clone()));
@@ -288,7 +292,8 @@ impl<'a> Fitter<'a> {
                     Target::Strength => false,
                 };
                 if acts {
-                    g.iter_mut().zip(&v.at_samples).for_each(|(g, x)| *g += a * x);
+                    let values = if *target == Target::Elastic { &v.on_spring } else { &v.at_samples };
+                    g.iter_mut().zip(values).for_each(|(g, x)| *g += a * x);
                 }
             }
             g.iter_mut().for_each(|g| *g = g.clamp(FACTOR_RANGE[0], FACTOR_RANGE[1]));
@@ -302,12 +307,14 @@ impl<'a> Fitter<'a> {
     }
 
     /// Columns whose weights may not be negative.
-    fn positive(&self, law: &Law, counts: [usize; 4]) -> Vec<bool> {
-        let [e, h, x, f] = counts;
-        let elastic = (0..e).map(|k| k == 0);
+    pub(super) fn positive(&self, law: &Law, counts: [usize; 4]) -> Vec<bool> {
+        let [e, h, x, _] = counts;
+        let is_engine = self.data.mode == Mode::Engine;
+        let elastic = (0..e).map(|k| k == 0 || is_engine);
         let unequal = law.groups.contains(&Group::Unequal);
-        let hysteretic = (0..h).map(|k| !(unequal && k + 1 == h));
-        elastic.chain(hysteretic).chain((0..x).map(|_| true)).chain((0..f).map(|_| false)).collect()
+        let hysteretic = (0..h).map(|k| is_engine || !(unequal && k + 1 == h));
+        let forces = law.forces.iter().map(|f| f.kind == Kind::Moving);
+        elastic.chain(hysteretic).chain((0..x).map(|_| true)).chain(forces).collect()
     }
 
     /// Derivative of the force by the coefficient of each factor.
@@ -345,7 +352,8 @@ impl<'a> Fitter<'a> {
                     Target::Hysteretic => e..e + h,
                     _ => 0..e + h + x,
                 };
-                sum(range, &columns.raw).iter().zip(&v.at_samples).map(|(f, x)| f * x).collect()
+                let values = if *target == Target::Elastic { &v.on_spring } else { &v.at_samples };
+                sum(range, &columns.raw).iter().zip(values).map(|(f, x)| f * x).collect()
             }
         }
     }
@@ -359,12 +367,13 @@ impl<'a> Fitter<'a> {
         };
         let kept: Vec<usize> = (0..rows.len()).filter(|i| rows[*i]).collect();
         let steps = if count > 0 { steps } else { 0 };
+        let mut settled = false;
         for step in 0..=steps {
             let columns = self.columns(law, &c.factors);
             let positive = self.positive(law, columns.counts);
             let (normal, right) = self.normal(&columns.all, &self.data.recorded, &kept);
             c.weights = weights(&normal, &right, &positive);
-            if step == steps {
+            if step == steps || settled {
                 break;
             }
             let value = self.value_of(&columns, &c);
@@ -377,17 +386,28 @@ impl<'a> Fitter<'a> {
                 DMatrix::from_fn(n, n, |i, j| normal[(i, j)] / scale[i] / scale[j] + if i == j { 1e-4 } else { 0.0 });
             let Some(factored) = scaled.cholesky() else { break };
             let moved = factored.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
+            let mut largest = 0.0f64;
             for i in 0..count {
                 let k = n - count + i;
                 let change = (moved[k] / scale[k]).clamp(-MAX_STEP, MAX_STEP);
-                c.factors[i] = (c.factors[i] + change).clamp(-MAX_COEFFICIENT, MAX_COEFFICIENT);
+                let (target, v) = &law.factors[i];
+                let [least, most] = match signs(self.data.mode, *target, v, law.shape) {
+                    Admitted::NotPositive => [-MAX_COEFFICIENT, 0.0],
+                    Admitted::NotNegative => [0.0, MAX_COEFFICIENT],
+                    _ => [-MAX_COEFFICIENT, MAX_COEFFICIENT],
+                };
+                let next = (c.factors[i] + change).clamp(least, most);
+                largest = largest.max((next - c.factors[i]).abs());
+                c.factors[i] = next;
             }
+            // The next pass finds the weights of the factors that stand.
+            settled = self.data.mode == Mode::Engine && largest < SETTLED;
         }
         c
     }
 
     /// Weighted normal matrix and right side over some samples.
-    fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
+    pub(super) fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
         let w = &self.data.weight;
         let gathered: Vec<Vec<f64>> = columns.iter().map(|c| kept.iter().map(|i| c[*i] * w[*i]).collect()).collect();
         let right: Vec<f64> = kept.iter().map(|i| target[*i] * w[*i]).collect();

@@ -16,13 +16,19 @@
 //! - [`slow_variables`]: what each family remembers
 //! - [`data`]: runs, scales, weights and folds
 //! - [`least_squares`]: non-negative least squares
-//! - [`law`]: a law and its fit
+//! - `linear_folds`: errors on what is held back, by derivatives
+//! - [`law`], [`columns`]: a law and its fit
 //! - [`competition`]: choice of terms and of the family
+//! - [`learning`], [`learned_law`]: the best law as one of the engine
 
+mod columns;
 pub(crate) mod competition;
 pub(crate) mod data;
 pub(crate) mod family;
 mod law;
+mod learned_law;
+pub(crate) mod learning;
 mod least_squares;
+mod linear_folds;
 mod operators;
 mod slow_variables;

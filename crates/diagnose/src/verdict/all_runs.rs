@@ -2,7 +2,8 @@
 
 use super::conclusion::ConclusionContext;
 use crate::candidate::variant::Variant;
-use hysteron_identify::study::{ScoredRun, simulate_and_score};
+use crate::prior::NEGLIGIBLE_STEP_ERROR;
+use hysteron_identify::study::{Role, ScoredRun, simulate_and_score};
 use std::sync::Arc;
 
 /// Displacement of each run with its name: recorded, or simulated for the most deformed device under an imposed motion.
@@ -26,4 +27,11 @@ pub(super) fn fits_of_all_runs(
 ) -> Vec<Option<ScoredRun>> {
     let mut simulator = variant.simulator(&c.simulator.factory());
     (0..c.study.runs.len()).map(|r| simulate_and_score(&mut simulator, c.study, r, values).ok()).collect()
+}
+
+/// Steps that the script makes in the first fitted run, counted only if their error matters.
+pub(super) fn script_steps(c: &ConclusionContext<'_>, values: &[f64]) -> Option<usize> {
+    let (first, _) = c.study.runs_of(Role::Fit).next().filter(|_| c.step_error.share > NEGLIGIBLE_STEP_ERROR)?;
+    let simulator = c.simulator.factory().simulator_of_script(c.study.clone(), c.text);
+    usize::try_from(simulator.inspect_model(first, values, |e| e.steps)).ok()
 }

@@ -1,10 +1,11 @@
 //! From ranked hypotheses to the verdict and the repaired model.
 
-use super::all_runs::{displacements, fits_of_all_runs};
+use super::all_runs::{displacements, fits_of_all_runs, script_steps};
 use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::discriminating_test;
 use super::explanation::{explanation, observation, unsteady_in_words};
 use super::gates::GatedRepair;
+use super::learned::{LearnedContext, learned_repair};
 use super::mismatch::mismatches;
 use super::result_file::{Baseline, Candidate, Outcome, RepairedModel, UnmovedChannel, Verdict};
 use super::structure_drawing::StructureDrawing;
@@ -15,7 +16,7 @@ use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
-use crate::evidence::memory_evidence::RecordedEvidence;
+use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::ranking::equal_forms;
 use crate::evidence::second_effect::has_second_effect;
@@ -33,9 +34,7 @@ use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{
-    self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_REPORTED_PROBABILITY, NEGLIGIBLE_STEP_ERROR,
-};
+use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_REPORTED_PROBABILITY};
 use crate::residual::unmodelled_structure::UnmodelledStructure;
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
@@ -68,6 +67,9 @@ pub(super) struct ConclusionContext<'a> {
     /// Channels that no edit of the script changes.
     pub(super) unmoved_channels: &'a [ObservedChannel],
     pub(super) recorded: &'a RecordedEvidence,
+    /// Runs of the device whose force a channel shows.
+    pub(super) device: Option<DeviceRuns>,
+    pub(super) has_clock: bool,
 }
 
 /// Hypotheses to conclude from.
@@ -97,6 +99,11 @@ struct Repair {
 }
 
 impl Repair {
+    /// A repair that has passed its own judgement.
+    fn accepted(hypothesis: FittedHypothesis, fitted: FittedModel, fits: Vec<Option<ScoredRun>>) -> Self {
+        Self { hypothesis, fitted, fits, judgement: HoldoutJudgement::Accepted, errors: None, limits: vec![] }
+    }
+
     /// Returns true if the runs held out or a gate refuse it.
     fn is_refused(&self) -> bool {
         self.judgement.refutes() || self.limits.iter().any(|l| l.most == 0.0)
@@ -156,7 +163,14 @@ pub(super) fn conclude(
         baseline_fits: &baseline_fits,
         structured_share: structure.share,
     };
-    let verdict = verdict_judge.verdict(&mut evidence)?;
+    let mut verdict = verdict_judge.verdict(&mut evidence)?;
+    let (cause, probabilities) = (verdict.cause, &verdict.probabilities);
+    let learned = learned_repair(c, &LearnedContext { cause, probabilities, baseline, baseline_fits: &baseline_fits })
+        .map(|l| {
+            let fitted = l.hypothesis.fitted.clone();
+            (verdict.repair, verdict.refused) = (Repair::accepted(l.hypothesis, fitted, l.fits), None);
+            l.told
+        });
     let repair = &verdict.repair;
     // The verdict and its strongest competitor, each as fitted.
     let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
@@ -220,6 +234,9 @@ pub(super) fn conclude(
         largest_work: c.responses.largest_work(),
         test: next_test.as_ref().map_or("", |t| &t.description),
     });
+    if let Some(l) = &learned {
+        l.tell(&mut in_words);
+    }
     let unmoved_channels = unmoved_in_words(c.unmoved_channels, c.text);
     in_words.summary.what_next.splice(0..0, unmoved_channels.iter().map(UnmovedChannel::advice));
     let outcome = Outcome {
@@ -235,6 +252,7 @@ pub(super) fn conclude(
         prior: prior::numbers(),
         weights: verdict_model::weights(),
         preflight: None,
+        learned,
         next_test: match &next_test {
             Some(t) => format!("{}; {observation}", t.description),
             None => observation,
@@ -244,7 +262,7 @@ pub(super) fn conclude(
         outcome,
         repaired_script: script,
         opensees_script: opensees.ok(),
-        ranking: ranked.iter().map(ranked_hypothesis).collect(),
+        ranking: ranked.iter().map(RankedHypothesis::of).collect(),
         displacements: displacements(c, &baseline.fitted.values),
         drawing: StructureDrawing::of_model(c.simulator, &baseline.fitted.values, c.inventory),
         repaired_fits: verdict.repair.fits,
@@ -263,13 +281,6 @@ fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Option<Uncertai
     let study = variant.study.clone();
     let problem = StudyProblem::new(study, c.threads.max(1), move || variant.simulator(&factory)).ok()?;
     uncertainty(&problem, &repair.fitted.point).ok()
-}
-
-/// Steps that the script makes in the first fitted run, counted only if their error matters.
-fn script_steps(c: &ConclusionContext<'_>, values: &[f64]) -> Option<usize> {
-    let (first, _) = c.study.runs_of(Role::Fit).next().filter(|_| c.step_error.share > NEGLIGIBLE_STEP_ERROR)?;
-    let simulator = c.simulator.factory().simulator_of_script(c.study.clone(), c.text);
-    usize::try_from(simulator.inspect_model(first, values, |e| e.steps)).ok()
 }
 
 /// Finds the verdict by repairing the most probable cause until its repair stands.
@@ -479,17 +490,6 @@ fn verdict_in_words(
         bayes: candidate(&bayes),
         explanation: text,
         summary: Summary::default(),
-    }
-}
-
-fn ranked_hypothesis(e: &FittedHypothesis) -> RankedHypothesis {
-    let proposal = e.variant.proposal.as_ref();
-    RankedHypothesis {
-        cause: e.cause(),
-        form: proposal.map_or_else(String::new, |p| p.form.clone()),
-        location: proposal.map_or_else(String::new, |p| p.location.clone()),
-        objective: e.fitted.objective,
-        log_evidence: e.log_evidence,
     }
 }
 

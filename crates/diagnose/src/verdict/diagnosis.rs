@@ -88,6 +88,20 @@ pub struct RankedHypothesis {
     pub log_evidence: f64,
 }
 
+impl RankedHypothesis {
+    /// What is told of a fitted hypothesis.
+    pub(super) fn of(e: &FittedHypothesis) -> Self {
+        let proposal = e.variant.proposal.as_ref();
+        Self {
+            cause: e.cause(),
+            form: proposal.map_or_else(String::new, |p| p.form.clone()),
+            location: proposal.map_or_else(String::new, |p| p.location.clone()),
+            objective: e.fitted.objective,
+            log_evidence: e.log_evidence,
+        }
+    }
+}
+
 /// Returns false if the drift of a hypothesis may be slow noise.
 fn drift_is_significant(study: &Study, e: &FittedHypothesis) -> bool {
     !drift_may_be_noise(study, &e.variant.channel_faults(&e.fitted.values), &e.fitted.fits)
@@ -154,7 +168,7 @@ pub fn diagnose(
     scheduler.set_step_parts(step_error.parts);
     let baseline_of_script = baseline.clone();
     let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
-    let recorded = {
+    let (recorded, device) = {
         let values = &baseline_of_script.fitted.values;
         let responses =
             [Role::Fit, Role::Holdout].map(|r| record_responses(&factory, &study, text, values, &point, &inventory, r));
@@ -163,12 +177,14 @@ pub fn diagnose(
         let fits: Vec<Option<ScoredRun>> = (0..study.runs.len()).map(fit).collect();
         let responses = [&responses[0], &responses[1]];
         let imposed_motion = !inventory.base_excited;
-        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock };
-        runs.evidence()
+        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock, lone_device: false };
+        (runs.evidence(), runs.learnable_runs())
     };
     let context = ConclusionContext {
         study: &study,
         recorded: &recorded,
+        device,
+        has_clock,
         simulator,
         initial_run,
         text,

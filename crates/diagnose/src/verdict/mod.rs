@@ -7,6 +7,7 @@
 //! - `fault_in_words`: faults of channels with their corrections
 //! - `gain`: errors before and after a repair, beside the noise of the recordings
 //! - `gates`: limits of the probability of a cause by physics, bounds and channels
+//! - `learned`, `learned_study`: a learned law where no effect of the library explains the recordings, and without a diagnosis
 //! - `plausibility`: balances and published ranges
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
@@ -25,6 +26,8 @@ pub(crate) mod explanation;
 mod fault_in_words;
 mod gain;
 mod gates;
+pub(crate) mod learned;
+pub(crate) mod learned_study;
 pub(crate) mod mismatch;
 pub(crate) mod place;
 mod plausibility;

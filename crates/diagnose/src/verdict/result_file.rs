@@ -1,5 +1,6 @@
 //! `diagnosis.json`. Field names are those of the file.
 
+use super::learned::LearnedModel;
 use super::summary::Summary;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
@@ -38,6 +39,9 @@ pub struct Outcome {
     /// Channels that no edit of the script changes, so that nothing can be learned from them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unmoved_channels: Vec<UnmovedChannel>,
+    /// The learned law that the repaired model has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub learned: Option<LearnedModel>,
     /// Checks of the channels before the fit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub preflight: Option<Preflight>,

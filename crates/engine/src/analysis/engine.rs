@@ -15,7 +15,7 @@ use super::system::System;
 use super::work_counts::WorkCounts;
 use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
-use crate::element::{Element, Overload, Snapshot, Softening};
+use crate::element::{Element, OutsideRange, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -377,6 +377,12 @@ impl Engine {
     pub fn overload(&self) -> Option<(&ElementEntry, Overload)> {
         let of = |e: &ElementEntry| e.element.overload(&self.committed.history[e.state.clone()]);
         self.model.elements.iter().find_map(|e| of(e).map(|load| (e, load)))
+    }
+
+    /// Tags of the elements that left the range of their law, with the steps up to the committed state.
+    pub fn outside_range(&self) -> Vec<(i32, OutsideRange)> {
+        let of = |e: &ElementEntry| Some((e.tag, e.element.outside_range(&self.committed.history[e.state.clone()])?));
+        self.model.elements.iter().filter_map(of).collect()
     }
 
     /// The ends of the backbone of an element that softens, and its committed deformation.

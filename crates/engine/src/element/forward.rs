@@ -2,7 +2,7 @@
 
 /// Writes the named methods of [`Element`](super::Element) as calls of the element in the field `inner`.
 ///
-/// `commit`, `overload`, `softening`, `exhausted` and `add_own_damping` give the inner element the first `inner_len` state variables.
+/// `commit`, `overload`, `softening`, `exhausted`, `outside_range` and `add_own_damping` give the inner element the first `inner_len` state variables.
 /// A wrapper names each method, so that a new method of the trait is decided upon in every wrapper.
 macro_rules! forward_to_inner {
     ($($method:ident)*) => { $($crate::element::forward::forward_to_inner!(@$method);)* };
@@ -101,6 +101,11 @@ macro_rules! forward_to_inner {
     (@exhausted) => {
         fn exhausted(&self, history: &[f64]) -> Option<String> {
             self.inner.exhausted(&history[..self.inner_len])
+        }
+    };
+    (@outside_range) => {
+        fn outside_range(&self, history: &[f64]) -> Option<$crate::element::OutsideRange> {
+            self.inner.outside_range(&history[..self.inner_len])
         }
     };
     (@euler_load) => {

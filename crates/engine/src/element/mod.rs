@@ -47,6 +47,7 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+pub use amendment::OutsideRange;
 pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
 pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
@@ -405,6 +406,11 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
 
     /// A section without stiffness in a state, in words; `None` where all have some.
     fn exhausted(&self, _history: &[f64]) -> Option<String> {
+        None
+    }
+
+    /// Steps outside the range for which its law was made, up to a committed state; `None` where there are none.
+    fn outside_range(&self, _history: &[f64]) -> Option<OutsideRange> {
         None
     }
 

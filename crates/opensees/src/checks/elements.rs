@@ -35,4 +35,7 @@ hysteron_tcl::checks! {
     DAMPING_LEFT_OUT "damping-left-out":
         "An element cannot have the damping of its region.",
         "The message says why. The element is left without this damping.";
+    OUTSIDE_LEARNED_RANGE "outside-learned-range" (once):
+        "A device with a learned law has left the range that the law was fitted in.",
+        "Nothing was measured there. The law is held at the end of its range or goes on, as its script says.";
 }

@@ -1,20 +1,19 @@
 //! `amend`: physics added to elements that a script has made.
 
-use super::joints;
+use super::amended_place::Place;
+use super::{joints, learned};
 use crate::args::Args;
-use crate::load::series::series_of;
 use crate::model::nodes::need_model;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::{
-    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
     Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
     Yielding,
 };
 use hysteron_engine::element::bearing::BoucWenShear;
 use hysteron_engine::material::Softening;
 use hysteron_engine::model::ElementId;
-use hysteron_engine::series::Series;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,6 +21,8 @@ use std::sync::Arc;
 pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
+                     amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \
+                     amend element $tag <$tag ...> learned -file $file <-series $ts ...> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other";
 
@@ -349,27 +350,17 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if name == "hinges" {
         return joints::hinge(interp, &mut a, &elements);
     }
+    if name == "learned" {
+        return learned::learned(interp, &mut a, &elements);
+    }
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
-        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges"])));
+        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges", "learned"])));
     };
     let words = Words::take(interp, &mut a, kind)?;
     finish(interp, &a)?;
     for id in elements {
-        let inner = interp.host.engine.model().elements[id.0].element.clone();
-        // The stiffness that a law may need is that of the directions it will act in.
-        let probe: Arc<dyn Amendment> = (kind.make)(&words.numbers, words.share, 1.0);
-        let around = |law| {
-            let amended = Amended::new(inner.clone(), law, &words.directions);
-            let amended = amended.and_then(|amended| match &words.axial {
-                Some(Compression::Direction { number, reversed }) => amended.with_axial(*number, *reversed),
-                Some(Compression::History(compression)) => Ok(amended.with_axial_history(compression.clone())),
-                None => Ok(amended),
-            });
-            amended.map_err(|e| a.refuse(e.0, ""))
-        };
-        let stiffness = around(probe)?.initial_stiffness()[0];
-        let made = around((kind.make)(&words.numbers, words.share, stiffness))?;
-        interp.host.engine.replace_element(id, Arc::new(made));
+        let make = |stiffness: f64| (kind.make)(&words.numbers, words.share, stiffness);
+        words.place.amend(interp, &a, id, &make)?;
     }
     Ok(Value::EMPTY)
 }
@@ -385,35 +376,18 @@ fn weakens(law: &dyn Amendment) -> bool {
 struct Words {
     numbers: Numbers,
     share: Share,
-    directions: Vec<usize>,
-    /// Source of the axial force, if it is not the first direction.
-    axial: Option<Compression>,
-}
-
-/// Source of the axial force.
-enum Compression {
-    /// From what the element carries in a direction; a reversed one is in tension at negative deformations.
-    Direction { number: usize, reversed: bool },
-    /// From a history of the compression.
-    History(Series),
+    place: Place,
 }
 
 impl Words {
     fn take(interp: &mut Tcl, a: &mut Args<'_>, kind: &Kind) -> Result<Self, Exception> {
         let mut numbers: BTreeMap<_, _> = kind.options.iter().filter_map(|o| Some((o.name, o.default?))).collect();
-        let (mut share, mut directions, mut axial) = (Share::default(), vec![], None);
+        let (mut share, mut place) = (Share::default(), Place::default());
         while let Some(word) = a.option() {
+            if place.takes(interp, a, &word)? {
+                continue;
+            }
             match word.as_ref() {
-                "-dir" => {
-                    while a.at_number() {
-                        directions.push(a.dof("direction", 6)? + 1);
-                    }
-                }
-                "-axial" => {
-                    let (number, reversed) = a.signed_dof("direction of the axial force", 6)?;
-                    axial = Some(Compression::Direction { number: number + 1, reversed });
-                }
-                "-axialSeries" => axial = Some(Compression::History(series_of(interp, a)?)),
                 "-share" | "-strengthBeside" if share != Share::default() => {
                     return Err(a.refuse("two words for what the factor acts on", "expected -share or -strengthBeside"));
                 }
@@ -444,7 +418,7 @@ impl Words {
             let message = format!("amend {}: this law has no -strengthBeside", kind.name);
             return Err(a.refuse(message, "expected it of temperature, heating or degradation"));
         }
-        Ok(Self { numbers, share, directions, axial })
+        Ok(Self { numbers, share, place })
     }
 }
 

@@ -1,6 +1,7 @@
 //! `element`.
 
 pub(crate) mod amend;
+mod amended_place;
 mod beam;
 mod beam_column_joint;
 mod bearing;
@@ -17,6 +18,7 @@ mod joint_2d;
 mod joints;
 mod kikuchi;
 mod lead_units;
+pub(crate) mod learned;
 mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;

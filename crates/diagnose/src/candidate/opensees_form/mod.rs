@@ -61,6 +61,7 @@ const UNTRANSLATED: &[(&str, &str)] = &[
     ("cavitation", "cavitation with damage"),
     ("coupling", "one law in two directions in place of an element's own"),
     ("peakOriented", "reloading towards the largest deformation of an elastic element"),
+    ("learned", "a law with memory in place of an element's own"),
     ("hinges", "a hinge within a beam"),
 ];
 

@@ -9,7 +9,7 @@ use crate::element::damping::BasicForces;
 use crate::element::forward::forward_to_inner;
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS, MatrixMask,
-    OpenSeesTraits, SmallBeam, Snapshot, dot,
+    OpenSeesTraits, OutsideRange, SmallBeam, Snapshot, dot,
 };
 use crate::series::Series;
 use responses::AmendedResponse;
@@ -128,7 +128,7 @@ impl Amended {
     }
 
     fn deformation_state(&self, motion: &ElementInput<'_>, force: &[f64], before: Pair) -> DeformationState {
-        let mut d = DeformationState { before, dt: motion.dt, ..DeformationState::default() };
+        let mut d = DeformationState { before, dt: motion.dt, time: motion.time, ..DeformationState::default() };
         for (i, row) in self.rows.iter().enumerate() {
             d.e[i] = row.deformation(motion.disp);
             d.q[i] = row.force(force);
@@ -400,6 +400,10 @@ impl Element for Amended {
         }
     }
 
+    fn outside_range(&self, history: &[f64]) -> Option<OutsideRange> {
+        let own = self.law.outside_range(&history[self.law_at()..self.law_at() + self.law.state_len()]);
+        own.or_else(|| self.inner.outside_range(&history[..self.inner_len]))
+    }
     fn small_beam(&self) -> Option<SmallBeam<'_>> {
         None
     }

@@ -298,7 +298,7 @@ crate::watches_columns!(Hinged => |s| at s.parts());
 impl Element for Hinged {
     forward_to_inner! {
         class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
-        add_own_damping overload softening stretch exhausted euler_load probe_names force_labels
+        add_own_damping overload softening stretch exhausted outside_range euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.hinges.len() * self.hinge_len

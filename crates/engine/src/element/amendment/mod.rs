@@ -16,6 +16,7 @@ mod friction;
 mod gap;
 mod heating;
 mod hinged;
+pub mod learned;
 mod mullins;
 mod overstress;
 mod peak_oriented;
@@ -46,6 +47,7 @@ pub use friction::Friction;
 pub use gap::{Gap, Sides};
 pub use heating::Heating;
 pub use hinged::Hinged;
+pub use learned::Learned;
 pub use mullins::Mullins;
 pub use overstress::Overstress;
 pub use peak_oriented::PeakOriented;
@@ -76,6 +78,8 @@ pub struct DeformationState {
     pub axial: f64,
     /// Domain time since the committed state.
     pub dt: f64,
+    /// Domain time of the trial state.
+    pub time: f64,
     /// Slack of the law: `q` is the force at the deformation less the slack.
     pub slack: SlackShare,
 }
@@ -116,6 +120,15 @@ impl AmendedForce {
     pub fn unchanged(q: Pair) -> Self {
         Self { q, by_force: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
     }
+}
+
+/// Steps of a law outside the range for which it was made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutsideRange {
+    /// Number of steps.
+    pub steps: f64,
+    /// Number of those outside.
+    pub outside: f64,
 }
 
 /// An amendment with state variables of a fixed number.
@@ -186,6 +199,8 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     fn depends_on_time(&self) -> bool;
     /// The law for another stiffness of the element; `None` if the law does not use that stiffness.
     fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>>;
+    /// Steps outside the range of the law up to a committed state; `None` where there are none.
+    fn outside_range(&self, committed: &[f64]) -> Option<OutsideRange>;
 }
 
 impl<L: AmendmentLaw> Amendment for L {
@@ -219,5 +234,9 @@ impl<L: AmendmentLaw> Amendment for L {
     }
     fn with_stiffness(&self, stiffness: f64) -> Option<Arc<dyn Amendment>> {
         Some(Arc::new(AmendmentLaw::with_stiffness(self, stiffness)?))
+    }
+    // These laws have no range.
+    fn outside_range(&self, _: &[f64]) -> Option<OutsideRange> {
+        None
     }
 }

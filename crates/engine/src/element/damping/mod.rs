@@ -93,7 +93,7 @@ crate::watches_columns!(Damped => |s| at [(0..s.inner_len, &s.inner)]);
 impl Element for Damped {
     forward_to_inner! {
         class dofs commit lockstep initial_tangent mass inertance renews_tangent load_len add_load basic_rows
-        overload softening stretch exhausted euler_load probe_names force_labels
+        overload softening stretch exhausted outside_range euler_load probe_names force_labels
     }
     fn state_len(&self) -> usize {
         self.inner_len + self.damping.state_len(self.len)

@@ -1,0 +1,300 @@
+//! A law of the engine from runs of a device.
+
+use super::competition::{Competition, HeldBack};
+use super::data::{Data, DeviceRun, Mode};
+use super::family::Family;
+use super::law::{Coefficients, Fitter, Law, Shape};
+use super::learned_law::{engine_law, used_conditions};
+use super::slow_variables::{Kind, with_variable};
+use hysteron_engine::element::amendment::learned::LearnedLaw;
+
+/// A law of the engine with its errors.
+#[derive(Clone, Debug)]
+pub struct Learned {
+    /// The law.
+    pub law: LearnedLaw,
+    /// Its kinds of memory, the first one that of most effect; names of recorded channels where it follows some.
+    pub families: Vec<(Family, String)>,
+    /// Mean NMSE on blocks held back, and on fitted runs held back as a whole.
+    pub blocks: f64,
+    /// Mean NMSE on fitted runs held back as a whole, or on the end of a single one.
+    pub whole_runs: f64,
+    /// Mean NMSE of the fitted runs.
+    pub fitted: f64,
+    /// Mean NMSE of the runs held out; none without such runs.
+    pub held_out: Option<f64>,
+    /// The same if slow variables go on beyond the range of the fitted runs.
+    pub held_out_beyond: Option<f64>,
+    /// Mean NMSE of the user's fitted law on the fitted runs.
+    pub user_fitted: f64,
+    /// Mean NMSE of the user's fitted law on the runs held out.
+    pub user_held_out: Option<f64>,
+    /// Share of the steps of the runs held out that lie outside the range of the law.
+    pub outside: f64,
+    /// Change of the logarithm of the error held back of each further kind of memory over the best, nats.
+    pub rivals: Vec<(Family, String, f64)>,
+}
+
+/// Terms of a law at most, and those that a second kind of memory may add.
+const MAX_TERMS: usize = 4;
+const SECOND_TERMS: usize = 2;
+/// Fall of the logarithm of the error with which a second kind of memory enters.
+const SECOND_FAMILY: f64 = 0.2;
+/// Error of a plain shape over that of the user's law up to which laws are built on it.
+const MAX_SHAPE_RATIO: f64 = 4.0;
+/// Steps of Gauss and Newton in the last fit.
+const LAST_STEPS: usize = 12;
+/// Ratios by which constants and levels are refined in turn.
+const RATIOS: [f64; 3] = [1.5, 1.15, 1.04];
+/// Changes of the slopes of hysteresis in turn.
+const SLOPE_STEPS: [f64; 3] = [0.3, 0.1, 0.03];
+/// Fall of the logarithm of the error with which slopes of hysteresis are learned.
+const SLOPES: f64 = 0.04;
+
+type Families = Vec<(Family, Option<usize>)>;
+
+/// A law with its errors on what was held back.
+#[derive(Clone)]
+struct Candidate {
+    families: Families,
+    law: Law,
+    errors: HeldBack,
+}
+
+impl Candidate {
+    fn change_from(&self, other: &Self) -> f64 {
+        self.errors.change_from(&other.errors)
+    }
+}
+
+/// The law that leaves least on blocks and runs held back; `None` if the runs do not suffice.
+pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
+    let data = Data { mode: Mode::Engine, ..Data::new(runs, has_clock)? };
+    let c = Competition { data: &data, fitter: Fitter::new(&data) };
+    let all = data.families();
+    let mut found: Vec<Candidate> = vec![];
+    for base in bases(&c) {
+        let errors = c.held_back(&base);
+        for family in &all {
+            let (law, errors) = c.learn(&[*family], MAX_TERMS, base.clone(), errors.clone());
+            found.push(Candidate { families: vec![*family], law, errors });
+        }
+    }
+    let reference = found.first()?.clone();
+    found.sort_by(|a, b| a.change_from(&reference).total_cmp(&b.change_from(&reference)));
+    let best = found[0].clone();
+    let mut rivals: Families = vec![];
+    for f in &found {
+        if !rivals.contains(&f.families[0]) {
+            rivals.push(f.families[0]);
+        }
+    }
+    let behind = |family: &(Family, Option<usize>)| {
+        let of_family = found.iter().find(|f| f.families[0] == *family);
+        of_family.map_or(0.0, |f| f.change_from(&best))
+    };
+    let channel =
+        |f: &(Family, Option<usize>)| (f.0, f.1.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone()));
+    let rivals = rivals.iter().skip(1).map(|f| (channel(f).0, channel(f).1, behind(f))).collect();
+    let best = with_second_family(&c, &best, &all);
+    let best = refined(&c, best);
+    let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
+    let law = engine_law(&c.fitter, &best.law, &last)?;
+    let mean = |held_out: bool, of_run: &dyn Fn(usize) -> f64| {
+        let own: Vec<usize> = (0..data.runs.len()).filter(|k| data.runs[*k].held_out == held_out).collect();
+        (!own.is_empty()).then(|| own.iter().map(|k| of_run(*k)).sum::<f64>() / own.len() as f64)
+    };
+    let errors = RunErrors { c: &c, law: &best.law, last: &last };
+    let of_law = errors.of_law();
+    let of_user = errors.of_user();
+    let (of_engine, outside) = errors.of_engine(&LearnedLaw { goes_on: true, ..law.clone() });
+    let (blocks, whole) = best.errors.folds.split_at(data.block_folds);
+    Some(Learned {
+        law,
+        families: best.families.iter().map(channel).collect(),
+        blocks: blocks.iter().sum(),
+        whole_runs: data.whole_factor * whole.iter().sum::<f64>(),
+        fitted: mean(false, &|k| of_law[k])?,
+        held_out: mean(true, &|k| of_law[k]),
+        held_out_beyond: mean(true, &|k| of_engine[k]),
+        user_fitted: mean(false, &|k| of_user[k])?,
+        user_held_out: mean(true, &|k| of_user[k]),
+        outside: mean(true, &|k| outside[k]).unwrap_or(0.0),
+        rivals,
+    })
+}
+
+/// Laws without a memory on which others are built: the best plain shape, and the user's law.
+fn bases(c: &Competition<'_>) -> Vec<Law> {
+    let best = c.base();
+    let (plain, user) = c.plain_and_user();
+    let limit = MAX_SHAPE_RATIO * c.held_back(&user).pooled;
+    let mut out = vec![best];
+    for law in [plain, Some(user)].into_iter().flatten() {
+        let is_known = out.iter().any(|l| l.shape == law.shape);
+        if !is_known && (law.shape == Shape::User || c.held_back(&law).pooled <= limit) {
+            out.push(law);
+        }
+    }
+    out
+}
+
+/// A second kind of memory, where it takes enough of what the first leaves.
+fn with_second_family(c: &Competition<'_>, best: &Candidate, all: &Families) -> Candidate {
+    let first = best.families[0];
+    let second = |family: &(Family, Option<usize>)| {
+        let families = vec![first, *family];
+        let terms = best.law.terms() + SECOND_TERMS;
+        let (law, errors) = c.learn(&families, terms, best.law.clone(), best.errors.clone());
+        Candidate { families, law, errors }
+    };
+    let others = all.iter().filter(|f| **f != first && f.0 != Family::Shape).map(second);
+    let found = others.min_by(|a, b| a.change_from(best).total_cmp(&b.change_from(best)));
+    found.filter(|f| f.change_from(best) < -SECOND_FAMILY).unwrap_or_else(|| best.clone())
+}
+
+/// Time constants, widths, the slip level and the slopes of hysteresis, refined in turn.
+fn refined(c: &Competition<'_>, best: Candidate) -> Candidate {
+    let mut best = best;
+    let with_law = |best: &Candidate, law: Law| {
+        let errors = c.held_back(&law);
+        Candidate { families: best.families.clone(), law, errors }
+    };
+    let take = |best: &mut Candidate, laws: Vec<Law>, least: f64| {
+        let tried = laws.into_iter().map(|l| with_law(best, l));
+        let found = tried.min_by(|a, b| a.change_from(best).total_cmp(&b.change_from(best)));
+        if let Some(f) = found.filter(|f| f.change_from(best) < -least) {
+            *best = f;
+        }
+    };
+    for step in RATIOS {
+        for k in 0..best.law.factors.len() {
+            let (_, v) = &best.law.factors[k];
+            let Kind::Variable(variable) = v.kind else { continue };
+            let others = [step, 1.0 / step].into_iter().flat_map(|r| variable.with_constants_times(r));
+            let laws = others.map(|variable| {
+                let mut law = best.law.clone();
+                law.factors[k].1 = with_variable(c.data, v, variable, law.level);
+                law
+            });
+            let laws: Vec<Law> = laws.collect();
+            take(&mut best, laws, 0.0);
+        }
+        if best.law.shape != Shape::User {
+            let laws = [step, 1.0 / step].map(|r| c.at_level(&best.law, r * best.law.level));
+            take(&mut best, laws.to_vec(), 0.0);
+        }
+    }
+    if best.law.shape == Shape::BoucWen {
+        let mut curved = with_law(&best, Law { shape: Shape::Curve([1.0, 1.0, 0.5, 0.0]), ..best.law.clone() });
+        // A factor on the strength needs one slope of unloading.
+        let takes_strength = best.law.factors.iter().any(|(t, _)| t.word() == "strength");
+        for step in SLOPE_STEPS {
+            for i in usize::from(takes_strength) * 2..4 {
+                let Shape::Curve(slopes) = curved.law.shape else { continue };
+                let changed = [step, -step].map(|by| {
+                    let mut s = slopes;
+                    s[i] = (s[i] + by).max(if i < 2 { 0.1 } else { 0.0 });
+                    // Loading is at most as steep as unloading.
+                    (s[2], s[3]) = (s[2].min(s[1]), s[3].min(s[0]));
+                    Law { shape: Shape::Curve(s), ..curved.law.clone() }
+                });
+                take(&mut curved, changed.to_vec(), 0.0);
+            }
+        }
+        if curved.change_from(&best) < -SLOPES {
+            best = curved;
+        }
+    }
+    best
+}
+
+/// Errors of a law and of the user's by run.
+struct RunErrors<'a> {
+    c: &'a Competition<'a>,
+    law: &'a Law,
+    last: &'a Coefficients,
+}
+
+impl RunErrors<'_> {
+    fn by_run(&self, value: &[f64]) -> Vec<f64> {
+        let d = self.c.data;
+        let mut out = vec![0.0; d.runs.len()];
+        let fitted_runs = d.runs.iter().filter(|r| !r.held_out).count() as f64;
+        for (i, (run, _)) in d.samples.iter().enumerate() {
+            let share = if d.fitted[i] { fitted_runs } else { 1.0 };
+            out[*run] += share * ((value[i] - d.recorded[i]) * d.weight[i]).powi(2);
+        }
+        out
+    }
+
+    fn of_law(&self) -> Vec<f64> {
+        self.by_run(&self.c.fitter.value(self.law, self.last))
+    }
+
+    /// Errors of a law of the engine, and shares of the steps outside its range, by run.
+    fn of_engine(&self, law: &LearnedLaw) -> (Vec<f64>, Vec<f64>) {
+        let used = used_conditions(self.law);
+        let along = |r: &DeviceRun| {
+            let channels = used.iter().map(|i| {
+                let mean = self.c.data.scales.conditions[*i].0;
+                r.conditions[*i].values.iter().map(|x| if x.is_finite() { *x } else { mean }).collect::<Vec<f64>>()
+            });
+            let channels: Vec<Vec<f64>> = channels.collect();
+            let channels: Vec<&[f64]> = channels.iter().map(Vec::as_slice).collect();
+            law.along(&r.deformation, &r.times, &r.modelled, &channels)
+        };
+        let (forces, shares): (Vec<Vec<f64>>, Vec<f64>) = self.c.data.runs.iter().map(along).unzip();
+        (self.by_run(&self.c.data.sampled(&forces)), shares)
+    }
+
+    fn of_user(&self) -> Vec<f64> {
+        self.by_run(&self.c.data.at_samples(|r| r.modelled.clone()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::learn;
+    use crate::memory::competition::tests::runs;
+    use crate::memory::data::DeviceRun;
+    use crate::memory::family::Family;
+    use hysteron_engine::element::amendment::learned::LearnedLaw;
+
+    /// Mean NMSE of a law along the runs held out.
+    fn error(law: &LearnedLaw, runs: &[DeviceRun]) -> f64 {
+        let of_run = |r: &DeviceRun| {
+            let (force, _) = law.along(&r.deformation, &r.times, &[], &[]);
+            let mean = r.recorded.iter().sum::<f64>() / r.recorded.len() as f64;
+            let left: f64 = force.iter().zip(&r.recorded).map(|(f, y)| (f - y).powi(2)).sum();
+            left / r.recorded.iter().map(|y| (y - mean).powi(2)).sum::<f64>()
+        };
+        let held: Vec<f64> = runs.iter().filter(|r| r.held_out).map(of_run).collect();
+        held.iter().sum::<f64>() / held.len() as f64
+    }
+
+    /// Friction that ages at rest: the law of the engine predicts the run held out down to the noise, with the errors of the
+    /// fit, and the user's law does not.
+    #[test]
+    fn a_law_of_the_engine_is_the_fitted_one() {
+        let runs = runs(|_, _, aged| 1.0 + 0.3 * aged);
+        let l = learn(runs.clone(), true).expect("a law");
+        assert_eq!(l.families[0].0, Family::Rest, "{l:#?}");
+        assert!(l.law.refusal().is_none());
+        let (after, before) = (l.held_out.unwrap_or(1.0), l.user_held_out.unwrap_or(0.0));
+        // The noise of 0.01 over a force of about 0.8.
+        let noise = 1e-4 / 0.6;
+        assert!(after < 3.0 * noise && after < 0.3 * before, "{after} {before}");
+        let of_engine = error(&l.law, &runs);
+        assert!((of_engine / after - 1.0).abs() < 0.05, "{of_engine} {after}");
+    }
+
+    /// Without a memory nothing is gained over the noise, and the law stays short.
+    #[test]
+    fn a_law_without_memory_stays_plain() {
+        let l = learn(runs(|_, _, _| 1.0), true).expect("a law");
+        assert!(l.held_out.unwrap_or(1.0) < 2e-4 / 0.6, "{l:?}");
+        assert!(l.law.factors.len() + l.law.dashpots.len() + l.law.stops.len() <= 2, "{l:?}");
+        assert!(learn(vec![], true).is_none());
+    }
+}
