@@ -11,6 +11,8 @@ mod beams;
 mod bearing_materials;
 #[path = "laws/bearings.rs"]
 mod bearings;
+#[path = "laws/class_tags.rs"]
+mod class_tags;
 #[path = "laws/component.rs"]
 mod component;
 #[path = "laws/corotational.rs"]

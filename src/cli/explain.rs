@@ -4,7 +4,7 @@ use super::commands::{indented, wrapped};
 use hysteron::checks::{all, families};
 use hysteron::diagnostic::nearest;
 
-/// What a code means, or all codes with a sentence each.
+/// The meaning of a code, or all codes with a sentence each.
 ///
 /// # Errors
 ///

@@ -246,7 +246,7 @@ fn every_material_has_a_consistent_tangent() {
 }
 
 /// Dimensions, degrees of freedom per node, shape, and words of an element, with @ for tag and nodes.
-const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
+pub const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 1"),
     (3, 6, Shape::Line, "elasticBeamColumn @ 0.02 200. 80. 0.3 0.4 0.5 2"),
     (2, 3, Shape::Line, "elasticBeamColumn @ 0.02 200. 0.5 3"),
@@ -363,7 +363,7 @@ const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
     (3, 3, Shape::Cable, "CatenaryCable @ -0.5 200. 1. 1.45 0. 0. 0. 1e-10 3 3"),
 ];
 
-fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
+pub fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
     let mut out = format!("model basic -ndm {ndm} -ndf {ndf}\n");
     for (i, x) in places.iter().enumerate() {
         let words: Vec<String> = x.iter().take(ndm).map(ToString::to_string).collect();
@@ -400,19 +400,6 @@ fn every_element_has_no_force_in_rigid_motion() {
         let (force, k) = e.trial(&u, &vec![0.0; u.len()]);
         let stiff = k.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         assert!(force.iter().all(|f| f.abs() < 1e-12 * stiff), "{}: {force:?}", row.3);
-    }
-}
-
-/// Programs that draw models ask for the number of the class. Only elements that OpenSees lacks have none.
-#[test]
-fn every_element_has_the_class_tag_of_opensees() {
-    for &(ndm, ndf, shape, words) in ELEMENTS {
-        let places = nodes(ndm, shape);
-        let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
-        let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
-        let asks = "puts [getEleClassTags 1]";
-        let ran = run(&format!("{}element {made}\n{asks}\n", script(ndm, ndf, &places))).done();
-        assert!(ran.numbers()[0] > 0.0, "{words}: {}", ran.out);
     }
 }
 

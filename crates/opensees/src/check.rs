@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 pub struct CheckState {
     /// A definition was rejected: the model is not the one that was meant.
     pub(crate) rejected: bool,
-    /// What a rejected command would have defined: a message that misses it only follows from that mistake.
+    /// Things that rejected commands would have defined: a message that misses one only follows from that mistake.
     consequences: BTreeSet<Absent>,
     /// A procedure or a file was left at a mistake: what the rest of it would have defined is not there.
     left_early: bool,

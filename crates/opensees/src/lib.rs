@@ -66,7 +66,7 @@ pub struct Command {
     pub usage: &'static str,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
     kinds: fn() -> Vec<KindUsage>,
-    /// What it defines, and the position of the tag among its words.
+    /// Kinds of things that it defines, and the position of the tag among its words.
     defines: (&'static [&'static str], usize),
 }
 

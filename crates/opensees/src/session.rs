@@ -165,7 +165,7 @@ pub struct Session {
     pub number_files: NumberFiles,
     /// Course of the run, where it is followed.
     pub course: Option<Course>,
-    /// What a host does before the first transient analysis.
+    /// Call by a host before the first transient analysis.
     pub(crate) before_transient: Option<BeforeTransient>,
 }
 

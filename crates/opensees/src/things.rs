@@ -1,6 +1,6 @@
 //! Kinds of things that commands define, in the words of messages.
 //!
-//! Those that a registry of the engine holds have its words; a test compares them.
+//! The engine has registries for some of them, with the same words; a test compares them.
 
 /// A node.
 pub(crate) const NODE: &str = "node";

@@ -130,7 +130,7 @@ pub struct Caller {
     pub span: Span,
 }
 
-/// What a message says is not there: a variable, a command, a thing that a command defines by a tag.
+/// A thing that a message says is missing: a variable, a command, a thing that a command defines by a tag.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Absent {
     /// Kind of thing, for instance "variable" or "node".
@@ -174,7 +174,7 @@ pub struct Diagnostic {
     pub callers: Vec<Caller>,
     /// The check that found it. Each warning has one, and so has an error that many places share.
     pub check: Option<&'static Check>,
-    /// What it says is not there.
+    /// The thing that it says is missing.
     pub absent: Option<Absent>,
     /// Number of times that it came up at this place, in the words of the first.
     pub count: usize,
@@ -216,7 +216,7 @@ impl Diagnostic {
         self
     }
 
-    /// Name what it says is not there.
+    /// Name the thing that it says is missing.
     pub fn absent(mut self, absent: Absent) -> Self {
         self.absent = Some(absent);
         self

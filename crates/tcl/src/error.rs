@@ -143,7 +143,7 @@ impl Exception {
         self.map_error(|e| e.diagnostic.check = Some(check))
     }
 
-    /// Name what it says is not there.
+    /// Name the thing that it says is missing.
     pub fn absent(self, absent: Absent) -> Self {
         self.map_error(|e| e.diagnostic.absent = Some(absent))
     }

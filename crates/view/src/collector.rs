@@ -7,7 +7,7 @@ use crate::forces::MemberForces;
 use crate::history::History;
 use crate::numbers::narrow;
 use crate::scene::{Family, Scene, translations};
-use hysteron_engine::analysis::{Engine, Kind, Modes, Wanted};
+use hysteron_engine::analysis::{Engine, Kind, ModeRequest, Modes};
 use hysteron_opensees::MotionObserver;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -175,7 +175,7 @@ impl Motion {
         let dofs = engine.model().dofs();
         let mut found = engine.modes().cloned().filter(|m| m.shapes.iter().all(|s| s.len() == dofs));
         if found.as_ref().map_or(0, |m| m.lambda.len()) < modes {
-            found = engine.find_modes(Wanted::smallest(modes)).ok().cloned().or(found);
+            found = engine.find_modes(ModeRequest::smallest(modes)).ok().cloned().or(found);
         }
         self.modes = found.map_or_else(Vec::new, |m| shapes(&m, &self.scene));
     }

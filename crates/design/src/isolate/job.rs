@@ -186,7 +186,7 @@ fn set_values(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> 
     interp.eval_str("isolation study", text).map(|_| ()).map_err(failed)
 }
 
-/// Why an analysis has no result.
+/// Reason for an analysis without a result.
 struct Failure {
     /// In words; empty where it has one.
     text: String,

@@ -1,6 +1,7 @@
 //! Analyses: `analysis analyze eigen` and what goes with them.
 
 use super::failure::failure_message;
+use super::numerics;
 use super::plausibility;
 use crate::args::Args;
 use crate::checkpoint;
@@ -18,7 +19,6 @@ use hysteron_engine::analysis::{
     Cause, Failure, Kind, Measure, ModeRequest, ModesError, Problem, RecoveryStrategy, Setup, TangentMix, Test,
 };
 use hysteron_engine::assembly::Handler;
-use hysteron_engine::element::Overload;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -223,7 +223,7 @@ pub(super) fn conclude(interp: &mut Tcl, call: &Call<'_>, done: Result<(), Failu
     warn_of_missing(interp)?;
     checkpoint::warn_of_end(interp, call)?;
     if !interp.host.output.recorders.repeats() {
-        warn_of_numerics(interp, call.span(0))?;
+        numerics::warn_of_numerics(interp, call.span(0))?;
         if done.is_ok() {
             plausibility::after(interp, call.span(0))?;
         }
@@ -316,72 +316,6 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     let d = Diagnostic::warning(&checks::analysis::PSEUDO_TIME, message)
         .at(span, "expected LoadControl, whose load factor is the time");
     warn(interp, d.help("an imposed displacement (sp) over a Path series goes at the rate of that path"))
-}
-
-/// Warn, once each, of steps that were out of balance though they counted as converged, and of equations that are
-/// nearly singular.
-fn warn_of_numerics(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
-    let session = &mut interp.host;
-    let weak =
-        if session.warnings.has(&checks::analysis::NEARLY_SINGULAR) { None } else { session.engine.weak_pivot() };
-    if let Some((place, ratio)) = weak {
-        session.warnings.note(&checks::analysis::NEARLY_SINGULAR);
-        let message =
-            format!("the equations are nearly singular at {place}: {ratio:.1e} of the stiffness is left there");
-        let d = Diagnostic::warning(&checks::analysis::NEARLY_SINGULAR, message)
-            .at(span, "few digits of the results are right");
-        warn(interp, d)?;
-    }
-    let session = &mut interp.host;
-    let told = session.warnings.has(&checks::analysis::OUT_OF_BALANCE);
-    if let Some(i) = session.engine.imbalance.as_ref().filter(|_| !told) {
-        let message = format!(
-            "a step counted as converged though the forces are out of balance: {:.1} % of the largest force \
-             at time {} ({})",
-            100.0 * i.ratio,
-            i.time,
-            i.place
-        );
-        session.warnings.note(&checks::analysis::OUT_OF_BALANCE);
-        let d = Diagnostic::warning(&checks::analysis::OUT_OF_BALANCE, message)
-            .at(span, "a tighter test, or one of the unbalance, shows it");
-        warn(interp, d)?;
-    }
-    report_overload(interp, span);
-    report_softening(interp, span);
-    Ok(())
-}
-
-/// Report once a bearing whose backbone is negative. It is no error, even where warnings are: a script may study this.
-fn report_softening(interp: &mut Tcl, span: Option<Span>) {
-    let session = &mut interp.host;
-    if session.mode == Mode::Check || session.warnings.has(&checks::analysis::SOFTENING_BEARING) {
-        return;
-    }
-    let Some(d) = session.output.recorders.backbones.warning(span) else { return };
-    session.warnings.note(&checks::analysis::SOFTENING_BEARING);
-    crate::report(interp, d);
-}
-
-/// Report once a bearing under more than its critical load.
-///
-/// The script may study exactly this, so that it is no error, even where warnings are.
-fn report_overload(interp: &mut Tcl, span: Option<Span>) {
-    let session = &mut interp.host;
-    if session.mode == Mode::Check || session.warnings.has(&checks::analysis::OVERLOADED_BEARING) {
-        return;
-    }
-    let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
-    let message = format!(
-        "the axial load of {} {} is {load:.4e}, above its critical load of {critical:.4e}",
-        e.element.class(),
-        e.tag
-    );
-    session.warnings.note(&checks::analysis::OVERLOADED_BEARING);
-    crate::report(
-        interp,
-        Diagnostic::warning(&checks::analysis::OVERLOADED_BEARING, message).at(span, "it has buckled"),
-    );
 }
 
 const SOLVERS: &[&str] = &[

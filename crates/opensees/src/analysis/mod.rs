@@ -10,6 +10,7 @@ pub(crate) mod isolator_damping;
 pub(crate) mod matrix;
 pub(crate) mod modal_damping;
 pub(crate) mod modal_properties;
+mod numerics;
 pub(crate) mod overview;
 pub(crate) mod plausibility;
 pub(crate) mod response_spectrum;

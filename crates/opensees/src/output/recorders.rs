@@ -208,7 +208,7 @@ impl Recorders {
     }
 }
 
-/// What a recorder or a region misses, as messages name it.
+/// The thing that a recorder or a region misses, as messages name it.
 pub(crate) fn absent_of(missing: &Missing) -> Option<Absent> {
     match missing {
         Missing::Node(tag) => Some(Absent::new(things::NODE, tag)),
