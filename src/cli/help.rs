@@ -6,7 +6,7 @@ use clap_complete::Shell;
 use std::path::Path;
 
 /// Examples of each command: what one does, and below it the command line.
-const EXAMPLES: [(&str, &str); 9] = [
+const EXAMPLES: &[(&str, &str)] = &[
     (
         "run",
         "Examples:

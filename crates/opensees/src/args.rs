@@ -4,9 +4,9 @@ mod number_words;
 mod unknown_words;
 
 use crate::checks::words;
-use crate::{Tcl, opensees_names, slips, warn};
+use crate::{Tcl, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
-use hysteron_tcl::diagnostic::{self, Absent, Diagnostic, Span};
+use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
 use number_words::{as_int, no_list_of_numbers, numbers};
 use std::borrow::Cow;
