@@ -113,9 +113,9 @@ mod tests {
             read("f", b"0.1 0.2 0.3\n0.4 0.5\n", &options("g", Some(0.02)), &|_| None).expect("a motion").motions;
         assert_eq!((wrapped[0].acceleration.len(), wrapped[0].dt), (5, 0.02));
         let told = |text: &str, o: &ReadOptions| read("f", text.as_bytes(), o, &|_| None).expect_err("a fault");
-        assert!(told("0 1\n1 2\n2 3\n", &ReadOptions::default(), &|_| None).contains("--unit"));
+        assert!(told("0 1\n1 2\n2 3\n", &ReadOptions::default()).contains("--unit"));
         assert!(told("1\n2\n", &options("g", None)).contains("--dt"));
         assert!(told("1\n2\n", &options("gg", None)).contains("gg"));
-        assert!(told("t,a[g]\n0,1\n1,2\n5,3\n", &ReadOptions::default(), &|_| None).contains("equal steps"));
+        assert!(told("t,a[g]\n0,1\n1,2\n5,3\n", &ReadOptions::default()).contains("equal steps"));
     }
 }
