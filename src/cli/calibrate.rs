@@ -236,7 +236,7 @@ fn calibrate_prepared(
     };
     result.preflight = Some(checked);
     if stopped {
-        eprintln!("interrupted: the best so far is kept; --resume goes on");
+        eprintln!("interrupted: the best so far is kept; --resume continues");
     } else {
         estimate_uncertainty(args, &problem, &mut result);
         let _ = hysteron_files::remove(&checkpoint_path);
@@ -276,7 +276,7 @@ fn prepare_with_args(
         print_diagnostic(w, sources);
     }
     if let Some(error) = &prepared.initial_run.failure {
-        eprintln!("note: with its own values the script has no answer: {error}");
+        eprintln!("note: the script fails with its own values: {error}");
     }
     Ok(prepared)
 }
@@ -286,7 +286,7 @@ fn estimate_uncertainty(args: &CalibrateArgs, problem: &StudyProblem, result: &m
     let estimate = match uncertainty(problem, &result.unit_point) {
         Ok(estimate) => estimate,
         Err(why) => {
-            eprintln!("note: how sure the parameters are is not known: {why}");
+            eprintln!("note: the uncertainty of the parameters is not known: {why}");
             return;
         }
     };
@@ -371,11 +371,7 @@ fn write(
     write_atomically(&dir.join("calibration.json"), &result.json().map_err(|e| e.to_string())?)?;
     write_atomically(&dir.join("fitted.tcl"), &standalone_script(simulator, dir, &script))?;
     if !missing.is_empty() {
-        eprintln!(
-            "note: {} stands in no pset command of {}: fitted.tcl has not its value",
-            missing.join(", "),
-            study.model
-        );
+        eprintln!("note: no pset command of {} has {}: fitted.tcl lacks its value", study.model, missing.join(", "));
     }
     let simulated = result.scored_runs.iter().map(|r| r.as_ref().ok()).collect();
     write_channels(dir, study, &[("simulated", simulated)])?;

@@ -109,7 +109,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
                 return FAILED_STATUS;
             }
             if saved.exists() {
-                eprintln!("what was worked out is kept; --resume goes on");
+                eprintln!("complete fits are kept; --resume continues");
             }
             stopped_status(&stop).unwrap_or(FAILED_STATUS)
         }

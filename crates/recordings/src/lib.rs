@@ -28,6 +28,7 @@ mod table;
 pub mod text;
 pub mod told;
 pub mod unit;
+mod way;
 
 pub use content::MAX_UNPACKED;
 pub use fault::Fault;

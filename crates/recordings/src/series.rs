@@ -1,8 +1,8 @@
 //! A measured series with its meaning.
 
 use crate::fault::Fault;
-use crate::told::{Key, Way};
 use crate::unit::{Quantity, Unit};
+use crate::way::{Key, Way};
 use std::ops::Range;
 use std::sync::Arc;
 

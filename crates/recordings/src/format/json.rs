@@ -3,9 +3,8 @@
 use super::{Format, Input};
 use crate::content::Content;
 use crate::fault::Fault;
-use crate::interpret::time_unit_of;
 use crate::series::{Clock, Series};
-use crate::sheet::{Column, Sheet};
+use crate::sheet::{Column, Sheet, head};
 use crate::unit::{self, Quantity};
 use serde_json::{Map, Value};
 
@@ -52,7 +51,7 @@ fn samples(name: &str, values: &[Value]) -> Result<Vec<f64>, Fault> {
 
 /// A table of columns, the time first: members of an object have no order.
 fn table(mut columns: Vec<Column>, header: Vec<String>) -> Content {
-    columns.sort_by_key(|c| time_unit_of(c).is_none());
+    columns.sort_by_key(|c| head::time_column(&c.cell, &c.unit).is_none());
     Content::Table(Sheet { named: true, columns, header, ..Sheet::default() })
 }
 
