@@ -17,9 +17,7 @@ pub enum NoiseEvidence {
     RepeatedCycles,
     /// Stretches in which the motion is at rest.
     Rest,
-    /// Innovations of a long autoregression of the recording, or of what the model leaves of it: the smaller ones. The past
-    /// predicts no jump of a force, but the model makes it at the same time. Noise slower than the samples is not in them: a
-    /// lower limit.
+    /// Innovations of a long autoregression. Noise slower than the samples is not in them: a lower limit.
     Innovations,
 }
 
@@ -67,10 +65,10 @@ pub fn recorded_noise(study: &Study, run: usize, simulated: &[Vec<f64>]) -> Vec<
             (NoiseEvidence::RepeatedRuns, repeated_runs(study, of, &o.channel)),
             (NoiseEvidence::RepeatedCycles, repeated_cycles(&values)),
             (NoiseEvidence::Rest, at_rest(&values, &model)),
-            (NoiseEvidence::Innovations, least_innovations(&values, &model)),
+            (NoiseEvidence::Innovations, innovation_variance(&values)),
         ];
         // Innovations are a lower limit of all others.
-        let least = least_innovations(&values, &model)?;
+        let least = innovation_variance(&values)?;
         let (evidence, variance) = found.into_iter().find_map(|(e, v)| Some((e, v?)))?;
         Some(RecordedNoise { nmse: variance.max(least) / o.variance, evidence })
     };
@@ -159,14 +157,6 @@ fn variance_about_line(x: &[f64]) -> f64 {
     squares / (n - 2.0).max(1.0)
 }
 
-/// The smaller innovations of a recording, and of what a model leaves of it.
-///
-/// Physics that the model lacks follows from its own past as the recording does, so that it is in neither.
-fn least_innovations(values: &[f64], model: &[f64]) -> Option<f64> {
-    let left: Vec<f64> = values.iter().zip(model).map(|(v, y)| v - y).collect();
-    [innovation_variance(values), innovation_variance(&left)].into_iter().flatten().reduce(f64::min)
-}
-
 /// Variance of what the past of a series does not predict, by a long autoregression; `None` for a series that is too short.
 pub fn innovation_variance(x: &[f64]) -> Option<f64> {
     let mean = x.iter().sum::<f64>() / x.len() as f64;
@@ -179,7 +169,7 @@ pub fn innovation_variance(x: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{at_rest, innovation_variance, least_innovations, repeated_cycles};
+    use super::{at_rest, innovation_variance, repeated_cycles};
     use rand::{RngExt as _, SeedableRng as _};
     use rand_pcg::Pcg32;
 
@@ -203,21 +193,6 @@ mod tests {
             assert!((0.7..1.5).contains(&ratio(innovation_variance(&noisy(sine, deviation)), deviation)));
             assert!((0.7..1.5).contains(&ratio(innovation_variance(&noisy(growing, deviation)), deviation)));
         }
-    }
-
-    /// A force that jumps where the motion turns is no noise, also where the model's jump has another size.
-    #[test]
-    fn a_jump_of_the_force_is_no_noise() {
-        let force = |strength: f64| move |t: f64| (1.7 * t).sin() + strength * (1.7 * t).cos().signum();
-        let recorded = noisy(force(0.5), 0.01);
-        assert!(ratio(innovation_variance(&recorded), 0.01) > 5.0, "the past alone predicts no jump");
-        for strength in [0.5, 0.48] {
-            let found = ratio(least_innovations(&recorded, &noisy(force(strength), 0.0)), 0.01);
-            assert!((0.7..1.6).contains(&found), "{strength}: {found}");
-        }
-        // What a model lacks is not in them.
-        let found = ratio(least_innovations(&noisy(force(0.0), 0.01), &noisy(|t| 0.6 * (1.7 * t).sin(), 0.0)), 0.01);
-        assert!((0.7..1.5).contains(&found), "{found}");
     }
 
     #[test]

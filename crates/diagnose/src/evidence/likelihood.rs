@@ -66,7 +66,7 @@ mod tests {
             let at = |i: usize| 40.0 * (i as f64 + 0.5) / n as f64;
             let noise = |t: f64| 0.3 * (11.0 * t).sin() + 0.2 * (17.3 * t).cos();
             let series = |effect: f64| -> Vec<f64> {
-                (0..n).map(|i| at(i)).map(|t| noise(t) + effect * (1.3 * t).sin().powi(3)).collect()
+                (0..n).map(at).map(|t| noise(t) + effect * (1.3 * t).sin().powi(3)).collect()
             };
             let (best, other) = (vec![series(0.0)], vec![series(0.5)]);
             let model = NoiseModel::of(&best);

@@ -1,9 +1,8 @@
 //! The second effect of a pair: what it gains over the first alone, and how likely it is.
 
-use super::memory_evidence::MIN_SIGNAL_RATIO;
 use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence};
 use super::verdict_weights::PAIR_WEIGHTS;
-use crate::prior::MIN_HOLDOUT_SIGNAL_RATIO;
+use crate::prior::{MIN_HOLDOUT_SIGNAL_RATIO, MIN_TAKEN_SHARE};
 
 /// The effects of a pair, each alone.
 fn parts_alone<'a>(
@@ -22,7 +21,7 @@ pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
 }
 
 /// Gain of a pair over the better of its effects alone by all independent samples, nats; `None` where the pair does not reach
-/// the noise, or its first effect does.
+/// the noise, or takes less than half of what its first effect leaves.
 ///
 /// The likelihood counts few samples, because models are roughly right and their residuals are alike for long. An effect that
 /// lives in a quarter of a cycle is drowned by that. What leaves noise alone has no such residuals.
@@ -31,7 +30,7 @@ fn gain_to_noise(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> Optio
     let better = better.min_by(|a, b| a.held_back.unwrap_or(f64::NAN).total_cmp(&b.held_back.unwrap_or(f64::NAN)))?;
     let (alone, of_pair) = (better.held_back?, pair.held_back?);
     let noise = evidence.recorded.noise.into_iter().chain(pair.unpredicted).reduce(f64::min)?;
-    let reaches = of_pair <= MIN_HOLDOUT_SIGNAL_RATIO * noise && alone > MIN_SIGNAL_RATIO * noise;
+    let reaches = of_pair <= MIN_HOLDOUT_SIGNAL_RATIO * noise && of_pair <= (1.0 - MIN_TAKEN_SHARE) * alone;
     let samples = pair.independent_samples?;
     let parameters = pair.parameters.saturating_sub(better.parameters) as f64;
     reaches.then(|| 0.5 * (samples * (alone / of_pair).ln() - parameters * samples.ln()).clamp(0.0, 1e3))
@@ -69,8 +68,8 @@ mod tests {
         assert!(named(Some(1.7e-4), Some(7.3e-5), 7.2e-5, 1500.0));
         // Beyond the noise the form of a law leaves as much.
         assert!(!named(Some(1.7e-4), Some(7.3e-5), 3e-5, 1500.0));
-        // The first effect alone reaches the noise.
-        assert!(!named(Some(8.2e-5), Some(7.3e-5), 7.2e-5, 1500.0));
+        // The form of a law leaves as much as the noise: the second effect takes less than half.
+        assert!(!named(Some(1.2e-4), Some(7.3e-5), 7.2e-5, 1500.0));
         // Few independent samples say nothing.
         assert!(!named(Some(1.7e-4), Some(7.3e-5), 7.2e-5, 10.0));
         assert!(!named(None, Some(7.3e-5), 7.2e-5, 1500.0) && !named(Some(1.7e-4), None, 7.2e-5, 1500.0));
