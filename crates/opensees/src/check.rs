@@ -156,6 +156,19 @@ pub(crate) fn warn_of_speeds(interp: &mut Tcl) {
     }
 }
 
+/// Tells the share of the steps outside the range of the learned laws, at the end of a run.
+pub(crate) fn report_ranges(interp: &mut Tcl) {
+    let found = interp.host.engine.outside_range();
+    for (tag, range) in found {
+        let share = 100.0 * range.outside / range.steps;
+        let message = format!(
+            "element {tag} was outside the range of its learned law in {share:.1} % of its steps: nothing was \
+             measured there"
+        );
+        report(interp, Diagnostic::warning(message).coded("outside-learned-range"));
+    }
+}
+
 /// Run a command for a check: its mistake is reported, and the script goes on.
 pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let name = call.name();
