@@ -89,7 +89,7 @@ def main():
         f'title = "Bouc-Wen benchmark"\nmodel = "{script}"\n{bounds}[[run]]\nname = "train"\nrecording = "train.csv"\n'
         f'set = {{ force = "train.dat", npts = 1024, nu = {nu} }}\n'
         '[[run.observe]]\nchannel = "y"\noutput = "y.out"\ncolumn = 1\n'
-        f"[calibration]\nevaluations = {3000 if args.black_box else 600}\n")
+        f"[calibration]\nevaluations = {1500 if args.black_box else 600}\n")
     subprocess.run([BINARY, "calibrate", "study.toml", "--out", "fit"], cwd=folder, check=True)
     shutil.copy(folder / "fit/fitted.tcl", folder)
     result = json.loads((folder / "fit/calibration.json").read_text())
