@@ -5,6 +5,7 @@ use crate::candidate::variant::Variant;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::job::FittedModel;
 use crate::inspect::insertion::InsertionPoint;
+use crate::memory::data::DeviceRun;
 use hysteron_identify::study::Study;
 use hysteron_tcl::diagnostic::SourceMap;
 use std::path::Path;
