@@ -66,6 +66,8 @@ pub(super) fn run(args: &LearnArgs) -> i32 {
     }
 }
 
+/// Families that are shown beside that of the law.
+const SHOWN_RIVALS: usize = 4;
 /// File of the script with the law.
 const SCRIPT_FILE: &str = "learned.tcl";
 
@@ -73,7 +75,11 @@ fn write(dir: &Path, simulator: &ScriptSimulator, l: &LearnedStudy) -> Result<()
     write_atomically(&dir.join(LEARNED_FILE), &l.json)?;
     match &l.script {
         Some(text) => write_atomically(&dir.join(SCRIPT_FILE), &standalone_script(simulator, dir, text)),
-        None => Ok(drop(hysteron_files::remove(dir.join(SCRIPT_FILE)))),
+        None => {
+            // That of an earlier law would be another one's.
+            let _ = hysteron_files::remove(dir.join(SCRIPT_FILE));
+            Ok(())
+        }
     }
 }
 
@@ -81,6 +87,9 @@ fn print_law(l: &LearnedStudy, dir: &Path) {
     let e = &l.learned;
     println!("The learned law of {} is {}.", l.channel, l.statement);
     l.parts.iter().for_each(|p| println!("  {p}"));
+    let rivals: Vec<String> =
+        e.rivals.iter().take(SHOWN_RIVALS).map(|(f, _, x)| format!("{} {:.2}", f.name(), x.exp())).collect();
+    println!("error of other families over that of this one: {}", rivals.join(", "));
     println!("NMSE                 your model   learned law");
     println!("fitted runs          {:10.2e}   {:10.2e}", e.user_fitted, e.fitted);
     println!("blocks held back              -   {:10.2e}", e.blocks);

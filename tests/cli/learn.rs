@@ -72,8 +72,6 @@ fn a_law_is_learned_written_and_run() {
     assert!((simulated / after - 1.0).abs() < 0.2, "{said}");
     let (status, _, err) = place.run(&["run", "out/learned.tcl"]);
     assert_eq!(status, Some(0), "{err}");
-    let (status, said, err) = place.run(&["check", "--strict", "out/learned.tcl"]);
-    assert_eq!(status, Some(0), "{said}{err}");
     // Any number of threads gives the same bits.
     let read = |name: &str| std::fs::read_to_string(place.0.join(name)).unwrap_or_default();
     let law = read("out/learned_law.json");

@@ -3,8 +3,7 @@
 use super::driver::path;
 use super::script::{Script, run};
 use hysteron::element::amendment::learned::{LawOption, LearnedLaw, OPTIONS};
-use hysteron::opensees::{law_of_json, law_to_json, law_to_words};
-use hysteron::run::End;
+use hysteron::opensees::{commands, law_of_json, law_to_json, law_to_words};
 
 /// The law of words after `amend element $tag learned`.
 pub(super) fn law(words: &str) -> Result<LearnedLaw, String> {
@@ -102,9 +101,7 @@ fn words_and_files_give_the_law() {
     }
     assert!(law_of_json("[1]").is_err() && law_of_json("{\"range\": [1, 1]}").unwrap_err().contains("range"));
     // The usage has each option.
-    let message = Script::default().run("model basic -ndm 1 -ndf 1; amend x");
-    let End::Rejected(e) = message.end else { panic!("amend x ran") };
-    let usage = format!("{e:?}");
+    let usage = commands().find(|c| c.name == "amend").map_or("", |c| c.usage);
     assert!(OPTIONS.iter().all(|(name, ..)| usage.contains(name)), "{usage}");
 }
 
@@ -128,7 +125,7 @@ fn frame(amplitude: f64, law: &str) -> String {
 /// At one and three times its range a step takes at most four iterations, and the share of steps outside is told.
 #[test]
 fn a_solver_needs_few_iterations() {
-    for (amplitude, is_outside) in [(60.0, false), (180.0, true)] {
+    for (amplitude, is_outside) in [(40.0, false), (180.0, true)] {
         for words in LAWS {
             let ran = run(&format!(
                 "{}set n 0; set most 0; for {{set i 0}} {{$i < 400}} {{incr i}} {{ analyze 1 0.01; \
@@ -138,7 +135,7 @@ fn a_solver_needs_few_iterations() {
             ));
             let n = ran.numbers();
             assert!(n[0] <= 4.0, "{words}, {amplitude}: {} iterations", n[0]);
-            let range = if is_outside { 0.1..0.4 } else { 0.03..0.1 };
+            let range = if is_outside { 0.1..0.4 } else { 0.02..0.1 };
             assert!(range.contains(&n[1]), "{words}, {amplitude}: {}", n[1]);
             let told = ran.warnings().iter().any(|w| w.message.contains("outside the range of its learned law"));
             assert_eq!(told, is_outside, "{words}, {amplitude}: {:?}", ran.warnings());
@@ -155,7 +152,7 @@ fn an_analysis_follows_the_law() {
         let ran = run(&format!(
             "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
             uniaxialMaterial Elastic 1 300.; element zeroLength 1 1 2 -mat 1 -dir 1; amend element 1 learned {words}
-            timeSeries Path 1 -dt 0.01 -values {{{}}}; pattern Plain 1 1 {{ sp 2 1 1. }}
+            timeSeries Path 1 -dt 0.01 -values {{{}}} -useLast; pattern Plain 1 1 {{ sp 2 1 1. }}
             constraints Transformation; numberer Plain; system FullGeneral; test NormUnbalance 1e-10 20
             algorithm Newton; integrator LoadControl 0.01; analysis Static
             for {{set i 0}} {{$i < 199}} {{incr i}} {{ analyze 1; puts [basicForce 1] }}",
@@ -178,7 +175,7 @@ fn channels_are_series_or_the_axial_force() {
         "model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
         uniaxialMaterial Elastic 1 300.; element zeroLength 1 1 2 -mat 1 -dir 1
         timeSeries Linear 7; amend element 1 {law} -series 7
-        timeSeries Path 1 -dt 1 -values {{0 0.01 0.02 0.03 0.04}}; pattern Plain 1 1 {{ sp 2 1 1. }}
+        timeSeries Path 1 -dt 1 -values {{0 0.01 0.02 0.03 0.04}} -useLast; pattern Plain 1 1 {{ sp 2 1 1. }}
         constraints Transformation; numberer Plain; system FullGeneral; test NormUnbalance 1e-10 20
         algorithm Newton; integrator LoadControl 1.; analysis Static
         for {{set i 0}} {{$i < 4}} {{incr i}} {{ analyze 1; puts [basicForce 1] }}"

@@ -4,7 +4,7 @@ use crate::study::Study;
 use hysteron_diagnose::{Settings, learn_law};
 use hysteron_engine::element::amendment::learned::LearnedLaw as Law;
 use hysteron_opensees::{law_of_json, law_to_json, law_to_words};
-use numpy::{PyArray1, PyReadonlyArray1};
+use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -29,25 +29,23 @@ impl LearnedLaw {
     fn force<'py>(
         &self,
         py: Python<'py>,
-        u: PyReadonlyArray1<'py, f64>,
-        t: PyReadonlyArray1<'py, f64>,
-        channels: Option<BTreeMap<String, PyReadonlyArray1<'py, f64>>>,
-        own: Option<PyReadonlyArray1<'py, f64>>,
+        u: Vec<f64>,
+        t: Vec<f64>,
+        channels: Option<BTreeMap<String, Vec<f64>>>,
+        own: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let (u, t) = (u.to_vec()?, t.to_vec()?);
         let given = channels.unwrap_or_default();
         let mut series = vec![];
         for c in &self.law.channels {
             let values = given.get(&c.name);
             let values = values.ok_or_else(|| PyValueError::new_err(format!("the law needs the channel {}", c.name)))?;
-            series.push(values.to_vec()?);
+            series.push(values.as_slice());
         }
-        let own = own.map(|o| o.to_vec()).transpose()?.unwrap_or_default();
-        let is_long = |x: &Vec<f64>| x.len() == u.len();
-        if !is_long(&t) || !series.iter().all(is_long) || !(own.is_empty() || is_long(&own)) {
+        let own = own.unwrap_or_default();
+        let is_long = |x: &[f64]| x.len() == u.len();
+        if !is_long(&t) || !series.iter().all(|x| is_long(x)) || !(own.is_empty() || is_long(&own)) {
             return Err(PyValueError::new_err("u, t, channels and own differ in their lengths"));
         }
-        let series: Vec<&[f64]> = series.iter().map(Vec::as_slice).collect();
         Ok(PyArray1::from_vec(py, self.law.along(&u, &t, &own, &series).0))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
+use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
 use crate::host::Mode;
 use crate::output::{display, figure, print, query, recorder};
 use crate::session::Session;
@@ -121,6 +122,19 @@ pub(crate) fn warn_of_speeds(interp: &mut Tcl) {
         && let Some(warning) = warn_of_speedless(&interp.host)
     {
         report(interp, warning);
+    }
+}
+
+/// Tells the share of the steps outside the range of the learned laws, at the end of a run.
+pub(crate) fn report_ranges(interp: &mut Tcl) {
+    let found = interp.host.engine.outside_range();
+    for (tag, range) in found {
+        let share = 100.0 * range.outside / range.steps;
+        let message = format!(
+            "element {tag} was outside the range of its learned law in {share:.1} % of its steps: nothing was \
+             measured there"
+        );
+        report(interp, Diagnostic::warning(&OUTSIDE_LEARNED_RANGE, message));
     }
 }
 

@@ -85,11 +85,12 @@ def main():
     rows = "".join(f"{a:.12g},{b:.9g}\n" for a, b in zip(t, noisy))
     (folder / "train.csv").write_text("time[s],y[mm]\n" + rows)
     bounds = "".join(f'[[parameter]]\nname = "{n}"\nlower = {a}\nupper = {b}\n' for n, (a, b) in all_bounds.items())
+    given = "" if args.black_box else f", nu = {nu}"
     (folder / "study.toml").write_text(
         f'title = "Bouc-Wen benchmark"\nmodel = "{script}"\n{bounds}[[run]]\nname = "train"\nrecording = "train.csv"\n'
-        f'set = {{ force = "train.dat", npts = 1024, nu = {nu} }}\n'
+        f'set = {{ force = "train.dat", npts = 1024{given} }}\n'
         '[[run.observe]]\nchannel = "y"\noutput = "y.out"\ncolumn = 1\n'
-        f"[calibration]\nevaluations = {3000 if args.black_box else 600}\n")
+        f"[calibration]\nevaluations = {1500 if args.black_box else 600}\n")
     subprocess.run([BINARY, "calibrate", "study.toml", "--out", "fit"], cwd=folder, check=True)
     shutil.copy(folder / "fit/fitted.tcl", folder)
     result = json.loads((folder / "fit/calibration.json").read_text())

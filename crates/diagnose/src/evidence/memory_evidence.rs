@@ -179,9 +179,10 @@ impl ModelRuns<'_> {
             let held_out = run.role == Role::Holdout;
             let history = self.history(i, usize::from(held_out), &fit.channels[c])?;
             // The force of a dashpot does not follow the deformation, but takes work.
-            let sign = match self.lone_device {
-                true => work(&history.deformation, &fit.channels[c]).signum(),
-                false => correlation(&history.deformation, &fit.channels[c]).signum(),
+            let sign = if self.lone_device {
+                work(&history.deformation, &fit.channels[c]).signum()
+            } else {
+                correlation(&history.deformation, &fit.channels[c]).signum()
             };
             let column = |name: &String| {
                 let known = run.recording.columns.iter().find(|c| c.name == *name).map(|c| c.values.clone());

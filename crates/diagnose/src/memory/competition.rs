@@ -357,56 +357,9 @@ fn orthonormal(vectors: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::compete;
-    use crate::memory::data::DeviceRun;
-    use crate::test_support::white_noise;
-
-    /// Runs of a slider beside a spring: two fitted and one held out. `factor` is that of the slip force, by time, work and
-    /// logarithm of the time at rest; the work of a run at full strength is about 40.
-    pub(in crate::memory) fn runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRun> {
-        let motions: [fn(f64) -> f64; 3] = [
-            |t| (1.0 - (-0.2 * t).exp()) * (2.1 * t).sin(),
-            |t| {
-                if t % 12.0 < 6.0 {
-                    0.8 * (0.3 * t).min(1.0) * (2.0 * std::f64::consts::FRAC_PI_3 * t).sin()
-                } else {
-                    0.0
-                }
-            },
-            |t| 0.7 * (1.7 * t).sin() * (0.31 * t).cos(),
-        ];
-        let one = |k: usize| {
-            let times: Vec<f64> = (0..1200).map(|i| 0.03 * f64::from(i)).collect();
-            let deformation: Vec<f64> = times.iter().map(|t| motions[k](*t)).collect();
-            let (mut s, mut work, mut resting, mut aged, mut slips) = (0.0f64, 0.0, 0.0f64, 0.0f64, true);
-            let mut modelled = vec![];
-            let noise = white_noise(k as u64 + 1, times.len());
-            let mut recorded = vec![];
-            let mut plain = 0.0f64;
-            for j in 0..times.len() {
-                let du = if j > 0 { deformation[j] - deformation[j - 1] } else { 0.0 };
-                // The contact is at rest while it does not slip.
-                if !slips {
-                    resting += 0.03;
-                    aged = aged.max((resting / 0.36).ln_1p());
-                }
-                let level = 0.1 * factor(times[j], work, aged);
-                let trial = s + du;
-                s = trial.clamp(-level, level);
-                work += 10.0 * (trial - s).abs() * level / 0.1;
-                // Slip wears the contact off.
-                aged *= (-(trial - s).abs() / 0.15).exp();
-                slips = trial != s;
-                resting = if slips && aged < 0.05 { 0.0 } else { resting };
-                plain = (plain + du).clamp(-0.1, 0.1);
-                modelled.push(deformation[j] + 10.0 * plain);
-                recorded.push(deformation[j] + 10.0 * s + 0.01 * noise[j]);
-            }
-            DeviceRun { times, deformation, modelled, recorded, conditions: vec![], held_out: k == 2 }
-        };
-        (0..3).map(one).collect()
-    }
+    use crate::test_support::slider_runs as runs;
 
     #[test]
     fn the_family_of_a_memory_is_found() {

@@ -170,6 +170,9 @@ const SETTLED: f64 = 1e-3;
 /// Step of the derivative by a factor on the strength.
 pub(super) const STRENGTH_STEP: f64 = 0.02;
 
+/// Series of hysteresis along deformations, for a level and factors of it.
+type Operator<'a> = &'a dyn Fn(&[f64], f64, &[f64]) -> Vec<f64>;
+
 /// Columns that do not depend on factors, by name and level.
 type Cache = RefCell<BTreeMap<(String, u64), Rc<Vec<f64>>>>;
 
@@ -219,7 +222,7 @@ impl<'a> Fitter<'a> {
                 (0..d.runs[k].times.len()).map(at).collect()
             })
             .collect();
-        let of = |operator: &dyn Fn(&[f64], f64, &[f64]) -> Vec<f64>, level: f64| {
+        let of = |operator: Operator<'_>, level: f64| {
             let runs: Vec<Vec<f64>> =
                 d.runs.iter().zip(&strength).map(|(r, g)| operator(&r.deformation, level, g)).collect();
             d.sampled(&runs)

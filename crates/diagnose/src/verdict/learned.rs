@@ -184,7 +184,7 @@ impl LearnedModel {
     pub(super) fn tell(&self, verdict: &mut Verdict) {
         let [before, after] = self.held_out;
         let noise = match self.noise {
-            Some(noise) if self.reaches_noise => format!(", which is the noise of {noise:.1e} within three times"),
+            Some(noise) if self.reaches_noise => format!(", at most {NOISE_RATIO} times the noise of {noise:.1e}"),
             Some(noise) => format!(", not down to the noise of {noise:.1e}"),
             None => String::new(),
         };

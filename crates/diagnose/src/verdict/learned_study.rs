@@ -111,7 +111,8 @@ impl LearnedStudy {
             _ => out.push("No run is held out, so that nothing shows whether the law predicts.".into()),
         }
         if let (Some(noise), Some(after)) = (self.noise, l.held_out) {
-            let reaches = if after <= NOISE_RATIO * noise { "within three times" } else { "not down to" };
+            let is_reached = after <= NOISE_RATIO * noise;
+            let reaches = if is_reached { format!("at most {NOISE_RATIO} times") } else { "not down to".into() };
             out.push(format!("Its error is {reaches} the noise of {noise:.2e}."));
         }
         if l.outside > 0.0 {

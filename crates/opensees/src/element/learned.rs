@@ -2,13 +2,12 @@
 
 use super::amended_place::Place;
 use crate::args::Args;
-use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
 use crate::load::series::series_of;
-use crate::{Outcome, Tcl, finish, read_text, report};
+use crate::{Outcome, Tcl, finish, read_text};
 use hysteron_engine::element::amendment::Amendment;
 use hysteron_engine::element::amendment::learned::{LawOption, Learned, LearnedLaw, OptionError, Source};
 use hysteron_engine::model::ElementId;
-use hysteron_tcl::diagnostic::{Diagnostic, Span};
+use hysteron_tcl::diagnostic::Span;
 use hysteron_tcl::{Exception, Value};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -97,19 +96,6 @@ pub(crate) fn learned(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]
         words.place.amend(interp, a, *id, &|_| law.clone())?;
     }
     Ok(Value::EMPTY)
-}
-
-/// Tells the share of the steps outside the range of the learned laws, at the end of a run.
-pub(crate) fn report_ranges(interp: &mut Tcl) {
-    let found = interp.host.engine.outside_range();
-    for (tag, range) in found {
-        let share = 100.0 * range.outside / range.steps;
-        let message = format!(
-            "element {tag} was outside the range of its learned law in {share:.1} % of its steps: nothing was \
-             measured there"
-        );
-        report(interp, Diagnostic::warning(&OUTSIDE_LEARNED_RANGE, message));
-    }
 }
 
 /// A learned law as JSON: an option of the `amend` command by name, with a list of words, or a list of such lists.
