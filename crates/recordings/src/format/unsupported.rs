@@ -76,7 +76,7 @@ mod tests {
         for (bytes, said) in [
             (&b"TDSm\x0e\0\0\0"[..], "TDMS"),
             (b"\x89HDF\r\n\x1a\n\0", "HDF5"),
-            (b"PK\x03\x04\0\0", "zip"),
+            (b"\xfd7zXZ\0\0", "xz"),
             (b"<!DOCTYPE html>\n<html>", "page of the web"),
             (b"WID2 2020/01/01 00:00:00.000 ABC BHZ\n", "GSE2"),
             (b"    -1\n    58\nx\n", "universal"),
