@@ -32,7 +32,6 @@ const KINDS: &[Kind] = &[
     Kind { name: "a table of Arrow or Feather", is: |i| i.bytes.starts_with(b"ARROW1"), remedy: AS_CSV },
     Kind { name: "a SEG-Y file", is: |i| i.bytes.starts_with(b"\xc3\x40\xf1"), remedy: CONVERT },
     Kind { name: "a PDF document", is: |i| i.bytes.starts_with(b"%PDF"), remedy: "take the data and not the report" },
-    Kind { name: "an archive (zip)", is: |i| i.bytes.starts_with(b"PK\x03\x04"), remedy: UNPACK },
     Kind { name: "an archive (bzip2)", is: |i| i.bytes.starts_with(b"BZh"), remedy: UNPACK },
     Kind { name: "an archive (xz)", is: |i| i.bytes.starts_with(b"\xfd7zXZ"), remedy: UNPACK },
     Kind { name: "an archive (7z)", is: |i| i.bytes.starts_with(b"7z\xbc\xaf"), remedy: UNPACK },
@@ -76,7 +75,7 @@ mod tests {
         for (bytes, said) in [
             (&b"TDSm\x0e\0\0\0"[..], "TDMS"),
             (b"\x89HDF\r\n\x1a\n\0", "HDF5"),
-            (b"PK\x03\x04\0\0", "zip"),
+            (b"\xfd7zXZ\0\0", "xz"),
             (b"<!DOCTYPE html>\n<html>", "page of the web"),
             (b"WID2 2020/01/01 00:00:00.000 ABC BHZ\n", "GSE2"),
             (b"    -1\n    58\nx\n", "universal"),
