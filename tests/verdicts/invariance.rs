@@ -1,8 +1,8 @@
 //! The first name of a verdict follows from what happened, not from how it was written down: the number of samples, a part
 //! of the record, units, and values from which the parameters start.
 
+use super::imposed;
 use super::studies::{self, CheckpointRecorder, Concealed};
-use super::{imposed, shaken};
 use hysteron::diagnose::Settings;
 use std::fs;
 use std::path::Path;
@@ -80,9 +80,4 @@ fn softening_has_one_name_from_fewer_samples_and_without_its_first_cycle() {
 #[test]
 fn a_complete_model_is_complete_from_fewer_samples_and_in_other_units() {
     has_one_name("slow noise", "none", imposed::slow_noise, &[FIFTH, NEWTONS]);
-}
-
-#[test]
-fn a_wall_has_one_name_from_fewer_samples() {
-    has_one_name("wall", "gap_impact", || shaken::wall(1500.0), &[HALF]);
 }
