@@ -130,10 +130,10 @@ pub const LAYERS: &[Layers] = &[
         krate: "opensees",
         modules: &[
             "host",
-            "check",
-            "opensees_names",
             "checks",
             "things",
+            "check",
+            "opensees_names",
             "foreign",
             "slips",
             "args",

@@ -195,7 +195,7 @@ fn runs_say_what_their_recordings_do_not() {
         ("", "the first column"),
         ("dt = -1.0", "the step is -1"),
         ("dt = 0.1\nlayout = \"rows\"", "is no layout"),
-        ("dt = 0.1\nlayout = \"columns\"\nunit = \"kNn\"", "unknown unit"),
+        ("dt = 0.1\nlayout = \"columns\"\nunit = \"kNn\"", "is no unit; did you mean kN?"),
         ("dt = 0.1\nlayout = \"columns\"\nunit = \"kN\"\nquantity = \"velocity\"", "kN is a force"),
     ] {
         with(keys);

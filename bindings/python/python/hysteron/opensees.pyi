@@ -16,7 +16,7 @@ def addToParameter(*args: _Word) -> None:
 def algorithm(*args: _Word) -> None:
     """algorithm('Linear' | 'Newton' | 'ModifiedNewton' | 'NewtonLineSearch' | 'KrylovNewton' | 'SecantNewton' | 'BFGS' | 'Broyden' | ..., <'options'>)"""
 def amend(*args: _Word) -> None:
-    """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other)"""
+    """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other)"""
 def analysis(*args: _Word) -> None:
     """analysis('Static' | 'Transient' | 'VariableTransient')"""
 def analyze(steps: _Word, dt: _Word = ..., *more: _Word) -> int: ...

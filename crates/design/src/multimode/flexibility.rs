@@ -30,7 +30,7 @@ proc hysteron_floor_displacements {floors loads direction} {
                 load $node {*}[lreplace $forces [expr {$direction - 1}] [expr {$direction - 1}] $load]
             }
         }
-        if {[hysteron_analyze 1] != 0} { error "the static analysis fails" }
+        if {[analyze 1] != 0} { error "the static analysis fails" }
         loadConst -time 0.0
         set row {}
         foreach floor $floors { lappend row [nodeDisp $floor $direction] }
