@@ -39,7 +39,7 @@ const KINDS: &[Kind] = &[
         names: &["Path", "Series"],
         usage: "timeSeries Path $tag -dt $dt -values {...} | -dt $dt -filePath $file | -time {...} -values {...} | \
                 -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
-                <-unit $unit> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
+                <-unit $unit> <-layout $word> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
         make: path,
     },
 ];
