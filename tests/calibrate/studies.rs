@@ -196,7 +196,10 @@ fn runs_say_what_their_recordings_do_not() {
         ("dt = -1.0", "the step is -1"),
         ("dt = 0.1\nlayout = \"rows\"", "is no layout"),
         ("dt = 0.1\nlayout = \"columns\"\nunit = \"kNn\"", "is no unit; did you mean kN?"),
-        ("dt = 0.1\nlayout = \"columns\"\nunit = \"kN\"\nquantity = \"velocity\"", "kN is the unit of a force, and velocity is told"),
+        (
+            "dt = 0.1\nlayout = \"columns\"\nunit = \"kN\"\nquantity = \"velocity\"",
+            "kN is the unit of a force, and velocity is told",
+        ),
     ] {
         with(keys);
         let (_, message) = load_error(&folder);
