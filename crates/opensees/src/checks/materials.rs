@@ -15,5 +15,6 @@ hysteron_tcl::checks! {
         "More iterations or a larger tolerance may help. The curve holds up to the strain of the message.";
     BEYOND_COMPOUND "beyond-compound":
         "A rubber that heats itself leaves the temperatures for which its parameters are known.",
-        "It keeps the parameters of the last temperature. The option -holdEnds says that this is meant.";
+        "It keeps the parameters of the last temperature. The option -beyond hold says that this is meant, and -beyond \
+         error stops there.";
 }
