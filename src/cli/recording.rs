@@ -13,7 +13,7 @@ use hysteron::recordings::{Clock, Layout, Measured, Series, Told, Way};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// What the user says about files that do not say it.
+/// Statements of the user about files that do not make them.
 #[derive(Args, Clone, Debug)]
 pub(super) struct ToldArgs {
     /// Unit of the values of files that do not give one (g, m/s2, cm/s2, in/s2)

@@ -68,7 +68,7 @@ fn paths_take_measured_files() {
     }
 }
 
-/// What a file does not say is asked for in the words of the command, and one of several channels is never taken silently.
+/// A statement that a file lacks is asked for in the words of the command, and one of several channels is never taken silently.
 #[test]
 fn files_ask_in_the_words_of_the_script() {
     let list = "0.1\n0.2\n-0.3\n";

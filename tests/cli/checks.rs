@@ -48,6 +48,9 @@ fn consequences_of_missing_modes_and_models() {
     place.write("m.tcl", format!("{MODEL}uniaxialMaterial Elastik 2 1\n{modes}"));
     let (_, _, err) = place.run(&["check", "m.tcl"]);
     assert_eq!(err.matches("\n  error: ").count(), 1, "{err}");
+    place.write("m.tcl", format!("{MODEL}analysis Statik\nanalyze 1\n"));
+    let (_, _, err) = place.run(&["check", "--strict", "m.tcl"]);
+    assert_eq!(err.matches("\n  error: ").count(), 1, "{err}");
     place.write("m.tcl", "model basic -ndm x\nnode 1 0 0\nfix 1 1\n");
     let (_, _, err) = place.run(&["check", "m.tcl"]);
     assert_eq!(err.matches("\n  error: ").count(), 1, "{err}");

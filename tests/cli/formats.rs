@@ -11,7 +11,7 @@ mod known;
 /// A file, and another one that its header names.
 type Files = Vec<(String, Vec<u8>)>;
 
-/// What a format does not say of a motion in a unit.
+/// Statements that a format lacks about a motion in a unit.
 fn missing(format: &str) -> [bool; 2] {
     let unit = matches!(format, "NumPy" | "MATLAB" | "SAC" | "miniSEED" | "Tcl list" | "counted list");
     [unit, format == "NumPy"]

@@ -135,7 +135,7 @@ fn forms_are_written_and_read_back() {
     }
 }
 
-/// What a conversion did is said: baseline, rule, last value.
+/// A conversion says what it did: baseline, rule, last value.
 #[test]
 fn conversions_state_the_baseline() {
     let place = Place::new();

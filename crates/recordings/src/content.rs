@@ -1,4 +1,4 @@
-//! What a format reads.
+//! Content of a file that a format reads.
 
 use crate::series::Series;
 use crate::sheet::Sheet;

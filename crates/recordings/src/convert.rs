@@ -1,6 +1,6 @@
 //! Baselines, derivatives, integrals and turns of series.
 
-/// What is removed from a series before other conversions.
+/// Baseline that is removed from a series before other conversions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Baseline {
     /// Nothing.

@@ -21,7 +21,7 @@ const UNITS: &[&str] = &[
     "dataunits",
 ];
 
-/// What the lines of a header state about all samples below them.
+/// Statement of the lines of a header about all samples below them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Stated {
     /// Step in s.

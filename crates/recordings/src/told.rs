@@ -1,11 +1,11 @@
-//! What the user says beside a file, and how messages ask for it.
+//! Statements of the user beside a file, and how messages ask for them.
 
 use crate::fault::Fault;
 use crate::series::Series;
 use crate::unit::{self, Quantity, Unit};
 pub use crate::way::{Key, Way};
 
-/// What the user says about a file that does not say it.
+/// Statements of the user about a file that does not make them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Told {
     /// Unit of the values.
@@ -14,13 +14,13 @@ pub struct Told {
     pub dt: Option<f64>,
     /// Quantity: acceleration, velocity, displacement, force, ...
     pub quantity: Option<String>,
-    /// What the numbers of a row are, in a table without names.
+    /// Meaning of the numbers of a row, in a table without names.
     pub layout: Option<Layout>,
-    /// Where it is said. Messages ask for what is missing in the words of this place.
+    /// Place of the statement. Messages ask for what is missing in the words of this place.
     pub way: Way,
 }
 
-/// What the numbers of a row are.
+/// Meaning of the numbers of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// Samples of several channels at one time.

@@ -14,7 +14,7 @@ pub enum Way {
     Python,
 }
 
-/// What a message asks for.
+/// Key that a message asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Key {
     /// Unit.

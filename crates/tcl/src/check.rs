@@ -7,9 +7,9 @@
 pub struct Check {
     /// Stable name: small letters, with hyphens between the words.
     pub code: &'static str,
-    /// What is found, in one sentence.
+    /// Finding, in one sentence.
     pub finds: &'static str,
-    /// Why it matters and what to do, in sentences.
+    /// Reason and remedy, in sentences.
     pub advice: &'static str,
     /// At one place only the first message counts, whatever its words. Otherwise messages that differ by their numbers alone
     /// count as one.

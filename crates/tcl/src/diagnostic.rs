@@ -180,7 +180,7 @@ pub struct Diagnostic {
     pub count: usize,
 }
 
-/// What makes two warnings the same: the place and the check, and the message but for its numbers unless the check has one
+/// Key by which two warnings are the same: the place and the check, and the message but for its numbers unless the check has one
 /// message at a place.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct WarningKind {

@@ -111,7 +111,7 @@ fn not_checked(study: &Study, review: &Review) -> Vec<String> {
 }
 
 impl Review {
-    /// How many checks are not met and met, as the begin of a sentence. Other checks ask for more, or have no limit.
+    /// Numbers of checks that are not met and met, as the begin of a sentence. Other checks ask for more, or have no limit.
     pub fn verdict(&self) -> String {
         let count = |s: Status| self.checks.iter().filter(|c| c.status == s).count();
         match (count(Status::NotMet), count(Status::Met)) {

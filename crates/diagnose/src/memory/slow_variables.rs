@@ -6,7 +6,7 @@ use super::operators::low_pass;
 use hysteron_engine::element::amendment::learned::{History, Moment, SLOT, Scales, Variable};
 use std::rc::Rc;
 
-/// What a series is in a law of the engine.
+/// Counterpart of a series in a law of the engine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     /// A slow variable.
@@ -26,7 +26,7 @@ pub(super) struct SlowVariable {
     pub(super) family: Family,
     /// Its formula in words.
     pub(super) name: String,
-    /// What it is in a law of the engine.
+    /// Counterpart in a law of the engine.
     pub(super) kind: Kind,
     /// Its series by run.
     pub(super) runs: Vec<Vec<f64>>,

@@ -178,7 +178,7 @@ const RECORDED: &[Recorded] = &[
     Recorded { cause: "varying_axial_load", condition: Condition::AxialForce, rig: None },
 ];
 
-/// What an unknown cause may depend on and no run records, in words.
+/// Quantities that an unknown cause may depend on and no run records, in words.
 pub(super) fn unrecorded(study: &Study) -> String {
     let conditions = [("temperature", Condition::Temperature), ("axial force", Condition::AxialForce)];
     let missing = conditions.iter().filter(|(_, c)| !c.is_recorded(study)).map(|(name, _)| *name);

@@ -89,7 +89,7 @@ pub struct RankedHypothesis {
 }
 
 impl RankedHypothesis {
-    /// What is told of a fitted hypothesis.
+    /// Content of the verdict about a fitted hypothesis.
     pub(super) fn of(e: &FittedHypothesis) -> Self {
         let proposal = e.variant.proposal.as_ref();
         Self {

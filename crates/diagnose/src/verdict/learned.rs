@@ -52,7 +52,7 @@ pub(super) struct LearnedRepair {
     pub(super) hypothesis: FittedHypothesis,
     /// Channels of all runs.
     pub(super) fits: Vec<Option<ScoredRun>>,
-    /// What is told of it.
+    /// Content of the verdict about it.
     pub(super) told: LearnedModel,
 }
 

@@ -99,7 +99,7 @@ pub fn learn_law(
 }
 
 impl LearnedStudy {
-    /// What the law is worth, in words: one sentence each.
+    /// Worth of the law in words: one sentence each.
     pub fn remarks(&self) -> Vec<String> {
         let l = &self.learned;
         let mut out = vec![];

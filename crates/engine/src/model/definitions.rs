@@ -102,20 +102,46 @@ impl Definitions {
     }
 }
 
+/// Kinds of things that a registry holds, in the words of messages.
+pub mod kinds {
+    /// Uniaxial materials.
+    pub const MATERIAL: &str = "uniaxial material";
+    /// Materials of continua.
+    pub const ND_MATERIAL: &str = "material of continua";
+    /// Friction models.
+    pub const FRICTION: &str = "friction model";
+    /// Time series.
+    pub const SERIES: &str = "time series";
+    /// Sections.
+    pub const SECTION: &str = "section";
+    /// Sections of plates.
+    pub const PLATE: &str = "section of plates";
+    /// Beam integrations.
+    pub const INTEGRATION: &str = "beam integration";
+    /// Geometric transformations.
+    pub const TRANSFORM: &str = "geometric transformation";
+    /// Backbones.
+    pub const BACKBONE: &str = "backbone";
+    /// Limit curves.
+    pub const LIMIT_CURVE: &str = "limit curve";
+    /// Dampings of elements.
+    pub const DAMPING: &str = "damping";
+}
+
 impl Default for Definitions {
     fn default() -> Self {
         Self {
-            materials: Registry::new("uniaxial material"),
-            nd_materials: Registry::new("material of continua"),
-            frictions: Registry::new("friction model"),
-            series: Registry::new("time series"),
-            sections: Registry::new("section"),
-            plates: Registry::new("section of plates"),
-            integrations: Registry::new("beam integration"),
-            transforms: Registry::new("geometric transformation"),
-            backbones: Registry::new("backbone"),
-            limit_curves: Registry::new("limit curve"),
-            dampings: Registry::new("damping"),
+            materials: Registry::new(kinds::MATERIAL),
+            nd_materials: Registry::new(kinds::ND_MATERIAL),
+            frictions: Registry::new(kinds::FRICTION),
+            series: Registry::new(kinds::SERIES),
+            sections: Registry::new(kinds::SECTION),
+            plates: Registry::new(kinds::PLATE),
+            integrations: Registry::new(kinds::INTEGRATION),
+            transforms: Registry::new(kinds::TRANSFORM),
+            backbones: Registry::new(kinds::BACKBONE),
+            limit_curves: Registry::new(kinds::LIMIT_CURVE),
+            dampings: Registry::new(kinds::DAMPING),
         }
     }
 }

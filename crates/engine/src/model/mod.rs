@@ -10,7 +10,7 @@ mod pattern;
 
 pub use constraint::{Fix, MultiPoint};
 pub use damping::Rayleigh;
-pub use definitions::{Definitions, Integration, Registry};
+pub use definitions::{Definitions, Integration, Registry, kinds};
 pub use ground_motion::{GroundMotion, acceleration_of};
 pub use modal_damping::ModalDamping;
 pub use node::Node;

@@ -23,7 +23,7 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("analysis", ANALYSIS, analysis).with_kinds(|| kind::usages(KINDS)),
+    Command::new("analysis", ANALYSIS, analysis).defining(&[things::ANALYSIS], 0).with_kinds(|| kind::usages(KINDS)),
     Command::new("analyze", ANALYZE, analyze),
     Command::new("eigen", EIGEN, eigen),
     Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis),

@@ -77,7 +77,7 @@ impl FileSeries {
     }
 }
 
-/// What `of` makes of the bytes of a measured file and of the files beside it.
+/// Result of `of` on the bytes of a measured file and of the files beside it.
 ///
 /// # Errors
 /// The file cannot be read.

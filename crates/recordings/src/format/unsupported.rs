@@ -5,10 +5,10 @@ use crate::fault::Fault;
 
 /// A kind of file that is not read.
 struct Kind {
-    /// What it is, with its article.
+    /// Kind of file, with its article.
     name: &'static str,
     is: fn(&Input<'_>) -> bool,
-    /// What to do instead.
+    /// Remedy.
     remedy: &'static str,
 }
 

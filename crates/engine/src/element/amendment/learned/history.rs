@@ -1,4 +1,4 @@
-//! What a law keeps of the motion, beside the values of its own parts.
+//! Memory of the motion that a law keeps, beside the values of its own parts.
 
 use super::operators::stop;
 
