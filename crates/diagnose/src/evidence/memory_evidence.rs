@@ -5,6 +5,7 @@ use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::memory::competition::{FamilyResult, compete};
 use crate::memory::data::{Condition, DeviceRun};
 use crate::memory::family::Family;
+use hysteron_identify::measure::work;
 use hysteron_identify::noise::recorded_noise;
 use hysteron_identify::study::{Role, ScoredRun, Study};
 use serde::{Deserialize, Serialize};
@@ -180,7 +181,7 @@ impl ModelRuns<'_> {
             let history = self.history(i, usize::from(held_out), &fit.channels[c])?;
             // The force of a dashpot does not follow the deformation, but takes work.
             let sign = if self.lone_device {
-                work(&history.deformation, &fit.channels[c]).signum()
+                whole_work(&history.deformation, &fit.channels[c]).signum()
             } else {
                 correlation(&history.deformation, &fit.channels[c]).signum()
             };
@@ -258,10 +259,11 @@ impl ModelRuns<'_> {
 /// Name of the variable that sets the axial load of a run.
 const AXIAL_LOAD: &str = "axial";
 
-/// Work of a force along a deformation, over finite samples.
-fn work(deformation: &[f64], force: &[f64]) -> f64 {
-    let steps = deformation.windows(2).zip(force.windows(2));
-    steps.map(|(u, f)| 0.5 * (f[0] + f[1]) * (u[1] - u[0])).filter(|w| w.is_finite()).sum()
+/// Work of a force along a deformation, over finite pairs.
+fn whole_work(deformation: &[f64], force: &[f64]) -> f64 {
+    let both = deformation.iter().zip(force).filter(|(u, f)| u.is_finite() && f.is_finite());
+    let (u, f): (Vec<f64>, Vec<f64>) = both.unzip();
+    work(&u, &f).last().copied().unwrap_or(0.0)
 }
 
 /// Correlation of two series about their means, over finite pairs; 0 where one is constant.

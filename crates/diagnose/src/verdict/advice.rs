@@ -4,7 +4,32 @@ use super::quantity::duration;
 use crate::fit::step_error::StepError;
 use crate::inspect::conditions::recorded_column;
 use crate::prior::NEGLIGIBLE_STEP_ERROR;
+use hysteron_identify::study::unit::{self, Quantity};
 use hysteron_identify::study::{Role, Run, Study};
+
+/// A condition of the runs that may be recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Condition {
+    Temperature,
+    AxialForce,
+}
+
+impl Condition {
+    /// Returns true if every run has it: a column of this name or unit, or a setting.
+    fn is_recorded(self, study: &Study) -> bool {
+        let has = |r: &Run| match self {
+            Self::Temperature => {
+                recorded_column(r, "temp").is_some() || r.recording.columns.iter().any(|c| is_temperature(&c.unit))
+            }
+            Self::AxialForce => recorded_column(r, "axial").is_some() || r.number("axial").is_some(),
+        };
+        study.runs.iter().all(has)
+    }
+}
+
+fn is_temperature(unit: &str) -> bool {
+    unit::unit(unit).is_some_and(|u| u.quantity == Quantity::Temperature)
+}
 
 /// Measurement that shows a cause.
 struct Measurement {
@@ -13,10 +38,19 @@ struct Measurement {
     building: &'static str,
     /// In a test rig, whose motion can.
     rig: &'static str,
+    /// The condition that it records, and what is left to do in a rig where every run has it already.
+    recorded: Option<(Condition, Option<&'static str>)>,
 }
 
 const fn of(cause: &'static str, building: &'static str, rig: &'static str) -> Measurement {
-    Measurement { cause, building, rig }
+    Measurement { cause, building, rig, recorded: None }
+}
+
+impl Measurement {
+    /// The same of a condition that the runs may have already; then `rig` is left to do.
+    const fn unless(self, condition: Condition, rig: Option<&'static str>) -> Self {
+        Self { recorded: Some((condition, rig)), ..self }
+    }
 }
 
 /// Measurements of all causes; `{place}` stands for the place of the effect.
@@ -30,12 +64,17 @@ const MEASUREMENTS: &[Measurement] = &[
         "self_heating",
         "put a thermometer on {place}: its strength must fall while it warms during strong shaking",
         "put a thermometer on {place}, and repeat a run after it has cooled: the first cycle must be strong again",
+    )
+    .unless(
+        Condition::Temperature,
+        Some("repeat a run after {place} has cooled: the first cycle must be strong again"),
     ),
     of(
         "ambient_temperature",
         "record the temperature at {place} with every earthquake",
         "record the temperature of {place}, and repeat one run at the temperature of the model",
-    ),
+    )
+    .unless(Condition::Temperature, Some("repeat one run at the temperature of the model")),
     of(
         "mullins_softening",
         "compare earthquakes before and after the strongest one: {place} must be softer after it",
@@ -55,12 +94,14 @@ const MEASUREMENTS: &[Measurement] = &[
         "axial_shear_interaction",
         "compute or measure the axial load of {place}: the lateral stiffness must fall as it grows",
         "repeat a run at another axial load: the lateral stiffness must change",
-    ),
+    )
+    .unless(Condition::AxialForce, Some("repeat a run at another axial load: the lateral stiffness must change")),
     of(
         "varying_axial_load",
         "record the vertical force of {place}, or vertical accelerations on both sides of the structure",
         "record the axial force of {place} during the run",
-    ),
+    )
+    .unless(Condition::AxialForce, None),
     of(
         "cavitation",
         "record the vertical displacement across {place}: it must lift",
@@ -128,56 +169,6 @@ const MEASUREMENTS: &[Measurement] = &[
     ),
 ];
 
-/// A condition of the runs that may be recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Condition {
-    Temperature,
-    AxialForce,
-}
-
-/// Units of temperature.
-const TEMPERATURES: [&str; 6] = ["degC", "°C", "C", "K", "degF", "°F"];
-
-impl Condition {
-    /// Returns true if every run has it: a column of this name or unit, or a setting.
-    fn is_recorded(self, study: &Study) -> bool {
-        let has = |r: &Run| match self {
-            Self::Temperature => {
-                recorded_column(r, "temp").is_some()
-                    || r.recording.columns.iter().any(|c| TEMPERATURES.contains(&c.unit.as_str()))
-            }
-            Self::AxialForce => recorded_column(r, "axial").is_some() || r.number("axial").is_some(),
-        };
-        study.runs.iter().all(has)
-    }
-}
-
-/// A cause whose measurement is a record of a condition, and what is left to do where it is recorded already.
-struct Recorded {
-    cause: &'static str,
-    condition: Condition,
-    rig: Option<&'static str>,
-}
-
-const RECORDED: &[Recorded] = &[
-    Recorded {
-        cause: "self_heating",
-        condition: Condition::Temperature,
-        rig: Some("repeat a run after {place} has cooled: the first cycle must be strong again"),
-    },
-    Recorded {
-        cause: "ambient_temperature",
-        condition: Condition::Temperature,
-        rig: Some("repeat one run at the temperature of the model"),
-    },
-    Recorded {
-        cause: "axial_shear_interaction",
-        condition: Condition::AxialForce,
-        rig: Some("repeat a run at another axial load: the lateral stiffness must change"),
-    },
-    Recorded { cause: "varying_axial_load", condition: Condition::AxialForce, rig: None },
-];
-
 /// Quantities that an unknown cause may depend on and no run records, in words.
 pub(super) fn unrecorded(study: &Study) -> String {
     let conditions = [("temperature", Condition::Temperature), ("axial force", Condition::AxialForce)];
@@ -189,9 +180,10 @@ pub(super) fn unrecorded(study: &Study) -> String {
 /// Measurement that shows a cause, in words; `None` where it is recorded already.
 pub(super) fn measurement(cause: &str, place: &str, building: bool, study: &Study) -> Option<String> {
     let m = MEASUREMENTS.iter().find(|m| m.cause == cause)?;
-    let text = match RECORDED.iter().find(|r| r.cause == cause && r.condition.is_recorded(study)) {
+    let recorded = m.recorded.filter(|(condition, _)| condition.is_recorded(study));
+    let text = match recorded {
         Some(_) if building => return None,
-        Some(r) => r.rig?,
+        Some((_, rig)) => rig?,
         None if building => m.building,
         None => m.rig,
     };
@@ -229,7 +221,7 @@ fn script_step(run: &Run, steps: Option<usize>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MEASUREMENTS, RECORDED, measurement, script_step, unrecorded};
+    use super::{MEASUREMENTS, measurement, script_step, unrecorded};
     use crate::hypothesis;
     use crate::test_support::pad_study;
     use hysteron_identify::study::{Column, Setting};
@@ -259,7 +251,6 @@ mod tests {
         }
         assert!(!heating(&study).contains("thermometer") && !unrecorded(&study).contains("temperature"));
         assert!(heating(&study).contains("repeat a run") && measurement("self_heating", "", true, &study).is_none());
-        assert!(RECORDED.iter().all(|r| hypothesis::of(r.cause).is_some()));
     }
 
     #[test]
