@@ -23,5 +23,6 @@ pub mod record;
 pub mod rules;
 pub mod section;
 pub mod series;
+pub mod shared;
 pub mod solve;
 pub mod state_struct;

@@ -8,8 +8,8 @@ use crate::scene::{Family, Scene};
 use hysteron_engine::analysis::Kind;
 use serde_json::{Value, json};
 
-/// plotly.js, compressed (zlib), from the crate `plotly`.
-const LIBRARY: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/plotly.min.js.zlib"));
+/// plotly.js, compressed (zlib).
+pub(crate) const LIBRARY: &[u8] = include_bytes!("../plotly/plotly.min.js.zlib");
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPTS: [&str; 4] =

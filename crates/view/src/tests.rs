@@ -2,13 +2,14 @@
 
 use crate::collector::{Motion, Observer, Units};
 use crate::pack::Pack;
-use crate::page::{description, page};
+use crate::page::{LIBRARY, description, page};
 use hysteron_engine::analysis::{Kind, Options};
 use hysteron_engine::record::{Memory, Output, RecordError};
 use hysteron_opensees::run::{Run, Settings};
 use hysteron_opensees::{FileFormat, Mode, Outputs};
 use hysteron_tcl::{MemoryFiles, Recorded};
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 use std::path::Path;
 
 struct Nowhere;
@@ -126,4 +127,11 @@ fn the_page_of_many_steps_stays_small() {
     assert_eq!(motion.steps(), 801);
     let text = page(&motion, "chain", &Units::default(), 1);
     assert!(text.len() < 6_000_000, "{} bytes", text.len());
+}
+
+#[test]
+fn plotly_is_the_file_that_its_page_names() {
+    let unpacked = miniz_oxide::inflate::decompress_to_vec_zlib(LIBRARY).unwrap();
+    let sum: String = Sha256::digest(&unpacked).iter().map(|b| format!("{b:02x}")).collect();
+    assert!(include_str!("../plotly/README.md").contains(&sum), "{sum}");
 }

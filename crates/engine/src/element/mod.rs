@@ -63,7 +63,6 @@ pub use load::ElementLoad;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
 pub(crate) use lockstep::{alike, one_by_one};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
-pub use shared::Shared;
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
 pub use truss::Truss;

@@ -8,7 +8,8 @@ use crate::numeric::{bracketed_root, sign};
 use crate::probe::Probe;
 use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
-use opensees::{ElasticRange, short_decay};
+pub use opensees::ElasticRange;
+use opensees::short_decay;
 use std::fmt;
 
 /// Elastic limit of the shear strain, as in OpenSees.

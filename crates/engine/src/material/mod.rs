@@ -70,6 +70,7 @@ mod reinforcing_steel;
 mod saws;
 mod self_centering;
 mod series;
+mod shared;
 mod slot;
 mod sma;
 mod sma_3k;
@@ -143,7 +144,7 @@ pub use hysteretic_smooth::HystereticSmooth;
 pub use imk::{ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Pinching};
 pub use impact::Impact;
 pub use jankowski_impact::JankowskiImpact;
-pub use kikuchi_aiken::{Device, KikuchiAiken, Shape};
+pub use kikuchi_aiken::{Device, ElasticRange, KikuchiAiken, Shape};
 pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
 pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
 pub use limit_state::{

@@ -14,6 +14,7 @@ mod nd_fiber;
 mod nearest;
 mod plain_methods;
 pub mod plate;
+mod shared;
 mod slot;
 mod two_spring_isolator;
 

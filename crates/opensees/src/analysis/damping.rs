@@ -10,6 +10,7 @@ use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
 use hysteron_engine::record::Missing;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -134,7 +135,7 @@ fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDa
                 if let Some(undamped) = entry.element.undamped() {
                     interp.host.engine.replace_element(*id, undamped);
                 }
-                interp.host.engine.replace_element(*id, Arc::new(made));
+                interp.host.engine.replace_element(*id, made.shared());
             }
             Err(e) => {
                 let d = Diagnostic::warning(&checks::elements::DAMPING_LEFT_OUT, format!("element {}: {e}", entry.tag));

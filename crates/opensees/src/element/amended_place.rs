@@ -6,6 +6,7 @@ use crate::load::series::series_of;
 use hysteron_engine::element::amendment::{Amended, Amendment};
 use hysteron_engine::model::ElementId;
 use hysteron_engine::series::Series;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -65,7 +66,7 @@ impl Place {
         // The stiffness that a law may need is that of the directions it will act in.
         let stiffness = around(make(1.0))?.initial_stiffness()[0];
         let made = around(make(stiffness))?;
-        interp.host.engine.replace_element(id, Arc::new(made));
+        interp.host.engine.replace_element(id, made.shared());
         Ok(())
     }
 }

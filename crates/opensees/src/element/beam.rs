@@ -11,6 +11,7 @@ use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
 use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform;
 use hysteron_engine::section::{ElasticSection, Resultant, SharedSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -210,9 +211,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let wrong = |e| no_transform(a, place, nodes, e);
     let beam: Arc<dyn Element> = if ends.ndm == 2 {
-        Arc::new(ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o))
+        ElasticBeam::new(spec.plane(&stand).map_err(wrong)?, s, o).shared()
     } else {
-        Arc::new(ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o))
+        ElasticBeam::new(spec.space(&stand).map_err(wrong)?, s, o).shared()
     };
     damped(beam, damping).map_err(|e| refused(a, place, e))
 }
@@ -231,7 +232,7 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
     let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
-    Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
+    Ok(ElasticBeam::modified(transform, section, factors, o).shared())
 }
 
 /// Factors of the end rotation stiffness about an axis.
@@ -274,5 +275,5 @@ fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Resul
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let transform = spec.space(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
     let section = ElasticSection { e, area, iz, iy, g, j, shear: (None, None) };
-    Ok(Arc::new(ElasticBeam::modified(transform, section, factors, o)))
+    Ok(ElasticBeam::modified(transform, section, factors, o).shared())
 }

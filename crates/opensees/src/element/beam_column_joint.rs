@@ -7,6 +7,7 @@ use crate::model::nodes::node_of;
 use crate::{Tcl, warn};
 use hysteron_engine::element::{BeamColumnJoint, Element, JOINT_SPRINGS, JointGeometry};
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use nalgebra::Vector3;
@@ -74,5 +75,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
         width_factor: factors[1],
         axes: (ndm == 3).then(|| [unit(right), unit(up)]),
     };
-    Ok((nodes, Arc::new(BeamColumnJoint::new(materials, &geometry))))
+    Ok((nodes, BeamColumnJoint::new(materials, &geometry).shared()))
 }

@@ -10,6 +10,7 @@ use hysteron_engine::element::bearing::{
     BoucWenShear, Link, PlaneBearing, PlasticShear, ShearLaw, SpaceBearing, UfrpShear,
 };
 use hysteron_engine::material::Material;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
@@ -218,28 +219,32 @@ fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn 
     let (link, _) = o.place.link(a, ends, o.shear_dist)?;
     let link = link.under_given_force(o.compat);
     let Ok(materials) = o.materials.try_into() else { unreachable!("taken one by one") };
-    Ok(Arc::new(PlaneBearing::new(law, link, materials, o.mass, o.rayleigh)))
+    Ok(PlaneBearing::new(law, link, materials, o.mass, o.rayleigh).shared())
 }
 
 /// The bearing around a shear law, in the plane or in space.
-fn around<L: ShearLaw<1> + ShearLaw<2> + 'static>(
+fn around<L: ShearLaw<1> + ShearLaw<2>>(
     a: &Args<'_>,
     law: L,
     c: Common,
     ends: &Ends,
-) -> Result<Arc<dyn Element>, Exception> {
+) -> Result<Arc<dyn Element>, Exception>
+where
+    PlaneBearing<L>: Shared<dyn Element>,
+    SpaceBearing<L>: Shared<dyn Element>,
+{
     match (ends.ndm, ends.ndf) {
         (2, 3) => {
             let (link, _) = c.place.link(a, ends, c.shear_dist)?;
             let link = link.under_given_force(c.compat);
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh)))
+            Ok(PlaneBearing::new(law, link, materials, c.mass, c.rayleigh).shared())
         }
         (3, 6) => {
             let (link, _) = c.place.link(a, ends, c.shear_dist)?;
             let link = link.under_given_force(c.compat);
             let Ok(materials) = c.materials.try_into() else { unreachable!("taken one by one") };
-            Ok(Arc::new(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh)))
+            Ok(SpaceBearing::new(law, link, materials, c.mass, c.rayleigh).shared())
         }
         _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),
     }

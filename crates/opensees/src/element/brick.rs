@@ -7,9 +7,10 @@ use crate::checks;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::{Tcl, slips, warn};
-use hysteron_engine::element::{BrickOptions, Continuum, Element, Shared};
+use hysteron_engine::element::{BrickOptions, Continuum, Element};
 use hysteron_engine::material::{SOLID, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
@@ -98,7 +99,7 @@ fn tetrahedron<const N: usize, const D: usize>(
     a: &mut Args<'_>,
 ) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
 where
-    Continuum<SOLID, D>: Shared,
+    Continuum<SOLID, D>: Shared<dyn Element>,
 {
     let Read::<N> { nodes, corners, law, body, place } = read(interp, a)?;
     let weight = if N == 10 && interp.host.follows(&[slips::TETRAHEDRON_VOLUME]) { 1.0 / 6.0 } else { 1.0 };

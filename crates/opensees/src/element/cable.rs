@@ -4,6 +4,7 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::element::{CatenaryCable, Element};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -40,5 +41,5 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         }
     };
     let ends = [ends.place.0, ends.place.1];
-    Ok(Arc::new(CatenaryCable { ends, weight, stiffness, length, expansion, rho, consistent, tolerance, parts }))
+    Ok(CatenaryCable { ends, weight, stiffness, length, expansion, rho, consistent, tolerance, parts }.shared())
 }

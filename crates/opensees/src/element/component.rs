@@ -8,6 +8,7 @@ use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{ComponentBeam, ComponentOptions};
 use hysteron_engine::element::transform;
 use hysteron_engine::material::Elastic;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -29,7 +30,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let place = a.last_span();
     let springs = if a.flag("-stiffness") || a.flag("-k") {
         let k = [a.not_negative("stiffness kI (0: a hinge)")?, a.not_negative("stiffness kJ (0: a hinge)")?];
-        k.map(|k| (k > 0.0).then(|| (Arc::new(Elastic::new(k)) as hysteron_engine::material::Material, 0)))
+        k.map(|k| (k > 0.0).then(|| (Elastic::new(k).shared() as hysteron_engine::material::Material, 0)))
     } else {
         let materials = &interp.host.builder.definitions.materials;
         [Some(a.of(materials)?), Some(a.of(materials)?)]
@@ -44,5 +45,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
-    Ok(Arc::new(ComponentBeam::new(transform, options, springs)))
+    Ok(ComponentBeam::new(transform, options, springs).shared())
 }

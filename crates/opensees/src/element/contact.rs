@@ -6,6 +6,7 @@ use crate::args::Args;
 use hysteron_engine::element::{
     Contact, ContactDirection, ContactFriction, ContactSurface, Element, Impact, ImpactOptions,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -56,7 +57,7 @@ fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
         return Err(a.refuse("the normal has no length", "expected a vector out of the primary surface"));
     }
     let surface = ContactSurface::Line { normal: [x / length, y / length], per_node: ends.ndf };
-    Ok(Arc::new(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1])))
+    Ok(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1]).shared())
 }
 
 fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -78,7 +79,7 @@ fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
         }
     }
     let surface = ContactSurface::Space { direction, origin };
-    Ok(Arc::new(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1])))
+    Ok(Contact::new(surface, normal, friction, [ends.place.0, ends.place.1]).shared())
 }
 
 fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -95,5 +96,5 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         yield_penetration: a.not_negative("yield penetration")?,
         cohesion: a.not_negative("cohesion")?,
     };
-    Ok(Arc::new(Impact::new(options, [ends.place.0, ends.place.1])))
+    Ok(Impact::new(options, [ends.place.0, ends.place.1]).shared())
 }

@@ -17,6 +17,7 @@ use hysteron_engine::element::damping::ElementDamping;
 use hysteron_engine::element::transform::{self, TransformSpec};
 use hysteron_engine::model::Integration;
 use hysteron_engine::section::{Elastic, ElasticSection, Resultant, SharedSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
@@ -333,6 +334,8 @@ fn build<F>(
 ) -> Result<Arc<dyn Element>, Exception>
 where
     F: Formulation<6, 3> + Formulation<12, 6>,
+    FiberBeam<F, 6, 3>: Shared<dyn Element>,
+    FiberBeam<F, 12, 6>: Shared<dyn Element>,
 {
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };
     let wrong = |e| no_transform(a, w.transform_at, nodes, e);
@@ -348,13 +351,13 @@ where
         let transform = w.transform.plane(&stand).map_err(wrong)?;
         let points = points(transform.length())?;
         let formulation = formulation(&points.0)?;
-        let beam = Arc::new(FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass));
+        let beam = FiberBeam::<F, 6, 3>::new(formulation, transform, sections, points, mass).shared();
         return damped(beam, w.damping).map_err(|e| refused(a, nodes, e));
     }
     let transform = w.transform.space(&stand).map_err(wrong)?;
     let points = points(transform.length())?;
     let formulation = formulation(&points.0)?;
-    let beam = Arc::new(FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass));
+    let beam = FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, mass).shared();
     damped(beam, w.damping).map_err(|e| refused(a, nodes, e))
 }
 
@@ -416,7 +419,7 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
             _ => ignore_option(interp, a, &["-mass", "-iter"])?,
         }
     }
-    let elastic: SharedSection = Arc::new(Elastic::new(s, ends.ndm == 2));
+    let elastic: SharedSection = Elastic::new(s, ends.ndm == 2).shared();
     let all = [section_i, section_j, (elastic, 0)];
     let sections = Hinge::Radau.sections().iter().map(|i| all[*i].clone()).collect();
     let integration = Integration { rule: Rule::Hinges(Hinge::Radau, lp_i, lp_j), sections };

@@ -13,6 +13,7 @@ use hysteron_engine::element::bearing::sliding::{
     Dish, Heat, HeatSetting, Kind, Setting, SpaceSlider, Substitution, Surface,
 };
 use hysteron_engine::rules::Consistent;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -69,7 +70,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let (link, length) = place.link(a, ends, shear_dist)?;
     let link = (link, length, shear_dist);
     Ok(match compat {
-        true => Arc::new(SpaceSlider::new(surface, link, materials, setting.with(substitution)).warming(heat)),
-        false => Arc::new(SpaceSlider::new(surface, link, materials, setting).warming(heat)),
+        true => SpaceSlider::new(surface, link, materials, setting.with(substitution)).warming(heat).shared(),
+        false => SpaceSlider::new(surface, link, materials, setting).warming(heat).shared(),
     })
 }

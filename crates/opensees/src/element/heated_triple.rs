@@ -12,6 +12,7 @@ use hysteron_engine::element::bearing::triple::{
 };
 use hysteron_engine::material::Material;
 use hysteron_engine::rules::Consistent;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
@@ -138,7 +139,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let height = ends.place.1.z - ends.place.0.z;
     let setting = TripleSetting { weight, k_tension, least_normal, height, rules: Consistent };
     Ok(match compat {
-        true => Arc::new(TriplePendulum::heated(chain, heated, materials, setting.with(Increments(tolerance)))),
-        false => Arc::new(TriplePendulum::heated(chain, heated, materials, setting)),
+        true => TriplePendulum::heated(chain, heated, materials, setting.with(Increments(tolerance))).shared(),
+        false => TriplePendulum::heated(chain, heated, materials, setting).shared(),
     })
 }

@@ -7,6 +7,7 @@ use crate::model::transform::vector;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, Inerter, InerterOptions};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use nalgebra::{Matrix3, Vector3};
@@ -64,7 +65,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let length = if line.norm() > f64::EPSILON { line.norm() } else { 0.0 };
     let axes = axes_of(a, ends.ndm, line, orient, orient_at)?;
     let inerter = Inerter::new((ends.ndm, ends.ndf), axes, length, options);
-    Ok(Arc::new(inerter.map_err(|e| refused(a, nodes, e))?))
+    Ok(inerter.map_err(|e| refused(a, nodes, e))?.shared())
 }
 
 /// A square matrix, by rows.

@@ -8,6 +8,7 @@ use crate::model::nodes::node_of;
 use hysteron_engine::element::{Element, Joint};
 use hysteron_engine::material::Material;
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -64,7 +65,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
         tie(interp, (middle, *node), place - first, ROTATIONS[k % 2], rigid[k]);
     }
     nodes.push(middle);
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 /// Springs of the four nodes, if there are any, and of the panel.

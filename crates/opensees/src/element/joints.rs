@@ -5,8 +5,8 @@ use crate::model::nodes::node_of;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::Hinged;
 use hysteron_engine::model::ElementId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Value;
-use std::sync::Arc;
 
 /// `amend node $tag dampedAs $other`: a node takes over the mass-proportional damping of another one.
 ///
@@ -61,7 +61,7 @@ pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
         let chord = j.place() - i.place();
         let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
             .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
-        interp.host.engine.replace_element(*id, Arc::new(hinged));
+        interp.host.engine.replace_element(*id, hinged.shared());
     }
     Ok(Value::EMPTY)
 }

@@ -11,6 +11,7 @@ use hysteron_engine::element::bearing::{
     Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Mean, Scheme, Shape,
 };
 use hysteron_engine::material::Material;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use std::sync::Arc;
@@ -194,7 +195,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         mass: o.mass.unwrap_or(0.0),
     };
     let bearing = KikuchiBearing::new(parameters, &axes, &ends.disp, scheme);
-    Ok(Arc::new(bearing.map_err(|e| refused(a, nodes, e))?))
+    Ok(bearing.map_err(|e| refused(a, nodes, e))?.shared())
 }
 
 /// Without a limit all springs act with their full force.

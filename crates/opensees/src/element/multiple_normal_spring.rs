@@ -7,6 +7,7 @@ use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -66,5 +67,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let springs = NormalSprings::new(material, &layout, length, MultipleNormalSpring::HEADER);
     let link = Link::new(&axes, length, 0.5);
-    Ok(Arc::new(MultipleNormalSpring::new(springs, link, mass, compat)))
+    Ok(MultipleNormalSpring::new(springs, link, mass, compat).shared())
 }

@@ -7,6 +7,7 @@ use crate::args::Args;
 use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, MultipleShearSpring, ShearSprings};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -55,8 +56,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let springs = ShearSprings::of(materials, limit, MultipleShearSpring::HEADER);
     let link = Link::new(&axes, length, 0.5);
     let element = match interp.host.follows(&[slips::SHEAR_SPRINGS_LIMIT]) {
-        true => MultipleShearSpring::as_opensees(springs, link, mass).map(|e| Arc::new(e) as Arc<dyn Element>),
-        false => MultipleShearSpring::new(springs, link, mass).map(|e| Arc::new(e) as Arc<dyn Element>),
+        true => MultipleShearSpring::as_opensees(springs, link, mass).map(|e| e.shared()),
+        false => MultipleShearSpring::new(springs, link, mass).map(|e| e.shared()),
     };
     element.map_err(|e| refused(a, limit_at, e))
 }

@@ -6,9 +6,10 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
-use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape, Shared};
+use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape};
 use hysteron_engine::material::{Condensed, PLANE, Plane, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -161,7 +162,7 @@ fn make_quadratic<const N: usize, const D: usize>(
     shape: QuadraticShape,
 ) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception>
 where
-    Continuum<PLANE, D>: Shared,
+    Continuum<PLANE, D>: Shared<dyn Element>,
 {
     let (nodes, places) = corners::<N>(interp, a)?;
     let place = a.last_span();

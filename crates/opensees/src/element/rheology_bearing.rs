@@ -9,6 +9,7 @@ use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -87,5 +88,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let shear = RheologyShear { law };
     let link = c.link(a, ends)?;
     let link = if p_delta { link } else { link.first_order() };
-    Ok(Arc::new(RubberBearing::new(axial, shear, link, c.mass)))
+    Ok(RubberBearing::new(axial, shear, link, c.mass).shared())
 }

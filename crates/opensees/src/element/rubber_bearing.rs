@@ -13,6 +13,7 @@ use hysteron_engine::element::bearing::{
     AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
@@ -415,6 +416,9 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
 }
 
 /// The bearing of an axial law and a shear law.
-fn around<L: RubberShear + 'static>(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element> {
-    Arc::new(RubberBearing::new(axial, shear, link, mass))
+fn around<L: RubberShear>(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element>
+where
+    RubberBearing<L>: Shared<dyn Element>,
+{
+    RubberBearing::new(axial, shear, link, mass).shared()
 }

@@ -10,6 +10,7 @@ use hysteron_engine::element::shell::{
     Drilling, EnhancedShell, EnhancedShellOptions, Formulation, Shell, UpdatedShell,
 };
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -85,7 +86,7 @@ fn make(
     let (section, _) = a.of(&interp.host.builder.definitions.plates)?;
     let made = Shell::new(formulation, &places, section, &disp).map_err(|e| refused(a, place, e))?;
     let damping = optional(interp, a)?;
-    Ok((nodes, damped(Arc::new(made), damping).map_err(|e| refused(a, place, e))?))
+    Ok((nodes, damped(made.shared(), damping).map_err(|e| refused(a, place, e))?))
 }
 
 fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
@@ -94,7 +95,7 @@ fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<
     let (section, _) = a.of(&interp.host.builder.definitions.plates)?;
     let places = std::array::from_fn(|i| places[i]);
     let made = UpdatedShell::new(places, section).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }
 
 /// Share of the drilling penalty of a quadrilateral that is integrated fully, where none is given.
@@ -145,5 +146,5 @@ fn make_enhanced(
         o.drilling = Drilling::Damaged;
     }
     let made = EnhancedShell::new(&places, section, o, &disp).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, Arc::new(made)))
+    Ok((nodes, made.shared()))
 }

@@ -10,6 +10,7 @@ use hysteron_engine::element::bearing::sliding::{
     Dish, Kind, PlaneSlider, Setting, SpaceSlider, Substitution, Surface,
 };
 use hysteron_engine::rules::Consistent;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -94,16 +95,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
             let (link, length) = place.link(a, ends, shear_dist)?;
             let link = (link, length, shear_dist);
             Ok(match compat {
-                true => Arc::new(PlaneSlider::new(surface, link, materials, setting.with(substitution))),
-                false => Arc::new(PlaneSlider::new(surface, link, materials, setting)),
+                true => PlaneSlider::new(surface, link, materials, setting.with(substitution)).shared(),
+                false => PlaneSlider::new(surface, link, materials, setting).shared(),
             })
         }
         (3, 6) => {
             let (link, length) = place.link(a, ends, shear_dist)?;
             let link = (link, length, shear_dist);
             Ok(match compat {
-                true => Arc::new(SpaceSlider::new(surface, link, materials, setting.with(substitution))),
-                false => Arc::new(SpaceSlider::new(surface, link, materials, setting)),
+                true => SpaceSlider::new(surface, link, materials, setting.with(substitution)).shared(),
+                false => SpaceSlider::new(surface, link, materials, setting).shared(),
             })
         }
         _ => Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")),

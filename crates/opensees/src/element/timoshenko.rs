@@ -8,6 +8,7 @@ use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
 use hysteron_engine::element::transform;
 use hysteron_engine::section::ElasticSection;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -76,8 +77,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let stand = transform::Ends { place: ends.place, disp: &still };
     let wrong = |e| no_transform(a, place, nodes, e);
     Ok(if ends.ndm == 2 {
-        Arc::new(TimoshenkoBeam::new(spec.plane(&stand).map_err(wrong)?.frame().clone(), s, o))
+        TimoshenkoBeam::new(spec.plane(&stand).map_err(wrong)?.frame().clone(), s, o).shared()
     } else {
-        Arc::new(TimoshenkoBeam::new(spec.space(&stand).map_err(wrong)?.frame().clone(), s, o))
+        TimoshenkoBeam::new(spec.space(&stand).map_err(wrong)?.frame().clone(), s, o).shared()
     })
 }

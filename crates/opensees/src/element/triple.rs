@@ -9,6 +9,7 @@ use hysteron_engine::element::bearing::triple::{Chain, Increments, Segment, Trip
 use hysteron_engine::element::friction::Friction;
 use hysteron_engine::material::Material;
 use hysteron_engine::rules::Consistent;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
@@ -93,7 +94,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     ];
     let setting = TripleSetting { weight, k_tension, least_normal, height, rules: Consistent };
     Ok(match interp.host.follows(&slips) {
-        true => Arc::new(TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance)))),
-        false => Arc::new(TriplePendulum::new(chain, frictions, materials, setting)),
+        true => TriplePendulum::new(chain, frictions, materials, setting.with(Increments(tolerance))).shared(),
+        false => TriplePendulum::new(chain, frictions, materials, setting).shared(),
     })
 }

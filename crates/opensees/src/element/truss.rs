@@ -7,6 +7,7 @@ use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Axial;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -47,7 +48,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         (options.area, options.rho) = (0.0, 0.0);
     }
     let truss = Truss::new(material, tag, &line, ends.ndf, &initial, options);
-    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+    Ok(truss.map_err(|e| refused(a, span, e))?.shared())
 }
 
 /// The corotational bar measures from the nodes' coordinates, whatever their displacements are.
@@ -56,7 +57,7 @@ fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
     let (material, tag, options) = words(interp, a, ends, None)?;
     let line = ends.place.1 - ends.place.0;
     let truss = CorotTruss::new(material, tag, &line.as_slice()[..ends.ndm], ends.ndf, options);
-    Ok(Arc::new(truss.map_err(|e| refused(a, span, e))?))
+    Ok(truss.map_err(|e| refused(a, span, e))?.shared())
 }
 
 /// Area and material, or, with one number instead of two, a section whose axial force is the bar's.
@@ -66,7 +67,7 @@ fn axial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exc
         let Some(axial) = Axial::new(section, tag) else {
             return Err(a.refuse(format!("section {tag} has no axial force"), "expected a section with P"));
         };
-        return Ok((1.0, Arc::new(axial), tag));
+        return Ok((1.0, axial.shared(), tag));
     }
     let area = a.usually_positive(interp, "cross-sectional area A")?;
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;

@@ -4,6 +4,7 @@ use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::element::{Element, TubularJoint, TubularJointOptions};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -39,5 +40,5 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         chord_angle: a.float("angle of the chord in degrees")?,
     };
     let line = ends.place.1 - ends.place.0;
-    Ok(Arc::new(TubularJoint::new(&options, [line.x, line.y]).map_err(|e| refused(a, nodes, e))?))
+    Ok(TubularJoint::new(&options, [line.x, line.y]).map_err(|e| refused(a, nodes, e))?.shared())
 }

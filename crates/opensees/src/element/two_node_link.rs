@@ -7,6 +7,7 @@ use crate::model::transform::vector;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, LinkOptions, TwoNodeLink};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::{Matrix3, Vector3};
@@ -82,7 +83,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let axes = axes_of(a, ends.ndm, line, orient, orient_at)?;
     let springs = mats.into_iter().zip(dirs).map(|((m, tag), d)| (m, tag, d)).collect();
     let link = TwoNodeLink::new(springs, (ends.ndm, ends.ndf), axes, length, &options);
-    Ok(Arc::new(link.map_err(|e| refused(a, nodes, e))?))
+    Ok(link.map_err(|e| refused(a, nodes, e))?.shared())
 }
 
 /// Local axes: along the line unless x is given, global ones if the nodes are at one place.

@@ -7,11 +7,11 @@ use crate::model::nodes::node_of;
 use crate::slips;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{
-    Element, PLANE_WALL, PanelLaw, SPACE_WALL, Shared, WallFibre, WallLines, WallPanel, WallPanels, WallPlate,
-    WallShape,
+    Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
 };
 use hysteron_engine::material::{Material, PLANE, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use nalgebra::Vector3;

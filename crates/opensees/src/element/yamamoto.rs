@@ -7,6 +7,7 @@ use crate::args::Args;
 use crate::slips;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, ShearBearing, ShearLaw, YamamotoShear};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -51,6 +52,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
 }
 
 /// The bearing of a shear law. Nothing resists axial force, torsion and bending.
-fn around<L: ShearLaw<2> + 'static>(law: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element> {
-    Arc::new(ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], mass, true))
+fn around<L: ShearLaw<2>>(law: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element>
+where
+    ShearBearing<L, 12, 6, 0, 2>: Shared<dyn Element>,
+{
+    ShearBearing::<_, 12, 6, 0, 2>::new(law, link, [], mass, true).shared()
 }

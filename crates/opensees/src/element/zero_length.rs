@@ -10,6 +10,7 @@ use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
 use hysteron_engine::material::Material;
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use nalgebra::{Matrix3, Vector3};
@@ -119,7 +120,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let last = dirs.last().and_then(|d| d.1);
     let springs = mats.into_iter().zip(&dirs).map(|((m, tag), (d, _))| (m, tag, *d)).collect();
     let element = ZeroLength::new(springs, ends.ndm, ends.ndf, axes, &ends.initial(), damping);
-    let element = Arc::new(element.map_err(|e| refused(a, last, e))?);
+    let element = element.map_err(|e| refused(a, last, e))?.shared();
     damped(element, own).map_err(|e| refused(a, last, e))
 }
 
@@ -131,5 +132,5 @@ fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
     let material = a.of(&interp.host.builder.definitions.materials)?;
     let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
     let compat = interp.host.follows(&[slips::COUPLED_ZERO_LENGTH]);
-    Ok(Arc::new(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat)))
+    Ok(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat).shared())
 }

@@ -6,6 +6,7 @@ use crate::model::transform::vector;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, ZeroLengthSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -40,5 +41,5 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         y = Vector3::new(-x.y, x.x, 0.0);
     }
     let axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(orient, e.message(), ""))?;
-    Ok(Arc::new(ZeroLengthSection::new(section, (ends.ndm, ends.ndf), axes, rayleigh)))
+    Ok(ZeroLengthSection::new(section, (ends.ndm, ends.ndf), axes, rayleigh).shared())
 }

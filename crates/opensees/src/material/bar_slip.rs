@@ -5,8 +5,8 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
 use hysteron_engine::material::{BarPlace, BarSlip, Bond, BondDamage, Material, Pinching4, StressUnit};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["BarSlip"],
@@ -71,7 +71,7 @@ fn bar_slip(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let slip = BarSlip { fc, fy, es, fu, eh, diameter, anchorage, bars, member, bond, place, damage, unit };
     let given = slip.pinching();
     Ok(match interp.host.follows(&[slips::PINCHING_TRIALS]) {
-        true => Arc::new(Pinching4::as_opensees(given)),
-        false => Arc::new(Pinching4::new(given)),
+        true => Pinching4::as_opensees(given).shared(),
+        false => Pinching4::new(given).shared(),
     })
 }

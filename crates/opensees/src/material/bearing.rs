@@ -5,11 +5,11 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
 use hysteron_engine::material::{
-    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, Device, HighDampingRubber, KikuchiAiken, LeadRubber,
-    LeadRubberParameters, Material,
+    AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, Device, ElasticRange, HighDampingRubber, KikuchiAiken, LeadRubber,
+    LeadRubberParameters, Material, Uniaxial,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -78,8 +78,8 @@ fn axial_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     p.bcy = within(a, YIELDED, 0.0, [0.0, 1.0], RATIO)?;
     p.fcr = closing_stress(a, p.fcy)?;
     Ok(match interp.host.follows(&[slips::AXIAL_SP_JUMP]) {
-        true => Arc::new(AxialSp::as_opensees(&p)),
-        false => Arc::new(AxialSp::new(&p)),
+        true => AxialSp::as_opensees(&p).shared(),
+        false => AxialSp::new(&p).shared(),
     })
 }
 
@@ -103,8 +103,8 @@ fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     let ath = within(a, at, 1.0, [1.0, f64::INFINITY], "a ratio")?;
     p.hardening = (p.bty < p.bte).then_some((bth, ath));
     Ok(match interp.host.follows(&[slips::AXIAL_SP_JUMP]) {
-        true => Arc::new(AxialSpHD::as_opensees(&p)),
-        false => Arc::new(AxialSpHD::new(&p)),
+        true => AxialSpHD::as_opensees(&p).shared(),
+        false => AxialSpHD::new(&p).shared(),
     })
 }
 
@@ -120,11 +120,15 @@ fn spring_factors(a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
 }
 
 /// The law of a device, by the rules of the mode.
-fn kikuchi_aiken<D: Device>(interp: &Tcl, device: D, springs: [f64; 2]) -> Material {
+fn kikuchi_aiken<D: Device>(interp: &Tcl, device: D, springs: [f64; 2]) -> Material
+where
+    KikuchiAiken<D>: Shared<dyn Uniaxial>,
+    KikuchiAiken<D, ElasticRange>: Shared<dyn Uniaxial>,
+{
     let slips = [slips::KIKUCHI_AIKEN_TANGENT, slips::KIKUCHI_AIKEN_STEPS, slips::KIKUCHI_AIKEN_FACTORS];
     match interp.host.follows(&slips) {
-        true => Arc::new(KikuchiAiken::as_opensees(device, springs)),
-        false => Arc::new(KikuchiAiken::new(device, springs)),
+        true => KikuchiAiken::as_opensees(device, springs).shared(),
+        false => KikuchiAiken::new(device, springs).shared(),
     }
 }
 

@@ -8,9 +8,9 @@ use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
     ConcreteWBeta, Ecc01, Material, TsaiEnvelope,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -90,13 +90,13 @@ fn compression(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 4], Exception
 
 fn concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fpc, epsc0, fpcu, epscu] = compression(interp, a)?;
-    Ok(Arc::new(Concrete01 { fpc, epsc0, fpcu, epscu }))
+    Ok(Concrete01 { fpc, epsc0, fpcu, epscu }.shared())
 }
 
 fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
-    Ok(Arc::new(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }))
+    Ok(Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets }.shared())
 }
 
 /// Ratio of the unloading slope, tensile strength, softening modulus: all or none.
@@ -131,7 +131,7 @@ fn concrete02_is(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
     let e0 = a.positive("initial modulus E0")?;
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
-    Ok(Arc::new(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }))
+    Ok(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }.shared())
 }
 
 fn concrete06(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -145,7 +145,7 @@ fn concrete06(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (fcr, ecr) = (a.positive("tensile strength fcr")?, a.positive("strain at the tensile strength ecr")?);
     let (b, alpha_t) =
         (a.not_negative("exponent of tension stiffening b")?, a.not_negative("rate of plastic strain alpha2")?);
-    Ok(Arc::new(Concrete06 { fc, eo, r, k, alpha_c, fcr, ecr, b, alpha_t }))
+    Ok(Concrete06 { fc, eo, r, k, alpha_c, fcr, ecr, b, alpha_t }.shared())
 }
 
 fn concrete07(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -157,7 +157,7 @@ fn concrete07(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let critical_compression = a.positive("critical strain ratio xn")?;
     let r = a.positive("shape of the curves r")?;
     let kept_strain = if interp.host.follows(&[slips::CHANG_MANDER_STRAIN]) { 0.0 } else { 1.0 };
-    Ok(Arc::new(Concrete07 { compression, tension, ec, critical_tension, critical_compression, r, kept_strain }))
+    Ok(Concrete07 { compression, tension, ec, critical_tension, critical_compression, r, kept_strain }.shared())
 }
 
 fn concrete_d(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -175,7 +175,7 @@ fn concrete_d(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         plastic =
             [a.not_negative("factor of the plastic strain cesp")?, a.float("exponent of the plastic strain etap")?];
     }
-    Ok(Arc::new(ConcreteD { fc, ec, ft, et, modulus, alpha, plastic }))
+    Ok(ConcreteD { fc, ec, ft, et, modulus, alpha, plastic }.shared())
 }
 
 fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -230,7 +230,7 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         warn(interp, d.at(a.last_span(), format!("expected {secant} to {}", 2.0 * secant)))?;
         e0 = e0.clamp(secant, 2.0 * secant);
     }
-    Ok(Arc::new(ConcreteWBeta {
+    Ok(ConcreteWBeta {
         peak,
         confined,
         middle,
@@ -242,7 +242,8 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         alpha,
         stiffening,
         e0,
-    }))
+    }
+    .shared())
 }
 
 /// Strain at which debris in cracks has no stress, where it is left out.
@@ -251,7 +252,7 @@ const END_OF_DEBRIS: f64 = 0.03;
 fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let end = a.optional_float("strain of the debris without stress endStrainSITC")?.unwrap_or(END_OF_DEBRIS);
-    Ok(Arc::new(Concrete01Sitc { fc, epsc0, fcu, epscu, end }))
+    Ok(Concrete01Sitc { fc, epsc0, fcu, epscu, end }.shared())
 }
 
 fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -274,7 +275,7 @@ fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     ];
     let softening = a.positive("exponent of softening alphaCU")?;
     let permanent = [a.not_negative("permanent part betaT")?, a.not_negative("permanent part betaC")?];
-    Ok(Arc::new(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }))
+    Ok(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }.shared())
 }
 
 /// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.
@@ -306,7 +307,7 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         etu = a.float("ultimate strain in tension etu")?;
         beta = a.optional_float("share beta of the tensile strength at the ultimate strain")?.unwrap_or(beta);
     }
-    Ok(Arc::new(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }))
+    Ok(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }.shared())
 }
 
 fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -333,7 +334,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
             _ => ignore_option(interp, a, &["-GapClose"])?,
         }
     }
-    Ok(Arc::new(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }))
+    Ok(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }.shared())
 }
 
 /// 0 or 1.

@@ -7,10 +7,10 @@ use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -63,7 +63,7 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
     }
     let (ft, ets) = (a.positive("tensile strength ft")?, a.positive("softening modulus in tension Ets")?);
     let mpa = if a.int("units, 1: MPa, 0: ksi")? == 0 { KSI } else { 1.0 };
-    Ok(Arc::new(FrpConfinedConcrete02 { fc0, ec, fcc, epscu, ft, ets, mpa }))
+    Ok(FrpConfinedConcrete02 { fc0, ec, fcc, epscu, ft, ets, mpa }.shared())
 }
 
 /// Largest ultimate strain of an envelope, which bounds its points.
@@ -213,7 +213,7 @@ fn confined_concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
         );
         warn(interp, d.at(a.last_span(), "more iterations (-maxNumIter) or a larger -tol may help"))?;
     }
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 /// Options of the command; the largest ultimate strain is returned.

@@ -8,9 +8,9 @@ use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     BilinearOilDamper, CoulombDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind { names: &["Viscous"], usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>", make: viscous },
@@ -51,7 +51,7 @@ fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let min_rate = a.optional_float("smallest velocity minVel")?.unwrap_or(1e-11).abs();
     // As in OpenSees a negative exponent stands for a linear dashpot, and a zero velocity for a very small one.
     let min_rate = if min_rate == 0.0 { 1e-21 } else { min_rate };
-    Ok(Arc::new(Viscous { c, alpha: if alpha < 0.0 { 1.0 } else { alpha }, min_rate }))
+    Ok(Viscous { c, alpha: if alpha < 0.0 { 1.0 } else { alpha }, min_rate }.shared())
 }
 
 /// A velocity exponent; as in OpenSees a negative one stands for a linear dashpot.
@@ -87,7 +87,7 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
             return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
         }
     }
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -126,7 +126,7 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
             return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
         }
     }
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -136,7 +136,7 @@ fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let alpha = exponent(a)?;
     let length = a.positive("length L")?;
     let secant_damping = a.flag("-returnD") || a.flag("-D");
-    Ok(Arc::new(Maxwell { k, c, alpha, length, secant_damping, compat }))
+    Ok(Maxwell { k, c, alpha, length, secant_damping, compat }.shared())
 }
 
 /// Rate below which the friction of a Coulomb damper is proportional to it.
@@ -159,5 +159,5 @@ fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
             _ => ignore_option(interp, a, &["-tol", "-numFlipped", "-reduceFc", "-dampOutTangent"])?,
         }
     }
-    Ok(Arc::new(CoulombDamper { k, friction, slow }))
+    Ok(CoulombDamper { k, friction, slow }.shared())
 }

@@ -10,9 +10,9 @@ use hysteron_engine::material::{
     Pinching4Parameters, Pinching4Side,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -111,8 +111,8 @@ fn pinching4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     }
     let given = Pinching4Parameters { sides, stiffness, reloading, strength, linear_strength: None, energy, by_cycles };
     Ok(match interp.host.follows(&[slips::PINCHING_TRIALS]) {
-        true => Arc::new(Pinching4::as_opensees(given)),
-        false => Arc::new(Pinching4::new(given)),
+        true => Pinching4::as_opensees(given).shared(),
+        false => Pinching4::new(given).shared(),
     })
 }
 
@@ -163,9 +163,9 @@ fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let modes = ["strength", "strength beyond the cap", "unloading stiffness"];
     let [strength, capping, stiffness] = deterioration(a, modes, &mut sides)?;
     if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(Arc::new(ImkBilin { ke, sides, strength, capping, stiffness, rules: OpenSees }));
+        return Ok(ImkBilin { ke, sides, strength, capping, stiffness, rules: OpenSees }.shared());
     }
-    Ok(Arc::new(ImkBilin { ke, sides, strength, capping, stiffness, rules: Consistent }))
+    Ok(ImkBilin { ke, sides, strength, capping, stiffness, rules: Consistent }.shared())
 }
 
 /// The hinge of `IMKPeakOriented` and `IMKPinching`.
@@ -179,9 +179,9 @@ fn peak_oriented(a: &mut Args<'_>) -> Result<ImkPeakOriented, Exception> {
 fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let hinge = peak_oriented(a)?;
     if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(Arc::new(hinge.with(OpenSees)));
+        return Ok(hinge.with(OpenSees).shared());
     }
-    Ok(Arc::new(hinge))
+    Ok(hinge.shared())
 }
 
 fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -191,7 +191,7 @@ fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
         deformation: a.float("ratio kappaD of the deformation at the end of pinching")?,
     };
     if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(Arc::new(ImkPinching { hinge: hinge.with(OpenSees), pinching }));
+        return Ok(ImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
     }
-    Ok(Arc::new(ImkPinching { hinge, pinching }))
+    Ok(ImkPinching { hinge, pinching }.shared())
 }

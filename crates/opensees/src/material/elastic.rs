@@ -7,9 +7,9 @@ use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material, NoTension,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind { names: &["Elastic"], usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>", make: elastic },
@@ -84,7 +84,7 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = modulus(interp, a)?;
     let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
     let e_neg = a.optional_float("modulus in compression Eneg")?.unwrap_or(e);
-    Ok(Arc::new(Elastic { e_pos: e, eta, e_neg }))
+    Ok(Elastic { e_pos: e, eta, e_neg }.shared())
 }
 
 fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -100,7 +100,7 @@ fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         a.doubt(interp, "ElasticPP: both yield strains are 0", "expected a strain other than 0")?;
     }
     let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
-    Ok(Arc::new(ElasticPP::new(e, tension, compression, initial)))
+    Ok(ElasticPP::new(e, tension, compression, initial).shared())
 }
 
 fn hook_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -108,7 +108,7 @@ fn hook_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     // One gap is that of both senses; of two the first is that in compression, with either sign.
     let first = a.float("gap")?;
     let second = a.optional_float("gap in tension")?.unwrap_or(first);
-    Ok(Arc::new(HookGap { e, gap: [-first.abs(), second] }))
+    Ok(HookGap { e, gap: [-first.abs(), second] }.shared())
 }
 
 fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -142,14 +142,14 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
         )?;
     }
     let damage = a.flag("damage") || a.flag("Damage");
-    Ok(Arc::new(ElasticPPGap { e, fy, gap, eta, damage }))
+    Ok(ElasticPPGap { e, fy, gap, eta, damage }.shared())
 }
 
 fn no_tension(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = a.not_negative("elastic modulus E")?;
     let tension = a.optional_float("part of the modulus that acts in tension, a")?.unwrap_or(0.0);
     let b = a.optional_float("factor of the strain in tension, b")?.unwrap_or(1.0);
-    Ok(Arc::new(NoTension { e, a: tension, b }))
+    Ok(NoTension { e, a: tension, b }.shared())
 }
 
 fn elastic_bilin(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -164,7 +164,7 @@ fn elastic_bilin(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         tension
     };
     let both = |i: usize| [tension[i], compression[i]];
-    Ok(Arc::new(ElasticBilin { first: both(0), second: both(1), bend: both(2).map(f64::abs) }))
+    Ok(ElasticBilin { first: both(0), second: both(1), bend: both(2).map(f64::abs) }.shared())
 }
 
 fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -182,7 +182,7 @@ fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         let message = format!("{n} strains and {m} stresses make no curve");
         a.refuse(message, "expected at least 2 strains that rise, and as many stresses")
     })?;
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn elastic_power(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -204,5 +204,5 @@ fn elastic_power(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         return Err(a.refuse(format!("an exponent is {n}"), "expected 0 or more: the stress would be infinite at rest"));
     }
     let terms = coefficients.into_iter().zip(exponents).map(|(c, n)| [c, n]).collect();
-    Ok(Arc::new(ElasticPower { terms, eta }))
+    Ok(ElasticPower { terms, eta }.shared())
 }

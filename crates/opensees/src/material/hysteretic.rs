@@ -10,9 +10,9 @@ use hysteron_engine::material::{
     PinchingPoint, Saws, SawsParameters, SelfCentering,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -146,9 +146,9 @@ fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Mate
     // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
     let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(a, false)?;
     if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
-        return Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: OpenSees }));
+        return Ok(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: OpenSees }.shared());
     }
-    Ok(Arc::new(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: Consistent }))
+    Ok(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: Consistent }.shared())
 }
 
 /// The hinge of `ModIMKPeakOriented` and `ModIMKPinching`.
@@ -161,17 +161,17 @@ fn mod_imk(a: &mut Args<'_>, pinched: bool) -> Result<(ModImkPeakOriented, Pinch
 fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, _) = mod_imk(a, false)?;
     if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
-        return Ok(Arc::new(hinge.with(OpenSees)));
+        return Ok(hinge.with(OpenSees).shared());
     }
-    Ok(Arc::new(hinge))
+    Ok(hinge.shared())
 }
 
 fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, pinching) = mod_imk(a, true)?;
     if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
-        return Ok(Arc::new(ModImkPinching { hinge: hinge.with(OpenSees), pinching }));
+        return Ok(ModImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
     }
-    Ok(Arc::new(ModImkPinching { hinge, pinching }))
+    Ok(ModImkPinching { hinge, pinching }.shared())
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -193,7 +193,7 @@ fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         let message = "BoucWen: beta + gamma is not greater than 0, so the hysteretic force is not bounded";
         warn(interp, Diagnostic::warning(&checks::materials::UNBOUNDED_FORCE, message).at(None, ""))?;
     }
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 /// The envelope on one side; `s` is the sign of its strains.
@@ -227,7 +227,7 @@ fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
     let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
     let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
-    Ok(Arc::new(Hysteretic::new(tension, compression, pinch, damage, beta)))
+    Ok(Hysteretic::new(tension, compression, pinch, damage, beta).shared())
 }
 
 fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -243,9 +243,9 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
     if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
         let rules = OpenSees;
-        return Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }));
+        return Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }.shared());
     }
-    Ok(Arc::new(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules: Consistent }))
+    Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules: Consistent }.shared())
 }
 
 fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -269,8 +269,8 @@ fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let beta = a.positive("growth beta of the displacement")?;
     let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta };
     let law = match interp.host.follows(&[slips::SAWS_ENVELOPE]) {
-        true => Saws::as_opensees(wall).map(|w| Arc::new(w) as Material),
-        false => Saws::new(wall).map(|w| Arc::new(w) as Material),
+        true => Saws::as_opensees(wall).map(|w| w.shared()),
+        false => Saws::new(wall).map(|w| w.shared()),
     };
     law.ok_or_else(|| {
         let message = "SAWS: the pinched line FI + R4 S0 u does not meet the envelope";

@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{HystereticSm, Material, SmEnvelope};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["HystereticSM"],
@@ -104,5 +104,5 @@ fn hysteretic_sm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
     }
     let tension = envelope(a, &positive, 1.0)?;
     let compression = if negative.is_empty() { tension.clone() } else { envelope(a, &negative, -1.0)? };
-    Ok(Arc::new(HystereticSm::new([tension, compression], pinch, damage, beta, degrading)))
+    Ok(HystereticSm::new([tension, compression], pinch, damage, beta, degrading).shared())
 }

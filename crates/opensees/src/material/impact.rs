@@ -6,9 +6,9 @@ use crate::checks;
 use crate::slips;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth, ViscoelasticGap};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -62,7 +62,7 @@ fn impact(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let delta_y = compressive(interp, a, "yield displacement deltaY")?;
     let gap = compressive(interp, a, GAP)?;
-    Ok(Arc::new(Impact { k1, k2, delta_y, gap, compat: interp.host.follows(&[slips::IMPACT_GAP]) }))
+    Ok(Impact { k1, k2, delta_y, gap, compat: interp.host.follows(&[slips::IMPACT_GAP]) }.shared())
 }
 
 fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
@@ -78,7 +78,7 @@ fn hertz_damp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let xi = a.not_negative("normalised damping coefficient xiNorm")?;
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
-    Ok(Arc::new(HertzDamp { kh, xi, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
+    Ok(HertzDamp { kh, xi, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }.shared())
 }
 
 fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -87,12 +87,12 @@ fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let mass = a.not_negative("effective mass mEff")?;
     let gap = compressive(interp, a, GAP)?;
     let n = exponent(a)?;
-    Ok(Arc::new(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }))
+    Ok(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }.shared())
 }
 
 fn viscoelastic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (k, c) = (a.positive("stiffness K")?, a.not_negative("damping coefficient C")?);
-    Ok(Arc::new(ViscoelasticGap { k, c, gap: compressive(interp, a, GAP)? }))
+    Ok(ViscoelasticGap { k, c, gap: compressive(interp, a, GAP)? }.shared())
 }
 
 fn ratchet(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -104,5 +104,5 @@ fn ratchet(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         2 => Teeth::Continuous,
         n => return Err(a.refuse(format!("there is no ratchet {n}"), "expected 1 (teeth) or 2 (none)")),
     };
-    Ok(Arc::new(Ratchet { e, travel, first, teeth }))
+    Ok(Ratchet { e, travel, first, teeth }.shared())
 }

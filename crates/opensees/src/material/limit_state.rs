@@ -8,8 +8,8 @@ use crate::{Command, Outcome, Tcl, finish, kind, slips};
 use hysteron_engine::material::{
     Column, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, Material, RotationLimit, RotationShear,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["LimitState"],
@@ -216,5 +216,5 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     }
     let compat = interp.host.follows(&[slips::LIMIT_STATE]);
     let odd_energy = compat && points == 3;
-    Ok(Arc::new(LimitState { sides, pinch, damage, beta, symmetric, curve, turns_beyond: !compat, odd_energy }))
+    Ok(LimitState { sides, pinch, damage, beta, symmetric, curve, turns_beyond: !compat, odd_energy }.shared())
 }

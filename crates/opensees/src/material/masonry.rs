@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, slips};
 use hysteron_engine::material::{Masonry, Material};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Masonry"],
@@ -53,7 +53,7 @@ fn masonry(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         n => return Err(a.refuse(format!("the envelope has no shape {n}"), "expected 1 (parabola) or 2 (Sargin)")),
     };
     let compat = interp.host.follows(&[slips::MASONRY_SLOPES]);
-    Ok(Arc::new(Masonry {
+    Ok(Masonry {
         peak,
         ft,
         ultimate,
@@ -70,5 +70,6 @@ fn masonry(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         exponents,
         parabola,
         compat,
-    }))
+    }
+    .shared())
 }

@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const USAGE: &str = "nDMaterial ASDConcrete3D $tag $E $nu -Te $strains -Ts $stresses <-Td $damages> -Ce $strains \
     -Cs $stresses <-Cd $damages> <-rho $rho> <-Kc $Kc> <-eta $eta> <-cdf $share> <-implex> <-implexControl $tolerance $limit> \
@@ -98,7 +98,7 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exc
         tangent,
         reference_length,
     };
-    let made = NdMaterial::of_solid("ASDConcrete3DMaterial", Arc::new(law));
+    let made = NdMaterial::of_solid("ASDConcrete3DMaterial", law.shared());
     // Layers do not know the size of their element.
     Ok(NdMaterial { layer: made.layer.filter(|_| reference_length.is_none()), ..made })
 }
@@ -168,5 +168,5 @@ fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         None => [tension.curve(a, e, "T")?, compression.curve(a, e, "C")?],
     };
     let extrapolation = implex.then_some(Extrapolation { factor, control });
-    Ok(Arc::new(AsdConcrete1d { e, eta, curves, extrapolation, tangent, reference_length }))
+    Ok(AsdConcrete1d { e, eta, curves, extrapolation, tangent, reference_length }.shared())
 }

@@ -10,6 +10,7 @@ use hysteron_engine::material::{
 };
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::plate::{PlateFromPlaneStress, PlateRebar};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -41,7 +42,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Simplified3DJ2", "3DJ2", "SimplifiedJ2"],
         usage: "nDMaterial Simplified3DJ2 $tag $G $K $sig0 $H_kin $H_iso",
-        make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", Arc::new(simplified_j2(a)?))),
+        make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", simplified_j2(a)?.shared())),
     },
     Kind {
         names: &["PlaneStressSimplifiedJ2"],
@@ -148,7 +149,7 @@ fn j2_plasticity(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
         viscosity: a.optional_float("viscosity eta")?.unwrap_or(0.0),
         rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
     };
-    Ok(NdMaterial::of_solid("J2Plasticity", Arc::new(law)))
+    Ok(NdMaterial::of_solid("J2Plasticity", law.shared()))
 }
 
 fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
@@ -158,7 +159,7 @@ fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exce
     let shear = [a.positive("shear modulus Gxy")?, a.positive("shear modulus Gyz")?, a.positive("shear modulus Gzx")?];
     let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
     match (Orthotropic { e, nu, shear, rho }).solid() {
-        Some(law) => Ok(NdMaterial::of_solid("ElasticOrthotropicMaterial", Arc::new(law))),
+        Some(law) => Ok(NdMaterial::of_solid("ElasticOrthotropicMaterial", law.shared())),
         None => Err(a.refuse_at(
             last,
             "the stiffness is not positive definite with these Poisson's ratios",
@@ -178,7 +179,7 @@ fn simplified_j2(a: &mut Args<'_>) -> Result<SimplifiedJ2, Exception> {
 }
 
 fn plane_stress_j2(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let solid: SharedMultiaxial<SOLID> = Arc::new(simplified_j2(a)?);
+    let solid: SharedMultiaxial<SOLID> = simplified_j2(a)?.shared();
     Ok(NdMaterial::of_shared_plane_stress("PlaneStressSimplifiedJ2", Condensed::plane_stress(&solid)))
 }
 
@@ -204,7 +205,7 @@ fn initial_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exce
             *e = a.nth_float("initial strain", i)?;
         }
     }
-    Ok(NdMaterial::of_solid("InitStrainNDMaterial", Arc::new(InitialStrain { law, strain })))
+    Ok(NdMaterial::of_solid("InitStrainNDMaterial", InitialStrain { law, strain }.shared()))
 }
 
 fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
@@ -217,7 +218,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
             *weight = a.nth_float("weight", i)?;
         }
     }
-    Ok(NdMaterial::of_solid("Parallel3DMaterial", Arc::new(ParallelSolids { laws: WeightedLaws(laws) })))
+    Ok(NdMaterial::of_solid("Parallel3DMaterial", ParallelSolids { laws: WeightedLaws(laws) }.shared()))
 }
 
 fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
@@ -271,13 +272,13 @@ fn plate_from_plane_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMater
     let membrane = form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))?;
     let shear = a.not_negative("shear modulus G across the plate")?;
     let law = PlateFromPlaneStress { membrane, shear };
-    Ok(NdMaterial::of_layers("PlateFromPlaneStressMaterial", Arc::new(law)))
+    Ok(NdMaterial::of_layers("PlateFromPlaneStressMaterial", law.shared()))
 }
 
 fn plate_rebar(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     let degrees = a.float("angle of the bars in degrees")?;
-    Ok(NdMaterial::of_layers("PlateRebarMaterial", Arc::new(PlateRebar::new(material, tag, degrees))))
+    Ok(NdMaterial::of_layers("PlateRebarMaterial", PlateRebar::new(material, tag, degrees).shared()))
 }
 
 fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

@@ -6,6 +6,7 @@ use crate::args::Args;
 use hysteron_engine::material::{
     BeamJ2, Condensed, InitialStrain, NdMaterial, SOLID, SeriesSolids, SeriesTolerance, WeightedLaws, strain_of_stress,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
@@ -20,7 +21,7 @@ pub(super) fn initial_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMat
     let strain = strain_of_stress(&law, &stress).map_err(|e| {
         a.refuse_at(span, format!("InitStress: {}", e.0), "expected a stress that the material can have")
     })?;
-    Ok(NdMaterial::of_solid("InitStressNDMaterial", Arc::new(InitialStrain { law, strain })))
+    Ok(NdMaterial::of_solid("InitStressNDMaterial", InitialStrain { law, strain }.shared()))
 }
 
 /// `Series3D`.
@@ -44,7 +45,7 @@ pub(super) fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, E
             _ => crate::ignore_option(interp, a, &["-weights", "-maxIter", "-relTol", "-absTol", "-verbose"])?,
         }
     }
-    Ok(NdMaterial::of_solid("Series3DMaterial", Arc::new(SeriesSolids { laws: WeightedLaws(laws), tolerance })))
+    Ok(NdMaterial::of_solid("Series3DMaterial", SeriesSolids { laws: WeightedLaws(laws), tolerance }.shared()))
 }
 
 /// `BeamFiber`.
@@ -81,5 +82,5 @@ pub(super) fn j2_beam_fiber(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial,
         kinematic: a.not_negative("modulus of kinematic hardening Hkin")?,
         rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
     };
-    Ok(NdMaterial::of_beams("J2BeamFiber", Some(Arc::new(law)), Some(Arc::new(law))))
+    Ok(NdMaterial::of_beams("J2BeamFiber", Some(law.shared()), Some(law.shared())))
 }

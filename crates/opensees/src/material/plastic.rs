@@ -10,9 +10,9 @@ use hysteron_engine::material::{
     MultiLinear, ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelFractureDi, SteelMpf, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -98,7 +98,7 @@ fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e0 = a.usually_positive(interp, "elastic modulus E0")?;
     let b = hardening_ratio(interp, a)?;
     let isotropic = isotropic(a, Steel01::NO_ISOTROPIC)?;
-    Ok(Arc::new(Steel01 { fy, e0, b, a: isotropic }))
+    Ok(Steel01 { fy, e0, b, a: isotropic }.shared())
 }
 
 /// a1 to a4: all or none.
@@ -130,7 +130,7 @@ fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
         }
     }
-    Ok(Arc::new(Steel03 { fy, e0, b, r, c_r, a: isotropic }))
+    Ok(Steel03 { fy, e0, b, r, c_r, a: isotropic }.shared())
 }
 
 fn steel_fracture_di(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -156,7 +156,7 @@ fn steel_fracture_di(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     let threshold = a.not_negative("stress sigmin up to which nothing counts")?;
     let limit = a.positive("index FI_lim at which the steel breaks")?;
     let law = SteelFractureDi { fy, e0, b, r0, c_r, a: isotropic, critical, healing, threshold, limit };
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -188,7 +188,7 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     let sig_init = a.optional_float("initial stress sigInit")?.unwrap_or(0.0);
-    Ok(Arc::new(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }))
+    Ok(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }.shared())
 }
 
 fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -206,7 +206,7 @@ fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     // Found to round-off here.
     a.optional_float("tolerance")?;
     let compat = interp.host.follows(&[slips::STEEL_BRB_FIRST]);
-    Ok(Arc::new(SteelBrb { e, yield_stress, tension, compression, compat }))
+    Ok(SteelBrb { e, yield_stress, tension, compression, compat }.shared())
 }
 
 fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -218,7 +218,7 @@ fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
     let unit = if a.left() > 0 { a.positive("unit of the strains Conv")? } else { 1.0 };
     let law = DoddRestrepo::new(stress, strain, e0, inner, omega, unit)
         .map_err(|message| a.refuse(message, "expected a point between the beginning of hardening and the strength"))?;
-    Ok(Arc::new(law.compat(interp.host.follows(&[slips::BAUSCHINGER_ROUNDS]))))
+    Ok(law.compat(interp.host.follows(&[slips::BAUSCHINGER_ROUNDS])).shared())
 }
 
 fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -237,7 +237,7 @@ fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
             Diagnostic::warning(&checks::words::UNUSED_WORD, message).at(a.last_span(), "expected 0 or nothing"),
         )?;
     }
-    Ok(Arc::new(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.follows(&[slips::HARDENING_TRIAL]) }))
+    Ok(Hardening { e, sigma_y, h_iso, h_kin, compat: interp.host.follows(&[slips::HARDENING_TRIAL]) }.shared())
 }
 
 fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -254,7 +254,7 @@ fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
     let compat = interp.host.follows(&[slips::MULTI_LINEAR_REST]);
     let law = MultiLinear::new(points, compat)
         .ok_or_else(|| a.refuse("MultiLinear has no points", "expected pairs of strain and stress"))?;
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -276,9 +276,9 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
         ]);
     }
     if interp.host.follows(&[slips::UVC_RETURN]) {
-        return Ok(Arc::new(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }));
+        return Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }.shared());
     }
-    Ok(Arc::new(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: Consistent }))
+    Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: Consistent }.shared())
 }
 
 /// Yield strength, ksi, and yield slip, in, from which on the units cannot be those of the law.
@@ -308,9 +308,9 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         a.optional_float(what)?;
     }
     if interp.host.follows(&[slips::BOND_SLIP_TANGENT]) {
-        return Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }));
+        return Ok(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }.shared());
     }
-    Ok(Arc::new(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }))
+    Ok(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }.shared())
 }
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -327,7 +327,7 @@ fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         )?;
         eta = 0.0;
     }
-    Ok(Arc::new(Gng { e, yield_stress, pitch, eta }))
+    Ok(Gng { e, yield_stress, pitch, eta }.shared())
 }
 
 fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -350,7 +350,7 @@ fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                 (a.float(&format!("isotropic hardening {share}"))?, a.float(&format!("isotropic hardening {first}"))?);
         }
     }
-    Ok(Arc::new(SteelMpf { fy, e, b, r0, cr1, cr2, shift }))
+    Ok(SteelMpf { fy, e, b, r0, cr1, cr2, shift }.shared())
 }
 
 fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -397,7 +397,7 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
             _ => ignore_option(interp, a, &["-GABuck", "-DMBuck", "-CMFatigue", "-IsoHard", "-MPCurveParams"])?,
         }
     }
-    Ok(Arc::new(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }))
+    Ok(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }.shared())
 }
 
 fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -419,5 +419,5 @@ fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             a.positive("isotropic hardening a4")?,
         ];
     }
-    Ok(Arc::new(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }))
+    Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
 }

@@ -6,15 +6,15 @@ use crate::checks;
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{HdrRheology, Material, Mullins, Softening};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HDRRheology"],
         usage: USAGE,
-        make: |interp, a| Ok(Arc::new(rheology(interp, a, OPTIONS, |_, _| Ok(false))?)),
+        make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _| Ok(false))?.shared()),
     },
     Kind {
         names: &["Mullins"],
@@ -256,5 +256,5 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             _ => ignore_option(interp, a, &["-heal", "-preload", "-power"])?,
         }
     }
-    Ok(Arc::new(Mullins::new(inner, law)))
+    Ok(Mullins::new(inner, law).shared())
 }

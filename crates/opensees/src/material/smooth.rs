@@ -5,9 +5,9 @@ use crate::args::Args;
 use crate::checks;
 use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -56,7 +56,7 @@ fn smooth(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let k = stiffnesses(a)?;
     let given = a.positive("half the height of the loop fbar")?;
     let beta = a.float("beta")?;
-    Ok(Arc::new(HystereticSmooth::new(k[0], k[1], height(a, k, given), beta)))
+    Ok(HystereticSmooth::new(k[0], k[1], height(a, k, given), beta).shared())
 }
 
 fn asym(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -64,7 +64,7 @@ fn asym(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let given = a.positive("half the height of the loop fo")?;
     let b = [a.float("b1")?, a.float("b2")?];
     let gamma = a.float("growth of the loop gamma")?;
-    Ok(Arc::new(HystereticAsym { ka: k[0], kb: k[1], fo: height(a, k, given), b, gamma }))
+    Ok(HystereticAsym { ka: k[0], kb: k[1], fo: height(a, k, given), b, gamma }.shared())
 }
 
 fn poly(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -79,7 +79,7 @@ fn poly(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         _ => a.positive("tolerance tol")?,
     };
     let compat = interp.host.follows(&[slips::HYSTERETIC_POLY_BRANCH]);
-    Ok(Arc::new(HystereticPoly { ka, kb, a: exponent, b, tolerance, compat }))
+    Ok(HystereticPoly { ka, kb, a: exponent, b, tolerance, compat }.shared())
 }
 
 fn bwbn(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -91,7 +91,7 @@ fn bwbn(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if beta + gamma <= 0.0 {
         return Err(a.refuse(format!("beta + gamma is {}", beta + gamma), "expected a sum greater than 0"));
     }
-    Ok(Arc::new(Bwbn {
+    Ok(Bwbn {
         alpha,
         ko,
         n,
@@ -106,7 +106,8 @@ fn bwbn(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         lambda: a.positive("lambda")?,
         tolerance: a.positive("tolerance")?,
         iterations: a.count("largest number of iterations maxIter")?,
-    }))
+    }
+    .shared())
 }
 
 fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -128,7 +129,7 @@ fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         );
         warn(interp, d.at(a.last_span(), "expected 0 <= sigMAf <= sigMAs, 0 < sigAMs <= sigAMf"))?;
     }
-    Ok(Arc::new(Sma { e, eps_l, forward, reverse }))
+    Ok(Sma { e, eps_l, forward, reverse }.shared())
 }
 
 fn sma_3k(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -142,5 +143,5 @@ fn sma_3k(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if !(0.0..=1.0).contains(&beta) {
         return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected 0 to 1"));
     }
-    Ok(Arc::new(Sma3k { k1, k2, k3, force, beta }))
+    Ok(Sma3k { k1, k2, k3, force, beta }.shared())
 }

@@ -9,9 +9,9 @@ use hysteron_engine::material::{
     HyperbolicGap, Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -56,7 +56,7 @@ fn py_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let drag = a.not_negative("drag resistance Cd within a gap, as a part of the ultimate one")?;
     let dashpot = optional(a, "dashpot coefficient c")?;
     let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
-    Ok(Arc::new(SoilSpring { soil: PySimple1::new(kind, pult, y50, drag), dashpot, compat }))
+    Ok(SoilSpring { soil: PySimple1::new(kind, pult, y50, drag), dashpot, compat }.shared())
 }
 
 fn tz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -66,7 +66,7 @@ fn tz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let z50 = a.positive("displacement z50 at half of the ultimate resistance")?;
     let dashpot = optional(a, "dashpot coefficient c")?;
     let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
-    Ok(Arc::new(SoilSpring { soil: TzSimple1::new(kind, tult, z50), dashpot, compat }))
+    Ok(SoilSpring { soil: TzSimple1::new(kind, tult, z50), dashpot, compat }.shared())
 }
 
 fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -84,7 +84,7 @@ fn qz_simple1(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     }
     let dashpot = optional(a, "dashpot coefficient c")?;
     let compat = interp.host.follows(&[slips::SOIL_SPRING_ROUNDS]);
-    Ok(Arc::new(SoilSpring { soil: QzSimple1::new(kind, qult, z50, suction), dashpot, compat }))
+    Ok(SoilSpring { soil: QzSimple1::new(kind, qult, z50, suction), dashpot, compat }.shared())
 }
 
 /// Displacement at which the ultimate force is reached if the initial stiffness is zero.
@@ -120,7 +120,7 @@ fn hyperbolic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     }
     let gap = negative(interp, a, "gap")?;
     if interp.host.follows(&[slips::HYPERBOLIC_GAP_TRIALS]) {
-        return Ok(Arc::new(HyperbolicGap { kmax, kur, rf, fult, gap, rules: OpenSees }));
+        return Ok(HyperbolicGap { kmax, kur, rf, fult, gap, rules: OpenSees }.shared());
     }
-    Ok(Arc::new(HyperbolicGap { kmax, kur, rf, fult, gap, rules: Consistent }))
+    Ok(HyperbolicGap { kmax, kur, rf, fult, gap, rules: Consistent }.shared())
 }

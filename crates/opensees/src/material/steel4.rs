@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{Material, Steel4, Steel4Side};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Steel4"],
@@ -89,5 +89,5 @@ fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             _ => ignore_option(interp, a, &["-asym", "-kin", "-iso", "-ult", "-mem", "-init"])?,
         }
     }
-    Ok(Arc::new(Steel4 { fy, e0, sides, plateau, remembers, initial }))
+    Ok(Steel4 { fy, e0, sides, plateau, remembers, initial }.shared())
 }

@@ -4,8 +4,8 @@ use super::Kind;
 use crate::args::Args;
 use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["SteelDRC"],
@@ -66,7 +66,7 @@ fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
             return Err(a.refuse("no hardening curve goes through the point", "expected a point between esh and eu"));
         }
     }
-    Ok(Arc::new(law))
+    Ok(law.shared())
 }
 
 fn curve(a: &mut Args<'_>) -> Result<BauschingerKind, Exception> {

@@ -8,9 +8,9 @@ use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-use std::sync::Arc;
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -75,13 +75,13 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             _ => ignore_option(interp, a, &["-factors"])?,
         }
     }
-    Ok(Arc::new(Parallel::new(all, factors)))
+    Ok(Parallel::new(all, factors).shared())
 }
 
 fn multiplier(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let inner = a.of(&interp.host.builder.definitions.materials)?;
     let factor = a.float("factor of the stress")?;
-    Ok(Arc::new(Parallel::new(vec![inner], vec![factor])))
+    Ok(Parallel::new(vec![inner], vec![factor]).shared())
 }
 
 fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -98,7 +98,7 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     }
     let compat = interp.host.follows(&[slips::SERIES_ROUND]);
     let iteration = if compat { Iteration::FixedIterations(rounds, tolerance) } else { Iteration::Converged };
-    Ok(Arc::new(Series::new(all, iteration)))
+    Ok(Series::new(all, iteration).shared())
 }
 
 fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -115,7 +115,7 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         return Err(a.refuse(format!("no strain lies between {min} and {max}"), "expected -min less than -max"));
     }
     let compat = interp.host.follows(&[slips::MIN_MAX_STRAIN]);
-    Ok(Arc::new(MinMax::new(inner, min, max, compat)))
+    Ok(MinMax::new(inner, min, max, compat).shared())
 }
 
 fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -152,7 +152,7 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         let message = format!("no strain lies between {} and {}", p.limits.0, p.limits.1);
         return Err(a.refuse(message, "expected -min less than -max"));
     }
-    Ok(Arc::new(Fatigue::new(inner, p)))
+    Ok(Fatigue::new(inner, p).shared())
 }
 
 fn init_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -169,7 +169,7 @@ fn init_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
 
 fn begun(a: &Args<'_>, law: Result<InitialState, MaterialError>, label: &str) -> Result<Material, Exception> {
     match law {
-        Ok(law) => Ok(Arc::new(law)),
+        Ok(law) => Ok(law.shared()),
         Err(e) => Err(a.refuse(e.to_string(), label)),
     }
 }

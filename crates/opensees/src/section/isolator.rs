@@ -4,8 +4,8 @@ use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::section::{Bidirectional, Elliptical, Resultant, SharedSection, TwoSpringIsolator};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const BIDIRECTIONAL: Kind = Kind {
     names: &["Bidirectional"],
@@ -38,7 +38,7 @@ fn bidirectional(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Excepti
         return Err(a.refuse("the hardening is not greater than -E", "expected more"));
     }
     let resultants = resultants(a, [Resultant::Vy, Resultant::P])?;
-    Ok(Arc::new(Bidirectional { e, yield_force, isotropic, kinematic, resultants }))
+    Ok(Bidirectional { e, yield_force, isotropic, kinematic, resultants }.shared())
 }
 
 /// Two resultants by their names, or those of a section without names.
@@ -58,7 +58,7 @@ fn elliptical(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception>
     let isotropic = a.not_negative("isotropic hardening Hiso")?;
     let kinematic = [a.not_negative("kinematic hardening Hkin1")?, a.not_negative("kinematic hardening Hkin2")?];
     let resultants = resultants(a, [Resultant::Mz, Resultant::Vy])?;
-    Ok(Arc::new(Elliptical { e, yield_force, isotropic, kinematic, resultants }))
+    Ok(Elliptical { e, yield_force, isotropic, kinematic, resultants }.shared())
 }
 
 fn two_springs(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
@@ -73,5 +73,5 @@ fn two_springs(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
     let (kv, height) = (a.positive("vertical stiffness kvo")?, a.positive("height hb")?);
     let euler = a.positive("Euler load PE")?;
     let reference = a.optional_float("reference axial load Po")?.unwrap_or(0.0);
-    Ok(Arc::new(TwoSpringIsolator { tolerance, k1, strength, k2, kv, height, euler, reference }))
+    Ok(TwoSpringIsolator { tolerance, k1, strength, k2, kv, height, euler, reference }.shared())
 }

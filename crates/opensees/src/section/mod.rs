@@ -18,9 +18,9 @@ use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{
     Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
 };
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
-use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
     .defining(&[things::SECTION, things::PLATE], 2)
@@ -128,7 +128,7 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
         s.g = a.usually_positive(interp, "shear modulus G")?;
         s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
     }
-    Ok(Arc::new(Elastic::new(s, plane)))
+    Ok(Elastic::new(s, plane).shared())
 }
 
 /// Properties in the order of `section Elastic`, or each by its name; those of a plane frame are enough in the plane.
@@ -163,7 +163,7 @@ fn elastic_frame(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Ex
         return Err(a.refuse(format!("the {} is missing", MEANINGS[i]), format!("expected {}", NAMES[i])));
     }
     let [e, area, iz, iy, g, j, ..] = values.map(|v| v.unwrap_or(0.0));
-    Ok(Arc::new(Elastic::new(ElasticSection { e, area, iz, iy, g, j, shear: (values[6], values[7]) }, plane)))
+    Ok(Elastic::new(ElasticSection { e, area, iz, iy, g, j, shear: (values[6], values[7]) }, plane).shared())
 }
 
 /// The words of a fiber section before its body.
@@ -177,7 +177,7 @@ impl FiberOptions {
     /// Section of these fibers.
     pub(crate) fn section(&self, fibers: Vec<Fiber>) -> SharedSection {
         let bending = if self.space { FiberBending::Space(self.torsion.clone()) } else { FiberBending::Plane };
-        Arc::new(FiberSection::new(fibers, bending, self.origin))
+        FiberSection::new(fibers, bending, self.origin).shared()
     }
 }
 
@@ -195,7 +195,7 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
                         Diagnostic::warning(&checks::elements::NO_STIFFNESS, "the section has no torsional stiffness");
                     warn(interp, d.at(a.last_span(), "expected more than 0"))?;
                 }
-                let material: hysteron_engine::material::Material = Arc::new(ElasticMaterial::new(gj));
+                let material: hysteron_engine::material::Material = ElasticMaterial::new(gj).shared();
                 torsion = Some((material, 0));
             }
             "-torsion" => torsion = Some(a.of(&interp.host.builder.definitions.materials)?),
@@ -252,12 +252,12 @@ fn aggregator(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Excep
         return Err(a.refuse_at(span, "there is nothing to aggregate", "expected materials and their resultants"));
     }
     let made = Aggregator::new(base, additions).map_err(|e| a.refuse_at(span, e.0, ""))?;
-    Ok(Arc::new(made))
+    Ok(made.shared())
 }
 
 fn uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     let addition = (material, tag, resultant(a)?);
     let made = Aggregator::new(None, vec![addition]).map_err(|e| a.refuse(e.0, ""))?;
-    Ok(Arc::new(made))
+    Ok(made.shared())
 }

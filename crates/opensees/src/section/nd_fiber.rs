@@ -7,8 +7,8 @@ use crate::material::nd_material::{Family, family, form};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{NdMaterial, SharedMultiaxial};
 use hysteron_engine::section::{NdFiber, NdFiberSection, SharedSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const ND_FIBER: Kind = Kind {
     names: &["NDFiber"],
@@ -43,10 +43,10 @@ impl NdFiberOptions {
     pub(super) fn section(&self, fibers: &[ContinuumFiber]) -> SharedSection {
         if self.space {
             let fibers = laws(fibers, |material| material.beam.clone());
-            return Arc::new(NdFiberSection::<3>::new(fibers, self.alpha, self.origin));
+            return NdFiberSection::<3>::new(fibers, self.alpha, self.origin).shared();
         }
         let fibers = laws(fibers, |material| material.plane_beam.clone());
-        Arc::new(NdFiberSection::<2>::new(fibers, self.alpha, self.origin))
+        NdFiberSection::<2>::new(fibers, self.alpha, self.origin).shared()
     }
 }
 

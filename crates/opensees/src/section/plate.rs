@@ -5,8 +5,8 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::of_plates;
 use hysteron_engine::section::plate::{ElasticPlate, LayeredPlate, SharedPlateSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
-use std::sync::Arc;
 
 pub(super) const ELASTIC: Kind = Kind {
     names: &["ElasticMembranePlateSection", "ElasticPlateSection"],
@@ -35,7 +35,7 @@ fn elastic(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exceptio
     let thickness = a.positive("thickness h")?;
     let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
     let bending_ratio = if a.left() > 0 { a.positive("ratio of the modulus in bending")? } else { 1.0 };
-    Ok(Arc::new(ElasticPlate { e, nu, thickness, rho, bending_ratio }))
+    Ok(ElasticPlate { e, nu, thickness, rho, bending_ratio }.shared())
 }
 
 fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
@@ -45,7 +45,7 @@ fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exc
     if !gauss && a.left() > 0 {
         a.word("Lobatto or Gauss")?;
     }
-    Ok(Arc::new(LayeredPlate::uniform(&material, thickness, gauss)))
+    Ok(LayeredPlate::uniform(&material, thickness, gauss).shared())
 }
 
 fn layered(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
@@ -63,5 +63,5 @@ fn layered(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exc
             layers.push((of_plates(interp, a)?, a.not_negative("thickness h of a layer")?));
         }
     }
-    Ok(Arc::new(LayeredPlate::stacked(layers)))
+    Ok(LayeredPlate::stacked(layers).shared())
 }

@@ -5,9 +5,9 @@ use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::material::{Elastic, Material};
 use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 pub(super) const WIDE_FLANGE: Kind = Kind {
     names: &["WFSection2d", "WSection2d"],
@@ -47,7 +47,7 @@ fn strips(whole: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
 fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<SharedSection, Exception> {
     let mut torsion = None;
     if a.flag("-GJ") {
-        let law: Material = Arc::new(Elastic::new(a.not_negative("torsional rigidity GJ")?));
+        let law: Material = Elastic::new(a.not_negative("torsional rigidity GJ")?).shared();
         torsion = Some((law, 0));
     } else if a.flag("-torsion") {
         torsion = Some(material(interp, a)?);
@@ -57,7 +57,7 @@ fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<Sh
         warn_of_torsion(interp, a.last_span())?;
     }
     let bending = if space { FiberBending::Space(torsion) } else { FiberBending::Plane };
-    Ok(Arc::new(FiberSection::new(fibers, bending, false)))
+    Ok(FiberSection::new(fibers, bending, false).shared())
 }
 
 fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {

@@ -1,0 +1,16 @@
+//! Sections as a model holds them.
+
+use super::plate::{ElasticPlate, LayeredPlate, PlateFromPlaneStress, PlateRebar, PlateSection};
+use super::{
+    Aggregator, Axial, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection, Section, TwoSpringIsolator,
+};
+use crate::material::{LAYER, Multiaxial, Uniaxial};
+use crate::shared::shared;
+
+shared!(dyn Section:
+    Aggregator, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection<2>, NdFiberSection<3>,
+    TwoSpringIsolator,
+);
+shared!(dyn PlateSection: ElasticPlate, LayeredPlate);
+shared!(dyn Multiaxial<LAYER>: PlateFromPlaneStress, PlateRebar);
+shared!(dyn Uniaxial: Axial);
