@@ -27,6 +27,8 @@ mod every_bearing;
 mod every_kind;
 #[path = "laws/frame_materials.rs"]
 mod frame_materials;
+#[path = "laws/gallardo.rs"]
+mod gallardo;
 #[path = "laws/heated.rs"]
 mod heated;
 #[path = "laws/hinges.rs"]

@@ -110,6 +110,7 @@ pub const LAYERS: &[Layers] = &[
         modules: &[
             "numeric",
             "state_struct",
+            "shared",
             "bytes",
             "number_format",
             "probe",

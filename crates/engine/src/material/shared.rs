@@ -9,7 +9,7 @@ shared!(dyn Uniaxial:
     BilinearOilDamper, BondSp01, BondSp01<OpenSees>, BoucWen, Bwbn, Cast, Concrete01, Concrete01Sitc, Concrete02,
     Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD, ConcreteWBeta, ConfinedConcrete01,
     CoulombDamper, DoddRestrepo, Ecc01, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPower, ElasticPP,
-    ElasticPPGap, Fatigue, FrpConfinedConcrete02, Gng, Hardening, HdrRheology, HertzDamp, HookGap, HyperbolicGap,
+    ElasticPPGap, Fatigue, FrpConfinedConcrete02, GallardoShear, Gng, Hardening, HdrRheology, HertzDamp, HookGap, HyperbolicGap,
     HyperbolicGap<OpenSees>, Hysteretic, HystereticAsym, HystereticPoly, HystereticSm, HystereticSmooth, ImkBilin,
     ImkBilin<OpenSees>, ImkPeakOriented, ImkPeakOriented<OpenSees>, ImkPinching, ImkPinching<OpenSees>, Impact,
     InitialState, JankowskiImpact,

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
-use hysteron_engine::material::{HdrRheology, Material, Mullins, Softening};
+use hysteron_engine::material::{Decay, GallardoShear, HdrRheology, Material, Mullins, Softening};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -21,6 +21,12 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Mullins $tag $material $excess $strain <-power $p> <-heal $fraction $time> \
                 <-preload $strain>",
         make: mullins,
+    },
+    Kind {
+        names: &["HDR_mat"],
+        usage: "uniaxialMaterial HDR_mat $tag $a1 $a2 $a3 $fs1 $ps1 $fs2 $ps2 $fs3 $ps3 $fm $pm $ky $fy $beta $eta \
+                $phiMax $Pphi $h",
+        make: gallardo,
     },
 ];
 
@@ -257,4 +263,40 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         }
     }
     Ok(Mullins::new(inner, law).shared())
+}
+
+/// A factor and an exponent of a softening.
+fn decay(a: &mut Args<'_>, [factor, power]: [&str; 2]) -> Result<Decay, Exception> {
+    Ok(Decay { factor: a.not_negative(factor)?, power: a.positive(power)? })
+}
+
+fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let forces = [
+        a.not_negative("force a1 of the linear term")?,
+        a.not_negative("force a2 of the cubic term")?,
+        a.not_negative("force a3 of the fifth-order term")?,
+    ];
+    let softening = [
+        decay(a, ["factor fs1 of the softening", "exponent ps1"])?,
+        decay(a, ["factor fs2 of the softening of the cubic term", "exponent ps2"])?,
+        decay(a, ["factor fs3 of the softening of the fifth-order term", "exponent ps3"])?,
+    ];
+    let cycling = decay(a, ["factor fm of the softening by cycles", "exponent pm"])?;
+    let ky = a.positive("stiffness ky of the hysteretic part per strain")?;
+    let fy = a.positive("strength fy of the hysteretic part")?;
+    let beta = a.float("loop shape beta")?;
+    if !(0.5..=1.0).contains(&beta) {
+        return Err(a.refuse(format!("beta is {beta}"), "expected a number from 0.5 to 1"));
+    }
+    let eta = a.positive("exponent eta of the transition")?;
+    let phi_max = a.not_negative("largest temporary hardening phiMax")?;
+    if phi_max >= 0.5 {
+        return Err(a.refuse(
+            format!("phiMax is {phi_max}"),
+            "expected a number less than 0.5: the hysteretic force would not be bounded",
+        ));
+    }
+    let phi_rate = a.not_negative("rate Pphi of the temporary hardening")?;
+    let height = a.positive("thickness h of the rubber")?;
+    Ok(GallardoShear { a: forces, softening, cycling, ky, fy, beta, eta, phi_max, phi_rate, height }.shared())
 }

@@ -67,7 +67,7 @@ const UNTRANSLATED: &[(&str, &str)] = &[
 
 /// Commands, and kinds of materials and elements, that OpenSees does not have.
 const OWN_COMMANDS: &[&str] = &["amend", "pset", "motionFile", "columns", "figure", "ladder"];
-const OWN_KINDS: &[&str] = &["HDRRheology", "HDRRheologyBearing", "Mullins"];
+const OWN_KINDS: &[&str] = &["HDR_mat", "HDRRheology", "HDRRheologyBearing", "Mullins"];
 
 /// Share of the squared error of the repaired model that the difference of the translated script may have, and the
 /// difference that is accepted in any case, over the standard deviation of the recorded channel. Choices.
