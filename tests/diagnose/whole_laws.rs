@@ -113,3 +113,18 @@ fn concealed_rheology_is_a_whole_law() {
     let gain = o.verdict.explanation.split("the fit loses").nth(1).unwrap();
     assert!(gain.contains("without its overstress"), "{gain}");
 }
+
+/// Rubber that softens by its largest strain and by cycles: the law is found without a sensor at fault.
+#[test]
+fn concealed_softening_by_strain_and_cycles_is_a_whole_law() {
+    let truth =
+        "uniaxialMaterial HDR_mat 1 60.0 0.0 300.0 1.0 0.5 0.0 1.0 3.0 0.4 0.08 0.6 150.0 2.5 0.9 0.4 0.1 0.02 0.13";
+    let (d, floor) = diagnosed("softening-law", truth);
+    let o = &d.outcome;
+    assert_eq!(o.verdict.cause, "mullins_softening", "{:?}", o.verdict);
+    assert!(d.repaired_script.contains("HDR_mat 1 "), "{}", d.repaired_script);
+    let (before, after) = (o.baseline.holdout_nmse.unwrap(), o.corrected.holdout_nmse.unwrap());
+    assert!(after < 3.0 * floor && after < 0.3 * before, "{before} {after} {floor}");
+    let gain = o.verdict.explanation.split("the fit loses").nth(1).unwrap();
+    assert!(gain.contains("without its softening by the largest strain"), "{gain}");
+}

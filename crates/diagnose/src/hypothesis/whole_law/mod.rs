@@ -9,6 +9,7 @@
 
 mod friction_with_pressure;
 mod friction_with_speed;
+mod gallardo_shear;
 mod hdr_rheology;
 mod kikuchi_aiken_hdr;
 mod pinched_hysteretic;
@@ -33,7 +34,7 @@ struct WholeLaw {
     /// Their materials.
     materials: &'static [DeviceMaterial],
     /// Kind and further words of its command. `{tag}` is the tag, `{old}` the last word of a replaced command, `{axial}`
-    /// the axial force at rest, and parameters are `$::hy_name`.
+    /// the axial force at rest, `{deformation}` the largest deformation, and parameters are `$::hy_name`.
     command: &'static str,
     /// Parameters that are fitted together.
     parameters: &'static [LawParameter],
@@ -57,6 +58,8 @@ enum Replaces {
 
 /// Place of the axial force at rest in a command.
 const AXIAL: &str = "{axial}";
+/// Place of the largest deformation in a command.
+const DEFORMATION: &str = "{deformation}";
 
 /// Materials that stand for a rubber bearing in scripts.
 const LAWS_OF_RUBBER: &[&str] = &["Elastic", "Steel01", "Hardening", "BoucWen", "KikuchiAikenLRB"];
@@ -123,6 +126,7 @@ struct Phenomenon {
 const LAWS: &[&WholeLaw] = &[
     &kikuchi_aiken_hdr::SOFTENING,
     &kikuchi_aiken_hdr::STIFFENING,
+    &gallardo_shear::LAW,
     &hdr_rheology::LAW,
     &pinched_hysteretic::LAW,
     &friction_with_speed::LAW,
@@ -144,6 +148,8 @@ impl WholeLaw {
     /// The law at some commands of the script; `None` if it needs an axial force and there is none.
     fn proposal(&self, group: &MovingGroup<'_>, site: Site, axial: Option<f64>) -> Option<Proposal> {
         let edit = |e: TextEdit| -> Option<TextEdit> {
+            let text = e.text.replace(DEFORMATION, &format!("{:.6e}", group.deformation));
+            let e = TextEdit { text, ..e };
             if !e.text.contains(AXIAL) {
                 return Some(e);
             }
