@@ -64,6 +64,12 @@ pub struct JobOutcome {
     pub failure: String,
     /// Last time of the analysis.
     pub time: f64,
+    /// Length of the analysis in s.
+    #[serde(default)]
+    pub duration: f64,
+    /// Warnings of the script by place and check.
+    #[serde(default)]
+    pub warnings: Vec<(String, String)>,
     /// True if the script's own steps failed, and shorter ones with other algorithms were tried.
     pub retried: bool,
     /// Files that the script has read, with their hashes.

@@ -87,7 +87,11 @@ pub fn compare(a: &Value, b: &Value) -> Result<Comparison, String> {
     }
     let columns = [("table", ""), ("item", ""), ("quantity", ""), ("A", ""), ("B", ""), ("B/A", "")];
     let mut out = Comparison { table: Table::new(columns), same: 0 };
-    for name in ["code", "target", "weight", "gravity", "eccentricities", "response_modification"] {
+    let inputs = [a, b].map(|r| r["study"].as_object());
+    let mut names: Vec<&String> = inputs.iter().flatten().flat_map(|study| study.keys()).collect();
+    names.sort_unstable();
+    names.dedup();
+    for name in names.into_iter().filter(|n| TABLES.iter().all(|(table, _)| table != n)) {
         out.add("study", name, "", a["study"].get(name), b["study"].get(name));
     }
     for (name, columns) in TABLES {

@@ -36,6 +36,7 @@ pub fn html(study: &Study, outcomes: &[JobOutcome], review: &Review) -> String {
     structure(&mut out, study, outcomes, review);
     spectra(&mut out, study, outcomes);
     loops(&mut out, study, outcomes, review);
+    symbols(&mut out);
     open_matters(&mut out, outcomes, review);
     page::end(out)
 }
@@ -100,7 +101,7 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
         .map(|v| format!("{} of the {} bound by {}", v.quantity, v.bound, number(v.factor)))
         .collect();
     let counts = if study.motions.len() >= super::governing::mean_from(study) { "mean" } else { "largest" };
-    let suite = format!("{} pairs, {} analyses; the {counts} of the suite counts", study.motions.len(), outcomes.len());
+    let suite = format!("{} pairs, {} analyses; the {counts} response governs", study.motions.len(), outcomes.len());
     let count: usize = study.bearings.iter().map(|b| b.tags.len()).sum();
     let system = format!("{count} bearings under {} {}", number(study.weight), study.units[0]);
     page::summary(
@@ -355,6 +356,31 @@ fn loops(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Revi
     }
     *out += "<h2>Loops and orbits of the governing type of bearing</h2>\n";
     side_by_side(out, &figures);
+}
+
+/// Meaning of the symbols of the page.
+const SYMBOLS: [(&str, &str); 12] = [
+    (
+        "D_M, T_M, k_M, β_M, B_M",
+        "displacement, effective period, stiffness, damping and damping coefficient of the procedure",
+    ),
+    ("T_fb", "longest period of the structure on a fixed base"),
+    ("V_b, V_st, V_s", "shear below the bearings, unreduced shear above them, design shear above them"),
+    ("R_I", "reduction of the forces above the bearings"),
+    ("k of the heights", "exponent of the heights in the distribution of V_s to the floors"),
+    ("D, D design", "displacement of a bearing in the suite, and scaled to the least value of the code"),
+    ("D_TM plan", "D_M times the torsional ratio of the bearing's place in the plan"),
+    ("D, L, Q_E", "in loads: dead load, live load, change of the axial force under the motion"),
+    ("P, P_cr", "axial force, compression positive; critical load with the overlapping area at the displacement"),
+    ("Q_d, K_d, K_eff", "strength at zero displacement, stiffness after yielding, secant stiffness"),
+    ("λ", "factor of a bound on Q_d or K_d"),
+    ("S_MS, S_M1", "spectral accelerations of the target at short periods and at 1 s, in g"),
+];
+
+fn symbols(out: &mut String) {
+    *out += "<h2>Symbols</h2>\n<div class=\"wide\">";
+    page::table(out, &["symbol", "meaning"], SYMBOLS.iter().map(|(a, b)| vec![(*a).to_owned(), (*b).to_owned()]));
+    *out += "</div>\n";
 }
 
 /// What was not checked, analyses that failed, places for signatures.
