@@ -95,9 +95,9 @@ proc rectangular {tag b h bars} {
         layer straight 13 2 [expr {0.25*$bars}] [expr {-$yc}] [expr {-$zc}] [expr {-$yc}] $zc
     }
 }
-rectangular 1 0.80 0.80 0.0160 ;# columns of storeys 1 to 4
-rectangular 2 0.70 0.70 0.0120 ;# columns of storeys 5 to 8
-rectangular 3 0.45 0.75 0.0070 ;# beams
+rectangular 1 0.65 0.65 0.0110 ;# columns of storeys 1 to 4
+rectangular 2 0.55 0.55 0.0080 ;# columns of storeys 5 to 8
+rectangular 3 0.40 0.65 0.0050 ;# beams
 
 # ---------------------------------------------------------------- members
 geomTransf PDelta 1

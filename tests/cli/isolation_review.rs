@@ -420,8 +420,7 @@ fn percentiles_by_hand(folder: &std::path::Path) {
     let draws = cells("draws.csv");
     // The head has Q,LRB and K,LRB in quotes, so that places are counted from the end.
     let from_end = draws[0].iter().rev().position(|h| h.starts_with("LRB: displacement")).unwrap();
-    let mut values: Vec<f64> =
-        draws[1..].iter().map(|row| row[row.len() - 1 - from_end].parse().unwrap()).collect();
+    let mut values: Vec<f64> = draws[1..].iter().map(|row| row[row.len() - 1 - from_end].parse().unwrap()).collect();
     values.sort_by(f64::total_cmp);
     assert_eq!(values.len(), 5);
     let rows = cells("percentiles.csv");

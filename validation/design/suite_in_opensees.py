@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """The shipped isolation studies in the real OpenSees, peak by peak.
 
-    validation/design/suite_in_opensees.py [--hysteron PROGRAM] [--opensees COMMAND] [--jobs N] [--study NAME] [--write]
+    validation/design/suite_in_opensees.py [--hysteron PROGRAM] [--opensees COMMAND] [--jobs N] [--study NAME] [--bound NAME] [--work DIR] [--write]
 
 `hysteron isolate --scripts` writes a script for each analysis. Each runs in OpenSees with recorders of bearings and floors, and in
 `hysteron run --compat opensees`. Peaks of both are compared with OpenSees': bearings, shear of all bearings, storey drifts, floor
-accelerations. Where OpenSees' Newton iteration fails, all three run once more with steps of 1/2, then of 1/4. --write renews
+accelerations. Where OpenSees' Newton iteration fails, all three run once more with steps of 1/2, then of 1/4. With --work the
+results of `isolate` are kept in DIR, and those that are current are used again. --write renews
 suite_in_opensees.csv (bearings) and suite_in_opensees.md (largest differences of each analysis). COMMAND runs a Tcl script; the
 default is `benches/peer.py run`, which installs openseespy.
 """
@@ -23,6 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ["isolation_study", "eight_storey_study", "bridge_study"]
+BOUNDS = ["lower", "nominal", "upper"]
 NAMES = ["D", "V", "P max", "P min", "V base", "drift", "acceleration"]
 # Recorders before the first step of a transient analysis, whose steps are divided.
 RECORD = """
@@ -152,16 +154,18 @@ def ends_of_bearings(args, script, tags, work):
 
 
 def study(args, name):
-    with tempfile.TemporaryDirectory() as work:
+    with tempfile.TemporaryDirectory() as scratch:
+        work = args.work / name if args.work else Path(scratch)
+        work.mkdir(parents=True, exist_ok=True)
         toml = ROOT / "tcl-like-inputs" / name / "study.toml"
-        command = [args.hysteron, "isolate", str(toml), "--out", f"{work}/out", "--scripts", f"{work}/scripts"]
+        command = [args.hysteron, "isolate", str(toml), "--resume", "--out", f"{work}/out", "--scripts", f"{work}/scripts"]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(done.stderr)
-        print(name, done.stderr.strip().splitlines()[-1], flush=True)
-        scripts = sorted(Path(f"{work}/scripts").glob("*.tcl"))
+        print(name, *done.stderr.strip().splitlines()[-1:], flush=True)
+        scripts = sorted(s for s in (work / "scripts").glob("*.tcl") if s.stem.split("_")[0] in args.bound)
         outcomes = [json.loads(Path(f"{work}/out/analyses/{s.stem}.json").read_text()) for s in scripts]
-        nodes = ends_of_bearings(args, scripts[0], [b["tag"] for b in outcomes[0]["bearings"]], work)
+        nodes = ends_of_bearings(args, scripts[0], [b["tag"] for b in outcomes[0]["bearings"]], scratch)
         stated = tomllib.loads(toml.read_text())
         floors = {"nodes": [(f["node"], f.get("height", 0.0)) for f in stated.get("floor", [])], "gravity": stated["gravity"]}
         with ThreadPoolExecutor(args.jobs) as pool:
@@ -197,7 +201,10 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--study", action="append", choices=STUDIES)
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--bound", action="append", choices=BOUNDS)
+    parser.add_argument("--work", type=Path)
     args = parser.parse_args()
+    args.bound = args.bound or BOUNDS
     results = [row for name in args.study or STUDIES for row in study(args, name)]
     if args.write:
         written(Path(__file__), results)

@@ -105,6 +105,7 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
     let mut model = ScriptModel::new(study, "nominal", 0, stop)?;
     heights(study, stated, &model)?;
     plan(study, stated, &model)?;
+    plausibility::upside_down(study, stated, &model)?;
     weights(study, stated, &model)?;
     plausibility::compare(study, stated, &model)?;
     unit_labels::compare(study, &stated.file, &mut model)?;
@@ -177,6 +178,8 @@ fn plan(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(),
                 plan[k] / grid[k]
             ));
         }
+    }
+    for (k, axis) in ["x", "y"].into_iter().enumerate() {
         if grid[k] > 0.0 && plan[k] > PLAN * grid[k] {
             return Err(format!(
                 "{}: plan = {plan:?} is far larger than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}, expected \

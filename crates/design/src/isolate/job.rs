@@ -15,6 +15,7 @@ use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{OsFiles, OverlayFiles, Silent, Value};
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -357,7 +358,7 @@ fn warnings(run: &Run) -> Vec<(String, String)> {
         let place = d.span.map_or_else(String::new, |s| format!("{}: ", run.interp.sources.location(s)));
         (format!("{place}{}", d.code()), format!("{place}{} [{}]", d.message, d.code()))
     };
-    run.interp.warnings.iter().map(of).collect()
+    run.interp.warnings.iter().map(of).collect::<BTreeMap<_, _>>().into_iter().collect()
 }
 
 fn measure_floors(

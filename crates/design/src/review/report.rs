@@ -14,7 +14,8 @@ use hysteron_opensees::chart::{Curve, Figure, Mark, sheet};
 const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;height:auto}\
     .wide{overflow-x:auto}.wide td,.wide th{padding:.15em .5em;font-size:.85em}h2{margin-top:1.2em}\
     .sign{display:grid;grid-template-columns:1fr 1fr 1fr;gap:2em;margin-top:3em}.sign div{border-top:1px solid #222}\
-    @media screen and (max-width:600px){.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
+    @media screen and (max-width:600px){.wide table{width:max-content;min-width:100%;max-width:none}.wide td,.wide th{overflow-wrap:normal;max-width:9.5em;padding:.15em .3em}\
+    .checks td:first-child{max-width:6.5em}.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
     @media print{.two{grid-template-columns:1fr 1fr}.wide{overflow:visible}.wide td,.wide th{font-size:.72em;padding:.1em .25em}.new{break-before:page}h2{margin-top:.8em}}</style>\n";
 /// Bearings in the schedule of the page; the file has all.
 const MAX_BEARINGS: usize = 40;
