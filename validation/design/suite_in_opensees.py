@@ -39,12 +39,15 @@ proc analyze {args} {
             recorder Node -file %(work)s/$tag.upper -node $upper -dof {*}$dofs disp
             recorder Element -file %(work)s/$tag.force -ele $tag globalForce
         }
+        set start [open %(work)s/start w]
         foreach node {%(floors)s} {
+            puts $start [nodeDisp $node]
             set dofs [expr {[llength [nodeCoord $node]] == 3 ? {1 2} : {1}}]
             recorder Node -file %(work)s/$node.disp -time -node $node -dof {*}$dofs disp
             recorder Node -file %(work)s/$node.accel -time -node $node -dof {*}$dofs accel
         }
     }
+    if {[info exists start]} { close $start }
     lassign $args n dt
     return [plain_analyze [expr {$n*%(parts)d}] [expr {double($dt)/%(parts)d}]]
 }
@@ -77,7 +80,8 @@ def ground(script):
 
 
 def floor_peaks(folder, script, floors, gravity):
-    """Largest storey drift ratios and absolute floor accelerations in g, in either direction."""
+    """Largest storey drift ratios from the state under gravity and absolute floor accelerations in g, in either direction."""
+    start = rows(f"{folder}/start")
     disp, accel = ([rows(f"{folder}/{node}.{what}") for node, _ in floors] for what in ("disp", "accel"))
     dt, motion = ground(script)
     at = lambda a, x: a[int(x)] + (a[int(x) + 1] - a[int(x)]) * (x - int(x)) if int(x) + 1 < len(a) else 0.0
@@ -88,7 +92,8 @@ def floor_peaks(folder, script, floors, gravity):
         tops.append(max(absolute) / gravity)
         if k:
             pairs = zip(disp[k], disp[k - 1])
-            drifts.append(max(abs(a[1 + d] - b[1 + d]) for a, b in pairs for d in range(width)) / height)
+            before = [start[k][d] - start[k - 1][d] for d in range(width)]
+            drifts.append(max(abs(a[1 + d] - b[1 + d] - before[d]) for a, b in pairs for d in range(width)) / height)
     return drifts, tops
 
 

@@ -322,7 +322,6 @@ fn bearing(
         // Without any overlap there is no load that it carries; a number keeps the file readable.
         (0..n).map(ratio).fold(0.0, f64::max).min(1e9)
     });
-    let second = if u.len() > 1 { &u[1] } else { &u[0] };
     BearingOutcome {
         tag,
         height: None,
@@ -338,7 +337,7 @@ fn bearing(
         energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
         stability,
         hysteresis: thinned(&u[0], &f[0]),
-        orbit: thinned(&u[0], second),
+        orbit: u.get(1).map_or(vec![], |second| thinned(&u[0], second)),
     }
 }
 

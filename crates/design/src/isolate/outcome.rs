@@ -32,7 +32,7 @@ pub struct BearingOutcome {
     pub stability: Option<f64>,
     /// Displacements and forces in the first direction, thinned, of the bearing of a type that moves farthest.
     pub hysteresis: Vec<[f64; 2]>,
-    /// Orbit, thinned, of such a bearing.
+    /// Orbit, thinned, of such a bearing; empty in a plane.
     pub orbit: Vec<[f64; 2]>,
 }
 

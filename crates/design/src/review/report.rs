@@ -11,11 +11,11 @@ use hysteron_identify::report::{Cell, Table};
 use hysteron_opensees::chart::{Curve, Figure, Mark, sheet};
 
 /// Drawings stand side by side where there is room; wide tables scroll on a small screen.
-const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;height:auto}\
+const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;max-width:560px;height:auto}\
     .wide{overflow-x:auto}.wide td,.wide th{padding:.15em .5em;font-size:.85em}h2{margin-top:1.2em}\
     .sign{display:grid;grid-template-columns:1fr 1fr 1fr;gap:2em;margin-top:3em}.sign div{border-top:1px solid #222}\
     @media screen and (max-width:600px){.wide table{width:max-content;min-width:100%;max-width:none}.wide td,.wide th{overflow-wrap:normal;max-width:9.5em;padding:.15em .3em}\
-    .checks td:first-child{max-width:6.5em}.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
+    .checks td,.checks th{font-size:.78em}.checks td:first-child{max-width:7em}.checks td:nth-child(6){max-width:4.8em}.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
     @media print{.two{grid-template-columns:1fr 1fr}.wide{overflow:visible}.wide td,.wide th{font-size:.72em;padding:.1em .25em}.new{break-before:page}h2{margin-top:.8em}}</style>\n";
 /// Bearings in the schedule of the page; the file has all.
 const MAX_BEARINGS: usize = 40;
@@ -89,7 +89,8 @@ fn worst(checks: &[Check]) -> Vec<Check> {
 /// First page: what governs, design values, checks.
 fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Review) {
     let worst = worst(&review.checks);
-    let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status));
+    // Motions that are missing say nothing about the structure.
+    let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status) && !c.is_of_suite);
     let governs = governs.map_or("no check has a limit".to_owned(), |c| {
         let clause = if c.citation.clause.is_empty() { String::new() } else { format!(" ({})", c.citation.clause) };
         let ratio = if c.ratio.is_finite() { format!(", ratio {}", number(c.ratio)) } else { String::new() };
@@ -353,7 +354,9 @@ fn loops(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Revi
             ..Figure::default()
         };
         figures.push(figure(y, &b.hysteresis, false));
-        figures.push(figure(page::labelled("u_y", length), &b.orbit, true));
+        if !b.orbit.is_empty() {
+            figures.push(figure(page::labelled("u_y", length), &b.orbit, true));
+        }
     }
     *out += "<h2>Loops and orbits of the governing type of bearing</h2>\n";
     side_by_side(out, &figures);
