@@ -23,6 +23,8 @@ mod formats;
 mod guard;
 #[path = "cli/isolation.rs"]
 mod isolation;
+#[path = "cli/isolation_contradictions.rs"]
+mod isolation_contradictions;
 #[path = "cli/isolation_review.rs"]
 mod isolation_review;
 #[path = "cli/kikuchi.rs"]

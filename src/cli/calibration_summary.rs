@@ -69,11 +69,12 @@ pub(super) fn summary(result: &CalibrationResult, dir: &Path) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
-        "{title}: objective {}, {} evaluations ({}), {:.1} s",
+        "{title}: objective {}, {} evaluations ({}), {:.1} s, {:.0} a second",
         significant(result.objective, 4),
         result.search.evaluations(),
         result.search.stopped_because().words(),
-        result.wall_time
+        result.wall_time,
+        result.search.evaluations() as f64 / result.wall_time.max(1.0e-9)
     );
     runs(&mut out, result);
     parameters(&mut out, result);

@@ -7,7 +7,7 @@ use super::signals::on_interrupt;
 use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::check::check_table;
-use hysteron::design::isolate::{self, Properties, Study, script_text};
+use hysteron::design::isolate::{self, Job, JobOutcome, Properties, Study, script_text};
 use hysteron::design::review;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -77,11 +77,16 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
         if args.json {
             return (format!("{}\n", table.json()), 0);
         }
-        let remarks: String = study.agreement.remarks.iter().map(|r| format!("warning: {r}\n")).collect();
         let jobs = isolate::jobs(&study).len();
-        (format!("{}\n{remarks}{}: {jobs} analyses\n", table.text(), args.model), 0)
+        (format!("{}\n{}: {jobs} analyses\n", table.text(), args.model), 0)
     });
     finish(result, &stop)
+}
+
+/// The outcome of an analysis of a suite, unless it is no result of its motion.
+fn believed(study: &Study, job: &Job, outcome: JobOutcome) -> Result<JobOutcome, String> {
+    let doubt = isolate::runaway(study, &outcome).or_else(|| isolate::cut_short(study, job, &outcome));
+    doubt.map_or(Ok(outcome), Err)
 }
 
 /// Type of bearing and properties of `NAME=FILE`, or of `NAME=FILE;q_d=FORMULA;k_d=FORMULA`.
@@ -99,16 +104,22 @@ fn properties(text: &str) -> Result<(String, Properties), String> {
     Ok((name.to_owned(), properties))
 }
 
+/// Write a script for each analysis where they are asked for.
+fn write_scripts(a: &IsolateArgs, study: &Study, all: &[Job]) -> Result<(), String> {
+    let Some(folder) = &a.scripts else { return Ok(()) };
+    make_folder(folder)?;
+    let write = |job: &Job| write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(study, job));
+    all.iter().try_for_each(write)
+}
+
 /// Analyses of draws of the properties.
 fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
     let properties = a.posterior.iter().map(|text| properties(text)).collect::<Result<Vec<_>, _>>()?;
     study.draw(&properties, a.draws as usize)?;
     let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
     let all = isolate::draw_jobs(study);
-    let outcomes = jobs.all(&all, all.len(), |job| {
-        let outcome = jobs.one(job)?;
-        isolate::runaway(study, &outcome).map_or(Ok(outcome), Err)
-    })?;
+    write_scripts(a, study, &all)?;
+    let outcomes = jobs.all(&all, all.len(), |job| believed(study, job, jobs.one(job)?))?;
     let [percentiles, draws] = review::draw_tables(study, &outcomes);
     write_atomically(&a.out.join("percentiles.csv"), &percentiles.csv())?;
     write_atomically(&a.out.join("draws.csv"), &draws.csv())?;
@@ -130,16 +141,8 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), Strin
     }
     let jobs = StudyJobs::new(&a.jobs, &study, &a.out, stop)?;
     let all = isolate::jobs(&study);
-    if let Some(folder) = &a.scripts {
-        make_folder(folder)?;
-        for job in &all {
-            write_atomically(&folder.join(format!("{}.tcl", job.name())), &script_text(&study, job))?;
-        }
-    }
-    let outcomes = jobs.all(&all, all.len(), |job| {
-        let outcome = jobs.one(job)?;
-        isolate::runaway(&study, &outcome).map_or(Ok(outcome), Err)
-    })?;
+    write_scripts(a, &study, &all)?;
+    let outcomes = jobs.all(&all, all.len(), |job| believed(&study, job, jobs.one(job)?))?;
     let results = review::review(&study, &outcomes, periods);
     for (name, text) in review::files(&study, &outcomes, &results) {
         write_atomically(&a.out.join(name), &text)?;

@@ -25,6 +25,7 @@ mod limits;
 mod loops;
 mod messages;
 mod motions;
+mod pace;
 mod preflight;
 mod progress;
 mod prototype;

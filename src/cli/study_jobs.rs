@@ -2,16 +2,18 @@
 
 use super::files::{lock_folder, make_inner_folder, write_atomically};
 use super::limits::LimitArgs;
+use super::pace::Pace;
 use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::design::isolate::{self, Job, JobOutcome, Study, is_current, run_job};
 use hysteron::study::WorkerPool;
 use hysteron_files::FolderLock;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::collections::BTreeMap;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 /// Options of commands that run the analyses of a study.
 #[derive(Args, Debug)]
@@ -34,7 +36,7 @@ pub(super) struct StudyJobsArgs {
 /// Read a study and settle it with its script, and say what is to be said about its motions.
 pub(super) fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
     let study = isolate::load(path, stop)?;
-    study.notes.iter().for_each(|note| eprintln!("warning: {note}"));
+    study.notes.iter().chain(&study.agreement.remarks).for_each(|note| eprintln!("warning: {note}"));
     Ok(study)
 }
 
@@ -56,6 +58,12 @@ pub(super) struct StudyJobs<'a> {
     stop: Arc<AtomicBool>,
     pool: WorkerPool,
     bar: Option<ProgressBar>,
+    pace: Pace,
+    /// Analyses that were made, and those that were kept.
+    made: AtomicUsize,
+    kept: AtomicUsize,
+    /// Warnings of the script by place and check, with the number of their analyses.
+    warnings: Mutex<BTreeMap<String, (String, usize)>>,
     /// No other run writes into the folder of the results.
     _lock: FolderLock,
 }
@@ -69,14 +77,28 @@ impl<'a> StudyJobs<'a> {
         let (lock, folder) = (lock_folder(out)?, out.join("analyses"));
         make_inner_folder(&folder)?;
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
+        let threads = a.threads.unwrap_or(cores).max(1);
+        let pool = WorkerPool::new(threads).map_err(|e| e.to_string())?;
         let bar = std::io::stderr().is_terminal().then(|| {
             let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
             let style =
                 ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} analyses, left {eta}");
             style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
         });
-        Ok(Self { study, folder, resume: a.resume, stop: stop.clone(), pool, bar, _lock: lock })
+        let (made, kept) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        Ok(Self {
+            study,
+            folder,
+            resume: a.resume,
+            stop: stop.clone(),
+            pool,
+            bar,
+            pace: Pace::begin(threads),
+            made,
+            kept,
+            warnings: Mutex::default(),
+            _lock: lock,
+        })
     }
 
     /// An analysis that has been made before for the same study.
@@ -94,7 +116,10 @@ impl<'a> StudyJobs<'a> {
         let path = self.folder.join(format!("{}.json", job.name()));
         let earlier = self.resume.then(|| self.earlier(&path)).flatten();
         let outcome = match earlier {
-            Some(outcome) => outcome,
+            Some(outcome) => {
+                self.kept.fetch_add(1, Ordering::Relaxed);
+                outcome
+            }
             None if self.stop.load(Ordering::Relaxed) => return Err(STOPPED.into()),
             None => {
                 let outcome = run_job(self.study, job, &self.stop);
@@ -103,9 +128,11 @@ impl<'a> StudyJobs<'a> {
                 }
                 let text = serde_json::to_string(&outcome).map_err(|e| e.to_string())?;
                 write_atomically(&path, &text)?;
+                self.made.fetch_add(1, Ordering::Relaxed);
                 outcome
             }
         };
+        self.note(&outcome);
         if let Some(bar) = &self.bar {
             bar.inc(1);
         }
@@ -114,6 +141,19 @@ impl<'a> StudyJobs<'a> {
             return Err(outcome.failure);
         }
         Ok(outcome)
+    }
+
+    /// Keep the warnings of an analysis. Of different numbers in one warning those of the first text count, in any order of
+    /// the threads.
+    fn note(&self, outcome: &JobOutcome) {
+        let Ok(mut all) = self.warnings.lock() else { return };
+        for (key, text) in &outcome.warnings {
+            let entry = all.entry(key.clone()).or_insert_with(|| (text.clone(), 0));
+            entry.1 += 1;
+            if *text < entry.0 {
+                entry.0.clone_from(text);
+            }
+        }
     }
 
     /// Do tasks of about `analyses` analyses on all threads; results in their order.
@@ -136,6 +176,11 @@ impl<'a> StudyJobs<'a> {
         if self.stop.load(Ordering::Relaxed) {
             return Err("interrupted: go on with --resume".into());
         }
+        let [made, kept] = [&self.made, &self.kept].map(|n| n.load(Ordering::Relaxed));
+        if let Ok(all) = self.warnings.lock() {
+            all.values().for_each(|(text, n)| eprintln!("warning: {text}, in {n} of {} analyses", made + kept));
+        }
+        self.pace.report(made, kept, "analyses");
         done.into_iter().map(|r| r.unwrap_or_else(|| Err("a defect of this program".into()))).collect()
     }
 }

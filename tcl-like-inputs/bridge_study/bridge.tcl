@@ -29,7 +29,7 @@ set bearing 0.3
 set eccentric 1.0 ;# deck axis above the bearings
 set seat [expr {$low + $pier}]
 set deck [expr {$seat + $bearing + $eccentric}]
-set half 2.5 ;# half of the distance of two bearings
+set half 4.0 ;# half of the distance of two bearings
 
 # ---------------------------------------------------------------- deck: nodes every 10 m, 14 t/m
 set perMeter 14.0

@@ -5,7 +5,8 @@
 
 Without reports it makes those of a calibration, of a diagnosis and of driven bearings. Of each page it is asked, as the browser lays it out: nothing is fetched from elsewhere;
 the first sentence comes before the first picture; no letters lie over each other or outside their picture; letters are no smaller than 9 px, on
-paper too; axes have names, and units where they have any; curves of a chart with several have a legend; nothing is wider than the page. DIR gets a picture of each page and what it prints as.
+paper too; axes have names, and units where they have any; curves of a chart with several have a legend; nothing is wider than the page,
+also on a phone of 390 px; it prints on ten pages at most. DIR gets pictures of each page and what it prints as.
 Python 3.9 and Chromium; exit status 1 where something is wrong.
 """
 import argparse
@@ -19,6 +20,9 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+# Width of a phone in px, and pages of paper at most.
+PHONE = 390
+MOST_PAGES = 10
 
 # Runs in the page. Letters touch where their boxes, less a little, have a common part.
 LOOK = r"""
@@ -47,13 +51,15 @@ addEventListener("load", () => {
     if (!svg.querySelector("polyline, circle, rect")) wrong.push(`${where}: nothing is drawn`);
   }
   const width = document.documentElement.clientWidth;
+  // What scrolls by itself may be wider than the page.
+  const scrolls = e => e && (getComputedStyle(e).overflowX === "auto" ? shown(e).right <= width + 1 : scrolls(e.parentElement));
   for (const e of document.querySelectorAll("table, svg, p, h1, h2, pre"))
-    if (shown(e).right > width + 1) wrong.push(`${e.tagName} ${name(e)} is wider than the page`);
+    if (shown(e).right > width + 1 && !scrolls(e.parentElement)) wrong.push(`${e.tagName} ${name(e)} is wider than the page`);
   for (const e of document.querySelectorAll("[src], link, a[href^=http]")) wrong.push(`${e.tagName} is fetched from elsewhere`);
   const first = document.querySelector("p"), picture = document.querySelector("svg");
   if (first && picture && first.compareDocumentPosition(picture) & 2) wrong.push("a picture comes before the first sentence");
   const pictures = document.querySelectorAll("svg").length;
-  document.documentElement.innerHTML = "<pre id=found>" + JSON.stringify({wrong, pictures, height: document.body.scrollHeight}) + "</pre>";
+  parent.document.documentElement.innerHTML = "<pre id=found>" + JSON.stringify({wrong, pictures, height: document.body.scrollHeight}) + "</pre>";
 });
 </script>
 """
@@ -73,8 +79,11 @@ def look(browser, page, out):
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "page.html"
         copy.write_text(text.replace("</body>", LOOK + "</body>"))
-        for medium, width in (("screen", 1100), ("paper", 720)):
-            dom = browse(browser, f"--window-size={width},1000", "--virtual-time-budget=5000", "--dump-dom", copy.as_uri())
+        # A browser without a head has no window as narrow as a phone: the page stands in a frame there.
+        frame = Path(folder) / "frame.html"
+        frame.write_text(f'<body style="margin:0"><iframe width={PHONE} height=1000 style="border:0" srcdoc="{html.escape(copy.read_text())}"></iframe>')
+        for medium, width, shown in (("screen", 1100, copy), ("paper", 720, copy), ("phone", 600, frame)):
+            dom = browse(browser, f"--window-size={width},1000", "--virtual-time-budget=5000", "--dump-dom", shown.as_uri())
             found = re.search(r'<pre id="?found"?>(.*?)</pre>', dom, re.S)
             if not found:
                 wrong.append(f"{medium}: the browser shows nothing")
@@ -82,12 +91,20 @@ def look(browser, page, out):
             found = json.loads(html.unescape(found[1]))
             pictures = found["pictures"]
             wrong += [f"{medium}: {w}" for w in found["wrong"]]
-    stem = f"{page.parent.name}-{page.stem}"
+        frame.write_text(
+            f'<body style="margin:0"><iframe width={PHONE} height=12000 style="border:0" srcdoc="{html.escape(text)}"></iframe>'
+        )
+        stem = f"{page.parent.name}-{page.stem}"
+        browse(browser, f"--screenshot={out / stem}-phone.png", "--window-size=500,12000", frame.as_uri())
     browse(browser, f"--screenshot={out / stem}.png", "--window-size=1100,3200", page.resolve().as_uri())
     browse(browser, f"--print-to-pdf={out / stem}.pdf", "--no-pdf-header-footer", page.resolve().as_uri())
     printed = out / f"{stem}.pdf"
     if not printed.exists() or printed.stat().st_size < 2000:
         wrong.append("it cannot be printed")
+        return pictures, wrong
+    pages = len(re.findall(rb"/Type\s*/Page\b", printed.read_bytes()))
+    if pages > MOST_PAGES:
+        wrong.append(f"it prints on {pages} pages, more than {MOST_PAGES}")
     return pictures, wrong
 
 

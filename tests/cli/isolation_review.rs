@@ -375,6 +375,7 @@ fn draws_of_the_properties_give_percentiles() {
         let [one, two] = ["1", "2"].map(|t| fs::read_to_string(place.0.join(t).join(file)).unwrap());
         assert!(one == two && one.lines().count() > 4, "{file}: {one}");
     }
+    percentiles_by_hand(&place.0.join("1"));
     place.write(
         "none.json",
         "{\"median\": [1.0, 1.0], \"dispersion\": [0.0, 0.0], \"correlation\": 0.0, \"cycles\": 3}",
@@ -408,6 +409,27 @@ fn draws_of_the_properties_give_percentiles() {
     assert!(status == Some(2) && said.contains("a ratio of 11"), "{said}");
     let (status, _, said) = place.run(&["isolate", "study.toml", "--posterior", "LRX=p.json"]);
     assert!(status == Some(2) && said.contains("did you mean LRB"), "{said}");
+}
+
+/// Percentiles of the five draws, linear between their ranks.
+fn percentiles_by_hand(folder: &std::path::Path) {
+    let cells = |file: &str| -> Vec<Vec<String>> {
+        let text = fs::read_to_string(folder.join(file)).unwrap();
+        text.lines().map(|l| l.split(',').map(str::to_owned).collect()).collect()
+    };
+    let draws = cells("draws.csv");
+    // The head has Q,LRB and K,LRB in quotes, so that places are counted from the end.
+    let from_end = draws[0].iter().rev().position(|h| h.starts_with("LRB: displacement")).unwrap();
+    let mut values: Vec<f64> = draws[1..].iter().map(|row| row[row.len() - 1 - from_end].parse().unwrap()).collect();
+    values.sort_by(f64::total_cmp);
+    assert_eq!(values.len(), 5);
+    let rows = cells("percentiles.csv");
+    let row = rows.iter().find(|r| r[0] == "LRB: displacement").unwrap();
+    for (place, share) in [0.05, 0.16, 0.5, 0.84, 0.95].into_iter().enumerate() {
+        let (rank, part) = ((4.0_f64 * share).floor() as usize, (4.0_f64 * share).fract());
+        let by_hand = values[rank] + part * (values[rank + 1] - values[rank]);
+        near(row[2 + place].parse().unwrap(), by_hand);
+    }
 }
 
 /// Piers that are softer across a bridge than along it: the direction with the larger displacement counts, and one number stands for

@@ -62,6 +62,8 @@ pub struct Check {
     pub ratio: f64,
     /// Result.
     pub status: Status,
+    /// It is about the suite of motions, and not about the structure.
+    pub is_of_suite: bool,
 }
 
 impl Check {
@@ -72,7 +74,7 @@ impl Check {
             (_, true) => Status::Met,
             (_, false) => Status::NotMet,
         };
-        Self { subject, citation, demand, limit, ratio, status }
+        Self { subject, citation, demand, limit, ratio, status, is_of_suite: false }
     }
 
     /// A demand that may not exceed a limit.
@@ -95,6 +97,12 @@ impl Check {
     /// A value that may not fall below a number of a rule; not checked if the code has none.
     pub fn least_of(code: &Code, rule: &str, subject: impl Into<String>, value: f64) -> Self {
         Self::at_least(subject, Citation::of(code, rule), value, code.value(rule, "least").unwrap_or(f64::NAN))
+    }
+
+    /// The same check as one about the suite of motions.
+    #[must_use]
+    pub fn of_suite(self) -> Self {
+        Self { is_of_suite: true, ..self }
     }
 
     /// The same check with another result where it is not met.

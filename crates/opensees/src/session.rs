@@ -86,6 +86,12 @@ pub struct ModelBuilder {
 }
 
 impl ModelBuilder {
+    /// Tags of the uniaxial materials that elements take themselves. Other materials are those of sections and wrappers.
+    pub fn materials_of_elements(&self) -> BTreeSet<Tag> {
+        let kind = self.definitions.materials.kind;
+        self.made_of.values().flatten().filter(|(k, _)| *k == kind).map(|(_, tag)| *tag).collect()
+    }
+
     /// The state after `wipe`: tags of constraints go on.
     fn wiped(&mut self) -> Self {
         let former = if self.ndm > 0 { Some((self.ndm, self.ndf)) } else { self.former };

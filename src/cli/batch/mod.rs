@@ -5,9 +5,10 @@ mod jobs;
 use super::calibrate::{FAILURE, INPUT_ERROR};
 use super::files::{make_folder, make_inner_folder, write_atomically};
 use super::limits::LimitArgs;
+use super::pace::Pace;
 use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
-use hysteron::design::batch::{Case, Plan, load, run_case, table};
+use hysteron::design::batch::{Case, Plan, is_complete, load, run_case, table};
 use hysteron::study::WorkerPool;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jobs::{Scheduler, scheduled, write_jobs};
@@ -103,7 +104,10 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
 /// Run cases on all threads.
 fn compute(a: &BatchArgs, plan: &Plan, own: &[&Case], folder: &Path, stop: &Arc<AtomicBool>) -> Result<(), String> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let pool = WorkerPool::new(a.threads.unwrap_or(cores)).map_err(|e| e.to_string())?;
+    let threads = a.threads.unwrap_or(cores).max(1);
+    let pool = WorkerPool::new(threads).map_err(|e| e.to_string())?;
+    let kept = if a.resume { own.iter().filter(|case| is_complete(case, folder)).count() } else { 0 };
+    let pace = Pace::begin(threads);
     let bar = std::io::stderr().is_terminal().then(|| {
         let bar = ProgressBar::with_draw_target(Some(own.len() as u64), ProgressDrawTarget::stderr());
         let style = ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} cases, left {eta}");
@@ -121,6 +125,9 @@ fn compute(a: &BatchArgs, plan: &Plan, own: &[&Case], folder: &Path, stop: &Arc<
     }
     for (case, result) in own.iter().zip(done) {
         result.unwrap_or_else(|| Err(format!("case {}: a defect of this program", case.hash)))?;
+    }
+    if !stop.load(Ordering::Relaxed) {
+        pace.report(own.len() - kept, kept, "cases");
     }
     if stop.load(Ordering::Relaxed) { Err("interrupted: go on with --resume".into()) } else { Ok(()) }
 }

@@ -3,11 +3,14 @@
 //! A value that the study leaves out is taken from the script. A value that it gives is compared, and refused where the
 //! design would be another one.
 
+use super::excitation;
 use super::plausibility;
 use super::script_model::{ScriptBearing, ScriptModel};
 use super::shear_test::BilinearLoop;
 use super::study::{BearingType, Study};
 use super::study_file::{Stated, Transition};
+use super::unit_labels;
+use super::variants;
 use crate::lateral_force::System;
 use hysteron_identify::report::{Cell, Table};
 use std::f64::consts::TAU;
@@ -17,19 +20,15 @@ use std::sync::atomic::AtomicBool;
 /// Difference of Q_d, K_d and β from the script's, at most: a bilinear loop stands for any loop this well.
 const LOOP: f64 = 0.10;
 /// Share of K_eff below which K_d, or Q_d/D, has no weight in a comparison of its own.
-const NEGLIGIBLE: f64 = 0.02;
+pub(super) const NEGLIGIBLE: f64 = 0.02;
 /// Difference of the weight from the axial forces of the bearings under gravity, at most.
 const WEIGHT: f64 = 0.05;
 /// Mass times gravity over weight, at least and at most. Live loads are not all mass; a wrong unit is a factor of 9.8 or 1000.
 const MASS: [f64; 2] = [0.7, 1.4];
-/// Difference of the factors of a bound that the script's bearings show, at most: a law need not be linear in them.
-const FACTOR: f64 = 0.05;
 /// Difference of lengths from the script's, at most.
 const HEIGHT: f64 = 0.01;
-/// Change of a bearing's axial force under gravity by an accidental eccentricity, as a share of the mean, at most.
-const MOVED_GRAVITY: f64 = 0.01;
-/// Movement of the center of mass over eccentricity times plan, at least and at most.
-const MOVED_MASS: [f64; 2] = [0.5, 2.0];
+/// Plan over the grid of the bearings, at most.
+const PLAN: f64 = 4.0;
 /// Relative change of the design displacement at which its iteration ends, and iterations at most.
 const ITERATION: (f64, usize) = (0.01, 30);
 
@@ -103,11 +102,14 @@ struct TypeLoops {
 /// # Errors
 /// The script fails, or study and script contradict each other. The message has both places and the ratio.
 pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), String> {
-    let model = ScriptModel::new(study, "nominal", 0, stop)?;
+    let mut model = ScriptModel::new(study, "nominal", 0, stop)?;
     heights(study, stated, &model)?;
     plan(study, stated, &model)?;
+    plausibility::upside_down(study, stated, &model)?;
     weights(study, stated, &model)?;
     plausibility::compare(study, stated, &model)?;
+    unit_labels::compare(study, &stated.file, &mut model)?;
+    excitation::compare(study, stated, &model, stop)?;
     let design = design_loops(study, &model)?;
     let [amplitude, period] = design;
     for kind in 0..study.bearings.len() {
@@ -116,8 +118,8 @@ pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<Atomic
             Err(e) => untested(study, stated, kind, &e)?,
         }
     }
-    compare_bounds(study, &model, design, stop)?;
-    compare_eccentricities(study, &model, stop)
+    variants::compare_bounds(study, &model, design, stop)?;
+    variants::compare_eccentricities(study, &model, stop)
 }
 
 /// Place of a type in the script, for messages.
@@ -163,13 +165,25 @@ fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Res
     Ok(())
 }
 
-/// The plan is no smaller than the grid of its bearings.
+/// The plan is no smaller than the grid of its bearings, and not many times as large.
 fn plan(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
     let (Some(plan), Some(grid)) = (study.plan, model.grid()) else { return Ok(()) };
     for (k, axis) in ["x", "y"].into_iter().enumerate() {
         if plan[k] < (1.0 - HEIGHT) * grid[k] {
             return Err(format!(
                 "{}: plan = {plan:?} is smaller than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}",
+                stated.file,
+                grid[k],
+                study.script.display(),
+                plan[k] / grid[k]
+            ));
+        }
+    }
+    for (k, axis) in ["x", "y"].into_iter().enumerate() {
+        if grid[k] > 0.0 && plan[k] > PLAN * grid[k] {
+            return Err(format!(
+                "{}: plan = {plan:?} is far larger than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}, expected \
+                 {PLAN} at most. Is it in another unit of length?",
                 stated.file,
                 grid[k],
                 study.script.display(),
@@ -347,6 +361,12 @@ fn settle_bearings(
         }
     }
     let transition = if loops.abrupt { Transition::Abrupt } else { Transition::Smooth };
+    if stated.transitions[kind] && transition == Transition::Abrupt && study.bearings[kind].transition != transition {
+        study.agreement.remarks.push(format!(
+            "{name}: transition = \"smooth\", but the loop of the script's bearings turns abruptly: the shear above the bearings \
+             is larger then. Without the key the tested shape is taken"
+        ));
+    }
     let own = &mut study.bearings[kind];
     own.q_d = q.map_or(found.q_d, |s| s.value);
     own.k_d = k.map_or(found.k_d, |s| s.value);
@@ -368,80 +388,5 @@ fn untested(study: &mut Study, stated: &StatedValues, kind: usize, reason: &str)
     }
     let remark = format!("{name}: Q_d and K_d are not compared with the script's, since {reason}");
     study.agreement.remarks.push(remark);
-    Ok(())
-}
-
-/// The factors of the bounds arrive in the script's bearings.
-fn compare_bounds(
-    study: &Study,
-    nominal: &ScriptModel,
-    [amplitude, period]: [f64; 2],
-    stop: &Arc<AtomicBool>,
-) -> Result<(), String> {
-    for bound in ["lower", "upper"] {
-        let model = ScriptModel::new(study, bound, 0, stop)?;
-        for (kind, b) in study.bearings.iter().enumerate() {
-            let tests = [nominal, &model].map(|m| m.typical(kind).map(|t| m.test(t, amplitude, period)));
-            let [Some(Ok(before)), Some(Ok(after))] = tests else { continue };
-            let stiffness = before.k_d + before.q_d / amplitude;
-            let parts = [
-                ("Q", before.q_d, after.q_d, NEGLIGIBLE * stiffness * amplitude),
-                ("K", before.k_d, after.k_d, NEGLIGIBLE * stiffness),
-            ];
-            for (of, (letter, before, after, least)) in parts.into_iter().enumerate() {
-                let (asked, found) = (study.factor(b, bound, of), after / before);
-                if before > least && (found / asked - 1.0).abs() > FACTOR {
-                    return Err(format!(
-                        "the {bound} bound asks for {asked:.4} times the nominal {letter}_d of {}, but the bearings of the \
-                         script have {found:.4} times ({}): does it use isolate({letter},{})?",
-                        b.name,
-                        model.typical(kind).map_or(String::new(), |t| place(study, t)),
-                        b.name
-                    ));
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-/// An accidental eccentricity moves mass, never gravity.
-fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicBool>) -> Result<(), String> {
-    let mean = first.gravity() / first.bearings.len() as f64;
-    for (k, [x, y]) in study.eccentricities.iter().enumerate().skip(1) {
-        let model = ScriptModel::new(study, "nominal", k, stop)?;
-        moved_mass(study, first, &model, [*x, *y])?;
-        for (before, after) in first.bearings.iter().zip(&model.bearings) {
-            if (after.gravity - before.gravity).abs() > MOVED_GRAVITY * mean {
-                return Err(format!(
-                    "the eccentricity {x} {y} changes the load of gravity on a bearing from {:.6} to {:.6} ({}): expected the \
-                     same. An accidental eccentricity moves mass, never gravity: keep the loads where they are without it",
-                    before.gravity,
-                    after.gravity,
-                    place(study, after)
-                ));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// The center of mass moves by the change of the eccentricity times the plan. Without a plan the grid of the bearings stands for it.
-fn moved_mass(study: &Study, first: &ScriptModel, model: &ScriptModel, to: [f64; 2]) -> Result<(), String> {
-    let (Some(before), Some(after)) = (first.center_of_mass(), model.center_of_mass()) else { return Ok(()) };
-    let Some(plan) = study.plan.or_else(|| first.grid()) else { return Ok(()) };
-    for (axis, name) in ["x", "y"].into_iter().enumerate() {
-        let asked = (to[axis] - study.eccentricities[0][axis]) * plan[axis];
-        let found = after[axis] - before[axis];
-        if asked != 0.0 && !(MOVED_MASS[0]..=MOVED_MASS[1]).contains(&(found / asked)) {
-            return Err(format!(
-                "the eccentricity {} {} asks for the center of mass to move by {asked:.6} in {name}, but in \"{}\" it moves by \
-                 {found:.6}: does it use isolate(e{name})?",
-                to[0],
-                to[1],
-                study.script.display()
-            ));
-        }
-    }
     Ok(())
 }

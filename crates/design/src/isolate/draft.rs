@@ -1,6 +1,6 @@
 //! A first isolation study of a script: what its model shows, with comments on what is to be filled in.
 
-use super::job::run_alone;
+use super::before_transient::run_alone;
 use super::script_model::masses;
 use super::shear_test::shear_test;
 use hysteron_engine::analysis::Engine;

@@ -9,12 +9,13 @@ use super::study::{BearingType, Study};
 use crate::lateral_force::overlap;
 use crate::spectrum::{Oscillator, logarithmic};
 use hysteron_engine::analysis::{Options, RecoveryStrategy};
+use hysteron_engine::model::{Pattern, PatternKind};
 use hysteron_identify::measure::work;
 use hysteron_opensees::run::{End, Run, Settings};
 use hysteron_opensees::{Mode, Progress, Tcl};
 use hysteron_tcl::diagnostic::Diagnostic;
-use hysteron_tcl::{Exception, OsFiles, OverlayFiles, Silent, Value};
-use std::path::Path;
+use hysteron_tcl::{OsFiles, OverlayFiles, Silent, Value};
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -78,10 +79,10 @@ const FLOOR_PERIODS: usize = 30;
 const MAX_POINTS: usize = 1200;
 
 /// Ends an analysis whose result is not wanted any more.
-struct StopWatch {
-    interrupt: Arc<AtomicBool>,
-    stop: Arc<AtomicBool>,
-    time: Arc<Mutex<f64>>,
+pub(super) struct StopWatch {
+    pub(super) interrupt: Arc<AtomicBool>,
+    pub(super) stop: Arc<AtomicBool>,
+    pub(super) time: Arc<Mutex<f64>>,
 }
 
 impl Progress for StopWatch {
@@ -135,50 +136,8 @@ pub fn script_text(study: &Study, job: &Job) -> String {
     out + &format!("source {{{}}}\n", path.display().to_string().replace('\\', "/"))
 }
 
-/// Run the script of a study at a bound and an eccentricity up to its first transient analysis. `stop` interrupts it.
-///
-/// # Errors
-/// It fails before, has no transient analysis, or is interrupted.
-pub(crate) fn run_to_transient(
-    study: &Study,
-    bound: &'static str,
-    eccentricity: usize,
-    stop: &Arc<AtomicBool>,
-) -> Result<Run, String> {
-    let job = Job { bound, motion: 0, eccentricity, level: 1.0, draw: None };
-    run_prepared(&study.script, |interp| set_values(interp, study, &job), stop)
-}
-
-/// Run a script with its own values up to its first transient analysis.
-///
-/// # Errors
-/// The errors of [`run_to_transient`].
-pub(super) fn run_alone(script: &Path, stop: &Arc<AtomicBool>) -> Result<Run, String> {
-    run_prepared(script, |_| Ok(()), stop)
-}
-
-fn run_prepared(
-    script: &Path,
-    prepare: impl FnOnce(&mut Tcl) -> Result<(), String>,
-    stop: &Arc<AtomicBool>,
-) -> Result<Run, String> {
-    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
-    let files = OverlayFiles::new(Box::new(OsFiles));
-    let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(StudyOutputs(Captured::default())));
-    let interrupt = run.interp.interrupt.clone();
-    run.interp.host.set_progress(Box::new(StopWatch { interrupt, stop: stop.clone(), time: Arc::default() }));
-    run.interp.host.before_transient(Box::new(|_| Err(Exception::Exit(0))));
-    prepare(&mut run.interp)?;
-    let end = run.script(&script.to_string_lossy(), &[]);
-    match end {
-        End::Exit(0) => Ok(run),
-        End::Done => Err("the script has no transient analysis".into()),
-        _ => Err(Failure::of(&end, &run).text),
-    }
-}
-
 /// Set the values of an analysis in the array `isolate`.
-fn set_values(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
+pub(super) fn set_values(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> {
     let set = values(study, job).into_iter().flat_map(|(name, value)| [Value::from(name), value]);
     let failed = |_| "the values of the study cannot be set".to_owned();
     interp.set_global("hysteron_values", Value::list(set)).map_err(failed)?;
@@ -187,15 +146,15 @@ fn set_values(interp: &mut Tcl, study: &Study, job: &Job) -> Result<(), String> 
 }
 
 /// Reason for an analysis without a result.
-struct Failure {
+pub(super) struct Failure {
     /// In words; empty where it has one.
-    text: String,
+    pub(super) text: String,
     /// The analysis did not converge.
     of_analysis: bool,
 }
 
 impl Failure {
-    fn of(end: &End, run: &Run) -> Self {
+    pub(super) fn of(end: &End, run: &Run) -> Self {
         let place = |d: &Diagnostic| match d.span {
             Some(span) => format!("{}: {}", run.interp.sources.location(span), d.message),
             None => d.message.clone(),
@@ -260,16 +219,19 @@ fn attempt(study: &Study, job: &Job, stop: &Arc<AtomicBool>, options: Options) -
     out.time = time.lock().map_or(0.0, |t| *t);
     out.inputs = inputs.hashes();
     out.damping_share = run.interp.host.isolator_damping_share();
+    out.warnings = warnings(&run);
     let rows = |name: &str| -> Option<Rows> {
         let all = captured.lock().ok()?;
         let rows = all.get(name)?.lock().ok()?.clone();
         (rows.rows.len() > 1).then_some(rows)
     };
     measure_bearings(study, &rows, &mut out);
+    let times = study.bearings.iter().flat_map(|b| &b.tags).find_map(|tag| Some(rows(&format!("{tag}/upper"))?.times));
+    out.duration = times.and_then(|t| Some(t.last()? - t.first()?)).unwrap_or(0.0);
     for (b, place) in out.bearings.iter_mut().zip(observed.places()) {
         (b.place, b.height) = (place.horizontal, Some(place.height));
     }
-    measure_floors(study, job, &rows, &mut out);
+    measure_floors(study, job, &shaken(&run), &rows, &mut out);
     out.members = study.members.iter().filter_map(|tag| Some(member(*tag, &rows(&format!("member{tag}"))?))).collect();
     let half = |r: &Rows| {
         r.rows.iter().map(|row| row[..row.len() / 2].iter().map(|f| f * f).sum::<f64>().sqrt()).fold(0.0, f64::max)
@@ -360,7 +322,6 @@ fn bearing(
         // Without any overlap there is no load that it carries; a number keeps the file readable.
         (0..n).map(ratio).fold(0.0, f64::max).min(1e9)
     });
-    let second = if u.len() > 1 { &u[1] } else { &u[0] };
     BearingOutcome {
         tag,
         height: None,
@@ -376,11 +337,36 @@ fn bearing(
         energy: u.iter().zip(f).map(|(u, f)| work(u, f).last().copied().unwrap_or(0.0)).sum(),
         stability,
         hysteresis: thinned(&u[0], &f[0]),
-        orbit: thinned(&u[0], second),
+        orbit: u.get(1).map_or(vec![], |second| thinned(&u[0], second)),
     }
 }
 
-fn measure_floors(study: &Study, job: &Job, rows: &dyn Fn(&str) -> Option<Rows>, out: &mut JobOutcome) {
+/// Directions in which the model moves with its ground, so that accelerations of nodes are relative to it.
+fn shaken(run: &Run) -> Vec<usize> {
+    let patterns = run.interp.host.engine.model().patterns.values();
+    let direction = |p: &Pattern| match &p.kind {
+        PatternKind::Uniform(e) => Some(e.direction),
+        _ => None,
+    };
+    patterns.filter_map(direction).collect()
+}
+
+/// Warnings of the script, by place and check.
+fn warnings(run: &Run) -> Vec<(String, String)> {
+    let of = |d: &Diagnostic| {
+        let place = d.span.map_or_else(String::new, |s| format!("{}: ", run.interp.sources.location(s)));
+        (format!("{place}{}", d.code()), format!("{place}{} [{}]", d.message, d.code()))
+    };
+    run.interp.warnings.iter().map(of).collect::<BTreeMap<_, _>>().into_iter().collect()
+}
+
+fn measure_floors(
+    study: &Study,
+    job: &Job,
+    shaken: &[usize],
+    rows: &dyn Fn(&str) -> Option<Rows>,
+    out: &mut JobOutcome,
+) {
     let all: Option<Vec<(Rows, Rows)>> = study
         .floors
         .iter()
@@ -392,9 +378,13 @@ fn measure_floors(study: &Study, job: &Job, rows: &dyn Fn(&str) -> Option<Rows>,
     let width = all[0].0.width();
     let times = &all[0].1.times;
     let start = times[0];
-    // Ground accelerations at the times of the rows, which begin with the motion.
+    // Ground accelerations at the times of the rows, which begin with the motion. Nodes on supports that move themselves have
+    // absolute accelerations.
     let ground: Vec<Vec<f64>> = (0..width)
         .map(|d| {
+            if !shaken.contains(&d) {
+                return vec![0.0; times.len()];
+            }
             let (a, dt) = (&pair.components[d].acceleration, pair.components[d].dt);
             let at = |t: &f64| {
                 let x = (t - start) / dt;

@@ -6,8 +6,10 @@
 //! eccentricities `isolate(ex)` and `isolate(ey)` as shares of the plan.
 
 mod agreement;
+mod before_transient;
 mod capture;
 mod draft;
+mod excitation;
 mod inputs;
 mod job;
 mod observed;
@@ -20,16 +22,18 @@ mod script_model;
 mod shear_test;
 mod study;
 mod study_file;
+mod unit_labels;
+mod variants;
 
 pub use agreement::{Agreement, Comparison};
+pub(crate) use before_transient::run_to_transient;
 pub use draft::draft;
 pub use inputs::{HashedFiles, InputHashes, is_current};
-pub(crate) use job::run_to_transient;
 pub use job::{Job, draw_jobs, jobs, run_job, script_text};
 pub use outcome::{BearingOutcome, JobOutcome, MemberOutcome};
 pub use procedures::{isolator_displacements, procedure_along, procedures, system};
 pub use properties::Properties;
-pub use runaway::runaway;
+pub use runaway::{cut_short, runaway};
 pub use study::{BearingType, Floor, Study, is_isolation_study, load};
 pub use study_file::{Causes, LiveLoad, Transition};
 

@@ -78,7 +78,11 @@ impl Observed {
         if let Ok(mut kept) = self.places.lock() {
             *kept = places;
         }
-        interp.eval_value(&Value::from(text)).map(|_| ())
+        // What is said about these recorders is not about the script.
+        let warnings = interp.warnings.len();
+        let made = interp.eval_value(&Value::from(text)).map(|_| ());
+        interp.warnings.truncate(warnings);
+        made
     }
 
     /// Places of the bearings; empty before the recorders are there.

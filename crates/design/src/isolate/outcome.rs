@@ -32,7 +32,7 @@ pub struct BearingOutcome {
     pub stability: Option<f64>,
     /// Displacements and forces in the first direction, thinned, of the bearing of a type that moves farthest.
     pub hysteresis: Vec<[f64; 2]>,
-    /// Orbit, thinned, of such a bearing.
+    /// Orbit, thinned, of such a bearing; empty in a plane.
     pub orbit: Vec<[f64; 2]>,
 }
 
@@ -64,6 +64,12 @@ pub struct JobOutcome {
     pub failure: String,
     /// Last time of the analysis.
     pub time: f64,
+    /// Length of the analysis in s.
+    #[serde(default)]
+    pub duration: f64,
+    /// Warnings of the script by place and check.
+    #[serde(default)]
+    pub warnings: Vec<(String, String)>,
     /// True if the script's own steps failed, and shorter ones with other algorithms were tried.
     pub retried: bool,
     /// Files that the script has read, with their hashes.

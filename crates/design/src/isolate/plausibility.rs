@@ -1,19 +1,22 @@
-//! Values that only one side states, or that a script may leave unused: motions, sizes, units, the order of the bounds.
+//! Values that only one side states: sizes, units, the order of the bounds, elements that the study names or leaves out.
 
 use super::agreement::{StatedValues, place};
 use super::script_model::ScriptModel;
 use super::study::Study;
-use hysteron_engine::model::PatternKind;
 use hysteron_identify::study::unit::{Quantity, unit};
 
-/// Difference of the ground's accelerations from those of the study, as a share of the peak, at most.
-const MOTION: f64 = 1.0e-3;
 /// Mass times gravity over the weight of one floor, at least and at most: part of a floor's mass may be lumped elsewhere.
 const FLOOR_MASS: [f64; 2] = [0.2, 5.0];
 /// Acceleration of gravity in m/s², at least and at most.
 const GRAVITY: [f64; 2] = [9.6, 10.0];
 /// Critical load over the largest gravity load of a type, at most.
 const CRITICAL: f64 = 500.0;
+/// Tension of a bearing under gravity over the mean load of all, at most.
+const LIFTED: f64 = 0.01;
+/// Weight of substructures over that of all mass below the bearings, at most.
+const SUBSTRUCTURE: f64 = 1.05;
+/// Elements that a message lists.
+const LISTED: usize = 5;
 
 /// Compare what the agreement of values does not see.
 ///
@@ -24,7 +27,10 @@ pub(super) fn compare(study: &mut Study, stated: &StatedValues, model: &ScriptMo
     order_of_bounds(study, stated)?;
     floor_masses(study, stated, model)?;
     sizes(study, stated, model)?;
-    motions(study, stated, model)
+    substructures(study, stated, model)?;
+    elements(study, stated, model)?;
+    unlisted(study, model);
+    Ok(())
 }
 
 /// The acceleration of gravity says what the unit of length is.
@@ -104,6 +110,15 @@ fn sizes(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<()
                 ));
             }
         }
+        if let (Some(capacity), Some(diameter)) = (b.displacement, b.diameter)
+            && capacity >= diameter
+        {
+            return Err(format!(
+                "{}: displacement = {capacity} of {} is not less than diameter = {diameter}: a bearing that far away has no \
+                 overlapping area, and carries nothing",
+                stated.file, b.name
+            ));
+        }
         let load = model.bearings.iter().filter(|m| m.kind == kind).map(|m| m.gravity).fold(0.0, f64::max);
         if let Some(critical) = b.critical_load.filter(|c| load > 0.0 && *c > CRITICAL * load) {
             let bearing = model.typical(kind).map_or(String::new(), |t| place(study, t));
@@ -119,58 +134,82 @@ fn sizes(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<()
     Ok(())
 }
 
-/// The ground of the script moves as the motion that the study gives it. Excitations that are no uniform ones are a remark.
-fn motions(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
-    let pair = &study.motions[0];
-    let [x, y] = &pair.components;
-    // A path may end before its last point.
-    let points = x.acceleration.len() - 1;
-    let patterns: Vec<_> = model
-        .model()
-        .patterns
-        .values()
-        .filter_map(|p| match &p.kind {
-            PatternKind::Uniform(e) if p.held.is_none() => Some((p, e)),
-            _ => None,
-        })
-        .collect();
-    if patterns.is_empty() {
-        study.agreement.remarks.push(
-            "the script has no pattern UniformExcitation before its first transient analysis: what it does with the motions \
-             was not compared"
-                .into(),
-        );
-        return Ok(());
-    }
-    let horizontal = model.dimensions().saturating_sub(1);
-    let meter = study.meter();
-    let peak = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let whole = meter * peak(&x.acceleration).max(peak(&y.acceleration));
-    for direction in 0..model.dimensions() {
-        let of_study: Option<&[f64]> = match direction {
-            d if d < horizontal => Some(&pair.components[d.min(1)].acceleration),
-            _ => pair.vertical.as_ref().map(|m| m.acceleration.as_slice()),
-        };
-        let expected: Vec<f64> = (0..points).map(|k| of_study.map_or(0.0, |a| meter * a[k])).collect();
-        let applied = |k: usize| -> f64 {
-            let along = patterns.iter().filter(|(_, e)| e.direction == direction);
-            along.map(|(p, e)| e.influence * p.factor(k as f64 * x.dt)).sum()
-        };
-        let applied: Vec<f64> = (0..points).map(applied).collect();
-        let differs = expected.iter().zip(&applied).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        if differs > MOTION * whole {
-            let axis = ["x", "y", "z"][if direction < horizontal { direction } else { 2 }];
-            let [stated_peak, applied_peak] = [peak(&expected), peak(&applied)];
+/// Gravity presses on every bearing. The second node of a bearing is the upper one.
+///
+/// # Errors
+/// One stands upside down, or is in tension.
+pub(super) fn upside_down(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let mean = model.gravity() / model.bearings.len() as f64;
+    for b in &model.bearings {
+        let name = &study.bearings[b.kind].name;
+        if b.rise < 0.0 {
             return Err(format!(
-                "{}: the motion \"{}\" has a peak of {stated_peak:.6} in {axis} (isolate(a{axis}), isolate(dt)), but the ground of \
-                 \"{}\" has {applied_peak:.6} there, and differs by up to {differs:.6}: ratio {:.4}. Each component is to be \
-                 applied once, in its direction, with its step and without a factor",
+                "{}: the second node of the bearing {} of {name} is {:.6} below its first one ({}): expected the lower node first",
                 stated.file,
-                x.name,
-                study.script.display(),
-                applied_peak / stated_peak
+                b.tag,
+                -b.rise,
+                place(study, b)
+            ));
+        }
+        if mean > 0.0 && b.gravity < -LIFTED * mean {
+            return Err(format!(
+                "{}: the bearing {} of {name} has a tension of {:.6} under gravity, and the mean load of all bearings is {mean:.6} \
+                 ({}): expected compression. Its nodes are exchanged, or the loads lift it",
+                stated.file,
+                b.tag,
+                -b.gravity,
+                place(study, b)
             ));
         }
     }
     Ok(())
+}
+
+/// Substructures that move with the bridge weigh no more than all that stands below the bearings.
+fn substructures(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let below = model.mass_below() * study.gravity;
+    if study.substructure_weight <= SUBSTRUCTURE * below {
+        return Ok(());
+    }
+    Err(format!(
+        "{}: substructure_weight = {}, but all mass of \"{}\" below the bearings times gravity is {below:.6}: expected no more",
+        stated.file,
+        study.substructure_weight,
+        study.script.display()
+    ))
+}
+
+/// Members and elements of contact are elements of the script.
+fn elements(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+    let known = |tag: i64| i32::try_from(tag).ok().and_then(|t| model.model().element(t)).is_some();
+    let members = study.members.iter().map(|t| ("members", *t));
+    let contacts = study.contacts().map(|t| ("elements of a [[limit_state]]", t));
+    match members.chain(contacts).find(|(_, tag)| !known(*tag)) {
+        None => Ok(()),
+        Some((key, tag)) => {
+            Err(format!("{}: {key}: {tag} is no element of \"{}\"", stated.file, study.script.display()))
+        }
+    }
+}
+
+/// Elements of the classes of the bearings that the study does not list are said.
+fn unlisted(study: &mut Study, model: &ScriptModel) {
+    let classes: std::collections::BTreeSet<&str> = model.bearings.iter().map(|b| b.class).collect();
+    let is_listed = |tag: i32| model.bearings.iter().any(|b| b.tag == i64::from(tag));
+    let found: Vec<String> = model
+        .model()
+        .elements
+        .iter()
+        .filter(|e| classes.contains(e.element.class()) && !is_listed(e.tag))
+        .map(|e| e.tag.to_string())
+        .collect();
+    if found.is_empty() {
+        return;
+    }
+    let more = if found.len() > LISTED { format!(" and {} more", found.len() - LISTED) } else { String::new() };
+    study.agreement.remarks.push(format!(
+        "\"{}\" has elements of the class of the bearings that no [[bearing]] lists: {}{more}",
+        study.script.display(),
+        found[..found.len().min(LISTED)].join(", ")
+    ));
 }

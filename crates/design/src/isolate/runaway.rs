@@ -1,6 +1,8 @@
-//! An analysis whose bearings move far beyond the equivalent lateral force procedure.
+//! Analyses that are no result of their motion: bearings far beyond the equivalent lateral force procedure, or an end before
+//! the motion's.
 
 use super::BOUNDS;
+use super::job::Job;
 use super::outcome::JobOutcome;
 use super::procedures::procedures;
 use super::study::Study;
@@ -32,5 +34,37 @@ pub fn runaway(study: &Study, outcome: &JobOutcome) -> Option<String> {
         outcome.bound,
         bearing.displacement / expected.displacement,
         expected.displacement,
+    ))
+}
+
+/// Share of the energy of a motion that an analysis has to follow.
+const FOLLOWED: f64 = 0.95;
+
+/// Description of an analysis that ends long before its motion, which the script has cut short.
+pub fn cut_short(study: &Study, job: &Job, outcome: &JobOutcome) -> Option<String> {
+    let pair = &study.motions[job.motion];
+    let dt = pair.components[0].dt;
+    let energy = |k: usize| pair.components.iter().map(|c| c.acceleration[k].powi(2)).sum::<f64>();
+    let count = pair.components[0].acceleration.len();
+    let whole: f64 = (0..count).map(energy).sum();
+    let mut sum = 0.0;
+    let most = (0..count).find(|k| {
+        sum += energy(*k);
+        sum >= FOLLOWED * whole
+    })? as f64
+        * dt;
+    // One step may be missing.
+    if !outcome.failure.is_empty() || outcome.duration >= most - dt {
+        return None;
+    }
+    Some(format!(
+        "the analysis of {} ({} bound) lasts {:.4} s, but the motion has {} % of its energy after {most:.4} s and ends after {:.4} s: \
+         the suite was stopped. Look at the number of steps in \"{}\": isolate(points) and isolate(dt) are those of the motion",
+        outcome.motion,
+        outcome.bound,
+        outcome.duration,
+        100.0 * FOLLOWED,
+        count as f64 * dt,
+        study.script.display()
     ))
 }

@@ -1,6 +1,6 @@
 //! The model that the script of a study makes, before its first transient analysis.
 
-use super::job::run_to_transient;
+use super::before_transient::run_to_transient;
 use super::shear_test::{BilinearLoop, shear_test};
 use super::study::Study;
 use hysteron_engine::analysis::Engine;
@@ -27,6 +27,8 @@ pub(super) struct ScriptBearing {
     pub(super) gravity: f64,
     /// Elevation of its upper node.
     elevation: f64,
+    /// Elevation of its second node above its first one.
+    pub(super) rise: f64,
     /// File and line of the script that made it; empty if they are not known.
     pub(super) line: String,
 }
@@ -78,6 +80,26 @@ impl ScriptModel {
         let lowest = self.bearings.iter().map(|b| b.elevation).fold(f64::MAX, f64::min);
         let above = self.masses.iter().filter(|m| m[1] >= lowest - LEVEL * self.height);
         above.map(|m| m[0]).sum()
+    }
+
+    /// Horizontal mass below the lowest upper node of the bearings.
+    pub(super) fn mass_below(&self) -> f64 {
+        self.masses.iter().map(|m| m[0]).sum::<f64>() - self.mass_above()
+    }
+
+    /// Value of a global variable that is a number.
+    pub(super) fn variable(&mut self, name: &str) -> Option<f64> {
+        self.run.interp.get_var(&format!("::{name}")).ok()?.to_f64().ok().filter(|x| x.is_finite())
+    }
+
+    /// Tags and moduli of the laws of steel that no element takes directly: those of sections.
+    pub(super) fn steel_of_sections(&self) -> Vec<(i32, f64)> {
+        let builder = &self.run.interp.host.builder;
+        let materials = &builder.definitions.materials;
+        let taken = builder.materials_of_elements();
+        let tags = materials.tags().filter(|tag| !taken.contains(tag));
+        let steel = tags.filter_map(|tag| Some((tag, materials.get(tag)?)).filter(|(_, m)| m.name().contains("Steel")));
+        steel.map(|(tag, m)| (tag, m.initial_tangent())).collect()
     }
 
     /// Horizontal mass of the nodes at the elevation of a node.
@@ -172,7 +194,7 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
     let id = i32::try_from(tag).ok().and_then(|t| model.element(t));
     let id = id.ok_or("is no element of the script")?;
     let entry = &model.elements[id.0];
-    let [_, upper] = entry.nodes[..] else {
+    let [lower, upper] = entry.nodes[..] else {
         return Err(format!("has {} nodes: expected 2", entry.nodes.len()));
     };
     let node = &model.nodes[upper.0];
@@ -183,7 +205,8 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
     engine.element_force(id, &mut force);
     let gravity = -force[force.len() / 2 + node.ndm() - 1];
     let elevation = node.coords[node.ndm() - 1];
-    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation, line: String::new() })
+    let rise = elevation - model.nodes[lower.0].coords.last().copied().unwrap_or(elevation);
+    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation, rise, line: String::new() })
 }
 
 /// Mass in the first direction and elevation of each node. A row of a consistent mass matrix counts for its node.

@@ -150,7 +150,7 @@ pub struct Study {
 const DRAW_SEED: u64 = 1;
 
 /// Version of the results of an analysis: those of another one are made again.
-const FORMAT: &str = "4";
+const FORMAT: &str = "6";
 
 /// Hash of texts.
 fn fingerprint(texts: &[&str]) -> u64 {
@@ -272,6 +272,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
             script.display()
         ));
     }
+    different(&motions)?;
     texts.push(script_text);
     texts.extend(file.motion.iter().map(MotionEntry::identity));
     let factors = match file.scale {
@@ -333,6 +334,18 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         agreement: Agreement::default(),
         notes,
     })
+}
+
+/// Motions of a suite are different ones.
+fn different(motions: &[Pair]) -> Result<(), String> {
+    let accelerations = |p: &Pair| p.components.iter().map(|c| c.acceleration.clone()).collect::<Vec<_>>();
+    for (k, a) in motions.iter().enumerate() {
+        if let Some(other) = motions[..k].iter().position(|b| accelerations(a) == accelerations(b)) {
+            let [first, second] = [other, k].map(|i| format!("{} \"{}\"", i + 1, motions[i].name()));
+            return Err(format!("the motions {first} and {second} are one record: expected different ones in a suite"));
+        }
+    }
+    Ok(())
 }
 
 fn factors(motions: &[Pair], target: &Target, [from, to]: [f64; 2]) -> Result<Vec<f64>, String> {

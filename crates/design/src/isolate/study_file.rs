@@ -75,6 +75,16 @@ pub enum Transition {
     Smooth,
 }
 
+impl Transition {
+    /// Its word in a study.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Abrupt => "abrupt",
+            Self::Smooth => "smooth",
+        }
+    }
+}
+
 /// Lateral stiffness of a substructure: the same along and across a bridge, or of both.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(untagged)]
@@ -297,6 +307,11 @@ impl StudyFile {
         }
         if self.bearing.is_empty() || self.motion.is_empty() || self.eccentricities.is_empty() {
             return Err("expected at least one [[bearing]], one [[motion]] and one eccentricity".into());
+        }
+        if let Some(e) = self.eccentricities.iter().find(|e| e.iter().any(|x| x.is_nan() || x.abs() > 0.5)) {
+            return Err(format!(
+                "the eccentricity {e:?} is outside of the plan: expected shares of the plan, at most 0.5"
+            ));
         }
         let mut tags: Vec<i64> = self.bearing.iter().flat_map(|b| b.tags.iter().copied()).collect();
         tags.sort_unstable();

@@ -11,23 +11,37 @@ fn rows(table: &Table) -> Value {
 }
 
 /// What went into the results, so that two of them can be compared.
-fn inputs(study: &Study) -> Value {
+fn inputs(study: &Study, outcomes: &[JobOutcome]) -> Value {
     let bearing = |b: &crate::isolate::BearingType| {
         let factors = |bound: &str| [0, 1].map(|of| study.factor(b, bound, of));
         json!({
             "type": b.name, "count": b.tags.len(), "q_d": b.q_d, "k_d": b.k_d, "yield_displacement": b.yield_displacement,
             "lower_q_d": factors("lower")[0], "lower_k_d": factors("lower")[1],
             "upper_q_d": factors("upper")[0], "upper_k_d": factors("upper")[1],
-            "displacement": b.displacement, "critical_load": b.critical_load,
+            "displacement": b.displacement, "critical_load": b.critical_load, "diameter": b.diameter, "tension": b.tension,
+            "transition": b.transition.name(), "substructure": b.substructure, "tags": b.tags,
         })
     };
     let motion = |(p, f): (&crate::motion::Pair, &f64)| json!({"motion": p.components[0].name, "factor": f});
+    let script = study.script.to_string_lossy();
+    let script = outcomes.iter().flat_map(|o| &o.inputs).find(|(path, _)| *path == script);
     json!({
         "code": study.code.label,
+        "script": script.map(|(_, hash)| format!("{hash:016x}")),
+        "structure": study.structure.name(),
+        "plan": study.plan,
+        "scale": study.scale,
+        "regular": study.regular,
+        "project_tests": study.project_tests,
+        "live_over_dead": study.live.over_dead,
+        "live_in_script": study.live.in_script,
+        "sms": study.sms,
+        "substructure_weight": study.substructure_weight,
+        "floors": study.floors.len(),
         "target": study.target_words,
         "weight": study.weight,
         "gravity": study.gravity,
-        "eccentricities": study.eccentricities.len(),
+        "eccentricities": study.eccentricities,
         "response_modification": study.response_modification,
         "motions": study.motions.iter().zip(&study.factors).map(motion).collect::<Vec<_>>(),
         "bearings": study.bearings.iter().map(bearing).collect::<Vec<_>>(),
@@ -58,7 +72,7 @@ pub fn json(study: &Study, outcomes: &[JobOutcome], review: &Review) -> String {
     let all = json!({
         "title": study.title,
         "code": {"name": code.name, "edition": code.edition, "text_read": code.text_read, "source": code.source},
-        "study": inputs(study),
+        "study": inputs(study, outcomes),
         "agreement": rows(&study.agreement.table()),
         "modes": rows(&tables::modes(review)),
         "suite": {

@@ -9,6 +9,8 @@ use std::fmt::Write as _;
 const SIZE: [f64; 2] = [430.0, 330.0];
 /// Room around it.
 const MARGIN: f64 = 42.0;
+/// Distances of bearings along x and y in pixels that leave room for their words.
+const GAPS: [f64; 2] = [56.0, 44.0];
 /// Colours of types of bearings.
 const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#56b4e9", "#e69f00", "#3c3c3c"];
 /// Floors that are drawn, at most: the letters of more would lie upon each other.
@@ -28,6 +30,14 @@ fn text(out: &mut String, x: f64, y: f64, anchor: &str, words: &str) {
     let _ = writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{}</text>", escaped(words));
 }
 
+/// Least distance of two coordinates that differ; none of equal ones.
+fn least_gap(points: &[[f64; 2]], k: usize) -> Option<f64> {
+    let mut all: Vec<f64> = points.iter().map(|p| p[k]).collect();
+    all.sort_by(f64::total_cmp);
+    let range = all.last()? - all.first()?;
+    all.windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > 1.0e-6 * range).reduce(f64::min)
+}
+
 /// Plan with the number of each bearing and its design displacement; none without coordinates in two directions.
 pub(super) fn key_plan(study: &Study, review: &Review) -> Option<String> {
     let points: Vec<[f64; 2]> =
@@ -38,13 +48,19 @@ pub(super) fn key_plan(study: &Study, review: &Review) -> Option<String> {
     };
     let (x, y) = (range(0), range(1));
     let room = [SIZE[0] - 2.0 * MARGIN, SIZE[1] - 2.0 * MARGIN - 16.0];
-    let scale = (room[0] / (x.1 - x.0)).min(room[1] / (y.1 - y.0));
+    let whole = [room[0] / (x.1 - x.0), room[1] / (y.1 - y.0)];
+    let scale = whole[0].min(whole[1]);
     let scale = if scale.is_finite() { scale } else { 1.0 };
+    // A narrow plan is drawn wider than it is, so that words do not lie upon each other.
+    let scales = [0, 1].map(|k| scale.max(least_gap(&points, k).map_or(0.0, |gap| (GAPS[k] / gap).min(whole[k]))));
     let at = |p: &[f64; 2]| {
         let middle = [0.5 * (x.0 + x.1), 0.5 * (y.0 + y.1)];
-        [0.5 * SIZE[0] + scale * (p[0] - middle[0]), 0.5 * (SIZE[1] + 4.0) - scale * (p[1] - middle[1])]
+        [0.5 * SIZE[0] + scales[0] * (p[0] - middle[0]), 0.5 * (SIZE[1] + 4.0) - scales[1] * (p[1] - middle[1])]
     };
-    let mut out = begin("Key plan: number, design displacement");
+    let mut out = begin(match scales[0] == scales[1] {
+        true => "Key plan: number, design displacement",
+        false => "Key plan, not to scale: number, design displacement",
+    });
     let many = points.len() > 60;
     for (b, p) in review.bearings.iter().zip(&points) {
         let [px, py] = at(p);

@@ -30,6 +30,7 @@ use crate::check::{Check, Citation, Status};
 use crate::isolate::{JobOutcome, Study, procedures};
 use crate::lateral_force::LateralForce;
 use hysteron_identify::report::Table;
+use std::collections::BTreeMap;
 
 /// Results of a study with its checks.
 #[derive(Clone, Debug, Default)]
@@ -76,6 +77,7 @@ pub fn review(study: &Study, outcomes: &[JobOutcome], periods: Periods) -> Revie
         out.checks.push(Check::at_most(subject, Citation::default(), failed as f64, 0.0));
     }
     out.not_checked = not_checked(study, &out);
+    out.not_checked.extend(warnings(outcomes));
     out
 }
 
@@ -108,6 +110,16 @@ fn not_checked(study: &Study, review: &Review) -> Vec<String> {
     out.extend(review.periods.remarks());
     out.extend(study.agreement.remarks.iter().cloned());
     out
+}
+
+/// Warnings of the script, each place and check once, with the number of its analyses.
+fn warnings(outcomes: &[JobOutcome]) -> impl Iterator<Item = String> {
+    let mut all: BTreeMap<&str, (&str, usize)> = BTreeMap::new();
+    for (key, text) in outcomes.iter().flat_map(|o| &o.warnings) {
+        all.entry(key).or_insert((text, 0)).1 += 1;
+    }
+    let count = outcomes.len();
+    all.into_values().map(move |(text, n)| format!("{text}, a warning in {n} of {count} analyses"))
 }
 
 impl Review {

@@ -11,10 +11,11 @@ use hysteron_identify::report::{Cell, Table};
 use hysteron_opensees::chart::{Curve, Figure, Mark, sheet};
 
 /// Drawings stand side by side where there is room; wide tables scroll on a small screen.
-const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;height:auto}\
+const STYLE: &str = "<style>.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:.5em}.two svg{width:100%;max-width:560px;height:auto}\
     .wide{overflow-x:auto}.wide td,.wide th{padding:.15em .5em;font-size:.85em}h2{margin-top:1.2em}\
     .sign{display:grid;grid-template-columns:1fr 1fr 1fr;gap:2em;margin-top:3em}.sign div{border-top:1px solid #222}\
-    @media screen and (max-width:600px){.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
+    @media screen and (max-width:600px){.wide table{width:max-content;min-width:100%;max-width:none}.wide td,.wide th{overflow-wrap:normal;max-width:9.5em;padding:.15em .3em}\
+    .checks td,.checks th{font-size:.78em}.checks td:first-child{max-width:7em}.checks td:nth-child(6){max-width:4.8em}.checks td:nth-child(2),.checks th:nth-child(2),.checks td:last-child,.checks th:last-child{display:none}}\
     @media print{.two{grid-template-columns:1fr 1fr}.wide{overflow:visible}.wide td,.wide th{font-size:.72em;padding:.1em .25em}.new{break-before:page}h2{margin-top:.8em}}</style>\n";
 /// Bearings in the schedule of the page; the file has all.
 const MAX_BEARINGS: usize = 40;
@@ -36,6 +37,7 @@ pub fn html(study: &Study, outcomes: &[JobOutcome], review: &Review) -> String {
     structure(&mut out, study, outcomes, review);
     spectra(&mut out, study, outcomes);
     loops(&mut out, study, outcomes, review);
+    symbols(&mut out);
     open_matters(&mut out, outcomes, review);
     page::end(out)
 }
@@ -87,7 +89,8 @@ fn worst(checks: &[Check]) -> Vec<Check> {
 /// First page: what governs, design values, checks.
 fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Review) {
     let worst = worst(&review.checks);
-    let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status));
+    // Motions that are missing say nothing about the structure.
+    let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status) && !c.is_of_suite);
     let governs = governs.map_or("no check has a limit".to_owned(), |c| {
         let clause = if c.citation.clause.is_empty() { String::new() } else { format!(" ({})", c.citation.clause) };
         let ratio = if c.ratio.is_finite() { format!(", ratio {}", number(c.ratio)) } else { String::new() };
@@ -100,7 +103,7 @@ fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &R
         .map(|v| format!("{} of the {} bound by {}", v.quantity, v.bound, number(v.factor)))
         .collect();
     let counts = if study.motions.len() >= super::governing::mean_from(study) { "mean" } else { "largest" };
-    let suite = format!("{} pairs, {} analyses; the {counts} of the suite counts", study.motions.len(), outcomes.len());
+    let suite = format!("{} pairs, {} analyses; the {counts} response governs", study.motions.len(), outcomes.len());
     let count: usize = study.bearings.iter().map(|b| b.tags.len()).sum();
     let system = format!("{count} bearings under {} {}", number(study.weight), study.units[0]);
     page::summary(
@@ -351,10 +354,37 @@ fn loops(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Revi
             ..Figure::default()
         };
         figures.push(figure(y, &b.hysteresis, false));
-        figures.push(figure(page::labelled("u_y", length), &b.orbit, true));
+        if !b.orbit.is_empty() {
+            figures.push(figure(page::labelled("u_y", length), &b.orbit, true));
+        }
     }
     *out += "<h2>Loops and orbits of the governing type of bearing</h2>\n";
     side_by_side(out, &figures);
+}
+
+/// Meaning of the symbols of the page.
+const SYMBOLS: [(&str, &str); 12] = [
+    (
+        "D_M, T_M, k_M, β_M, B_M",
+        "displacement, effective period, stiffness, damping and damping coefficient of the procedure",
+    ),
+    ("T_fb", "longest period of the structure on a fixed base"),
+    ("V_b, V_st, V_s", "shear below the bearings, unreduced shear above them, design shear above them"),
+    ("R_I", "reduction of the forces above the bearings"),
+    ("k of the heights", "exponent of the heights in the distribution of V_s to the floors"),
+    ("D, D design", "displacement of a bearing in the suite, and scaled to the least value of the code"),
+    ("D_TM plan", "D_M times the torsional ratio of the bearing's place in the plan"),
+    ("D, L, Q_E", "in loads: dead load, live load, change of the axial force under the motion"),
+    ("P, P_cr", "axial force, compression positive; critical load with the overlapping area at the displacement"),
+    ("Q_d, K_d, K_eff", "strength at zero displacement, stiffness after yielding, secant stiffness"),
+    ("λ", "factor of a bound on Q_d or K_d"),
+    ("S_MS, S_M1", "spectral accelerations of the target at short periods and at 1 s, in g"),
+];
+
+fn symbols(out: &mut String) {
+    *out += "<h2>Symbols</h2>\n<div class=\"wide\">";
+    page::table(out, &["symbol", "meaning"], SYMBOLS.iter().map(|(a, b)| vec![(*a).to_owned(), (*b).to_owned()]));
+    *out += "</div>\n";
 }
 
 /// What was not checked, analyses that failed, places for signatures.

@@ -131,7 +131,7 @@ fn design_values(study: &Study, outcomes: &[JobOutcome], out: &mut Review) {
 fn suite(study: &Study, out: &mut Review) {
     let code = &study.code;
     let pairs = study.motions.len() as f64;
-    out.checks.push(Check::least_of(code, "suite_size", "pairs of ground motions", pairs));
+    out.checks.push(Check::least_of(code, "suite_size", "pairs of ground motions", pairs).of_suite());
     if let (Some([from, to]), Some((lowest, at))) = (out.suite.range, out.suite.lowest) {
         let mut subject = format!(
             "mean of the {} spectra over the target, least from {from:.2} to {to:.2} s (at {at:.2} s)",
@@ -140,7 +140,7 @@ fn suite(study: &Study, out: &mut Review) {
         if lowest < out.suite.least {
             subject += &format!("; factor on the motions {}", number(out.suite.least / lowest));
         }
-        out.checks.push(Check::least_of(code, "scaling_range", subject, lowest));
+        out.checks.push(Check::least_of(code, "scaling_range", subject, lowest).of_suite());
     }
 }
 
