@@ -55,6 +55,11 @@ impl UnmodelledStructure {
     }
 }
 
+/// Differences of samples over their range that are round-off.
+const ROUND_OFF: f64 = 1e-9;
+/// Difference from a whole number of steps that counts as none.
+const STEP_TOLERANCE: f64 = 0.01;
+
 /// Kinds of structure that are loudness alone.
 const LOUDNESS_KINDS: [&str; 3] = ["silence", "bursts", "unsteady"];
 
@@ -119,7 +124,7 @@ impl RunResiduals<'_> {
         };
         consider("motion", motion, format!("part of the residual of {name} follows the motion"));
         consider("recurrence", recurrence, recurrence_description(observe));
-        // Sensor noise may grow with the reading, which is neither silence nor unsteadiness.
+        // Sensor noise may grow with the reading, which is neither silence nor unsteadiness nor a burst.
         let steady = if complete_model {
             variance_normalised(points, &averaged(&simulated, STRUCTURE_POINTS))
         } else {
@@ -136,7 +141,8 @@ impl RunResiduals<'_> {
         let times = &self.run.recording.times;
         let rate = (times.len() - 1) as f64 / (times[times.len() - 1] - times[0]);
         consider("line", line, format!("the residual of {name} has a line at {:.3} Hz", frequency * rate));
-        let burst = burst_share(&innovations(residual), &innovations(&simulated));
+        let loud = if complete_model { variance_normalised(residual, &simulated) } else { residual.clone() };
+        let burst = burst_share(&innovations(&loud), &innovations(&simulated));
         consider("bursts", burst, format!("the residual of {name} comes in bursts"));
         consider(
             "unsteady",
@@ -235,9 +241,26 @@ fn strokes(responses: &ResponseRanges, run: usize) -> Vec<StrokeCells> {
     moving.map(|(_, h)| StrokeCells::new(&averaged(&h.deformation, STRUCTURE_POINTS), STRUCTURE_BLOCKS)).collect()
 }
 
-/// Weight of a channel, at most 1: small where the residual is negligible against the channel.
+/// Weight of a channel, at most 1: small where the residual is negligible against the channel, or due to the step of its samples.
 fn significance(residual: &[f64], channel: &ObservedChannel) -> f64 {
-    (power(residual) / channel.variance / NEGLIGIBLE_RESIDUAL).min(1.0)
+    let size = power(residual);
+    // Rounding to whole steps q leaves a variance of q²/12, which recurs wherever the channel does.
+    let rounded = (sample_step(&channel.values).powi(2) / 12.0 / size.max(f64::MIN_POSITIVE)).min(1.0);
+    (size / channel.variance / NEGLIGIBLE_RESIDUAL).min(1.0) * (1.0 - rounded)
+}
+
+/// Step of which all samples are multiples, beside one of them: the least difference of two samples. 0 without such a step.
+fn sample_step(samples: &[f64]) -> f64 {
+    let mut sorted: Vec<f64> = samples.iter().copied().filter(|x| x.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let (Some(low), Some(high)) = (sorted.first().copied(), sorted.last().copied()) else { return 0.0 };
+    let differences = sorted.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > ROUND_OFF * (high - low));
+    let step = differences.fold(f64::INFINITY, f64::min);
+    let is_multiple = |x: &f64| {
+        let steps = (x - low) / step;
+        (steps - steps.round()).abs() < STEP_TOLERANCE
+    };
+    if step.is_finite() && sorted.iter().all(is_multiple) { step } else { 0.0 }
 }
 
 fn finite_or_zero(x: f64) -> f64 {
@@ -273,38 +296,4 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{common_share, silent_share, unsteady_share, variance_normalised};
-    use crate::test_support::white_noise;
-
-    #[test]
-    fn independent_sensor_noise_has_no_common_share() {
-        let own: Vec<Vec<f64>> = (1..4).map(|seed| white_noise(seed, 900)).collect();
-        assert!((0..3).all(|c| common_share(&own, c, &[]) < 0.05));
-        // A force that moves all channels, each a sample later.
-        let force = white_noise(9, 910);
-        let moved: Vec<Vec<f64>> =
-            (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
-        assert!((0..3).all(|c| common_share(&moved, c, &[]) > 0.5));
-        assert!(common_share(&moved[..1], 0, &[]) == 0.0);
-    }
-
-    /// Noise that grows with the reading is neither silent nor unsteady; an event of its own is.
-    #[test]
-    fn noise_may_grow_with_the_reading() {
-        let n = 1200;
-        let channel: Vec<f64> = (0..n).map(|t| (t as f64 / n as f64) * (0.05 * t as f64).sin()).collect();
-        let mut flagged = 0;
-        for seed in 1..20 {
-            let grows: Vec<f64> =
-                white_noise(seed, n).iter().zip(&channel).map(|(x, y)| x * (0.1f64 + y * y).sqrt()).collect();
-            let steady = variance_normalised(&grows, &channel);
-            assert!(silent_share(&grows) > 0.3, "{seed} {}", silent_share(&grows));
-            flagged += usize::from(silent_share(&steady).max(unsteady_share(&steady)) > 0.05);
-            let rung = |t: usize| if t % 500 > 400 { 8.0 * (0.4 * t as f64).sin() } else { 0.0 };
-            let struck: Vec<f64> = white_noise(seed, n).iter().enumerate().map(|(t, x)| x + rung(t)).collect();
-            assert!(silent_share(&variance_normalised(&struck, &channel)) > 0.3);
-        }
-        assert!(flagged < 3, "{flagged}");
-    }
-}
+mod tests;
