@@ -13,7 +13,8 @@ use crate::inspect::probe::{inspect_model, record_responses_of};
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::series::power;
 use hysteron_identify::report::html::{labelled, line, recorded};
-use hysteron_identify::study::{Role, SimulatorFactory, Study};
+use hysteron_identify::study::unit::{self, Quantity};
+use hysteron_identify::study::{ObservedChannel, Role, SimulatorFactory, Study};
 use hysteron_opensees::chart::{Curve, Figure};
 
 /// The loop of a device in one direction and one run.
@@ -151,7 +152,9 @@ impl LoopSources<'_> {
         let square = |values: &[f64]| values.iter().map(|v| v * v).filter(|x| x.is_finite()).sum::<f64>();
         // Of several columns of the element the one that is nearest to this force, with its sign.
         let near = |values: &[f64]| product(values).powi(2) / square(values).max(f64::MIN_POSITIVE);
-        let shown = observed.filter(|(_, o)| o.is_resistance()).filter(is_shown);
+        // A stress has another scale.
+        let is_force = |o: &ObservedChannel| unit::unit(&o.unit).is_none_or(|u| u.quantity == Quantity::Force);
+        let shown = observed.filter(|(_, o)| o.is_resistance() && is_force(o)).filter(is_shown);
         let best = shown.max_by(|a, b| near(&a.1.values).total_cmp(&near(&b.1.values)));
         best.map_or_else(Vec::new, |(_, o)| {
             let sign = product(&o.values).signum();

@@ -4,8 +4,6 @@
 //! inertia of all masses at its level and above. The difference of two accelerations is the same against the ground and in space.
 
 mod motion;
-#[cfg(test)]
-mod tests;
 mod words;
 
 use super::levels::Levels;
@@ -55,14 +53,17 @@ pub struct ResidualForce {
     pub(super) course: ForceCourse,
 }
 
-/// Part of a residual force that follows a sign of the motion.
+/// Name of the part that comes again wherever the deformation does, in the same sense of the motion.
+const STROKE: &str = "stroke";
+
+/// Part of a residual force that follows the motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidualPart {
-    /// The motion that it follows: `speed`, `deformation`, or `side` for a force of one sign.
+    /// What it follows: the sign of the `speed` or of the `deformation`, one `side` for a force of one sign, or the `stroke`.
     pub follows: &'static str,
-    /// Share of its square that this sign predicts on stretches of time that were left out.
+    /// Share of its square that this predicts on stretches of time that were left out.
     pub share: f64,
-    /// 1 if the recorded force resists more than the simulated one, -1 if less.
+    /// 1 if the recorded force resists more than the simulated one, -1 if less; 1 along the stroke.
     pub sense: f64,
 }
 
@@ -341,7 +342,7 @@ impl FittedRun<'_> {
 /// Sign that turns the deformation of a device so that its free node moves towards a positive global axis, and that axis.
 fn towards(device: &Device, direction: &Direction, inventory: &ModelInventory) -> (f64, String) {
     let Some(along) = (0..3).find(|i| direction.axis[*i].abs() > MIN_COMPONENT) else {
-        return (1.0, "its positive direction".into());
+        return (1.0, "the positive sense of the device".into());
     };
     let [first, second] = device.nodes.map(|n| inventory.is_held(n, along + 1));
     // The deformation is the motion of the second node against the first.

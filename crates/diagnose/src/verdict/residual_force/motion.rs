@@ -1,17 +1,20 @@
 //! Parts of a force that follow the motion.
 
-use super::ResidualPart;
+use super::{ResidualPart, STROKE};
 use crate::prior::STRUCTURE_BLOCKS;
+use crate::residual::recurrence::StrokeCells;
 use crate::residual::regression::explained_share;
 
 /// Speed over the largest one up to which a device is at rest.
 const AT_REST: f64 = 1e-3;
 /// Least share of a residual force that a part has to be told.
 const MIN_PART: f64 = 0.1;
+
 /// Signs of the motion at each sample.
 pub(super) struct Motion {
     deformation: Vec<f64>,
     speed: Vec<f64>,
+    stroke: StrokeCells,
 }
 
 impl Motion {
@@ -27,10 +30,14 @@ impl Motion {
             let sign = |x: &f64| if x.is_finite() && x.abs() > least * most { x.signum() } else { 0.0 };
             x.iter().map(sign).collect()
         };
-        Self { deformation: signs(deformation, 0.0), speed: signs(&speeds, AT_REST) }
+        Self {
+            deformation: signs(deformation, 0.0),
+            speed: signs(&speeds, AT_REST),
+            stroke: StrokeCells::new(deformation, STRUCTURE_BLOCKS),
+        }
     }
 
-    /// Parts of a force that follow a sign and have a share of [`MIN_PART`], the largest first.
+    /// Parts of a force that follow a sign or come again along the stroke, and have a share of [`MIN_PART`]; the largest first.
     pub(super) fn parts(&self, force: &[f64]) -> Vec<ResidualPart> {
         let force: Vec<f64> = force.iter().map(|f| if f.is_finite() { *f } else { 0.0 }).collect();
         let side = vec![1.0; force.len()];
@@ -40,7 +47,10 @@ impl Motion {
             share: explained_share(&force, std::slice::from_ref(column), STRUCTURE_BLOCKS),
             sense: force.iter().zip(column).map(|(f, c)| f * c).sum::<f64>().signum(),
         };
-        let mut out: Vec<ResidualPart> = columns.map(part).into_iter().filter(|p| p.share >= MIN_PART).collect();
+        let along_stroke =
+            ResidualPart { follows: STROKE, share: self.stroke.recurrence_along_stroke(&force), sense: 1.0 };
+        let all = columns.map(part).into_iter().chain([along_stroke]);
+        let mut out: Vec<ResidualPart> = all.filter(|p| p.share >= MIN_PART).collect();
         out.sort_by(|a, b| b.share.total_cmp(&a.share));
         out
     }

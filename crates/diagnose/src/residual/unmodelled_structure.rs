@@ -4,13 +4,13 @@ use super::bursts::burst_share;
 use super::motion_regressors::motion_regressors;
 use super::recurrence::StrokeCells;
 use super::regression::explained_share;
+use super::sensor_noise::{sample_step, variance_normalised};
 use super::spectral_lines::line_share;
 use super::surrogates::{follows_motion, recurs_along, silent_share, unsteady_share};
 use crate::inspect::response::ResponseRanges;
 use crate::prior::{
-    BURST_NOISE_ORDER, CHANNEL_SHIFTS, MIN_CONSTANT_VARIANCE, MIN_SHARED_STRUCTURE, NEGLIGIBLE_RESIDUAL,
-    REGRESSION_DEVICES, RESIDUAL_SHIFTS, SAMPLES_PER_REGRESSOR, SINGULAR_VARIANCE_FIT, STRUCTURE_BLOCKS,
-    STRUCTURE_NOISE_ORDER, STRUCTURE_POINTS, VARIANCE_FIT_STEPS,
+    BURST_NOISE_ORDER, CHANNEL_SHIFTS, MIN_SHARED_STRUCTURE, NEGLIGIBLE_RESIDUAL, REGRESSION_DEVICES, RESIDUAL_SHIFTS,
+    SAMPLES_PER_REGRESSOR, STRUCTURE_BLOCKS, STRUCTURE_NOISE_ORDER, STRUCTURE_POINTS,
 };
 use crate::series::{averaged, power};
 use hysteron_identify::autoregressive::{burg, whiten};
@@ -54,11 +54,6 @@ impl UnmodelledStructure {
         }
     }
 }
-
-/// Differences of samples over their range that are round-off.
-const ROUND_OFF: f64 = 1e-9;
-/// Difference from a whole number of steps that counts as none.
-const STEP_TOLERANCE: f64 = 0.01;
 
 /// Kinds of structure that are loudness alone.
 const LOUDNESS_KINDS: [&str; 3] = ["silence", "bursts", "unsteady"];
@@ -172,40 +167,6 @@ impl RunResiduals<'_> {
     }
 }
 
-/// A residual divided by the standard deviation of noise with the variance a + b y² at a channel reading y.
-///
-/// Reweighted least squares on the squared residual give the most likely a and b that are not negative.
-fn variance_normalised(residual: &[f64], channel: &[f64]) -> Vec<f64> {
-    let (mean, size) = (power(residual), power(channel));
-    if mean <= 0.0 || size <= 0.0 {
-        return residual.to_vec();
-    }
-    let squares: Vec<f64> = channel.iter().map(|y| y * y / size).collect();
-    let (mut a, mut b) = (mean, 0.0);
-    for _ in 0..VARIANCE_FIT_STEPS {
-        let (mut normal, mut gradient) = ([[0.0; 2]; 2], [0.0; 2]);
-        for (r, g) in residual.iter().zip(&squares) {
-            let w = (a + b * g).powi(-2);
-            normal = [[normal[0][0] + w, normal[0][1] + w * g], [normal[1][0] + w * g, normal[1][1] + w * g * g]];
-            gradient = [gradient[0] + w * r * r, gradient[1] + w * g * r * r];
-        }
-        let [[aa, ab], [_, bb]] = normal;
-        let determinant = aa * bb - ab * ab;
-        if determinant <= SINGULAR_VARIANCE_FIT * aa * bb {
-            break;
-        }
-        a = (bb * gradient[0] - ab * gradient[1]) / determinant;
-        b = (aa * gradient[1] - ab * gradient[0]) / determinant;
-        if b < 0.0 {
-            (a, b) = (gradient[0] / aa, 0.0);
-        } else if a < MIN_CONSTANT_VARIANCE * mean {
-            a = MIN_CONSTANT_VARIANCE * mean;
-            b = ((gradient[1] - ab * a) / bb).max(0.0);
-        }
-    }
-    residual.iter().zip(&squares).map(|(r, g)| r / (a + b * g).sqrt()).collect()
-}
-
 /// Residual that recurs along the stroke, however slowly it changes there.
 pub(crate) fn recurring_structure(
     study: &Study,
@@ -249,20 +210,6 @@ fn significance(residual: &[f64], channel: &ObservedChannel) -> f64 {
     (size / channel.variance / NEGLIGIBLE_RESIDUAL).min(1.0) * (1.0 - rounded)
 }
 
-/// Step of which all samples are multiples, beside one of them: the least difference of two samples. 0 without such a step.
-fn sample_step(samples: &[f64]) -> f64 {
-    let mut sorted: Vec<f64> = samples.iter().copied().filter(|x| x.is_finite()).collect();
-    sorted.sort_by(f64::total_cmp);
-    let (Some(low), Some(high)) = (sorted.first().copied(), sorted.last().copied()) else { return 0.0 };
-    let differences = sorted.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > ROUND_OFF * (high - low));
-    let step = differences.fold(f64::INFINITY, f64::min);
-    let is_multiple = |x: &f64| {
-        let steps = (x - low) / step;
-        (steps - steps.round()).abs() < STEP_TOLERANCE
-    };
-    if step.is_finite() && sorted.iter().all(is_multiple) { step } else { 0.0 }
-}
-
 fn finite_or_zero(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }
@@ -296,4 +243,141 @@ fn shifted(x: &[f64], by: isize) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::{UnmodelledStructure, common_share, unmodelled_structure};
+    use crate::inspect::response::{ResponseHistory, ResponseRanges};
+    use crate::prior::MIN_SHARED_STRUCTURE;
+    use crate::test_support::{pad_study, white_noise};
+    use hysteron_identify::study::{Role, Score, ScoredRun};
+
+    #[test]
+    fn independent_sensor_noise_has_no_common_share() {
+        let own: Vec<Vec<f64>> = (1..4).map(|seed| white_noise(seed, 900)).collect();
+        assert!((0..3).all(|c| common_share(&own, c, &[]) < 0.05));
+        // A force that moves all channels, each a sample later.
+        let force = white_noise(9, 910);
+        let moved: Vec<Vec<f64>> =
+            (0..3).map(|c| own[c].iter().zip(&force[c..]).map(|(o, f)| o + f).collect()).collect();
+        assert!((0..3).all(|c| common_share(&moved, c, &[]) > 0.5));
+        assert!(common_share(&moved[..1], 0, &[]) == 0.0);
+    }
+
+    const SAMPLES: usize = 1500;
+
+    fn times() -> Vec<f64> {
+        (0..SAMPLES).map(|i| 0.01 * i as f64).collect()
+    }
+
+    /// A motion of several tones.
+    fn motion() -> Vec<f64> {
+        times().iter().map(|t| (2.0 * t).sin() + 0.6 * (4.7 * t + 1.0).sin() + 0.4 * (7.3 * t + 2.0).sin()).collect()
+    }
+
+    /// Force of a pad under that motion: a spring, and a part that follows the sense of the motion.
+    fn force() -> Vec<f64> {
+        let u = motion();
+        (0..SAMPLES).map(|i| 10.0 * u[i] + 3.0 * ((u[i] - u[i.saturating_sub(1)]) / 0.005).tanh()).collect()
+    }
+
+    /// Structure that a model leaves which lacks the `error` of one channel.
+    fn left(error: &[f64]) -> UnmodelledStructure {
+        let recorded: Vec<f64> = force().iter().zip(error).map(|(f, e)| f + e).collect();
+        left_of(recorded)
+    }
+
+    fn left_of(recorded: Vec<f64>) -> UnmodelledStructure {
+        let mut study = pad_study();
+        study.runs.retain(|r| r.role == Role::Fit);
+        study.runs.truncate(1);
+        let run = &mut study.runs[0];
+        run.recording.times = times();
+        run.observe.truncate(1);
+        let mean = recorded.iter().sum::<f64>() / SAMPLES as f64;
+        run.observe[0].variance = recorded.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / SAMPLES as f64;
+        run.observe[0].values = recorded;
+        let history = ResponseHistory { times: times(), deformation: motion(), force: force() };
+        let responses = ResponseRanges { histories: [((0, 1, 1), history)].into(), ..ResponseRanges::default() };
+        let scores = vec![Score { nmse: 0.0, samples: SAMPLES, dropped: 0 }];
+        unmodelled_structure(&study, &responses, &[ScoredRun { channels: vec![force()], scores }], true)
+    }
+
+    /// Number of seeds of which an error is structure, and of those with a remark on the sensor.
+    fn counted(error: impl Fn(u64) -> Vec<f64>) -> [usize; 2] {
+        let all: Vec<UnmodelledStructure> = (1..13).map(|seed| left(&error(seed))).collect();
+        let is_physics = |s: &&UnmodelledStructure| s.share > MIN_SHARED_STRUCTURE;
+        [all.iter().filter(is_physics).count(), all.iter().filter(|s| !s.unsteady_channels.is_empty()).count()]
+    }
+
+    fn is_burst(t: usize) -> bool {
+        (300..360).contains(&t) || (820..850).contains(&t) || (1200..1290).contains(&t)
+    }
+
+    /// Steady noise has neither structure nor a remark.
+    #[test]
+    fn steady_noise_is_nothing() {
+        let [physics, remarks] = counted(|seed| white_noise(seed, SAMPLES));
+        assert!(physics == 0 && remarks == 0, "{physics} {remarks}");
+    }
+
+    /// Bursts that do not follow the motion are noise of the sensor, whatever their colour.
+    #[test]
+    fn bursts_alone_are_noise_with_a_remark() {
+        let bursts = |seed, colour: f64| {
+            let mut x = white_noise(seed, SAMPLES);
+            (1..SAMPLES).for_each(|t| x[t] += colour * x[t - 1]);
+            (0..SAMPLES).map(|t| 0.2 * x[t] * if is_burst(t) { 8.0 } else { 1.0 }).collect::<Vec<f64>>()
+        };
+        for colour in [0.0, 0.6] {
+            let [physics, remarks] = counted(|seed| bursts(seed, colour));
+            assert!(physics <= 1 && remarks >= 11, "{colour}: {physics} {remarks}");
+        }
+    }
+
+    /// A force that the device has in some stretches alone follows the motion, and its loudness is physics.
+    #[test]
+    fn bursts_of_the_motion_are_physics() {
+        let u = motion();
+        let sticks = |t: usize| 2.0 * ((u[t] - u[t.saturating_sub(1)]) / 0.005).tanh();
+        let [physics, remarks] = counted(|seed| {
+            let noise = white_noise(seed, SAMPLES);
+            (0..SAMPLES).map(|t| 0.2 * noise[t] + if t % 500 < 250 { sticks(t) } else { 0.0 }).collect()
+        });
+        assert!(physics == 12 && remarks == 0, "{physics} {remarks}");
+    }
+
+    /// Noise that grows with the reading is neither.
+    #[test]
+    fn proportional_noise_is_nothing() {
+        let f = force();
+        let [physics, remarks] = counted(|seed| {
+            let noise = white_noise(seed, SAMPLES);
+            (0..SAMPLES).map(|t| noise[t] * (0.05 + 0.05 * f[t].abs())).collect()
+        });
+        assert!(physics <= 1 && remarks <= 1, "{physics} {remarks}");
+    }
+
+    /// A hum comes again all the time: it is no noise.
+    #[test]
+    fn a_hum_is_a_line() {
+        for seed in 1..6 {
+            let noise = white_noise(seed, SAMPLES);
+            let hum: Vec<f64> = (0..SAMPLES).map(|t| 0.2 * noise[t] + 0.6 * (1.3 * t as f64).sin()).collect();
+            let found = left(&hum);
+            assert!(found.by_kind.get("line").is_some_and(|s| *s > 0.3), "{:?}", found.by_kind);
+        }
+    }
+
+    /// Rounding recurs along the stroke with the force, and is no physics; a force of the same size beside it is.
+    #[test]
+    fn rounded_samples_are_no_structure() {
+        for step in [0.2, 0.5, 1.0] {
+            let round = |x: &f64| step * (x / step).round();
+            let rounded: Vec<f64> = force().iter().map(round).collect();
+            let found = left_of(rounded);
+            assert!(found.share < MIN_SHARED_STRUCTURE && found.unsteady_channels.is_empty(), "{step}: {found:?}");
+            let ripples: Vec<f64> =
+                force().iter().zip(motion()).map(|(f, u)| round(&(f + 1.5 * step * (9.0 * u).sin()))).collect();
+            assert!(left_of(ripples).share > 0.5, "{step}");
+        }
+    }
+}
