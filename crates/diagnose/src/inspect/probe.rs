@@ -95,6 +95,18 @@ pub(crate) fn record_responses(
     inventory: &ModelInventory,
     role: Role,
 ) -> ResponseRanges {
+    record_responses_of(factory, study, values, inventory, role, &|recorders| insert(text, at, recorders))
+}
+
+/// The same of the script that `with_commands` makes of the commands of the recorders.
+pub(crate) fn record_responses_of(
+    factory: &SimulatorFactory,
+    study: &Arc<Study>,
+    values: &[f64],
+    inventory: &ModelInventory,
+    role: Role,
+    with_commands: &dyn Fn(&[String]) -> String,
+) -> ResponseRanges {
     let devices = &inventory.devices[..inventory.devices.len().min(MAX_RECORDED)];
     let (columns, girders) = (&inventory.columns, &inventory.girders);
     let beams: Vec<_> = columns.iter().take(MAX_RECORDED).chain(girders.iter().take(MAX_RECORDED)).collect();
@@ -114,7 +126,7 @@ pub(crate) fn record_responses(
     for m in masses {
         NODE_RESPONSES.iter().for_each(|response| recorders.add_node(m.node, response, translations(m)));
     }
-    let text = insert(text, at, &recorders.commands);
+    let text = with_commands(&recorders.commands);
     let mut recorded = (**study).clone();
     recorded.runs.iter_mut().for_each(|r| r.observe.clone_from(&recorders.observed));
     let recorded = Arc::new(recorded);

@@ -1,35 +1,11 @@
 //! Next steps that can be taken: at a building with its recordings, or with a specimen in a test rig.
 
+use super::place::Place;
 use super::quantity::duration;
+use super::recorded_quantities::{Recordable, RecordedQuantities};
 use crate::fit::step_error::StepError;
-use crate::inspect::conditions::recorded_column;
 use crate::prior::NEGLIGIBLE_STEP_ERROR;
-use hysteron_identify::study::unit::{self, Quantity};
 use hysteron_identify::study::{Role, Run, Study};
-
-/// A condition of the runs that may be recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Condition {
-    Temperature,
-    AxialForce,
-}
-
-impl Condition {
-    /// Returns true if every run has it: a column of this name or unit, or a setting.
-    fn is_recorded(self, study: &Study) -> bool {
-        let has = |r: &Run| match self {
-            Self::Temperature => {
-                recorded_column(r, "temp").is_some() || r.recording.columns.iter().any(|c| is_temperature(&c.unit))
-            }
-            Self::AxialForce => recorded_column(r, "axial").is_some() || r.number("axial").is_some(),
-        };
-        study.runs.iter().all(has)
-    }
-}
-
-fn is_temperature(unit: &str) -> bool {
-    unit::unit(unit).is_some_and(|u| u.quantity == Quantity::Temperature)
-}
 
 /// Measurement that shows a cause.
 struct Measurement {
@@ -38,18 +14,30 @@ struct Measurement {
     building: &'static str,
     /// In a test rig, whose motion can.
     rig: &'static str,
-    /// The condition that it records, and what is left to do in a rig where every run has it already.
-    recorded: Option<(Condition, Option<&'static str>)>,
+    /// What it records at a building and in a rig; none where it asks for more than a recording.
+    records: [Option<Recordable>; 2],
+    /// What is left to do in a rig where every run has that already.
+    left_in_rig: Option<&'static str>,
 }
 
 const fn of(cause: &'static str, building: &'static str, rig: &'static str) -> Measurement {
-    Measurement { cause, building, rig, recorded: None }
+    Measurement { cause, building, rig, records: [None; 2], left_in_rig: None }
 }
 
 impl Measurement {
     /// The same of a condition that the runs may have already; then `rig` is left to do.
-    const fn unless(self, condition: Condition, rig: Option<&'static str>) -> Self {
-        Self { recorded: Some((condition, rig)), ..self }
+    const fn unless(self, what: Recordable, rig: Option<&'static str>) -> Self {
+        Self { records: [Some(what); 2], left_in_rig: rig, ..self }
+    }
+
+    /// The same of a quantity that the runs of a building may have already.
+    const fn unless_at_building(self, what: Recordable) -> Self {
+        Self { records: [Some(what), self.records[1]], ..self }
+    }
+
+    /// The same of a quantity that the runs of a rig may have already.
+    const fn unless_in_rig(self, what: Recordable) -> Self {
+        Self { records: [self.records[0], Some(what)], ..self }
     }
 }
 
@@ -66,7 +54,7 @@ const MEASUREMENTS: &[Measurement] = &[
         "put a thermometer on {place}, and repeat a run after it has cooled: the first cycle must be strong again",
     )
     .unless(
-        Condition::Temperature,
+        Recordable::Temperature,
         Some("repeat a run after {place} has cooled: the first cycle must be strong again"),
     ),
     of(
@@ -74,7 +62,7 @@ const MEASUREMENTS: &[Measurement] = &[
         "record the temperature at {place} with every earthquake",
         "record the temperature of {place}, and repeat one run at the temperature of the model",
     )
-    .unless(Condition::Temperature, Some("repeat one run at the temperature of the model")),
+    .unless(Recordable::Temperature, Some("repeat one run at the temperature of the model")),
     of(
         "mullins_softening",
         "compare earthquakes before and after the strongest one: {place} must be softer after it",
@@ -89,34 +77,38 @@ const MEASUREMENTS: &[Measurement] = &[
         "strain_stiffening",
         "record the displacement across {place}: its stiffness must rise at the largest ones",
         "drive one cycle to the largest displacement that the rig allows: the stiffness must rise",
-    ),
+    )
+    .unless_at_building(Recordable::Deformation),
     of(
         "axial_shear_interaction",
         "compute or measure the axial load of {place}: the lateral stiffness must fall as it grows",
         "repeat a run at another axial load: the lateral stiffness must change",
     )
-    .unless(Condition::AxialForce, Some("repeat a run at another axial load: the lateral stiffness must change")),
+    .unless(Recordable::AxialForce, Some("repeat a run at another axial load: the lateral stiffness must change")),
     of(
         "varying_axial_load",
         "record the vertical force of {place}, or vertical accelerations on both sides of the structure",
         "record the axial force of {place} during the run",
     )
-    .unless(Condition::AxialForce, None),
+    .unless(Recordable::AxialForce, None),
     of(
         "cavitation",
         "record the vertical displacement across {place}: it must lift",
         "pull twice to the same extension: the second pull must be weaker",
-    ),
+    )
+    .unless_at_building(Recordable::VerticalDeformation),
     of(
         "bidirectional_coupling",
         "record both horizontal displacements across {place}",
         "drive one direction alone: its loops must be larger than in a motion of both",
-    ),
+    )
+    .unless_at_building(Recordable::BothHorizontal),
     of(
         "friction",
         "record the displacement across {place} in small earthquakes: it must stick at each reversal",
         "drive a tiny, slow cycle: the loop must be as high as twice the friction force",
-    ),
+    )
+    .unless_at_building(Recordable::Deformation),
     of(
         "gap_impact",
         "measure the clearance at {place}, and put an accelerometer beside it: contact shows as short peaks",
@@ -126,12 +118,15 @@ const MEASUREMENTS: &[Measurement] = &[
         "foundation_flexibility",
         "put one accelerometer on the foundation at {place} and one on free ground: they must differ",
         "record the displacement of the support at {place}",
-    ),
+    )
+    .unless_at_building(Recordable::Acceleration)
+    .unless_in_rig(Recordable::Deformation),
     of(
         "superstructure_yielding",
         "inspect {place} for cracks and a permanent drift, and record the drift there",
         "record the deformation at {place}: it must keep a permanent part",
-    ),
+    )
+    .unless_in_rig(Recordable::Deformation),
     of(
         "damping",
         "record small vibrations after a shock or in wind, and compare their decay with that of the model",
@@ -141,12 +136,14 @@ const MEASUREMENTS: &[Measurement] = &[
         "torsion",
         "put two accelerometers of one direction on opposite edges of the floor of {place}: they must differ",
         "record opposite edges of the floor of {place}: they must differ",
-    ),
+    )
+    .unless(Recordable::EdgesOfFloor, None),
     of(
         "pinching",
         "record the displacement across {place}: the loops must be thin near zero",
         "drive small cycles after large ones: their force must be small",
-    ),
+    )
+    .unless_at_building(Recordable::Deformation),
     of(
         "sensor_gain",
         "check the factor of this channel in the settings of the recorder, or put a second instrument beside it",
@@ -169,25 +166,36 @@ const MEASUREMENTS: &[Measurement] = &[
     ),
 ];
 
-/// Quantities that an unknown cause may depend on and no run records, in words.
-pub(super) fn unrecorded(study: &Study) -> String {
-    let conditions = [("temperature", Condition::Temperature), ("axial force", Condition::AxialForce)];
-    let missing = conditions.iter().filter(|(_, c)| !c.is_recorded(study)).map(|(name, _)| *name);
-    let all: Vec<&str> = missing.chain(["both horizontal directions"]).collect();
-    format!("record what may matter and is not recorded: {}", all.join(", "))
+/// Quantities that an unknown cause may depend on and no run records, in words; none where the runs have all.
+pub(super) fn unrecorded(recorded: &RecordedQuantities<'_>) -> Option<String> {
+    let quantities = [
+        ("temperature", Recordable::Temperature),
+        ("axial force", Recordable::AxialForce),
+        ("both horizontal directions", Recordable::BothHorizontal),
+    ];
+    let nowhere = Place::default();
+    let missing = quantities.iter().filter(|(_, what)| !recorded.has(*what, &nowhere)).map(|(name, _)| *name);
+    let missing: Vec<&str> = missing.collect();
+    (!missing.is_empty()).then(|| format!("record what may matter and is not recorded: {}", missing.join(", ")))
 }
 
-/// Measurement that shows a cause, in words; `None` where it is recorded already.
-pub(super) fn measurement(cause: &str, place: &str, building: bool, study: &Study) -> Option<String> {
+/// Measurement that shows a cause, in words; `None` where it is recorded already. `location` are the words for the place.
+pub(super) fn measurement(
+    cause: &str,
+    location: &str,
+    place: &Place,
+    building: bool,
+    recorded: &RecordedQuantities<'_>,
+) -> Option<String> {
     let m = MEASUREMENTS.iter().find(|m| m.cause == cause)?;
-    let recorded = m.recorded.filter(|(condition, _)| condition.is_recorded(study));
-    let text = match recorded {
-        Some(_) if building => return None,
-        Some((_, rig)) => rig?,
-        None if building => m.building,
-        None => m.rig,
+    let is_recorded = m.records[usize::from(!building)].is_some_and(|what| recorded.has(what, place));
+    let text = match (building, is_recorded) {
+        (true, true) => return None,
+        (true, false) => m.building,
+        (false, true) => m.left_in_rig?,
+        (false, false) => m.rig,
     };
-    Some(text.replace("{place}", if place.is_empty() { "the device" } else { place }))
+    Some(text.replace("{place}", if location.is_empty() { "the device" } else { location }))
 }
 
 /// Step of the script that a smaller error needs, in words; none if the error is negligible.
@@ -221,16 +229,34 @@ fn script_step(run: &Run, steps: Option<usize>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MEASUREMENTS, measurement, script_step, unrecorded};
+    use super::{MEASUREMENTS, script_step};
     use crate::hypothesis;
+    use crate::inspect::inventory::ModelInventory;
     use crate::test_support::pad_study;
-    use hysteron_identify::study::{Column, Setting};
+    use crate::verdict::place::{NodePlace, Place};
+    use crate::verdict::recorded_quantities::RecordedQuantities;
+    use hysteron_identify::study::{Column, Setting, Study};
+
+    /// Advice where the channels are compared with a column of the model, about an effect at node 2.
+    fn measurement(cause: &str, location: &str, building: bool, study: &Study, column: &str) -> Option<String> {
+        let mut inventory = ModelInventory::default();
+        inventory.ndm = 1;
+        let columns = vec![vec![column.to_owned()]; study.runs.len()];
+        let place = Place { nodes: vec![NodePlace { tag: 2, coordinates: vec![] }], ..Place::default() };
+        let recorded = RecordedQuantities { study, inventory: &inventory, columns: &columns };
+        super::measurement(cause, location, &place, building, &recorded)
+    }
+
+    fn unrecorded(study: &Study) -> String {
+        let inventory = ModelInventory::default();
+        super::unrecorded(&RecordedQuantities { study, inventory: &inventory, columns: &[] }).unwrap_or_default()
+    }
 
     #[test]
     fn every_cause_has_a_measurement() {
         let causes: Vec<&str> = hypothesis::ALL.iter().map(|h| h.cause).collect();
         assert_eq!(MEASUREMENTS.iter().map(|m| m.cause).collect::<Vec<_>>(), causes);
-        let text = measurement("gap_impact", "element 4", true, &pad_study()).expect("a measurement");
+        let text = measurement("gap_impact", "element 4", true, &pad_study(), "").expect("a measurement");
         assert!(text.starts_with("measure the clearance at element 4, "), "{text}");
         // Nobody orders an earthquake.
         for m in MEASUREMENTS {
@@ -243,14 +269,28 @@ mod tests {
     fn advice_asks_for_nothing_that_is_recorded() {
         let mut study = pad_study();
         study.runs.iter_mut().for_each(|r| r.recording.columns.retain(|c| !c.name.starts_with("temp")));
-        let heating = |s: &_| measurement("self_heating", "element 1", false, s).expect("a measurement");
+        let heating = |s: &_| measurement("self_heating", "element 1", false, s, "").expect("a measurement");
         assert!(heating(&study).contains("thermometer") && unrecorded(&study).contains("temperature"));
         for r in &mut study.runs {
             let values = vec![20.0; r.recording.times.len()];
             r.recording.columns.push(Column { name: "inside".into(), unit: "degC".into(), values });
         }
         assert!(!heating(&study).contains("thermometer") && !unrecorded(&study).contains("temperature"));
-        assert!(heating(&study).contains("repeat a run") && measurement("self_heating", "", true, &study).is_none());
+        assert!(
+            heating(&study).contains("repeat a run") && measurement("self_heating", "", true, &study, "").is_none()
+        );
+    }
+
+    /// A displacement across the device is asked for where none is recorded there.
+    #[test]
+    fn a_recorded_displacement_is_not_asked_for() {
+        let mut study = pad_study();
+        let asks = |study: &Study, column: &str| measurement("friction", "element 1", true, study, column).is_some();
+        assert!(asks(&study, "node 2 dof 1"), "a force is no displacement");
+        study.runs.iter_mut().for_each(|r| r.observe[0].unit = "mm".into());
+        assert!(!asks(&study, "node 2 dof 1") && asks(&study, "node 9 dof 1"));
+        // In a rig another run is asked for, whatever is recorded.
+        assert!(measurement("friction", "element 1", false, &study, "node 2 dof 1").is_some());
     }
 
     #[test]

@@ -1,16 +1,20 @@
 //! From ranked hypotheses to the verdict and the repaired model.
 
 use super::all_runs::{displacements, fits_of_all_runs, script_steps};
+use super::device_loop::{BlamedParts, DeviceLoop, LoopSources, blamed_parts, repaired_responses};
 use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::discriminating_test;
-use super::explanation::{explanation, observation, unsteady_in_words};
+use super::explanation::observation;
 use super::gates::GatedRepair;
 use super::learned::{LearnedContext, learned_repair};
 use super::mismatch::mismatches;
-use super::result_file::{Baseline, Candidate, Outcome, RepairedModel, UnmovedChannel, Verdict};
+use super::quantity::Units;
+use super::residual_force::{FittedModelRuns, ResidualForce, residual_forces};
+use super::result_file::{Baseline, Mismatch, Outcome, RepairedModel, UnmovedChannel};
 use super::structure_drawing::StructureDrawing;
-use super::summary::{Summary, SummaryContext, summary};
+use super::summary::{SummaryContext, summary};
 use super::unmoved::unmoved_in_words;
+use super::verdict_in_words::verdict_in_words;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
 use crate::candidate::repaired_script::repaired_script;
@@ -18,12 +22,9 @@ use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
-use crate::evidence::ranking::equal_forms;
 use crate::evidence::second_effect::has_second_effect;
 use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
-use crate::evidence::verdict_model::{
-    self, CauseProbabilities, bayes_probabilities, cause_probabilities, effect_probabilities,
-};
+use crate::evidence::verdict_model::{self, CauseProbabilities, cause_probabilities};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
 use crate::fit::job::{FittedModel, Job};
@@ -34,8 +35,7 @@ use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_REPORTED_PROBABILITY};
-use crate::residual::unmodelled_structure::UnmodelledStructure;
+use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE};
 use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
 use hysteron_identify::study::{
     InitialRun, ObservedChannel, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -51,6 +51,8 @@ pub(super) struct ConclusionContext<'a> {
     pub(super) text: &'a str,
     pub(super) point: &'a InsertionPoint,
     pub(super) responses: &'a ResponseRanges,
+    /// Responses of the fitted runs with the fitted values of the user's model.
+    pub(super) fitted_responses: &'a ResponseRanges,
     /// True if motions of nodes are imposed, false if the ground moves.
     pub(super) imposed_motion: bool,
     pub(super) step_error: StepError,
@@ -84,14 +86,14 @@ pub(super) struct Ranking<'a> {
 }
 
 /// A repaired model.
-struct Repair {
+pub(super) struct Repair {
     /// Hypothesis of the repair.
-    hypothesis: FittedHypothesis,
+    pub(super) hypothesis: FittedHypothesis,
     /// Its optimum with the steps of the script.
     fitted: FittedModel,
     /// Channels of all runs; none for a run without a result.
     fits: Vec<Option<ScoredRun>>,
-    judgement: HoldoutJudgement,
+    pub(super) judgement: HoldoutJudgement,
     /// Errors of the runs held out.
     errors: Option<HeldOutErrors>,
     /// Limits of the probability of its cause.
@@ -124,15 +126,15 @@ impl Repair {
 }
 
 /// Cause with the highest probability after the judgement of its repair.
-struct JudgedVerdict {
-    cause: &'static str,
-    repair: Repair,
+pub(super) struct JudgedVerdict {
+    pub(super) cause: &'static str,
+    pub(super) repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
-    refused: Option<&'static str>,
+    pub(super) refused: Option<&'static str>,
     /// Cause to leave out of a further search.
     refuted: Option<&'static str>,
     /// Causes, `none` and `unknown`, the most probable first.
-    probabilities: CauseProbabilities,
+    pub(super) probabilities: CauseProbabilities,
 }
 
 /// Diagnosis from ranked hypotheses.
@@ -196,6 +198,9 @@ pub(super) fn conclude(
         parameters: values_by_name(&study.space, &baseline.fitted.values),
     };
     let mismatch = mismatches(study, c.responses, &baseline_fits, named_repair);
+    let columns: Vec<Vec<String>> =
+        (0..study.runs.len()).map(|r| c.simulator.column_names(r, &baseline.fitted.values)).collect();
+    let residual_forces = if verdict.cause == "unknown" { missing_forces(c, &baseline_fits, &columns) } else { vec![] };
     let corrected = RepairedModel {
         script: "corrected.tcl".into(),
         opensees: opensees.is_ok().then(|| "corrected_opensees.tcl".into()),
@@ -229,6 +234,8 @@ pub(super) fn conclude(
         structure: &structure.description,
         memory: evidence.memory_sentence(),
         unsteady_channels: &structure.unsteady_channels,
+        residual_forces: &residual_forces,
+        columns: &columns,
         step_error: &c.step_error,
         script_steps: script_steps(c, &baseline.fitted.values),
         largest_work: c.responses.largest_work(),
@@ -239,10 +246,13 @@ pub(super) fn conclude(
     }
     let unmoved_channels = unmoved_in_words(c.unmoved_channels, c.text);
     in_words.summary.what_next.splice(0..0, unmoved_channels.iter().map(UnmovedChannel::advice));
+    let places = &in_words.summary.places;
+    let device_loop = device_loop(c, repair, &columns, &blamed_parts(places, &residual_forces), &mismatch);
     let outcome = Outcome {
         study: if study.title.is_empty() { study.model.clone() } else { study.title.clone() },
         baseline: baseline_result,
         mismatch,
+        residual_forces,
         verdict: in_words,
         corrected,
         unexplained_share: remaining_share(baseline, repair).min(1.0),
@@ -264,7 +274,8 @@ pub(super) fn conclude(
         opensees_script: opensees.ok(),
         ranking: ranked.iter().map(RankedHypothesis::of).collect(),
         displacements: displacements(c, &baseline.fitted.values),
-        drawing: StructureDrawing::of_model(c.simulator, &baseline.fitted.values, c.inventory),
+        drawing: StructureDrawing::new(c.inventory, &columns),
+        device_loop,
         repaired_fits: verdict.repair.fits,
         baseline_fits,
         next_test,
@@ -273,6 +284,44 @@ pub(super) fn conclude(
         structure: structure.description,
         refuted: verdict.refuted,
     })
+}
+
+/// Forces that the user's fitted model lacks. `columns` are the names of the observed columns by run.
+fn missing_forces(
+    c: &ConclusionContext<'_>,
+    baseline_fits: &[Option<ScoredRun>],
+    columns: &[Vec<String>],
+) -> Vec<ResidualForce> {
+    residual_forces(&FittedModelRuns {
+        study: c.study,
+        inventory: c.inventory,
+        responses: c.fitted_responses,
+        fits: baseline_fits,
+        columns,
+        units: &Units::of(c.study, c.text),
+    })
+}
+
+/// Loop of the device that the verdict is about, before and after the repair.
+fn device_loop(
+    c: &ConclusionContext<'_>,
+    repair: &Repair,
+    columns: &[Vec<String>],
+    blamed: &BlamedParts,
+    mismatch: &[Mismatch],
+) -> Option<DeviceLoop> {
+    let (variant, values) = (&repair.hypothesis.variant, &repair.fitted.values);
+    let after = repaired_responses(&c.simulator.factory(), c.text, c.point, variant, values);
+    let sources = LoopSources {
+        study: c.study,
+        inventory: c.inventory,
+        before: c.fitted_responses,
+        after: after.as_ref(),
+        columns,
+        units: &Units::of(c.study, c.text),
+        imposed_motion: c.imposed_motion,
+    };
+    sources.of_parts(blamed, mismatch)
 }
 
 /// Intervals of the repaired model's parameters; `None` if points beside the optimum have no result.
@@ -406,91 +455,9 @@ impl VerdictJudge<'_, '_> {
 }
 
 /// Share of the baseline's squared error that a repair leaves.
-fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
+pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
     let before = baseline.fitted.objective;
     if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
-}
-
-/// Verdict with its explanation and the other possible causes.
-fn verdict_in_words(
-    c: &ConclusionContext<'_>,
-    ranking: &Ranking<'_>,
-    structure: &UnmodelledStructure,
-    evidence: &VerdictEvidence,
-    verdict: &JudgedVerdict,
-    uncertainty: Option<&Uncertainty>,
-) -> Verdict {
-    let (cause, repair) = (verdict.cause, &verdict.repair);
-    let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
-    let hypothesis = &repair.hypothesis;
-    let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
-    let share = remaining_share(baseline, repair);
-    let judgement = uncertainty.map(|u| &u.judgement);
-    let mut text = explanation(cause, hypothesis, &second_causes, &structure.description, share, judgement);
-    if let ("none", [_, ..]) = (cause, &structure.unsteady_channels[..]) {
-        text += &format!(" {}", unsteady_in_words(&structure.unsteady_channels));
-    }
-    text += &c.step_error.description();
-    if let Some(b) = bootstrap.as_ref().filter(|b| b.cause == cause) {
-        text += &b.description();
-    }
-    let other_form =
-        |e: &&FittedHypothesis| equal_forms(e, hypothesis) && !Arc::ptr_eq(&e.variant, &hypothesis.variant);
-    if let Some(p) = ranked.iter().find(other_form).and_then(|e| e.variant.proposal.as_ref()) {
-        text += &format!(" Another form explains as much: {}, {}.", p.location, p.form);
-    }
-    if let Some(memory) = evidence.memory_sentence().filter(|_| cause == "unknown") {
-        text += &format!(" What the recordings remember: {memory}.");
-    }
-    if !c.causes_without_clock.is_empty() {
-        text += &format!(
-            " The times of the recordings count samples: {} need a clock and were left out (--clock takes them for seconds).",
-            c.causes_without_clock.join(" and ")
-        );
-    }
-    if let Some(material) = c.study.material.filter(|_| !c.causes_of_other_materials.is_empty()) {
-        let causes = c.causes_of_other_materials.join(" and ");
-        text += &format!(" Devices of {} have no {causes}, which were left out.", material.name());
-    }
-    if c.global_search_too_long {
-        text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
-                 fewer samples, may tell more.";
-    }
-    text += &repair.judgement.description();
-    if !left_out.is_empty() {
-        text += &format!(
-            " The runs held out refuted {} before, so that the search began again without.",
-            left_out.join(" and ")
-        );
-    }
-    if let Some(nearest) = verdict.refused {
-        text += &format!(" No repair is written: the nearest, {nearest}, is refused.");
-    }
-    for l in &evidence.limits {
-        let much = if l.most > 0.0 { format!(" has at most {:.0} %", 100.0 * l.most) } else { " is no answer".into() };
-        text += &format!(" The cause {}{much}: {}.", l.cause, l.reason);
-    }
-    let candidate = |(cause, p): &(&str, f64)| Candidate { cause: (*cause).into(), confidence: *p };
-    let bayes = bayes_probabilities(evidence).first().map_or(("none", 1.0), |first| *first);
-    if bayes.0 != cause {
-        text += &format!(
-            " Bayes' rule with the log evidences alone, which takes one of the fitted hypotheses for true, would say {} ({:.1} %).",
-            bayes.0,
-            100.0 * bayes.1
-        );
-    }
-    let effects = effect_probabilities(evidence, &verdict.probabilities);
-    let others = verdict.probabilities.iter().skip(1).filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY);
-    Verdict {
-        cause: cause.into(),
-        confidence: verdict.probabilities[0].1,
-        also: second_causes.iter().map(|a| (*a).to_owned()).collect(),
-        also_possible: others.map(candidate).collect(),
-        effects: effects.iter().filter(|(_, p)| *p > MIN_REPORTED_PROBABILITY).map(candidate).collect(),
-        bayes: candidate(&bayes),
-        explanation: text,
-        summary: Summary::default(),
-    }
 }
 
 fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {

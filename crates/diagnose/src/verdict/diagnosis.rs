@@ -1,6 +1,7 @@
 //! The way from a study to its diagnosis.
 
 use super::conclusion::{ConclusionContext, Ranking, conclude};
+use super::device_loop::DeviceLoop;
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
 use super::structure_drawing::StructureDrawing;
@@ -60,6 +61,8 @@ pub struct Diagnosis {
     pub displacements: Displacements,
     /// The structure with its sensors.
     pub drawing: StructureDrawing,
+    /// Loop of the device that the verdict is about; none without a device that moves.
+    pub device_loop: Option<DeviceLoop>,
     /// Recommended test; none if the motions of the study allow none.
     pub next_test: Option<DiscriminatingTest>,
     /// Number of points at which the fitted runs were evaluated.
@@ -168,17 +171,20 @@ pub fn diagnose(
     scheduler.set_step_parts(step_error.parts);
     let baseline_of_script = baseline.clone();
     let baseline = if step_error.parts > 1 { refit_baseline(&mut scheduler, &baseline)? } else { baseline };
-    let (recorded, device) = {
+    let (recorded, device, fitted_responses) = {
         let values = &baseline_of_script.fitted.values;
         let responses =
             [Role::Fit, Role::Holdout].map(|r| record_responses(&factory, &study, text, values, &point, &inventory, r));
         let mut simulator = factory.simulator_of_script(study.clone(), text);
         let fit = |run: usize| simulate_and_score(&mut simulator, &study, run, values).ok();
         let fits: Vec<Option<ScoredRun>> = (0..study.runs.len()).map(fit).collect();
-        let responses = [&responses[0], &responses[1]];
+        let both = [&responses[0], &responses[1]];
         let imposed_motion = !inventory.base_excited;
-        let runs = ModelRuns { study: &study, fits: &fits, responses, imposed_motion, has_clock, lone_device: false };
-        (runs.evidence(), runs.learnable_runs())
+        let runs =
+            ModelRuns { study: &study, fits: &fits, responses: both, imposed_motion, has_clock, lone_device: false };
+        let (evidence, device) = (runs.evidence(), runs.learnable_runs());
+        let [fitted, _] = responses;
+        (evidence, device, fitted)
     };
     let context = ConclusionContext {
         study: &study,
@@ -190,6 +196,7 @@ pub fn diagnose(
         text,
         point: &point,
         responses: &responses,
+        fitted_responses: &fitted_responses,
         imposed_motion: !inventory.base_excited,
         step_error,
         causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),

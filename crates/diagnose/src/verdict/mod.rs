@@ -2,13 +2,17 @@
 //!
 //! - [`diagnosis`]: the way from a study to its diagnosis
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
-//! - [`explanation`]: the verdict in words
+//! - [`explanation`], `verdict_in_words`: the verdict in words
 //! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
+//! - `device_loop`: the loop of the device that a verdict is about
 //! - `fault_in_words`: faults of channels with their corrections
 //! - `gain`: errors before and after a repair, beside the noise of the recordings
 //! - `gates`: limits of the probability of a cause by physics, bounds and channels
+//! - `levels`: storeys, and the elements between them
 //! - `learned`, `learned_study`: a learned law where no effect of the library explains the recordings, and without a diagnosis
 //! - `plausibility`: balances and published ranges
+//! - `recorded_quantities`: what needs no recording any more
+//! - `residual_force`: the force that an unknown cause adds, by place and time
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
 //! - `structure_drawing`: errors on the structure
@@ -19,6 +23,7 @@
 mod advice;
 mod all_runs;
 pub(crate) mod conclusion;
+pub(crate) mod device_loop;
 pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;
 mod error_conditions;
@@ -28,12 +33,16 @@ mod gain;
 mod gates;
 pub(crate) mod learned;
 pub(crate) mod learned_study;
+mod levels;
 pub(crate) mod mismatch;
 pub(crate) mod place;
 mod plausibility;
 pub(crate) mod quantity;
+mod recorded_quantities;
 pub(crate) mod report;
+pub(crate) mod residual_force;
 pub(crate) mod result_file;
 pub(crate) mod structure_drawing;
 pub(crate) mod summary;
 mod unmoved;
+mod verdict_in_words;

@@ -157,10 +157,10 @@ fn parallel_parts(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInvent
 }
 
 /// Names of the global axes.
-const AXES: [&str; 3] = ["X", "Y", "Z"];
+pub(super) const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 /// A direction along the global axes.
-fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
+pub(super) fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
     let names = AXES;
     let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT);
     let vertical = inventory.vertical_axis();
@@ -174,6 +174,13 @@ fn direction_name(axis: [f64; 3], inventory: &ModelInventory) -> String {
             if horizontal { format!("horizontal, {} degrees from X", digits(angle, 2)) } else { "inclined".into() }
         }
     }
+}
+
+/// Level of elements: a storey between two floors, a floor, or the base; empty if the heights of their nodes do not tell it.
+pub(super) fn level_of_elements(elements: &[i32], inventory: &ModelInventory) -> String {
+    let tags = elements.iter().filter_map(|e| inventory.element_nodes.get(e)).flatten();
+    let node = |tag: &i32| Some(NodePlace { tag: *tag, coordinates: inventory.coordinates.get(tag)?.clone() });
+    level(elements, &tags.filter_map(node).collect::<Vec<_>>(), inventory)
 }
 
 /// Level of elements or nodes: a storey between two floors, a floor, or the base.

@@ -3,6 +3,7 @@
 use super::error_conditions::{conditions, error_over};
 use crate::evidence::parametric_bootstrap::{EqualGain, percent};
 use crate::verdict::diagnosis::Diagnosis;
+use crate::verdict::residual_force::ResidualForce;
 use hysteron_identify::calibrate::{AmplitudeGroup, amplitude_groups};
 use hysteron_identify::preflight::Preflight;
 use hysteron_identify::report::html::{self, escaped, labelled, line, number, picture, table};
@@ -20,6 +21,8 @@ pub fn report(d: &Diagnosis, study: &Study, text: &str) -> String {
     let page = Page { d, study };
     page.error_bars(&mut out);
     page.errors_on_structure(&mut out);
+    d.device_loop.iter().for_each(|l| picture(&mut out, &l.figure()));
+    missing_forces(&mut out, &d.outcome.residual_forces);
     page.worst_channel(&mut out);
     page.errors(&mut out);
     mismatch_table(&mut out, d);
@@ -307,6 +310,43 @@ fn statistics(out: &mut String, d: &Diagnosis) {
     });
     table(out, &["cause", "form", "place", "NMSE fitted", "log evidence"], rows);
     html::close_details(out);
+}
+
+/// Places whose missing force is drawn in one chart, at most.
+const MAX_PLACES: usize = 4;
+
+/// Forces that the model lacks: the first in words, all of its run over time, and the first over the deformation.
+fn missing_forces(out: &mut String, forces: &[ResidualForce]) {
+    let Some(first) = forces.first() else { return };
+    let _ = writeln!(out, "<h2>What the model lacks</h2>\n<p>{}</p>", escaped(&first.text.join(" ")));
+    let of_run = forces.iter().filter(|f| f.run == first.run && f.unit == first.unit).take(MAX_PLACES);
+    let y_label = labelled("recorded less simulated force", &first.unit);
+    let over_time = Figure {
+        title: format!("Missing force, run {}", first.run),
+        x_label: "time [s]".into(),
+        y_label: y_label.clone(),
+        shaded: first.windows.iter().map(|w| (w[0], w[1])).collect(),
+        curves: of_run.map(|f| line(&f.place, over(&f.course.times, &f.course.force))).collect(),
+        ..Figure::default()
+    };
+    picture(out, &over_time);
+    if let Some((deformation, direction)) = &first.course.deformation {
+        let over_deformation = Figure {
+            title: format!("Missing force of {}, run {}", first.place, first.run),
+            x_label: format!("deformation towards {direction}, simulated"),
+            y_label,
+            curves: vec![line("", over(deformation, &first.course.force))],
+            ..Figure::default()
+        };
+        picture(out, &over_deformation);
+    }
+    let rows = forces.iter().map(|f| {
+        let windows: Vec<String> = f.windows.iter().map(|w| format!("{:.2}-{:.2}", w[0], w[1])).collect();
+        let parts: Vec<String> = f.parts.iter().map(|p| format!("{} {:.0} %", p.follows, 100.0 * p.share)).collect();
+        let ratio = format!("{:.0} %", 100.0 * f.ratio);
+        vec![f.run.clone(), f.place.clone(), number(f.rms), f.unit.clone(), ratio, windows.join(", "), parts.join(", ")]
+    });
+    table(out, &["run", "place", "r.m.s.", "unit", "of recorded", "windows [s]", "follows"], rows);
 }
 
 /// Windows of time in which the baseline differed.

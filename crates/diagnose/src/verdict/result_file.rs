@@ -1,6 +1,7 @@
 //! `diagnosis.json`. Field names are those of the file.
 
 use super::learned::LearnedModel;
+use super::residual_force::ResidualForce;
 use super::summary::Summary;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::evidence::parametric_bootstrap::BootstrapResult;
@@ -19,6 +20,9 @@ pub struct Outcome {
     pub baseline: Baseline,
     /// Channels in which it differs from the recordings, the largest error first.
     pub mismatch: Vec<Mismatch>,
+    /// Forces that it lacks, by place and run, where the cause is unknown; the largest against the recorded force first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub residual_forces: Vec<ResidualForce>,
     /// The verdict.
     pub verdict: Verdict,
     /// The repaired model.

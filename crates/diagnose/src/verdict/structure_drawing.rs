@@ -3,7 +3,6 @@
 use super::place::Place;
 use crate::inspect::inventory::ModelInventory;
 use hysteron_identify::report::html::line;
-use hysteron_identify::study::ScriptSimulator;
 use hysteron_opensees::chart::{Curve, Figure, Mark};
 use std::collections::BTreeMap;
 
@@ -43,14 +42,8 @@ fn tag_after(label: &str, word: &str) -> Option<i32> {
 }
 
 impl StructureDrawing {
-    /// The model of a study with `values` of its parameters. Makes a run for each of the study.
-    pub(super) fn of_model(simulator: &ScriptSimulator, values: &[f64], inventory: &ModelInventory) -> Self {
-        let runs = 0..simulator.study().runs.len();
-        Self::new(inventory, &runs.map(|r| simulator.column_names(r, values)).collect::<Vec<_>>())
-    }
-
     /// A model, and the columns of its recorders that are observed, by run: "node 3 dof 1", "element 2 force".
-    fn new(inventory: &ModelInventory, columns: &[Vec<String>]) -> Self {
+    pub(super) fn new(inventory: &ModelInventory, columns: &[Vec<String>]) -> Self {
         let node = |tag: &i32| inventory.coordinates.get(tag).map(|x| on_paper(x));
         let ends = |nodes: &Vec<i32>| {
             let mut points: Vec<Point> = nodes.iter().filter_map(node).collect();

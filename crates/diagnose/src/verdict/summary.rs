@@ -7,6 +7,8 @@ use super::gain::gain;
 use super::place::{Place, places};
 use super::plausibility::{beyond_fitted_amplitude, contradictions, parameters_that_leave_bounds};
 use super::quantity::{EffectSize, Units, digits, effect_size};
+use super::recorded_quantities::RecordedQuantities;
+use super::residual_force::ResidualForce;
 use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
 use crate::candidate::variant::Variant;
 use crate::fit::step_error::StepError;
@@ -67,6 +69,10 @@ pub(super) struct SummaryContext<'a> {
     pub(super) memory: Option<String>,
     /// Channels with unsteady noise.
     pub(super) unsteady_channels: &'a [String],
+    /// Forces that the user's model lacks, the largest first; empty unless the cause is unknown.
+    pub(super) residual_forces: &'a [ResidualForce],
+    /// Names of the observed columns by run.
+    pub(super) columns: &'a [Vec<String>],
     pub(super) step_error: &'a StepError,
     /// Number of steps that the script makes in the first run, if it was counted.
     pub(super) script_steps: Option<usize>,
@@ -80,6 +86,10 @@ impl SummaryContext<'_> {
     /// True if earthquakes excite the structure, and no rig could repeat them.
     fn is_building(&self) -> bool {
         self.inventory.base_excited && self.study.rig.is_none()
+    }
+
+    fn recorded_quantities(&self) -> RecordedQuantities<'_> {
+        RecordedQuantities { study: self.study, inventory: self.inventory, columns: self.columns }
     }
 }
 
@@ -136,6 +146,9 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
     if !c.structure.is_empty() {
         let _ = write!(location, " Structure of the rest: {}.", c.structure);
     }
+    for sentence in c.residual_forces.first().iter().flat_map(|f| &f.text) {
+        let _ = write!(location, " {sentence}");
+    }
     let (forms, causes) = c.tried;
     let mut tried = format!("{forms} forms of {causes} causes were tried.");
     if let Some(h) = hypothesis::of(c.variant.cause()) {
@@ -151,7 +164,8 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
     } else {
         "repeat a run unchanged: what repeats is missing in the model, what does not is noise".into()
     };
-    let mut next = vec![repetition, unrecorded(c.study)];
+    let mut next = vec![repetition];
+    next.extend(unrecorded(&c.recorded_quantities()));
     next.extend(steps(c));
     Summary {
         what,
@@ -176,12 +190,13 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
     if in_words.is_empty() {
         in_words = named(false).collect();
     }
-    let place = places.first().map_or("", |(location, _)| location.as_str());
+    let nowhere = (String::new(), Place::default());
+    let (location, place) = places.first().unwrap_or(&nowhere);
     let mut next = vec![];
     if !c.test.is_empty() {
         next.push(c.test.to_owned());
     }
-    next.extend(measurement(c.verdict.0, place, c.is_building(), c.study));
+    next.extend(measurement(c.verdict.0, location, place, c.is_building(), &c.recorded_quantities()));
     // A shorter step is for the script; what tells causes apart comes first.
     next.extend(steps(c));
     Summary {
