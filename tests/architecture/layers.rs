@@ -39,6 +39,7 @@ pub const LAYERS: &[Layers] = &[
             "lexer",
             "memory_files",
             "outline",
+            "syntax",
             "index",
             "command",
             "eval",
@@ -130,6 +131,7 @@ pub const LAYERS: &[Layers] = &[
         krate: "opensees",
         modules: &[
             "host",
+            "index",
             "checks",
             "things",
             "check",
