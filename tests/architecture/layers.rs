@@ -214,6 +214,25 @@ pub const LAYERS: &[Layers] = &[
         upward: &[],
     },
     Layers {
+        krate: "lsp",
+        modules: &[
+            "reference",
+            "settings",
+            "text",
+            "uri",
+            "script",
+            "finding",
+            "check",
+            "roots",
+            "worker",
+            "buffer",
+            "publish",
+            "features",
+            "server",
+        ],
+        upward: &[],
+    },
+    Layers {
         krate: "diagnose",
         modules: &[
             "prior",

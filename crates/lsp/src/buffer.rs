@@ -101,6 +101,16 @@ impl<'a> View<'a> {
         Some(WordAt { command, word, start, end })
     }
 
+    /// The word that a command in brackets stands in.
+    pub(crate) fn bracket_around(&self, word: &WordAt) -> Option<WordAt> {
+        let commands = &self.buffer.syntax().commands;
+        let command = commands.get(word.command)?.parent?;
+        let within = |w: &(usize, usize)| w.0 < word.start && word.end < w.1;
+        let (number, &(start, end)) = commands.get(command)?.words.iter().enumerate().find(|(_, w)| within(w))?;
+        let is_bracket = self.text().get(start..end)?.starts_with('[');
+        is_bracket.then_some(WordAt { command, word: number, start, end })
+    }
+
     /// The words of a command as they are written.
     pub(crate) fn written(&self, command: usize) -> Vec<&'a str> {
         let text = self.text();

@@ -58,6 +58,13 @@ pub(crate) struct Checked {
     pub(crate) is_stopped: bool,
 }
 
+impl Checked {
+    /// Files that were read, and those that findings point into.
+    pub(crate) fn files(&self) -> impl Iterator<Item = String> {
+        self.texts.keys().cloned().chain(self.findings.iter().map(|f| f.place.path.clone()))
+    }
+}
+
 /// Kinds of files that are checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FileKind {
@@ -157,12 +164,16 @@ impl Job<'_> {
             }
             End::Interrupted => {
                 checked.is_stopped = true;
-                let message = format!("the check was stopped here, after {:.0} s", self.limit.as_secs_f64());
+                let message = format!("the check was stopped here, after {} s", self.limit.as_secs_f64());
                 add(&note_of(Diagnostic::error(message).place(interp.stopped_at)), &interp.sources);
             }
-            End::Done | End::Exit(_) | End::Enough(None) => {}
+            End::Enough(None) => {
+                let waits = "the check ends here: the script waits for results that only a run has";
+                add(&note_of(Diagnostic::error(waits).place(interp.stopped_at)), &interp.sources);
+            }
+            End::Done | End::Exit(_) => {}
         }
-        checked.is_cut = interp.warnings.iter().any(|w| w.code() == hysteron_tcl::check::NEVER_CLOSED.code);
+        checked.is_cut = checked.findings.iter().any(|f| f.code == hysteron_tcl::check::NEVER_CLOSED.code);
         let variables = variables(interp);
         let index = interp.host.index.take().unwrap_or_default();
         let script = Script::new(*index, variables, &interp.sources, folder(self.root));

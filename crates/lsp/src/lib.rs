@@ -16,8 +16,10 @@ pub mod reference;
 mod roots;
 mod script;
 mod server;
+mod settings;
 mod text;
 mod uri;
 mod worker;
 
-pub use server::{Settings, serve, serve_stdio};
+pub use server::{serve, serve_stdio};
+pub use settings::Settings;

@@ -38,26 +38,33 @@ impl<'a> Texts<'a> {
     }
 }
 
-/// Diagnostics of all files of some checks; files of `before` that have none any more get an empty list.
+/// Diagnostics of the files that are concerned, from all checks that have read them.
 pub(crate) fn diagnostics<'a>(
     known: impl Iterator<Item = &'a Known>,
     buffers: &BTreeMap<String, Buffer>,
-    before: &BTreeSet<String>,
-) -> BTreeMap<String, PublishDiagnosticsParams> {
-    let mut all: BTreeMap<String, Vec<Diagnostic>> = before.iter().map(|p| (p.clone(), vec![])).collect();
+    concerned: &BTreeSet<String>,
+) -> Vec<PublishDiagnosticsParams> {
+    let mut all: BTreeMap<&str, Vec<Diagnostic>> = concerned.iter().map(|p| (p.as_str(), vec![])).collect();
+    let mut stale: BTreeSet<&str> = BTreeSet::new();
     for known in known {
+        let is_stale = |p: &&String| match (known.checked.texts.get(*p), buffers.get(*p)) {
+            (Some(text), Some(buffer)) => **text != *buffer.text.as_str(),
+            _ => false,
+        };
+        stale.extend(concerned.iter().filter(is_stale).map(String::as_str));
         let mut texts = Texts { known, lines: BTreeMap::new() };
         for f in &known.checked.findings {
+            let Some(of_file) = all.get_mut(f.place.path.as_str()) else { continue };
             let d = diagnostic(f, &mut texts, buffers);
-            let of_file = all.entry(f.place.path.clone()).or_default();
             if !of_file.contains(&d) {
                 of_file.push(d);
             }
         }
     }
-    let params = |(path, diagnostics): (String, Vec<Diagnostic>)| {
-        let (uri, version) = (uri_of(&path, buffers)?, buffers.get(&path).map(|b| b.version));
-        Some((path, PublishDiagnosticsParams { uri, diagnostics, version }))
+    let params = |(path, diagnostics): (&str, Vec<Diagnostic>)| {
+        // Of a text that has changed since, the version is not that of the editor.
+        let version = buffers.get(path).map(|b| b.version).filter(|_| !stale.contains(path));
+        Some(PublishDiagnosticsParams { uri: uri_of(path, buffers)?, diagnostics, version })
     };
     all.into_iter().filter_map(params).collect()
 }

@@ -5,6 +5,7 @@ use crate::check::{Buffers, Checked};
 use crate::features;
 use crate::publish;
 use crate::script::Script;
+use crate::settings::Settings;
 use crate::text::Text;
 use crate::uri;
 use crate::worker::{Limits, Worker};
@@ -16,7 +17,7 @@ use lsp_types::notification::{
 };
 use lsp_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    DidSaveTextDocumentParams, PublishDiagnosticsParams, Uri,
+    DidSaveTextDocumentParams, Uri,
 };
 use serde_json::Value as Json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,39 +29,6 @@ use std::time::Duration;
 const TICK: Duration = Duration::from_millis(100);
 /// The same where nothing is checked.
 const IDLE_TICK: Duration = Duration::from_secs(10);
-
-/// Settings of the server: what an editor gives as `initializationOptions`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Time that a check may take.
-    pub time_limit: Duration,
-    /// Memory of the program at which a check ends, in bytes.
-    pub max_memory: usize,
-    /// Reproduce errors of OpenSees.
-    pub compat: bool,
-    /// Offer lenses, whose commands the editor has to know.
-    pub lenses: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { time_limit: Duration::from_secs(10), max_memory: 4 << 30, compat: false, lenses: false }
-    }
-}
-
-impl Settings {
-    /// The settings with those that an editor gives.
-    fn with(self, options: &Json) -> Self {
-        let flag = |name: &str, own: bool| options.get(name).and_then(Json::as_bool).unwrap_or(own);
-        let seconds = options.get("timeLimit").and_then(Json::as_f64).filter(|s| *s > 0.0 && *s < 1e6);
-        Self {
-            time_limit: seconds.map_or(self.time_limit, Duration::from_secs_f64),
-            compat: flag("compat", self.compat),
-            lenses: flag("lenses", self.lenses),
-            ..self
-        }
-    }
-}
 
 /// Serve an editor over standard input and output.
 ///
@@ -165,7 +133,8 @@ impl Server {
                 let view = View::new(path, buffer, &self.buffers, self.known_of(path));
                 features::answer(&view, &method, params, &self.settings)
             }
-            None => Some(Ok(Json::Null)),
+            // The file has been closed.
+            None => path.as_ref().map(|_| Ok(Json::Null)),
         }));
         match answered {
             Ok(Some(Ok(result))) => Response::new_ok(id, result),
@@ -219,9 +188,13 @@ impl Server {
     fn close(&mut self, path: &str) {
         self.buffers.remove(path);
         let open = |checked: &Checked| self.buffers.keys().any(|p| checked.texts.contains_key(p));
+        let mut concerned = BTreeSet::from([path.to_owned()]);
+        for known in self.known.values().filter(|k| !open(&k.checked)) {
+            concerned.extend(known.checked.files());
+        }
         self.known.retain(|_, k| open(&k.checked));
         self.submit([path.to_owned()], true);
-        self.publish();
+        self.publish(concerned);
     }
 
     /// Give the texts to the thread that checks.
@@ -232,36 +205,36 @@ impl Server {
 
     /// Take the result of a check.
     fn take(&mut self, checked: Checked) {
-        if !self.buffers.keys().any(|p| checked.texts.contains_key(p)) {
+        let mut concerned: BTreeSet<String> = checked.files().collect();
+        if let Some(before) = self.known.get(&checked.root) {
+            concerned.extend(before.checked.files());
+        }
+        if self.buffers.keys().any(|p| checked.texts.contains_key(p) || *p == checked.root) {
+            let known = self.known.entry(checked.root.clone()).or_default();
+            // What a half-typed text hides is still known from before.
+            let is_poorer = |new: &Script| {
+                let fewer = |old: &Arc<Script>| new.index.commands.len() < old.index.commands.len();
+                (checked.is_cut || checked.is_stopped) && known.script.as_ref().is_some_and(fewer)
+            };
+            if let Some(script) = checked.script.clone().filter(|s| !is_poorer(s)) {
+                known.script = Some(script);
+            }
+            known.checked = checked;
+        } else {
             self.known.remove(&checked.root);
-            self.publish();
-            return;
         }
-        let known = self.known.entry(checked.root.clone()).or_default();
-        // What a half-typed text hides is still known from before.
-        let is_poorer = |new: &Script| {
-            let fewer = |old: &Arc<Script>| new.index.commands.len() < old.index.commands.len();
-            (checked.is_cut || checked.is_stopped) && known.script.as_ref().is_some_and(fewer)
-        };
-        if let Some(script) = checked.script.clone().filter(|s| !is_poorer(s)) {
-            known.script = Some(script);
-        }
-        known.checked = checked;
-        self.publish();
+        self.publish(concerned);
     }
 
-    fn publish(&mut self) {
-        let all = publish::diagnostics(self.known.values(), &self.buffers, &self.published);
-        self.published = all.iter().filter(|(_, p)| !p.diagnostics.is_empty()).map(|(path, _)| path.clone()).collect();
-        // A file that is open is always told of, so that an editor knows that it has been checked.
-        let open = self.buffers.iter().filter(|(path, _)| !all.contains_key(*path)).map(|(_, b)| {
-            let (uri, version) = (b.uri.clone(), Some(b.version));
-            PublishDiagnosticsParams { uri, diagnostics: vec![], version }
-        });
-        let open: Vec<_> = open.collect();
-        for params in all.into_values().chain(open) {
+    /// Tell the editor of files: those that are open, and others that have findings or had some.
+    fn publish(&mut self, mut concerned: BTreeSet<String>) {
+        let found: BTreeSet<&str> =
+            self.known.values().flat_map(|k| k.checked.findings.iter().map(|f| f.place.path.as_str())).collect();
+        concerned.retain(|p| self.buffers.contains_key(p) || self.published.contains(p) || found.contains(p.as_str()));
+        for params in publish::diagnostics(self.known.values(), &self.buffers, &concerned) {
             let n = Notification::new(PublishDiagnostics::METHOD.to_owned(), params);
             let _ = self.connection.sender.send(n.into());
         }
+        self.published = found.into_iter().map(str::to_owned).collect();
     }
 }

@@ -36,7 +36,7 @@ fn mistakes_are_told_and_go_away() {
     // "elasticBeamColumn" of line 9 loses its last letter.
     e.edit("m.tcl", 2, [8, 24, 8, 25], "");
     let told = e.diagnostics("m.tcl", 2);
-    assert_eq!(short(&told)[0], "9:9-25 unknown-kind unknown element \"elasticBeamColum\"");
+    assert_eq!(short(&told), ["9:9-25 unknown-kind unknown element \"elasticBeamColum\""]);
     assert!(told[0]["message"].as_str().unwrap().contains("did you mean \"elasticBeamColumn\"?"));
     let range = told[0]["range"].clone();
     let params = json!({ "textDocument": { "uri": e.uri("m.tcl") }, "range": range, "context": { "diagnostics": [] } });
@@ -58,7 +58,7 @@ fn every_place_is_that_of_the_word() {
     assert_eq!(
         told,
         [
-            "3:20-21 not-a-number coordinate 1 is not a number: \"x\"",
+            "3:20-21 not-a-number x coordinate is not a number: \"x\"",
             "4:14-15 not-defined there is no node 9",
             "5:6-13 unknown-variable can't read \"lenght\": no such variable",
         ]
@@ -101,7 +101,7 @@ fn a_file_that_its_script_never_comes_to_stands_for_itself() {
     e.write("main.tcl", "if {0} { source part.tcl }\n");
     let told = e.open("part.tcl", "model basic -ndm 1\nnode 1 x\n");
     let told = if told.is_empty() { e.diagnostics_that("part.tcl", 1, |all| !all.is_empty()) } else { told };
-    assert_eq!(short(&told), ["2:8-9 not-a-number coordinate 1 is not a number: \"x\""]);
+    assert_eq!(short(&told), ["2:8-9 not-a-number x coordinate is not a number: \"x\""]);
 }
 
 #[test]
@@ -117,12 +117,12 @@ fn a_hover_says_what_a_word_is() {
     assert!(e.hover("m.tcl", 3, 4).contains("**node 1** at (0, 0), fixed in 1 2 3"));
     let area = e.hover("m.tcl", 8, 36);
     assert!(area.contains("cross-sectional area"), "{area}");
-    let element = e.hover("m.tcl", 16, 33);
+    let element = e.hover("m.tcl", 16, 35);
     assert!(element.contains("from node 1 (0, 0) to node 3 (0, 3), length 3"), "{element}");
     assert!(element.contains("`basicForce`"), "{element}");
     let coordinate = e.hover("m.tcl", 2, 45);
-    assert!(coordinate.contains("coordinate 1"), "{coordinate}");
-    assert!(e.hover("m.tcl", 2, 63).contains("`$h` = 3.0"));
+    assert!(coordinate.contains("x coordinate, a number"), "{coordinate}");
+    assert!(e.hover("m.tcl", 2, 73).contains("`$h` = 3.0"));
     let force = e.hover("m.tcl", 11, 36);
     assert!(force.contains("= 1.0"), "{force}");
     let law = e.hover("m.tcl", 6, 25);
@@ -196,9 +196,9 @@ fn definitions_and_references_of_tags_procedures_and_variables() {
     assert_eq!(ask("references", 12, 18), ["13:19-20", "14:17-18"]);
     assert_eq!(ask("definition", 14, 6), ["12:6-10"]);
     assert_eq!(ask("references", 11, 6), ["12:6-10", "15:5-9"]);
-    assert_eq!(ask("definition", 2, 83), ["2:5-6"]);
-    assert_eq!(ask("definition", 16, 33), ["9:27-29"]);
-    assert_eq!(ask("documentHighlight", 16, 33), ["9:27-29", "17:35-37"]);
+    assert_eq!(ask("definition", 2, 73), ["2:5-6"]);
+    assert_eq!(ask("definition", 16, 35), ["9:27-29"]);
+    assert_eq!(ask("documentHighlight", 16, 35), ["9:27-29", "17:35-37"]);
 }
 
 #[test]
@@ -305,7 +305,7 @@ fn what_is_half_typed_keeps_what_was_known() {
     e.edit("m.tcl", 2, [6, 0, 6, 0], "pattern Plain 9 5 {\n");
     let told = short(&e.diagnostics("m.tcl", 2));
     assert!(told.iter().any(|t| t.contains("never-closed")), "{told:?}");
-    assert!(e.hover("m.tcl", 17, 33).contains("from node 1 (0, 0) to node 3 (0, 3)"));
+    assert!(e.hover("m.tcl", 17, 35).contains("from node 1 (0, 0) to node 3 (0, 3)"));
     let close = json!({ "textDocument": { "uri": e.uri("m.tcl") } });
     e.notify("textDocument/didClose", close.clone());
     assert_eq!(
@@ -315,7 +315,7 @@ fn what_is_half_typed_keeps_what_was_known() {
         ),
         Json::Null
     );
-    assert!(e.request("no/such", json!({}))["error"].is_null());
+    assert_eq!(e.request("no/such", json!({}))["error"], "no/such is not known");
 }
 
 #[test]
@@ -330,4 +330,24 @@ fn a_study_is_checked_with_its_keys() {
     let keys = e.complete("study.toml", 4, 0);
     assert!(labels(&keys).contains(&"upper") && !labels(&keys).contains(&"recording"), "{keys:?}");
     assert_eq!(short(&e.open("Cargo.toml", "[package]\nname = 1\n")), [] as [&str; 0]);
+}
+
+/// An isolated building with forty mistakes: each line with a number is told of, but for those listed.
+#[test]
+fn forty_mistakes_are_told() {
+    /// OpenSees takes any flag but 0 for 1, and so does hysteron. What follows from another mistake is told when that one has been
+    /// put right: the element of the last recorder was rejected.
+    const NOT_TOLD: [u32; 2] = [8, 40];
+    let text = include_str!("inputs/forty_mistakes.tcl");
+    let mut e = Editor::new();
+    let told = e.open("m.tcl", text);
+    let number = |line: &str| line.split(";# ").nth(1)?.split(':').next()?.parse::<u32>().ok();
+    let marked: Vec<(usize, u32)> = text.lines().enumerate().filter_map(|(i, l)| Some((i, number(l)?))).collect();
+    assert_eq!(marked.len(), 40);
+    let lines: Vec<usize> = told.iter().map(|d| d["range"]["start"]["line"].as_u64().unwrap() as usize).collect();
+    let missed: Vec<u32> = marked.iter().filter(|(i, _)| !lines.contains(i)).map(|(_, n)| *n).collect();
+    println!("{}", short(&told).join("\n"));
+    assert_eq!(missed, NOT_TOLD);
+    let unmarked: Vec<usize> = lines.into_iter().filter(|i| !marked.iter().any(|(m, _)| m == i)).collect();
+    assert_eq!(unmarked, [] as [usize; 0], "lines without a mistake");
 }

@@ -2,7 +2,7 @@
 
 use crate::buffer::View;
 use lsp_types::{FormattingOptions, Range, TextEdit};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Words that are bodies of commands of Tcl: the name, and the first word that may be one.
 const BODIES: [(&str, usize); 9] = [
@@ -21,21 +21,22 @@ const BODIES: [(&str, usize); 9] = [
 pub(crate) fn edits(view: &View<'_>, options: &FormattingOptions) -> Vec<TextEdit> {
     let text = &view.buffer.text;
     let unit = if options.insert_spaces { " ".repeat(options.tab_size.clamp(1, 16) as usize) } else { "\t".to_owned() };
-    let levels = levels(view);
+    let (levels, open) = (levels(view), within_words(view));
     let mut edits = vec![];
     for n in 0..text.line_count() {
         let (line, range) = (text.line(n), text.line_range(n));
         let kept = line.trim_end();
+        if let Some(level) = levels.get(&n).filter(|_| !kept.is_empty()) {
+            let own = kept.len() - kept.trim_start().len();
+            let wanted = unit.repeat(*level);
+            if kept[..own] != wanted {
+                edits.push(TextEdit { range: text.range(range.start, range.start + own), new_text: wanted });
+            }
+        }
         // A backslash before a blank has a meaning of its own.
-        if kept.len() < line.len() && !kept.ends_with('\\') && (levels.contains_key(&n) || kept.is_empty()) {
+        if kept.len() < line.len() && !kept.ends_with('\\') && !open.contains(&n) {
             let start = text.position(range.start + kept.len());
             edits.push(TextEdit { range: Range::new(start, text.position(range.end)), new_text: String::new() });
-        }
-        let Some(level) = levels.get(&n).filter(|_| !kept.is_empty()) else { continue };
-        let own = kept.len() - kept.trim_start().len();
-        let wanted = unit.repeat(*level);
-        if kept[..own] != wanted {
-            edits.push(TextEdit { range: text.range(range.start, range.start + own), new_text: wanted });
         }
     }
     edits
@@ -71,6 +72,18 @@ fn levels(view: &View<'_>) -> BTreeMap<usize, usize> {
     }
     comments(view, &mut levels);
     levels
+}
+
+/// Lines whose end stands within a word that is no body: its blanks may have a meaning.
+fn within_words(view: &View<'_>) -> BTreeSet<usize> {
+    let text = &view.buffer.text;
+    let mut lines = BTreeSet::new();
+    for (i, c) in view.buffer.syntax().commands.iter().enumerate() {
+        for (start, end) in c.words.iter().filter(|w| !is_body(view, i, w.0 + 1)) {
+            lines.extend(text.line_of(*start)..text.line_of(*end));
+        }
+    }
+    lines
 }
 
 /// Comments take the level of the next command.

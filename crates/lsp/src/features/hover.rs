@@ -17,7 +17,22 @@ pub(crate) fn hover(view: &View<'_>, at: usize) -> Option<Hover> {
     if !view.is_script() {
         return None;
     }
-    let word = view.word_at(at)?;
+    let mut word = view.word_at(at)?;
+    loop {
+        let parts = known(view, at, &word);
+        if !parts.is_empty() {
+            let range = Some(view.buffer.text.range(word.start, word.end));
+            let value = parts.join("\n\n---\n\n");
+            let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value });
+            return Some(Hover { contents, range });
+        }
+        // A command in brackets stands for a word of the command around it.
+        word = view.bracket_around(&word)?;
+    }
+}
+
+/// What is known of a word, in parts.
+fn known(view: &View<'_>, at: usize, word: &WordAt) -> Vec<String> {
     let written = view.written(word.command);
     let mut parts: Vec<String> = vec![];
     match word.word {
@@ -25,12 +40,9 @@ pub(crate) fn hover(view: &View<'_>, at: usize) -> Option<Hover> {
         1 if Called::of(&written).is_some_and(|c| c.kind.is_some()) => parts.extend(of_kind(&written)),
         _ => {}
     }
-    parts.extend(of_word(view, &word, &written));
-    parts.extend(of_variable(view, at, &word));
-    let range = Some(view.buffer.text.range(word.start, word.end));
-    let value = parts.join("\n\n---\n\n");
-    let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value });
-    (!parts.is_empty()).then_some(Hover { contents, range })
+    parts.extend(of_word(view, word, &written));
+    parts.extend(of_variable(view, at, word));
+    parts
 }
 
 fn cut(section: &Section) -> String {

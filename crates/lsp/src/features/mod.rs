@@ -16,7 +16,7 @@ mod tokens;
 mod words;
 
 use crate::buffer::View;
-use crate::server::Settings;
+use crate::settings::Settings;
 use lsp_types::request::{
     CodeActionRequest, CodeLensRequest, Completion, DocumentHighlightRequest, DocumentSymbolRequest,
     FoldingRangeRequest, Formatting, GotoDefinition, HoverRequest, PrepareRenameRequest, References, Rename, Request,
