@@ -63,6 +63,7 @@ pub use hysteron_engine::{
 #[doc(hidden)]
 pub use hysteron_engine::{assembly, bytes, number_format, numeric, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
+pub use hysteron_lsp as lsp;
 pub use hysteron_opensees::{self as opensees, run};
 pub use hysteron_recordings as recordings;
 pub use hysteron_tcl::{self as tcl, diagnostic};

@@ -11,6 +11,8 @@ mod batch;
 mod bearing;
 #[path = "cli/checks.rs"]
 mod checks;
+#[path = "cli/editor.rs"]
+mod editor;
 #[path = "cli/endings.rs"]
 mod endings;
 #[path = "cli/evidence.rs"]

@@ -7,6 +7,7 @@ use super::init::InitArgs;
 use super::isolate::IsolateArgs;
 use super::limits::LimitArgs;
 use super::loops::LoopsArgs;
+use super::lsp::LspArgs;
 use super::motions::MotionsArgs;
 use super::prototype::PrototypeArgs;
 use super::recording::RecordingArgs;
@@ -94,6 +95,8 @@ pub(super) enum Command {
         /// The code, for instance plain-constraints
         code: Option<String>,
     },
+    /// Serve an editor: mistakes while a script or a study is written, hover, completion, definitions. An editor starts it
+    Lsp(LspArgs),
     /// Print the completion script of a shell
     #[command(hide = true)]
     Completions {

@@ -2,7 +2,6 @@
 
 use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::console::Terminal;
-use super::files::NoFiles;
 use super::limits::LimitArgs;
 use super::loops::ReportArgs;
 use super::progress::ProgressLine;
@@ -11,7 +10,7 @@ use super::run::{self, RunArgs};
 use clap::{Args, ValueEnum};
 use hysteron::analysis::Options;
 use hysteron::measure::CycleDetection;
-use hysteron::opensees::{Mode, Tcl};
+use hysteron::opensees::{Mode, NoFiles, Tcl};
 use hysteron::protocol::{Bearing, Motion, Protocol, RecordedPath};
 use hysteron::recordings::series::{channel_names, find_channel};
 use hysteron::recordings::told::Key;

@@ -1,31 +1,13 @@
 //! `hysteron commands`: the reference of the commands of scripts, on a terminal.
 
 use hysteron::diagnostic::nearest;
+use hysteron::lsp::reference::{Section, cells, section, sections};
 use hysteron::opensees::{self, KindUsage};
-
-/// The pages of the reference. `tests/reference.rs` writes them from the commands themselves.
-const PAGES: [&str; 8] = [
-    include_str!("../../docs/reference/commands/model.md"),
-    include_str!("../../docs/reference/commands/material.md"),
-    include_str!("../../docs/reference/commands/element.md"),
-    include_str!("../../docs/reference/commands/section.md"),
-    include_str!("../../docs/reference/commands/load.md"),
-    include_str!("../../docs/reference/commands/analysis.md"),
-    include_str!("../../docs/reference/commands/output.md"),
-    include_str!("../../docs/reference/commands/hysteron.md"),
-];
 
 /// Columns of a line.
 const WIDTH: usize = 80;
 /// Columns of the names of arguments; the meaning of a longer one begins on a line of its own.
 const NAME_WIDTH: usize = 26;
-
-/// A command or kind of the reference.
-struct Section {
-    /// `uniaxialMaterial Steel02`, or several that share the section.
-    names: Vec<&'static str>,
-    lines: Vec<&'static str>,
-}
 
 /// Usage of all commands, the kinds of one command, or everything about one command or kind.
 ///
@@ -103,26 +85,6 @@ fn first_word(text: &str) -> &str {
     text.split(' ').next().unwrap_or_default()
 }
 
-fn section(name: &str) -> Option<Section> {
-    sections().find(|s| s.names.contains(&name))
-}
-
-/// The sections of all pages.
-fn sections() -> impl Iterator<Item = Section> {
-    PAGES.iter().flat_map(|page| {
-        let mut sections: Vec<Section> = vec![];
-        for line in page.lines() {
-            if let Some(heading) = line.strip_prefix("## ").or_else(|| line.strip_prefix("### ")) {
-                let names = heading.split('`').skip(1).step_by(2).collect();
-                sections.push(Section { names, lines: vec![] });
-            } else if let Some(s) = sections.last_mut() {
-                s.lines.push(line);
-            }
-        }
-        sections
-    })
-}
-
 /// Usage, what it is, its arguments, and what else the reference says.
 fn render(section: &Section, usage: &str) -> String {
     let (mut before, mut rows, mut after): (Vec<String>, String, Vec<String>) = Default::default();
@@ -146,15 +108,6 @@ fn render(section: &Section, usage: &str) -> String {
 
 fn blank_before(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!("\n{text}") }
-}
-
-/// The cells of a row of a table; `None` for other lines, for rules and for headings.
-fn cells(line: &str) -> Option<Vec<String>> {
-    let inner = line.strip_prefix("| ")?.strip_suffix('|')?;
-    let hidden = inner.replace("\\|", "\u{1}");
-    let row: Vec<String> = hidden.split('|').map(|c| c.trim().replace('\u{1}', "|")).collect();
-    let is_heading = ["---", "argument", "option", "kind"].contains(&row[0].as_str());
-    (!is_heading).then_some(row)
 }
 
 /// A row of a table of arguments: name, meaning and value.

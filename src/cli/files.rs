@@ -2,7 +2,7 @@
 
 use hysteron::bytes::checksum;
 use hysteron::opensees::{DiskSeries, FileFormat, FileSeries, Outputs};
-use hysteron::record::{Memory, Output, RecordError, RowFile};
+use hysteron::record::{Output, RecordError, RowFile};
 use hysteron::report::html::without_numbers;
 use hysteron::report::{NamedResponses, channel_files};
 use hysteron::study::Study;
@@ -27,15 +27,6 @@ impl Outputs for SystemFiles {
 
     fn series(&mut self, _: &str, path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
         Ok(Box::new(DiskSeries::new(path)?))
-    }
-}
-
-/// Recorder files in memory. A check must keep the results of an earlier run.
-pub(super) struct NoFiles;
-
-impl Outputs for NoFiles {
-    fn create(&mut self, _: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
-        Ok(Box::new(Memory::default()))
     }
 }
 

@@ -23,6 +23,7 @@ mod isolate;
 mod learn;
 mod limits;
 mod loops;
+mod lsp;
 mod messages;
 mod motions;
 mod pace;

@@ -6,7 +6,7 @@ use super::bearing::bearing;
 use super::calibrate::INPUT_ERROR;
 use super::checkpoint;
 use super::console::{PrefixedOutput, Terminal};
-use super::files::{NoFiles, SystemFiles};
+use super::files::SystemFiles;
 use super::help;
 use super::limits::{LimitArgs, exceeded, interrupted_status};
 use super::loops::loops;
@@ -22,7 +22,7 @@ use hysteron::design::isolate::is_isolation_study;
 use hysteron::diagnostic::Severity;
 use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron::opensees::files::output_folder::OutputFolder;
-use hysteron::opensees::{Mode, Outputs, Tcl};
+use hysteron::opensees::{Mode, NoFiles, Outputs, Tcl};
 use hysteron::run::{End, Run, Settings};
 use hysteron::tcl::Silent;
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
@@ -63,6 +63,7 @@ pub(crate) fn main() -> i32 {
         Command::Motions(args) => print(super::motions::motions(&args)),
         Command::Commands { names } => print(super::commands::usages(&names)),
         Command::Explain { code } => print(super::explain::explained(code.as_deref())),
+        Command::Lsp(args) => super::lsp::lsp(&args),
         Command::Completions { shell } => print(Ok(help::completions(shell))),
         Command::Man { folder } => print(help::man(&folder)),
     };

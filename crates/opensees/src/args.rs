@@ -158,8 +158,25 @@ impl<'a> Args<'a> {
         if self.left() == 0 {
             return Err(self.missing(what));
         }
+        self.call.note_meaning(self.at, || what.to_string());
         self.at += 1;
         Ok(self.call.arg(self.at - 1))
+    }
+
+    /// The tag of a thing of a kind: the word names the thing, whether or not it is there.
+    pub(crate) fn tag(&mut self, kind: &'static str, what: &str) -> Result<Tag, Exception> {
+        let tag = self.int(what)?;
+        self.call.note_name(self.last_span(), kind, tag);
+        Ok(tag)
+    }
+
+    /// Tags of things of a kind, up to the next word that is none.
+    pub(crate) fn tags(&mut self, kind: &'static str) -> Vec<(Tag, Option<Span>)> {
+        let from = self.at;
+        let tags = self.placed_ints();
+        tags.iter().for_each(|(tag, span)| self.call.note_name(*span, kind, tag));
+        (from..self.at).for_each(|i| self.call.note_meaning(i, || format!("tag of a {kind}")));
+        tags
     }
 
     /// The next word.
@@ -179,6 +196,7 @@ impl<'a> Args<'a> {
             Sign::Positive => "a number greater than 0",
             Sign::NotNegative => "a number not less than 0",
         };
+        self.call.note_meaning(self.at - 1, || format!("{what}, {expected}"));
         let label = || format!("expected the {what}, {expected}");
         let Some(x) = value.as_f64() else {
             let text = value.as_str();
@@ -275,6 +293,7 @@ impl<'a> Args<'a> {
     pub(crate) fn floats(&mut self, what: &str) -> Result<Vec<f64>, Exception> {
         let mut out = vec![];
         while let Some(value) = self.call.get(self.at) {
+            self.call.note_meaning(self.at, || what.to_owned());
             if let Some(x) = value.as_f64() {
                 if !x.is_finite() {
                     self.at += 1;
@@ -408,6 +427,7 @@ impl<'a> Args<'a> {
     pub(crate) fn of<T: Clone>(&mut self, registry: &Registry<T>) -> Result<(T, Tag), Exception> {
         let kind = registry.kind;
         let tag = self.int_as(&format_args!("tag of a {kind}"))?;
+        self.call.note_name(self.last_span(), kind, tag);
         match registry.get(tag) {
             Some(thing) => {
                 self.taken.push((kind, tag));

@@ -145,7 +145,13 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(command) = calls::command(name) else {
         return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
     };
-    match (command.run)(interp, call) {
+    let noting = interp.host.index.is_some().then(|| call.noting());
+    let call = noting.as_ref().unwrap_or(call);
+    let result = (command.run)(interp, call);
+    if let Some(index) = &mut interp.host.index {
+        index.note(command, call, result.is_ok());
+    }
+    match result {
         Err(Exception::Error(e)) => {
             let held_back = e.diagnostic.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a));
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();

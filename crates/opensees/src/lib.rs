@@ -20,6 +20,7 @@ mod element;
 pub mod files;
 mod foreign;
 mod host;
+pub mod index;
 mod kind;
 mod load;
 pub mod lockstep;
@@ -31,7 +32,7 @@ pub mod run;
 mod section;
 mod session;
 pub mod slips;
-mod things;
+pub mod things;
 
 use args::Args;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -45,7 +46,7 @@ pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
 pub use element::learned::{law_of_json, law_to_json, law_to_words};
 pub use files::number_files::NumberFiles;
-pub use files::outputs::{FileFormat, Outputs};
+pub use files::outputs::{FileFormat, NoFiles, Outputs};
 pub use files::series::{DiskSeries, FileSeries};
 pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
@@ -90,6 +91,11 @@ impl Command {
     /// Names and usage of each kind of thing that the command makes; empty for a command without kinds.
     pub fn kinds(&self) -> Vec<KindUsage> {
         (self.kinds)()
+    }
+
+    /// Kinds of things that it defines, and the position of the tag among its words; 0 where it has none.
+    pub fn definition(&self) -> (&'static [&'static str], usize) {
+        self.defines
     }
 
     /// Usage under the command's own name. Commands of a family may share one usage.

@@ -151,6 +151,7 @@ impl Run {
         crate::check::finish(&mut self.interp);
         crate::check::warn_of_speeds(&mut self.interp);
         crate::check::report_ranges(&mut self.interp);
+        self.interp.host.close_index();
         match (self.interp.host.finish(), end) {
             (Err(e), End::Done | End::Failed(_) | End::Ignored(_)) => {
                 End::Raised(Box::new(Diagnostic::error(e.to_string())))

@@ -8,6 +8,7 @@ use crate::course::Course;
 use crate::files::number_files::NumberFiles;
 use crate::files::outputs::Outputs;
 use crate::host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
+use crate::index::Index;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
 use crate::output::Balances;
@@ -173,6 +174,8 @@ pub struct Session {
     pub course: Option<Course>,
     /// Call by a host before the first transient analysis.
     pub(crate) before_transient: Option<BeforeTransient>,
+    /// Index of the script, where a check is to make one.
+    pub index: Option<Box<Index>>,
 }
 
 impl Session {
@@ -218,6 +221,7 @@ impl Session {
             number_files: NumberFiles::default(),
             course: None,
             before_transient: None,
+            index: None,
         }
     }
 
@@ -296,6 +300,7 @@ impl Session {
         if self.mode == Mode::Check {
             self.overview.close(&mut self.engine);
         }
+        self.close_index();
         self.engine.wipe();
         self.builder = self.builder.wiped();
         self.output.known = Known::default();
@@ -303,6 +308,13 @@ impl Session {
         self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         finished
+    }
+
+    /// Keep the model in the index, before it is forgotten or at the end.
+    pub(crate) fn close_index(&mut self) {
+        if let Some(index) = &mut self.index {
+            index.close_model(self.engine.model(), &self.builder.definitions);
+        }
     }
 
     /// Kind of the analysis that is set up.

@@ -2,29 +2,29 @@
 //!
 //! The engine declares those that its registries hold.
 
-pub(crate) use hysteron_engine::model::kinds::{
+pub use hysteron_engine::model::kinds::{
     BACKBONE, DAMPING, FRICTION, INTEGRATION, LIMIT_CURVE, MATERIAL, ND_MATERIAL, PLATE, SECTION, SERIES, TRANSFORM,
 };
 
 /// A node.
-pub(crate) const NODE: &str = "node";
+pub const NODE: &str = "node";
 /// An element.
-pub(crate) const ELEMENT: &str = "element";
+pub const ELEMENT: &str = "element";
 /// A region.
-pub(crate) const REGION: &str = "region";
+pub const REGION: &str = "region";
 /// A load pattern.
-pub(crate) const PATTERN: &str = "load pattern";
+pub const PATTERN: &str = "load pattern";
 /// A ground motion of a pattern MultipleSupport.
-pub(crate) const GROUND_MOTION: &str = "ground motion";
+pub const GROUND_MOTION: &str = "ground motion";
 /// A parameter.
-pub(crate) const PARAMETER: &str = "parameter";
+pub const PARAMETER: &str = "parameter";
 /// A recorder.
-pub(crate) const RECORDER: &str = "recorder";
+pub const RECORDER: &str = "recorder";
 /// A mode that `eigen` finds, by its number; without one, the modes.
-pub(crate) const MODE: &str = "mode";
+pub const MODE: &str = "mode";
 /// The analysis.
-pub(crate) const ANALYSIS: &str = "analysis";
+pub const ANALYSIS: &str = "analysis";
 /// The model.
-pub(crate) const MODEL: &str = "model";
+pub const MODEL: &str = "model";
 /// A degree of freedom.
-pub(crate) const DOF: &str = "degree of freedom";
+pub const DOF: &str = "degree of freedom";

@@ -1,5 +1,6 @@
 //! Commands and calls of them.
 
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::ast::{Command, Script};
@@ -91,10 +92,21 @@ impl Place<'_> {
     }
 }
 
+/// What a command took the words of a call for, told to those who show scripts.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CallNotes {
+    /// Number of a word and its meaning.
+    pub meanings: Vec<(usize, String)>,
+    /// Place of a word, and the thing that it names: kind and tag.
+    pub names: Vec<(Span, &'static str, String)>,
+}
+
 /// The words of a call, the name of the command being the first.
 pub struct Call<'a> {
     words: &'a [Value],
     place: Option<Place<'a>>,
+    /// Notes about the words, where they are wanted.
+    notes: Option<Box<RefCell<CallNotes>>>,
     /// Of a call by the host: the source that stands for it, and the number of the call.
     number: Option<(SourceId, u32)>,
     blank: Value,
@@ -107,7 +119,32 @@ impl<'a> Call<'a> {
     }
 
     pub(crate) fn new(words: &'a [Value], place: Option<Place<'a>>) -> Self {
-        Call { words, place, number: None, blank: Value::EMPTY }
+        Call { words, place, notes: None, number: None, blank: Value::EMPTY }
+    }
+
+    /// The same call, whose command takes notes.
+    pub fn noting(&self) -> Self {
+        let notes = Some(Box::default());
+        Call { words: self.words, place: self.place, notes, number: self.number, blank: Value::EMPTY }
+    }
+
+    /// Note what a word means.
+    pub fn note_meaning(&self, i: usize, meaning: impl FnOnce() -> String) {
+        if let Some(notes) = &self.notes {
+            notes.borrow_mut().meanings.push((i, meaning()));
+        }
+    }
+
+    /// Note that the word at a place names a thing.
+    pub fn note_name(&self, place: Option<Span>, kind: &'static str, tag: impl std::fmt::Display) {
+        if let (Some(notes), Some(place)) = (&self.notes, place) {
+            notes.borrow_mut().names.push((place, kind, tag.to_string()));
+        }
+    }
+
+    /// The notes so far.
+    pub fn notes(&self) -> CallNotes {
+        self.notes.as_ref().map(|n| n.borrow().clone()).unwrap_or_default()
     }
 
     /// A call by the host, whose words have no text; the first word is the name of the command.
@@ -115,7 +152,7 @@ impl<'a> Call<'a> {
     /// The span of word `i` starts at `number` and ends at `i`; that of the whole call ends at `u32::MAX`. The host
     /// finds the word by them.
     pub fn numbered(words: &'a [Value], source: SourceId, number: u32) -> Self {
-        Call { words, place: None, number: Some((source, number)), blank: Value::EMPTY }
+        Call { words, place: None, notes: None, number: Some((source, number)), blank: Value::EMPTY }
     }
 
     fn numbered_span(&self, end: u32) -> Option<Span> {
@@ -248,7 +285,7 @@ pub(crate) fn choose(word: &str, what: &str, names: &[&str], exact: bool) -> Res
     let kind = if ambiguous { "ambiguous" } else { "bad" };
     let message = format!("{kind} {what} \"{word}\": must be {}", alternatives(names));
     let near = diagnostic::nearest(word, names.iter().copied()).map(str::to_owned);
-    Err(Exception::coded(message, &["TCL", "LOOKUP", "INDEX", what, word]).suggest(near))
+    Err(Exception::coded(message, &["TCL", "LOOKUP", "INDEX", what, word]).suggest(word, near))
 }
 
 /// `a`, `a or b`, `a, b, or c`.

@@ -79,6 +79,11 @@ impl SourceMap {
         self.sources.iter().map(|s| &*s.text)
     }
 
+    /// All texts with their names, in the order in which they were added.
+    pub fn named_texts(&self) -> impl Iterator<Item = (&str, &Arc<str>)> {
+        self.sources.iter().map(|s| (&*s.name, &s.text))
+    }
+
     /// A text that is there under a name.
     pub fn find(&self, name: &str, text: &str) -> Option<SourceId> {
         let same = |s: &Source| &*s.name == name && &*s.text == text;
@@ -157,6 +162,15 @@ impl fmt::Display for Absent {
     }
 }
 
+/// A known name for a word that is not known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// The word as it was read, which stands within the place of the message.
+    pub wrong: String,
+    /// The name that may have been meant.
+    pub near: String,
+}
+
 /// A message with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -176,6 +190,8 @@ pub struct Diagnostic {
     pub check: Option<&'static Check>,
     /// The thing that it says is missing.
     pub absent: Option<Absent>,
+    /// The nearest known name to the word that is wrong. The help says it too.
+    pub suggestion: Option<Suggestion>,
     /// Number of times that it came up at this place, in the words of the first.
     pub count: usize,
 }
@@ -192,8 +208,19 @@ pub(crate) struct WarningKind {
 impl Diagnostic {
     fn new(severity: Severity, message: impl Into<String>) -> Self {
         let (message, label) = (message.into(), String::new());
-        let (check, absent) = (None, None);
-        Self { severity, message, span: None, label, help: vec![], callers: vec![], check, absent, count: 1 }
+        let (check, absent, suggestion) = (None, None, None);
+        Self {
+            severity,
+            message,
+            span: None,
+            label,
+            help: vec![],
+            callers: vec![],
+            check,
+            absent,
+            suggestion,
+            count: 1,
+        }
     }
 
     /// Code of the check that found it; empty where it has none.
@@ -249,6 +276,20 @@ impl Diagnostic {
     pub fn place(mut self, span: Option<Span>) -> Self {
         self.span = span;
         self
+    }
+
+    /// Offer a known name for the word that is wrong, where one is near enough.
+    pub fn suggest(mut self, wrong: &str, near: Option<&str>) -> Self {
+        self.add_suggestion(wrong, near);
+        self
+    }
+
+    /// As [`Diagnostic::suggest`], in place.
+    pub fn add_suggestion(&mut self, wrong: &str, near: Option<&str>) {
+        if let Some(near) = near {
+            self.help.push(format!("did you mean \"{near}\"?"));
+            self.suggestion = Some(Suggestion { wrong: wrong.to_owned(), near: near.to_owned() });
+        }
     }
 
     /// Add a line of help.

@@ -44,7 +44,7 @@ fn unknown<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Exception {
     let names: Vec<&str> = names.collect();
     let message = format!("unknown or ambiguous subcommand \"{word}\": must be {}", listed(&names));
     let near = diagnostic::nearest(word, names.iter().copied()).map(str::to_owned);
-    Exception::coded(message, &["TCL", "LOOKUP", "SUBCOMMAND", word]).suggest(near)
+    Exception::coded(message, &["TCL", "LOOKUP", "SUBCOMMAND", word]).suggest(word, near)
 }
 
 /// Pass a call on to the sub-command that its word 1 names.

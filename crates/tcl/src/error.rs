@@ -148,12 +148,9 @@ impl Exception {
         self.map_error(|e| e.diagnostic.absent = Some(absent))
     }
 
-    /// Offer the nearest known name.
-    pub(crate) fn suggest(self, near: Option<String>) -> Self {
-        match near {
-            Some(name) => self.help(format!("did you mean \"{name}\"?")),
-            None => self,
-        }
+    /// Offer the nearest known name for a word that is wrong.
+    pub(crate) fn suggest(self, wrong: &str, near: Option<String>) -> Self {
+        self.map_error(|e| e.diagnostic.add_suggestion(wrong, near.as_deref()))
     }
 
     /// Add a line to what `$errorInfo` will be.

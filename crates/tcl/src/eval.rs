@@ -339,7 +339,7 @@ impl<H> Interp<H> {
         let e = Exception::coded(format!("invalid command name \"{name}\""), &code);
         let e = e.by(&UNKNOWN_COMMAND).absent(Absent::new(COMMAND, &name));
         let label = (self.core.unknown_command_label)(&name).unwrap_or("no such command");
-        let e = e.at(place.and_then(|p| p.word(0)), label).suggest(near);
+        let e = e.at(place.and_then(|p| p.word(0)), label).suggest(&name, near);
         Err(self.failed(e, argv, place))
     }
 }

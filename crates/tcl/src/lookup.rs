@@ -36,7 +36,7 @@ impl Core {
             return e;
         }
         match (why, index) {
-            (Trouble::NoVariable | Trouble::Undefined, _) => e.suggest(self.nearest_variable(name)),
+            (Trouble::NoVariable | Trouble::Undefined, _) => e.suggest(&full, self.nearest_variable(name)),
             (Trouble::NoElement, Some(index)) => {
                 let near = self.slot(name).and_then(|slot| {
                     slot.with(|s| match s {
@@ -44,7 +44,7 @@ impl Core {
                         _ => None,
                     })
                 });
-                e.suggest(near.map(|k| name.full(Some(&k))))
+                e.suggest(&full, near.map(|k| name.full(Some(&k))))
             }
             _ => e,
         }
@@ -312,6 +312,14 @@ impl Core {
     pub fn set_var(&mut self, name: &str, value: impl Into<Value>) -> Result<(), Exception> {
         let name = VarName::of_host(name);
         self.assign(&name, value.into())
+    }
+
+    /// Scalars of the global namespace with their values, in any order.
+    pub fn globals(&self) -> Vec<(String, Value)> {
+        let names =
+            self.ns(NsId::GLOBAL).vars.iter().filter(|(_, slot)| slot.exists()).map(|(name, _)| name.to_string());
+        let value = |name: String| self.peek(&VarName::of_host(&format!("::{name}")), None).ok().map(|v| (name, v));
+        names.filter_map(value).collect()
     }
 
     /// Note the first use of a scalar that is there: setting it before it is read becomes an error. `None` if there is no

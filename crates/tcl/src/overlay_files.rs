@@ -13,12 +13,27 @@ pub struct OverlayFiles {
     above: MemoryFiles,
     /// Files and folders below that have been removed, or hidden by others.
     gone: BTreeSet<String>,
+    /// The folder in which an interpreter starts, where it is not that of the files below.
+    folder: Option<String>,
 }
 
 impl OverlayFiles {
     /// Over some files, none changed yet.
     pub fn new(below: Box<dyn Files>) -> Self {
-        Self { below, above: MemoryFiles::default(), gone: BTreeSet::new() }
+        Self { below, above: MemoryFiles::default(), gone: BTreeSet::new(), folder: None }
+    }
+
+    /// The same with another folder in which an interpreter starts.
+    #[must_use]
+    pub fn starting_in(self, folder: &str) -> Self {
+        Self { folder: Some(folder.to_owned()), ..self }
+    }
+
+    /// The same with a text in the place of a file, which need not be there.
+    #[must_use]
+    pub fn with_text(self, path: &str, text: &str) -> Self {
+        self.above.insert(path, text);
+        self
     }
 
     /// Returns true if the file below, or a folder that holds it, has been removed.
@@ -43,7 +58,7 @@ impl OverlayFiles {
 
 impl Files for OverlayFiles {
     fn current_dir(&self) -> String {
-        self.below.current_dir()
+        self.folder.clone().unwrap_or_else(|| self.below.current_dir())
     }
 
     fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>> {

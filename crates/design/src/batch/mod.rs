@@ -7,7 +7,7 @@ mod plan;
 mod rows;
 
 pub use case::{Table, is_complete, run_case, table};
-pub use plan::{Case, PlanMotion, load};
+pub use plan::{Case, PlanMotion, load, mistake_of_form};
 
 use std::fmt::Write as _;
 

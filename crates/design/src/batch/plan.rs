@@ -137,6 +137,11 @@ impl InputHash {
     }
 }
 
+/// The mistake in the form of a plan's text, if it has one: its place in bytes, and what is wrong.
+pub fn mistake_of_form(text: &str) -> Option<(Option<std::ops::Range<usize>>, String)> {
+    toml::from_str::<PlanFile>(text).err().map(|e| (e.span(), e.message().to_owned()))
+}
+
 /// Read a plan and its inputs; paths are relative to its folder. The hash of a case covers its script, the files that it sources
 /// by a plain name, the `files` of the plan, the results, parameters and motion.
 ///

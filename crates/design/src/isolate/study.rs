@@ -255,6 +255,11 @@ pub fn is_isolation_study(path: &Path) -> bool {
     table.is_some_and(|t| t.contains_key("bearing"))
 }
 
+/// The mistake in the form of a study's text, if it has one: its place in bytes, and what is wrong.
+pub fn mistake_of_form(text: &str) -> Option<(Option<std::ops::Range<usize>>, String)> {
+    toml::from_str::<StudyFile>(text).err().map(|e| (e.span(), e.message().to_owned()))
+}
+
 /// A study before its script has run.
 fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<Study, String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));

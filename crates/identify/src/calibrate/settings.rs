@@ -56,10 +56,7 @@ impl SearchMethod {
         let known = Self::ALL.map(|(n, _)| n);
         let d = Diagnostic::error(format!("unknown method \"{name}\""));
         let d = d.at(span, format!("expected one of {}", known.join(", ")));
-        Err(Box::new(match nearest(name, known) {
-            Some(near) => d.help(format!("did you mean \"{near}\"?")),
-            None => d,
-        }))
+        Err(Box::new(d.suggest(name, nearest(name, known))))
     }
 
     /// Default of [`SearchSettings::polish`]. Differential evolution and the step search are left as their sources have them.

@@ -30,7 +30,7 @@ pub(super) fn read_channel(
         let known: Vec<&str> = recording.columns.iter().map(|c| c.name.as_str()).collect();
         let mut d = spans.error(&o.channel, format!("{path} has no column {channel}"), "expected a column of it");
         match nearest(channel, known.iter().copied()) {
-            Some(near) => d.help.push(format!("did you mean \"{near}\"?")),
+            near @ Some(_) => d.add_suggestion(channel, near),
             None => d.help.push(format!("it has {}", known.join(", "))),
         }
         return Err(d);
@@ -125,7 +125,7 @@ fn known_unit(spans: &SourceSpans, s: &Spanned<String>) -> Result<Unit, StudyErr
     unit::unit(s.get_ref()).ok_or_else(|| {
         let mut d = spans.error(s, format!("unknown unit \"{}\"", s.get_ref()), "expected the unit of the output");
         match unit::nearest_name(s.get_ref()) {
-            Some(near) => d.help.push(format!("did you mean \"{near}\"?")),
+            near @ Some(_) => d.add_suggestion(s.get_ref(), near),
             None => d.help.push("units are, for instance, m, mm, m/s2, g, kN, kip, MPa, kNm, rad, degC, s".into()),
         }
         d

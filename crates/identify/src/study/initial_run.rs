@@ -195,10 +195,9 @@ fn check_declared(study: &Study, declared: &BTreeMap<String, f64>) -> Result<(),
     for (p, span) in study.space.parameters.iter().zip(&study.spans.names) {
         if !declared.contains_key(&p.name) {
             let message = format!("{} never declares the parameter {}", study.model, p.name);
-            let mut d = Diagnostic::error(message).at(Some(*span), "expected the name of a pset command");
-            if let Some(near) = nearest(&p.name, declared.keys().map(String::as_str)) {
-                d = d.help(format!("did you mean \"{near}\"?"));
-            } else if declared.is_empty() {
+            let d = Diagnostic::error(message).at(Some(*span), "expected the name of a pset command");
+            let mut d = d.suggest(&p.name, nearest(&p.name, declared.keys().map(String::as_str)));
+            if declared.is_empty() {
                 d = d.help(format!("declare it in the script: pset {} VALUE", p.name));
             }
             return Err(Box::new(d));

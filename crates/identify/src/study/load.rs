@@ -80,19 +80,30 @@ pub struct Rig {
 /// The error of a study. The texts that its message points into are in the [`SourceMap`] of the call.
 pub type StudyError = Box<Diagnostic>;
 
+/// The error of a file that cannot be read.
+fn unreadable(file: &Path, e: &std::io::Error) -> StudyError {
+    Box::new(Diagnostic::error(format!("cannot read {}: {e}", file.display())))
+}
+
 impl Study {
     /// Read a study and its recordings. Texts that messages point into are added to `sources`.
     ///
     /// # Errors
     /// The study or a recording cannot be read, or has a mistake. The message has its location.
     pub fn load(file: &Path, sources: &mut SourceMap) -> Result<Self, StudyError> {
-        let shown = file.display();
-        let unreadable = |e: std::io::Error| Box::new(Diagnostic::error(format!("cannot read {shown}: {e}")));
-        let text = hysteron_files::read_text(file).map_err(unreadable)?;
+        let text = hysteron_files::read_text(file).map_err(|e| unreadable(file, &e))?;
+        Self::parse(file, &text, sources)
+    }
+
+    /// Read a study whose file has, or is to have, this text. Its recordings are read from their files.
+    ///
+    /// # Errors
+    /// As [`Study::load`].
+    pub fn parse(file: &Path, text: &str, sources: &mut SourceMap) -> Result<Self, StudyError> {
         let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let folder = folder.canonicalize().map_err(unreadable)?;
-        let source = sources.add(&shown.to_string(), &text);
-        let parsed: StudyFile = toml::from_str(&text).map_err(|e| syntax_error(&e, source))?;
+        let folder = folder.canonicalize().map_err(|e| unreadable(file, &e))?;
+        let source = sources.add(&file.display().to_string(), text);
+        let parsed: StudyFile = toml::from_str(text).map_err(|e| syntax_error(&e, source))?;
         let spans = SourceSpans::new(source);
         let parameters = read_parameters(&spans, &parsed.parameter)?;
         let space = ParameterSpace::new(parameters).map_err(|cyclic| {
@@ -176,9 +187,7 @@ fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
     if let Some(word) = unknown {
         d.message = format!("unknown key \"{word}\"");
         d.label = format!("expected one of {}", known.join(", "));
-        if let Some(near) = nearest(word, known.iter().copied()) {
-            d = d.help(format!("did you mean \"{near}\"?"));
-        }
+        d.add_suggestion(word, nearest(word, known.iter().copied()));
     }
     Box::new(d)
 }
@@ -244,9 +253,7 @@ fn read_tied(
             Some(i) => arguments.push(i),
             None => {
                 let mut d = spans.error(formula, format!("there is no parameter {name}"), "expected a parameter");
-                if let Some(near) = nearest(name, names.iter().copied()) {
-                    d.help.push(format!("did you mean \"{near}\"?"));
-                }
+                d.add_suggestion(name, nearest(name, names.iter().copied()));
                 return Err(d);
             }
         }

@@ -61,9 +61,9 @@ impl SetUses {
             let others = self.known.iter().map(String::as_str).filter(|k| !is_set(k));
             // Any letter resembles any other.
             let near = nearest(name(at), others).filter(|_| name(at).len() >= MIN_TYPO_LENGTH);
-            if let Some(near) = near {
+            if near.is_some() {
                 let d = Diagnostic::error(message).at(span, "expected a variable that it reads");
-                return Err(Box::new(d.help(format!("did you mean \"{near}\"?"))));
+                return Err(Box::new(d.suggest(name(at), near)));
             }
             if !warnings.iter().any(|w| w.message == message) {
                 warnings.push(Diagnostic::warning(&checks::UNREAD_VARIABLE, message).at(span, "changes nothing"));
@@ -218,9 +218,7 @@ fn add_files(d: &mut Diagnostic, output: &str, path: &str, ended: &EndedRun) {
     }
     let mut names: Vec<&str> = files.iter().map(|(n, _)| n.as_str()).collect();
     names.dedup();
-    if let Some(near) = nearest(output, names.iter().copied()) {
-        d.help.push(format!("did you mean \"{near}\"?"));
-    }
+    d.add_suggestion(output, nearest(output, names.iter().copied()));
     d.help.push(match names.len() {
         0 => "the script has no recorder with a file".into(),
         n if n > MAX_LISTED => {

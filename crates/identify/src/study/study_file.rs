@@ -141,9 +141,7 @@ impl SourceSpans {
             return Ok(k);
         }
         let mut d = self.error(s, format!("unknown {what} \"{word}\""), format!("expected {}", known.join(" or ")));
-        if let Some(near) = nearest(word, known.iter().copied()) {
-            d.help.push(format!("did you mean \"{near}\"?"));
-        }
+        d.add_suggestion(word, nearest(word, known.iter().copied()));
         Err(d)
     }
 }

@@ -62,7 +62,8 @@ fn rayleigh(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         a.option();
         let option = a.last_word().into_owned();
         let tags = match option.as_str() {
-            "-ele" | "-element" | "-node" => a.placed_ints(),
+            "-node" => a.tags(things::NODE),
+            "-ele" | "-element" => a.tags(things::ELEMENT),
             _ => return Err(a.unknown_name("choice of what is damped", ["-ele", "-node"])),
         };
         if tags.is_empty() {
@@ -103,7 +104,7 @@ fn damp_model(interp: &mut Tcl, r: Rayleigh) {
 
 fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FACTORS);
-    let tag = a.int("tag of the element")?;
+    let tag = a.tag(things::ELEMENT, "tag of the element")?;
     let Some(id) = interp.host.engine.model().element(tag) else {
         return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
     };
@@ -114,7 +115,12 @@ fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Tags as a list, or as the first and the last of a range.
-fn chosen(a: &mut Args<'_>, range: bool, there: impl Iterator<Item = i32>) -> Result<Vec<i32>, Exception> {
+fn chosen(
+    a: &mut Args<'_>,
+    kind: &'static str,
+    range: bool,
+    there: impl Iterator<Item = i32>,
+) -> Result<Vec<i32>, Exception> {
     if range {
         let (first, last) = (a.int("first tag")?, a.int("last tag")?);
         // Scripts write 1 to some billions for all.
@@ -122,7 +128,7 @@ fn chosen(a: &mut Args<'_>, range: bool, there: impl Iterator<Item = i32>) -> Re
         found.sort_unstable();
         return Ok(found);
     }
-    Ok(a.ints())
+    Ok(a.tags(kind).into_iter().map(|(tag, _)| tag).collect())
 }
 
 /// Give a damping to the elements of a region; those that take none stay as they are, as in OpenSees.
@@ -158,7 +164,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option {
             "-ele" | "-eleOnly" | "-element" | "-eleRange" | "-eleOnlyRange" => {
                 let model = interp.host.engine.model();
-                let tags = chosen(&mut a, is_range, model.element_tags())?;
+                let tags = chosen(&mut a, things::ELEMENT, is_range, model.element_tags())?;
                 let ids: Vec<ElementId> = tags.iter().filter_map(|t| model.element(*t)).collect();
                 absent.extend(tags.iter().filter(|t| model.element(**t).is_none()).map(|t| Missing::Element(*t)));
                 if !option.starts_with("-eleOnly") {
@@ -168,7 +174,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             "-node" | "-nodeOnly" | "-nodeRange" | "-nodeOnlyRange" => {
                 let model = interp.host.engine.model();
-                let tags = chosen(&mut a, is_range, model.node_tags())?;
+                let tags = chosen(&mut a, things::NODE, is_range, model.node_tags())?;
                 let ids: Vec<NodeId> = tags.iter().filter_map(|t| model.node(*t)).collect();
                 absent.extend(tags.iter().filter(|t| model.node(**t).is_none()).map(|t| Missing::Node(*t)));
                 if !option.starts_with("-nodeOnly") {

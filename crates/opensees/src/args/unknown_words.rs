@@ -38,10 +38,7 @@ impl Args<'_> {
         let expected = if known.is_empty() { String::new() } else { format!("expected one of {}", known.join(" ")) };
         let mut d = Diagnostic::warning(&words::UNKNOWN_OPTION, message).at(span, expected);
         d.help.extend(no_list_of_numbers(self.call.arg(self.at - 1 - values)));
-        Ok(Some(match diagnostic::nearest(&word, known.iter().copied()) {
-            Some(near) => d.help(format!("did you mean \"{near}\"?")),
-            None => d,
-        }))
+        Ok(Some(d.suggest(&word, diagnostic::nearest(&word, known.iter().copied()))))
     }
 
     /// An error about the last word taken, which is none of the `known` names.
@@ -61,11 +58,8 @@ impl Args<'_> {
         let word = self.last_word();
         let label = opensees_names::kind_label(&self.call.name(), &word).unwrap_or("not known");
         let d = Diagnostic::error(format!("unknown {what} \"{word}\"")).by(&words::UNKNOWN_KIND);
-        let mut d = d.at(self.last_span(), label);
-        if let Some(near) = diagnostic::nearest(&word, known.iter().copied()) {
-            d = d.help(format!("did you mean \"{near}\"?"));
-        }
-        Exception::diagnosed(d.help(list(known)))
+        let near = diagnostic::nearest(&word, known.iter().copied());
+        Exception::diagnosed(d.at(self.last_span(), label).suggest(&word, near).help(list(known)))
     }
 
     /// A warning about the words that are left over, if any.

@@ -436,7 +436,7 @@ fn number(a: &mut Args<'_>, o: &Opt) -> Result<f64, Exception> {
 
 /// An element at rest, by its tag.
 fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
-    let tag = a.int("tag of the element")?;
+    let tag = a.tag(things::ELEMENT, "tag of the element")?;
     let engine = &interp.host.engine;
     let Some(id) = engine.model().element(tag) else {
         return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));

@@ -2,7 +2,7 @@
 
 use super::series::{FileSeries, NoSeries};
 use hysteron_engine::number_format::Style;
-use hysteron_engine::record::{Layout, Output, RecordError};
+use hysteron_engine::record::{Layout, Memory, Output, RecordError};
 use std::path::Path;
 
 /// Format of a recorder's file.
@@ -31,5 +31,15 @@ pub trait Outputs {
     /// The folder cannot be made.
     fn series(&mut self, _name: &str, _path: &Path) -> Result<Box<dyn FileSeries>, RecordError> {
         Ok(Box::new(NoSeries))
+    }
+}
+
+/// Outputs that are kept in memory and dropped: a check leaves the results of an earlier run as they are.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoFiles;
+
+impl Outputs for NoFiles {
+    fn create(&mut self, _: &str, _: &Path, _: FileFormat) -> Result<Box<dyn Output>, RecordError> {
+        Ok(Box::new(Memory::default()))
     }
 }

@@ -52,7 +52,7 @@ fn motions<'a>(interp: &'a Tcl, a: &Args<'_>) -> Result<(Tag, &'a BTreeMap<Tag, 
 }
 
 fn motion_of(interp: &Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> {
-    let tag = a.int("tag of a ground motion")?;
+    let tag = a.tag(things::GROUND_MOTION, "tag of a ground motion")?;
     let (_, all) = motions(interp, a)?;
     all.get(&tag).cloned().ok_or_else(|| {
         let known: Vec<String> = all.keys().map(ToString::to_string).collect();

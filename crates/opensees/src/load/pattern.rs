@@ -188,7 +188,7 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-const" => constant = true,
-            "-pattern" => named = Some(a.int("tag of the pattern")?),
+            "-pattern" => named = Some(a.tag(things::PATTERN, "tag of the pattern")?),
             _ => ignore_option(interp, &mut a, &["-const", "-pattern"])?,
         }
     }
@@ -212,7 +212,7 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-const" => constant = true,
             "-subtractInit" => initial = interp.host.engine.state().disp[offset + dof],
-            "-pattern" => named = Some(a.int("tag of the pattern")?),
+            "-pattern" => named = Some(a.tag(things::PATTERN, "tag of the pattern")?),
             _ => ignore_option(interp, &mut a, &["-const", "-subtractInit", "-pattern"])?,
         }
     }
@@ -242,7 +242,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-ele" => {
                 while elements.is_empty() || a.at_number() {
-                    let tag = a.int("tag of an element")?;
+                    let tag = a.tag(things::ELEMENT, "tag of an element")?;
                     let id = interp.host.engine.model().element(tag);
                     let missing = || a.absent(things::ELEMENT, tag, "expected the tag of an element");
                     elements.push((id.ok_or_else(missing)?, a.last_span()));
@@ -258,7 +258,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.builder.ndm)?),
             "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.builder.ndm)?),
             "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.builder.ndm)?),
-            "-pattern" => drop(a.int("tag of the pattern")?),
+            "-pattern" => drop(a.tag(things::PATTERN, "tag of the pattern")?),
             _ if given.is_none() => {
                 return Err(a.unknown_name(
                     "element load",

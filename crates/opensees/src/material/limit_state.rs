@@ -60,7 +60,7 @@ fn limit_curve(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     interp.host.note_kind("limitCurve", kind.names[0]);
     let tag = a.int("tag of the limit curve")?;
     let span = a.last_span();
-    let element = a.int("tag of the element")?;
+    let element = a.tag(things::ELEMENT, "tag of the element")?;
     let made = (kind.make)(&mut a, element)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.limit_curves.add(tag, made) {

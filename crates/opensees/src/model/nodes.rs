@@ -27,7 +27,7 @@ const SET_COORD: &str = "setNodeCoord $node $direction $value";
 
 /// The node with the tag that comes next.
 pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<NodeId, Exception> {
-    let tag = args.int(what)?;
+    let tag = args.tag(things::NODE, what)?;
     interp.host.engine.model().node(tag).ok_or_else(|| {
         let model = interp.host.engine.model();
         let near = model.node_tags().min_by_key(|t| t.abs_diff(tag));

@@ -105,7 +105,7 @@ fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
     match a.peek().as_deref() {
         Some("element") => {
             a.word("element")?;
-            let tag = a.int("tag of the element")?;
+            let tag = a.tag(things::ELEMENT, "tag of the element")?;
             if interp.host.engine.model().element(tag).is_none() {
                 return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
             }
@@ -113,7 +113,7 @@ fn places(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<Place>, Exception> {
         }
         Some("region") => {
             a.word("region")?;
-            let tag = a.int("tag of the region")?;
+            let tag = a.tag(things::REGION, "tag of the region")?;
             let Some(region) = interp.host.builder.regions.get(&tag) else {
                 return Err(a.absent(things::REGION, tag, "expected the tag of a region"));
             };
@@ -138,7 +138,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
             }
         }
         "loadPattern" | "pattern" => {
-            let pattern = a.int("tag of the pattern")?;
+            let pattern = a.tag(things::PATTERN, "tag of the pattern")?;
             if !model.patterns.contains_key(&pattern) {
                 return Err(a.absent(things::PATTERN, pattern, "expected the tag of a pattern"));
             }
@@ -237,7 +237,7 @@ fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Tag of a parameter that is there.
 fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
-    let tag = a.int("tag of the parameter")?;
+    let tag = a.tag(things::PARAMETER, "tag of the parameter")?;
     if interp.host.builder.parameters.contains_key(&tag) {
         return Ok(tag);
     }
@@ -331,7 +331,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let elements: Option<Vec<Tag>> = match a.peek().as_deref() {
         Some("-ele" | "-eles" | "-element") => {
             a.word("option")?;
-            let tags = a.ints();
+            let tags: Vec<Tag> = a.tags(things::ELEMENT).into_iter().map(|(tag, _)| tag).collect();
             if let Some(missing) = tags.iter().find(|t| model.element(**t).is_none()) {
                 return Err(a.absent(things::ELEMENT, missing, "expected tags of elements"));
             }

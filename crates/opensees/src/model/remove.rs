@@ -31,7 +31,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     match a.word("kind of thing to remove")?.as_ref() {
         "loadPattern" | "pattern" => {
-            let tag = a.int("tag of the pattern")?;
+            let tag = a.tag(things::PATTERN, "tag of the pattern")?;
             if interp.host.engine.change_model(|m| m.patterns.remove(&tag)).is_none() {
                 absent(interp, &a, things::PATTERN, tag)?;
             }
@@ -42,14 +42,14 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             finished.map_err(|e| a.refuse(e.to_string(), ""))?;
         }
         "recorder" => {
-            let tag = a.int("tag of the recorder")?;
+            let tag = a.tag(things::RECORDER, "tag of the recorder")?;
             match interp.host.output.recorders.by_tag.remove(&tag) {
                 Some(mut r) => r.recorder.finish().map_err(|e| a.refuse(e.to_string(), ""))?,
                 None => absent(interp, &a, things::RECORDER, tag)?,
             }
         }
         "element" | "ele" => {
-            let tag = a.int("tag of the element")?;
+            let tag = a.tag(things::ELEMENT, "tag of the element")?;
             match interp.host.engine.model().element(tag) {
                 Some(id) => {
                     interp.host.engine.remove_element(id);
@@ -59,7 +59,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
         "node" => {
-            let tag = a.int("tag of the node")?;
+            let tag = a.tag(things::NODE, "tag of the node")?;
             match interp.host.engine.model().node(tag) {
                 Some(node) => {
                     if let Err(element) = interp.host.engine.remove_node(node) {
@@ -89,17 +89,17 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
         "material" | "uniaxialMaterial" => {
-            let tag = a.int("tag of the material")?;
+            let tag = a.tag(things::MATERIAL, "tag of the material")?;
             interp.host.builder.definitions.materials.remove(tag);
         }
         "parameter" => {
-            let tag = a.int("tag of the parameter")?;
+            let tag = a.tag(things::PARAMETER, "tag of the parameter")?;
             if interp.host.builder.parameters.remove(&tag).is_none() {
                 absent(interp, &a, things::PARAMETER, tag)?;
             }
         }
         "timeSeries" => {
-            let tag = a.int("tag of the time series")?;
+            let tag = a.tag(things::SERIES, "tag of the time series")?;
             interp.host.builder.definitions.series.remove(tag);
         }
         _ => {

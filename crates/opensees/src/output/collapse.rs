@@ -297,7 +297,7 @@ fn elements(interp: &mut Tcl, a: &mut Args<'_>, option: &str) -> Result<Vec<Tag>
         _ if a.flag("all") => Ok(interp.host.engine.model().element_tags().collect()),
         _ => {
             let mut tags = vec![];
-            for (tag, span) in a.placed_ints() {
+            for (tag, span) in a.tags(things::ELEMENT) {
                 if interp.host.engine.model().element(tag).is_none() {
                     return Err(a.absent_at(span, things::ELEMENT, tag, "expected the tag of an element"));
                 }
@@ -333,7 +333,7 @@ fn other(interp: &mut Tcl, call: &Call<'_>, a: &mut Args<'_>, option: &str, w: &
         "-g" => {
             let acceleration = a.float("acceleration of gravity")?;
             let direction = a.dof("direction of gravity", 6)?;
-            w.weight = Some((acceleration, direction, a.int("tag of a load pattern")?));
+            w.weight = Some((acceleration, direction, a.tag(things::PATTERN, "tag of a load pattern")?));
         }
         "-sec" | "-section" | "-comp" => drop(a.ints()),
         "-time" | "-load" => {}

@@ -115,7 +115,7 @@ fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let model = interp.host.engine.model();
     let mut ids: Vec<_> = model.elements_by_tag().collect();
     if a.left() > 0 {
-        let tag = a.int("tag of the element")?;
+        let tag = a.tag(things::ELEMENT, "tag of the element")?;
         let id = model.element(tag);
         ids = vec![id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))?];
     }
@@ -135,7 +135,7 @@ fn class_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let class = match a.word("kind of thing")?.as_ref() {
         "section" => a.of(&session.builder.definitions.sections)?.0.class(),
         "element" => {
-            let tag = a.int("tag of the element")?;
+            let tag = a.tag(things::ELEMENT, "tag of the element")?;
             let model = session.engine.model();
             let id = model.element(tag);
             let missing = || a.absent(things::ELEMENT, tag, "expected the tag of an element");
@@ -154,7 +154,7 @@ fn patterns<'a>(interp: &'a Tcl, call: &Call<'_>) -> Result<Vec<&'a Pattern>, Ex
     if a.left() == 0 {
         return Ok(all.values().collect());
     }
-    let tag = a.int("tag of the pattern")?;
+    let tag = a.tag(things::PATTERN, "tag of the pattern")?;
     let pattern = all.get(&tag);
     pattern.map(|p| vec![p]).ok_or_else(|| a.absent(things::PATTERN, tag, "expected the tag of a pattern"))
 }

@@ -2,6 +2,7 @@
 
 use super::model_file::model_file;
 use crate::args::Args;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::model::{ElementEntry, Model, Tag};
 use hysteron_tcl::{Call, Exception, OpenMode, Value};
@@ -32,8 +33,8 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-file" | "file" => w.file = Some(a.word("name of the file")?.into_owned()),
             "-JSON" | "-json" => w.json = true,
-            "-node" | "node" => w.nodes.get_or_insert_default().extend(tags(&mut a)?),
-            "-ele" | "ele" | "-element" => w.elements.get_or_insert_default().extend(tags(&mut a)?),
+            "-node" | "node" => w.nodes.get_or_insert_default().extend(tags(&mut a, things::NODE)?),
+            "-ele" | "ele" | "-element" => w.elements.get_or_insert_default().extend(tags(&mut a, things::ELEMENT)?),
             "-integrator" | "integrator" | "-algorithm" | "algorithm" => {
                 a.optional_int("flag")?;
                 w.analysis = true;
@@ -74,11 +75,11 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Tags after `-node` or `-ele`, with a flag that may come before them.
-fn tags(a: &mut Args<'_>) -> Result<Vec<Tag>, Exception> {
+fn tags(a: &mut Args<'_>, kind: &'static str) -> Result<Vec<Tag>, Exception> {
     if a.flag("-flag") || a.flag("flag") {
         a.int("flag")?;
     }
-    Ok(a.ints())
+    Ok(a.tags(kind).into_iter().map(|(tag, _)| tag).collect())
 }
 
 /// Numbers with a space after each, as OpenSees puts out a vector.

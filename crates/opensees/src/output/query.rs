@@ -214,7 +214,7 @@ fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
-    let tag = a.int("tag of the element")?;
+    let tag = a.tag(things::ELEMENT, "tag of the element")?;
     let id = interp.host.engine.model().element(tag);
     id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))
 }
@@ -304,7 +304,7 @@ fn ele_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getLoadFactor $pattern");
-    let tag = a.int("tag of the pattern")?;
+    let tag = a.tag(things::PATTERN, "tag of the pattern")?;
     let engine = &interp.host.engine;
     match engine.model().patterns.get(&tag) {
         Some(p) => Ok(Value::from(p.factor(engine.state().time))),

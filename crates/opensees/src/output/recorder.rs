@@ -149,7 +149,7 @@ impl Common {
 
     /// Take tags of nodes or elements.
     fn take_tags(&mut self, what: &'static str, a: &mut Args<'_>) -> Vec<Tag> {
-        let placed = a.placed_ints();
+        let placed = a.tags(what);
         for (tag, span) in &placed {
             self.tags.extend(span.map(|s| (Absent::new(what, tag), s)));
         }
@@ -248,7 +248,7 @@ fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Tags of a region's nodes or elements.
 pub(super) fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
-    let tag = a.int("tag of a region")?;
+    let tag = a.tag(things::REGION, "tag of a region")?;
     let Some(r) = interp.host.builder.regions.get(&tag) else {
         return Err(a.absent(things::REGION, tag, "expected the tag of a region"));
     };
@@ -337,11 +337,9 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
             return Err(a.refuse_at(call.span(0), "recorder: the response is missing", "expected for instance disp"));
         }
         Some((name, span)) => NodeQuantity::parse(name).ok_or_else(|| {
-            let mut d =
-                Diagnostic::error(format!("unknown response of a node \"{name}\"")).at(*span, "expected a response");
-            if let Some(near) = nearest(name, NodeQuantity::NAMES.iter().copied()) {
-                d = d.help(format!("did you mean \"{near}\"?"));
-            }
+            let d = Diagnostic::error(format!("unknown response of a node \"{name}\""));
+            let d =
+                d.at(*span, "expected a response").suggest(name, nearest(name, NodeQuantity::NAMES.iter().copied()));
             Exception::diagnosed(d.help(format!("known: {}", NodeQuantity::NAMES.join(", "))))
         })?,
     };
@@ -416,11 +414,9 @@ fn check_response(
 pub(super) fn unknown_response(engine: &Engine, id: ElementId, words: &[&str]) -> (usize, Diagnostic) {
     let class = engine.model().elements[id.0].element.class();
     let Misspelled { index, known, fitting } = ElementResponse::misspelled(engine, id, words);
-    let mut d = Diagnostic::error(format!("{class} has no response \"{}\"", words.join(" ")));
     let word = words.get(index).copied().unwrap_or_default();
-    if let Some(near) = nearest(word, fitting.iter().copied().filter(|name| *name != word)) {
-        d = d.help(format!("did you mean \"{near}\"?"));
-    }
+    let near = nearest(word, fitting.iter().copied().filter(|name| *name != word));
+    let d = Diagnostic::error(format!("{class} has no response \"{}\"", words.join(" "))).suggest(word, near);
     let after = if index > 0 { format!(" after \"{}\"", words[..index].join(" ")) } else { String::new() };
     (index, d.help(format!("known{after}: {}", known.join(", "))))
 }

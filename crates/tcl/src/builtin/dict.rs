@@ -35,7 +35,7 @@ fn no_key(dict: &Dict, key: &Value) -> Exception {
     let key = key.as_str();
     let message = format!("key \"{key}\" not known in dictionary");
     let near = if dict.len() > 500 { None } else { diagnostic::nearest(&key, dict.iter().map(|(k, _)| &**k)) };
-    Exception::coded(message, &["TCL", "LOOKUP", "DICT", &key]).suggest(near.map(str::to_owned))
+    Exception::coded(message, &["TCL", "LOOKUP", "DICT", &key]).suggest(&key, near.map(str::to_owned))
 }
 
 fn create(_: &mut Core, call: &Call<'_>) -> Result<Value, Exception> {

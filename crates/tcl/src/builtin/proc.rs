@@ -79,7 +79,7 @@ fn rename<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception
         let near = if core.calls.catching > 0 { None } else { core.nearest_command(&old) };
         let message = format!("can't {doing} \"{old}\": command doesn't exist");
         let e = Exception::coded(message, &["TCL", "LOOKUP", "COMMAND", &old]);
-        return Err(e.at(call.span(1), "no such command").suggest(near));
+        return Err(e.at(call.span(1), "no such command").suggest(&old, near));
     };
     if new.is_empty() {
         core.delete_command(id);

@@ -186,7 +186,7 @@ impl<H> Interp<H> {
                     &["TCL", "LOOKUP", "COMMAND", &local],
                 );
                 let told = format!("unknown math function \"{}\"", function.name);
-                return Err(e.map_error(|e| e.diagnostic.message = told).suggest(near));
+                return Err(e.map_error(|e| e.diagnostic.message = told).suggest(&function.name, near));
             }
         };
         match own {

@@ -1,0 +1,89 @@
+//! Commands and kinds by their names, with what the reference says of them.
+
+use crate::reference::{self, Argument, Section};
+use hysteron_opensees::{Command, KindUsage, calls};
+use hysteron_tcl::{Interp, MemoryFiles, Silent};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+/// The sections of the reference, by name.
+fn sections() -> &'static BTreeMap<&'static str, Section> {
+    static ALL: OnceLock<BTreeMap<&'static str, Section>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let named = |s: Section| s.names.clone().into_iter().map(move |name| (name, s.clone()));
+        reference::sections().flat_map(named).collect()
+    })
+}
+
+/// Commands of Tcl.
+pub(crate) fn tcl_commands() -> &'static [String] {
+    static ALL: OnceLock<Vec<String>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut interp = Interp::new((), Box::new(Silent), Box::new(MemoryFiles::default()));
+        let names = interp.eval_str("names", "lsort [info commands]").ok().and_then(|v| v.to_list().ok());
+        names.iter().flat_map(|list| list.iter().map(|v| v.as_str().into_owned())).collect()
+    })
+}
+
+/// A command by the word of a script that calls it.
+pub(crate) fn command(word: &str) -> Option<&'static Command> {
+    calls::command(word.trim_start_matches("::"))
+}
+
+/// The kind of a command that its first word chooses.
+pub(crate) fn kind(command: &Command, word: &str) -> Option<KindUsage> {
+    command.kinds().into_iter().find(|k| k.names.contains(&word))
+}
+
+/// Command and kind of a call, as far as its words say them.
+pub(crate) struct Called {
+    pub(crate) command: &'static Command,
+    pub(crate) kind: Option<KindUsage>,
+}
+
+impl Called {
+    /// Of words, the first of which is the name.
+    pub(crate) fn of(words: &[&str]) -> Option<Self> {
+        let command = command(words.first()?)?;
+        let kind = words.get(1).and_then(|word| kind(command, word));
+        Some(Self { command, kind })
+    }
+
+    /// Usage in one line.
+    pub(crate) fn usage(&self) -> String {
+        self.kind.map_or_else(|| self.command.usage_line(), |k| k.usage.to_owned())
+    }
+
+    /// What the reference says of the kind, or of the command where it has no kind.
+    pub(crate) fn section(&self) -> Option<&'static Section> {
+        match self.kind {
+            Some(kind) => section_of_kind(self.command, kind),
+            None => sections().get(self.command.name),
+        }
+    }
+
+    /// Its arguments and options.
+    pub(crate) fn arguments(&self) -> Vec<Argument> {
+        self.section().map(Section::arguments).unwrap_or_default()
+    }
+}
+
+/// What the reference says of a kind; none where its command says all.
+pub(crate) fn section_of_kind(command: &Command, kind: KindUsage) -> Option<&'static Section> {
+    sections().get(format!("{} {}", command.name, kind.names[0]).as_str())
+}
+
+/// What the reference says of a command itself.
+pub(crate) fn section_of_command(command: &Command) -> Option<&'static Section> {
+    sections().get(command.name)
+}
+
+/// The first sentences about a kind: those of its section, or its row in the table of its command.
+pub(crate) fn about_kind(command: &Command, kind: KindUsage) -> String {
+    if let Some(section) = section_of_kind(command, kind) {
+        return section.summary().to_owned();
+    }
+    let name = format!("`{}`", kind.names[0]);
+    let rows = section_of_command(command).into_iter().flat_map(|s| s.lines.iter().filter_map(|l| reference::cells(l)));
+    rows.into_iter().find(|row| row[0] == name).and_then(|row| row.get(1).cloned()).unwrap_or_default()
+}

@@ -1,0 +1,72 @@
+// The extension for Visual Studio Code: it starts "hysteron lsp", and runs "hysteron" as a task for the lenses.
+"use strict";
+
+const fs = require("fs");
+const path = require("path");
+const vscode = require("vscode");
+const { LanguageClient } = require("vscode-languageclient/node");
+
+let client;
+
+/** The program: that of the settings, or one that the extension brings along. */
+function program(context) {
+  const own = path.join(context.extensionPath, "bin", process.platform === "win32" ? "hysteron.exe" : "hysteron");
+  const settings = vscode.workspace.getConfiguration("hysteron");
+  const given = settings.inspect("path");
+  const isGiven = given && (given.globalValue || given.workspaceValue);
+  return !isGiven && fs.existsSync(own) ? own : settings.get("path");
+}
+
+async function start(context) {
+  const settings = vscode.workspace.getConfiguration("hysteron");
+  const options = {
+    timeLimit: settings.get("timeLimit"),
+    compat: settings.get("compat"),
+    lenses: settings.get("lenses"),
+  };
+  const toml = (pattern) => ({ scheme: "file", pattern });
+  client = new LanguageClient(
+    "hysteron",
+    "hysteron",
+    { command: program(context), args: ["lsp", "--stdio"] },
+    {
+      documentSelector: [{ language: "tcl" }, toml("**/study.toml"), toml("**/plan.toml")],
+      initializationOptions: options,
+      synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{tcl,toml}") },
+    },
+  );
+  try {
+    await client.start();
+  } catch (error) {
+    vscode.window.showErrorMessage(
+      `hysteron does not start: ${error.message}. The setting hysteron.path says where the program is.`,
+    );
+  }
+}
+
+/** Run hysteron on a file as a task, in the folder of the file: its terminal stays. */
+async function run(context, word, file) {
+  const target = file || vscode.window.activeTextEditor?.document.uri.fsPath;
+  const chosen = word || (await vscode.window.showQuickPick(["run", "view", "check"]));
+  if (!target || !chosen) return;
+  await vscode.workspace.saveAll(false);
+  const execution = new vscode.ProcessExecution(program(context), [chosen, path.basename(target)], {
+    cwd: path.dirname(target),
+  });
+  const name = `${chosen} ${path.basename(target)}`;
+  const task = new vscode.Task({ type: "hysteron" }, vscode.TaskScope.Workspace, name, "hysteron", execution);
+  await vscode.tasks.executeTask(task);
+}
+
+exports.activate = async (context) => {
+  context.subscriptions.push(
+    vscode.commands.registerCommand("hysteron.command", (word, file) => run(context, word, file)),
+    vscode.commands.registerCommand("hysteron.restart", async () => {
+      if (client) await client.stop();
+      await start(context);
+    }),
+  );
+  await start(context);
+};
+
+exports.deactivate = () => (client ? client.stop() : undefined);
