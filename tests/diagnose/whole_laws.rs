@@ -128,3 +128,35 @@ fn concealed_softening_by_strain_and_cycles_is_a_whole_law() {
     let gain = o.verdict.explanation.split("the fit loses").nth(1).unwrap();
     assert!(gain.contains("without its softening by the largest strain"), "{gain}");
 }
+
+/// A bearing whose yield force differs between two fitted runs: no sensor is blamed, and the two values are told.
+#[test]
+fn a_condition_that_changed_between_runs_is_no_sensor() {
+    let forces: Vec<Vec<f64>> = [60.0, 84.0]
+        .iter()
+        .enumerate()
+        .map(|(run, strength)| {
+            let truth = study(&BILINEAR.replace("$Fy", &strength.to_string()), None).write(&format!("condition-{run}"));
+            let (mut simulator, initial) = studies::opened(&truth);
+            let force = simulator.simulate(run, &initial.values).unwrap().remove(0);
+            let _ = fs::remove_dir_all(truth);
+            let mut noise = Noise::default();
+            force.iter().map(|f| if f.is_finite() { f + NOISE * 100.0 * noise.next() } else { 0.0 }).collect()
+        })
+        .collect();
+    let mut concealed = study(BILINEAR, Some(&forces));
+    concealed.runs.iter_mut().for_each(|run| run.holdout = false);
+    let dir = concealed.write("condition");
+    let settings = Settings { threads: 2, ..Settings::default() };
+    let d = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited()).unwrap();
+    let _ = fs::remove_dir_all(dir);
+    let verdict = &d.outcome.verdict;
+    assert!(!verdict.cause.starts_with("sensor_"), "{verdict:?}");
+    let told = verdict.explanation.split("a changed condition explains as much: Fy of ").nth(1).unwrap();
+    let values = [("the run fitted", 60.0), ("the run stronger", 84.0)].map(|(run, truth)| {
+        let before = told.split(run).next().unwrap().trim_end_matches(" in ");
+        let value: f64 = before.rsplit(' ').next().unwrap().parse().unwrap();
+        (value - truth).abs() / truth
+    });
+    assert!(values.iter().all(|off| *off < 0.02), "{told}");
+}

@@ -3,6 +3,7 @@
 //! The map from evidence to probabilities is fitted to trials. Physics, bounds and channels judge a repair whether or not the
 //! trials held such a case: each gate limits the probability of its cause, and says why.
 
+use super::changed_parameter::ChangedParameter;
 use super::plausibility::{eccentricity, impossible_heat};
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
@@ -126,10 +127,11 @@ impl GatedRepair<'_> {
         }
         let (number, run) = self.study.runs_of(Role::Fit).find(|(_, r)| r.name == name)?;
         let variant = &self.baseline.variant;
-        let at = |point: &[f64]| {
+        let residual = |number: usize, point: &[f64]| {
             let values = variant.study.space.values_at(point).ok()?;
-            Some(scaled_residual(run, &(self.simulate)(variant, number, &values)?))
+            Some(scaled_residual(&self.study.runs[number], &(self.simulate)(variant, number, &values)?))
         };
+        let at = |point: &[f64]| residual(number, point);
         let point = &self.baseline.fitted.point;
         let own = at(point)?;
         let columns: Vec<Vec<f64>> = (0..point.len())
@@ -144,8 +146,14 @@ impl GatedRepair<'_> {
         let left: f64 = Projection::new(&own, j)?.remaining(&own)?.iter().map(|x| x * x).sum();
         let repaired = scaled_residual(run, self.judged.after[number].as_ref()?);
         let with_fault: f64 = repaired.iter().map(|x| x * x).sum();
-        (left <= PARAMETERS_IN_ONE_RUN_RATIO * with_fault)
-            .then(|| format!("other values of your own parameters in the run {name} explain as much"))
+        let enough = PARAMETERS_IN_ONE_RUN_RATIO * with_fault;
+        let others: Vec<usize> = self.study.runs_of(Role::Fit).map(|(i, _)| i).filter(|i| *i != number).collect();
+        let name_of = |i: usize| self.study.runs[i].name.clone();
+        let space = &variant.study.space;
+        if let Some(changed) = ChangedParameter::find(space, point, (number, &others), enough, residual, name_of) {
+            return Some(changed.description());
+        }
+        (left <= enough).then(|| format!("other values of your own parameters in the run {name} explain as much"))
     }
 
     /// A wandering zero that follows what the motion has left behind: no instrument does.

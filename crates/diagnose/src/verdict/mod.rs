@@ -4,6 +4,7 @@
 //! - [`conclusion`]: from ranked hypotheses to the verdict and the repair
 //! - [`explanation`], `verdict_in_words`: the verdict in words
 //! - [`summary`]: the verdict for readers without statistics, from place, sizes and advice
+//! - `changed_parameter`: a parameter of the user with another value in one run
 //! - `device_loop`: the loop of the device that a verdict is about
 //! - `fault_in_words`: faults of channels with their corrections
 //! - `gain`: errors before and after a repair, beside the noise of the recordings
@@ -22,6 +23,7 @@
 
 mod advice;
 mod all_runs;
+mod changed_parameter;
 pub(crate) mod conclusion;
 pub(crate) mod device_loop;
 pub(crate) mod diagnosis;
