@@ -129,9 +129,9 @@ fn concealed_softening_by_strain_and_cycles_is_a_whole_law() {
     assert!(gain.contains("without its softening by the largest strain"), "{gain}");
 }
 
-/// A bearing whose yield force differs between two fitted runs: no sensor is blamed, and the two values are told.
+/// A bearing whose yield force differs between two fitted runs: the parameter, the run and the factor are told.
 #[test]
-fn a_condition_that_changed_between_runs_is_no_sensor() {
+fn a_condition_that_changed_between_runs_is_named() {
     let forces: Vec<Vec<f64>> = [60.0, 84.0]
         .iter()
         .enumerate()
@@ -150,13 +150,10 @@ fn a_condition_that_changed_between_runs_is_no_sensor() {
     let settings = Settings { threads: 2, ..Settings::default() };
     let d = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited()).unwrap();
     let _ = fs::remove_dir_all(dir);
-    let verdict = &d.outcome.verdict;
-    assert!(!verdict.cause.starts_with("sensor_"), "{verdict:?}");
-    let told = verdict.explanation.split("a changed condition explains as much: Fy of ").nth(1).unwrap();
-    let values = [("the run fitted", 60.0), ("the run stronger", 84.0)].map(|(run, truth)| {
-        let before = told.split(run).next().unwrap().trim_end_matches(" in ");
-        let value: f64 = before.rsplit(' ').next().unwrap().parse().unwrap();
-        (value - truth).abs() / truth
-    });
-    assert!(values.iter().all(|off| *off < 0.02), "{told}");
+    assert_eq!(d.outcome.verdict.cause, "changed_condition", "{:?}", d.outcome.verdict);
+    let factor = d.outcome.corrected.parameters["hy_changed"];
+    assert!((factor - 84.0 / 60.0).abs() < 0.02, "{factor}");
+    let told = "if {$::motion eq {stronger-motion.dat}} {set Fy [expr {$Fy*$::hy_changed}]}";
+    assert!(d.repaired_script.contains(told), "{}", d.repaired_script);
+    println!("{}", d.outcome.verdict.summary.text(100));
 }

@@ -256,6 +256,18 @@ pub fn gain() -> Concealed {
     pad(tests, |t| along(&t.path, |u, q| if t.name == "again" { 1.15 } else { 1.0 } * (K * u + q)))
 }
 
+/// The device is tightened before one of two tests.
+pub fn condition() -> Concealed {
+    let mut tests = two_tests();
+    tests.insert(1, test("again", mixed(), false));
+    tests[2].path.reverse();
+    pad(tests, |t| {
+        let strength = if t.name == "again" { 1.5 * FY } else { FY };
+        let mut spring = Plastic::default();
+        t.path.iter().map(|&u| K * u + spring.force(u, K0, strength)).collect()
+    })
+}
+
 /// The zero of the load cell jumps.
 pub fn jump() -> Concealed {
     pad(two_tests(), |t| {

@@ -284,6 +284,9 @@ prior! {
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";
+    /// Structured share of the residual from which another value of a parameter in one run is not the whole of the matter. A
+    /// choice.
+    MAX_STRUCTURE_OF_CONDITION: f64 = 0.3, "share";
     /// Squared correlation of a wandering zero with what the motion leaves behind from which it is no drift. A choice.
     FOLLOWED_HISTORY_SHARE: f64 = 0.6, "share";
 

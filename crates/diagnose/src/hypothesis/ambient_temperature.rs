@@ -1,5 +1,6 @@
 //! Runs at other temperatures than that of the model's parameters.
 
+use super::context::distinguishing_variable;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::ambient_temperatures;
 use crate::memory::family::Family;
@@ -15,18 +16,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// A variable with another value in every run, by which the added commands distinguish the runs.
-fn distinguishing_variable(s: &ProposalContext<'_>) -> Option<String> {
-    let names = s.study.runs[0].set.iter().map(|(n, _)| n);
-    let differs = |name: &&String| {
-        let values: Vec<Option<String>> = s.study.runs.iter().map(|r| r.text(name)).collect();
-        values.iter().enumerate().all(|(i, v)| v.is_some() && !values[..i].contains(v))
-    };
-    names.into_iter().find(differs).cloned()
-}
-
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
-    let (Some(temperatures), Some(name)) = (ambient_temperatures(s.study), distinguishing_variable(s)) else {
+    let (Some(temperatures), Some(name)) = (ambient_temperatures(s.study), distinguishing_variable(s.study)) else {
         return vec![];
     };
     let most = temperatures.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));

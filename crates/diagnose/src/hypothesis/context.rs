@@ -23,6 +23,18 @@ pub(crate) struct ProposalContext<'a> {
     pub(crate) text: &'a str,
     /// Byte up to which its commands make the model.
     pub(crate) model_end: usize,
+    /// Byte ranges of the values of the user's parameters in the text, in the order of the study.
+    pub(crate) value_spans: &'a [Option<(usize, usize)>],
+}
+
+/// A variable with another value in every run, by which added commands distinguish the runs.
+pub(super) fn distinguishing_variable(study: &Study) -> Option<String> {
+    let names = study.runs[0].set.iter().map(|(n, _)| n);
+    let differs = |name: &&String| {
+        let values: Vec<Option<String>> = study.runs.iter().map(|r| r.text(name)).collect();
+        values.iter().enumerate().all(|(i, v)| v.is_some() && !values[..i].contains(v))
+    };
+    names.into_iter().find(differs).cloned()
 }
 
 /// Tags of devices, separated by spaces.

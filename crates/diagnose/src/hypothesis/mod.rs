@@ -10,6 +10,7 @@ mod ambient_temperature;
 mod axial_shear_interaction;
 mod bidirectional_coupling;
 mod cavitation;
+pub(crate) mod changed_condition;
 pub(crate) mod context;
 mod cyclic_degradation;
 mod damping;
@@ -71,6 +72,7 @@ pub const ALL: &[Hypothesis] = &[
     damping::HYPOTHESIS,
     torsion::HYPOTHESIS,
     pinching::HYPOTHESIS,
+    changed_condition::HYPOTHESIS,
     sensor::GAIN,
     sensor::LAG,
     sensor::DRIFT,

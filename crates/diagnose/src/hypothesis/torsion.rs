@@ -90,6 +90,7 @@ mod tests {
                 has_clock: true,
                 text: "",
                 model_end: 0,
+                value_spans: &[],
             })
             .len()
         };

@@ -4,6 +4,7 @@ use super::place::Place;
 use super::quantity::duration;
 use super::recorded_quantities::{Recordable, RecordedQuantities};
 use crate::fit::step_error::StepError;
+use crate::hypothesis::changed_condition::CAUSE as CHANGED_CONDITION;
 use crate::prior::NEGLIGIBLE_STEP_ERROR;
 use hysteron_identify::study::{Role, Run, Study};
 
@@ -63,6 +64,11 @@ const MEASUREMENTS: &[Measurement] = &[
         "record the temperature of {place}, and repeat one run at the temperature of the model",
     )
     .unless(Recordable::Temperature, Some("repeat one run at the temperature of the model")),
+    of(
+        CHANGED_CONDITION,
+        "ask what was adjusted, repaired or replaced between the earthquakes",
+        "ask what was adjusted between the runs, and repeat one run under the condition of the others",
+    ),
     of(
         "mullins_softening",
         "compare earthquakes before and after the strongest one: {place} must be softer after it",

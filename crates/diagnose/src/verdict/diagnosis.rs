@@ -143,6 +143,7 @@ pub fn diagnose(
         has_clock,
         text,
         model_end: point.byte().unwrap_or(text.len()),
+        value_spans: &initial_run.value_spans,
     };
     let library = hypothesis::ALL.iter().filter(|h| !settings.excluded_causes.iter().any(|w| w == h.cause));
     let (without_clock, library): (Vec<_>, Vec<_>) = library.partition(|h| !has_clock && h.needs_clock);

@@ -12,10 +12,11 @@ use crate::evidence::verdict_evidence::ProbabilityLimit;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::projection::Projection;
 use crate::fit::search_settings::is_at_bound;
+use crate::hypothesis::changed_condition;
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
-    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MIN_BOUND_EFFECT, PARAMETERS_IN_ONE_RUN_RATIO,
-    SINGLE_SENSOR_PROBABILITY,
+    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_STRUCTURE_OF_CONDITION, MIN_BOUND_EFFECT,
+    PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY,
 };
 use hysteron_identify::study::{Role, Run, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
@@ -56,6 +57,7 @@ impl GatedRepair<'_> {
         out.extend(faults.iter().find_map(|f| self.run_that_does_not_improve(f)).map(limit(0.0)));
         out.extend(faults.iter().find_map(|f| self.change_of_parameters(f)).map(limit(0.0)));
         out.extend(self.zero_that_follows_history(&faults).map(limit(0.0)));
+        out.extend(self.condition_with_structure().map(limit(BOUND_PROBABILITY)));
         out.extend(self.parameters_at_bounds().map(limit(BOUND_PROBABILITY)));
         out.extend(faults.iter().find_map(|f| self.single_sensor(f)).map(limit(SINGLE_SENSOR_PROBABILITY)));
         out
@@ -154,6 +156,14 @@ impl GatedRepair<'_> {
             return Some(changed.description());
         }
         (left <= enough).then(|| format!("other values of your own parameters in the run {name} explain as much"))
+    }
+
+    /// Another value of a parameter that leaves structure. A model that is whole but for the value would leave none, and a
+    /// value of its own for a run takes much from any effect that differs by run.
+    fn condition_with_structure(&self) -> Option<String> {
+        let structured = self.judged.structured_share > MAX_STRUCTURE_OF_CONDITION;
+        (structured && self.variant.cause() == changed_condition::CAUSE)
+            .then(|| "the other value leaves more than noise".to_owned())
     }
 
     /// A wandering zero that follows what the motion has left behind: no instrument does.

@@ -147,6 +147,7 @@ const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
         ("self_heating", "leadCapacity", "factor on the specific heat of lead", Ratio),
         ("self_heating", "conductivity", "factor on the conductivity", Ratio),
         ("self_heating", "conduction", "conduction", Unnamed),
+        ("changed_condition", "changed", "factor on the parameter in that run", Ratio),
         ("ambient_temperature", "temperature", "temperature of the rubber", Unnamed),
         ("ambient_temperature", "b", "softening", PerDegree),
         ("mullins_softening", "virgin", "excess of the virgin stiffness", Ratio),
