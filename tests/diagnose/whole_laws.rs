@@ -151,9 +151,8 @@ fn a_condition_that_changed_between_runs_is_named() {
     let d = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited()).unwrap();
     let _ = fs::remove_dir_all(dir);
     assert_eq!(d.outcome.verdict.cause, "changed_condition", "{:?}", d.outcome.verdict);
-    let factor = d.outcome.corrected.parameters["hy_changed"];
+    let factor = d.outcome.corrected.parameters["hy_factor_on_Fy"];
     assert!((factor - 84.0 / 60.0).abs() < 0.02, "{factor}");
-    let told = "if {$::motion eq {stronger-motion.dat}} {set Fy [expr {$Fy*$::hy_changed}]}";
+    let told = "if {$::motion eq {stronger-motion.dat}} {set Fy [expr {$Fy*$::hy_factor_on_Fy}]}";
     assert!(d.repaired_script.contains(told), "{}", d.repaired_script);
-    println!("{}", d.outcome.verdict.summary.text(100));
 }

@@ -1,5 +1,6 @@
 //! Sizes of an effect in words: names and units of added parameters, with digits that follow the interval.
 
+use crate::hypothesis::changed_condition::FACTOR_ON;
 use hysteron_identify::calibrate::Interval;
 use hysteron_identify::study::Study;
 use serde::Serialize;
@@ -147,7 +148,6 @@ const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
         ("self_heating", "leadCapacity", "factor on the specific heat of lead", Ratio),
         ("self_heating", "conductivity", "factor on the conductivity", Ratio),
         ("self_heating", "conduction", "conduction", Unnamed),
-        ("changed_condition", "changed", "factor on the parameter in that run", Ratio),
         ("ambient_temperature", "temperature", "temperature of the rubber", Unnamed),
         ("ambient_temperature", "b", "softening", PerDegree),
         ("mullins_softening", "virgin", "excess of the virgin stiffness", Ratio),
@@ -256,8 +256,11 @@ pub(super) fn effect_size(
     if row.is_none() && cause.starts_with("sensor_") {
         return None;
     }
-    let (quantity, dimension) =
-        row.map_or((plain, Dimension::Unnamed), |(_, _, words, dimension)| (*words, *dimension));
+    let (quantity, dimension) = match (row, plain.strip_prefix(FACTOR_ON)) {
+        (Some((_, _, words, dimension)), _) => ((*words).to_owned(), *dimension),
+        (None, Some(parameter)) => (format!("factor on {parameter}"), Dimension::Ratio),
+        (None, None) => (plain.to_owned(), Dimension::Unnamed),
+    };
     let scales = units.scales(dimension);
     let fits = |(factor, _): &&(f64, String)| (value * factor).abs() >= 1.0;
     let (factor, unit) = scales.iter().rfind(fits).or(scales.first()).cloned().unwrap_or((1.0, String::new()));
@@ -279,11 +282,11 @@ pub(super) fn effect_size(
     let own = scales.iter().find(|(factor, _)| *factor == 1.0).map_or_else(String::new, |(_, unit)| unit.clone());
     Some(EffectSize {
         name: name.into(),
-        quantity: quantity.into(),
+        text: format!("{quantity} {number}"),
+        quantity,
         value,
         interval: interval.map(|i| [i.lower, i.upper]),
         unit: own,
-        text: format!("{quantity} {number}"),
         determined: interval.is_none_or(|i| i.standard_error <= MAX_STANDARD_ERROR && is_narrow(i)),
     })
 }
