@@ -168,6 +168,11 @@ fn scripts_without_a_uniform_excitation() {
     ] {
         Case { in_script: &[(from, to)], ..BRIDGE }.refused("check", &named);
     }
+    // The ground of one support differs: the others follow the motion.
+    let one = ("-values [displacements", "-factor [expr {$s == 2 ? 1.5 : 1.0}] -values [displacements");
+    let (status, said) = Case { in_script: &[one], ..BRIDGE }.run("check");
+    let words = ["moves in x with 1.5", "moves in y with 1.5", "supports differ so"];
+    assert!(status == Some(0) && words.iter().all(|w| said.contains(w)), "{status:?} {said}");
 }
 
 /// A building whose supports move has the accelerations and displacements of one that is shaken as a whole.
