@@ -25,6 +25,25 @@ namespace eval rr_frb {
     variable cavitation [expr {2.0*$shear}]
     variable crushing 100.0e6
 
+    # Largest shear strain of the tests that the models are identified by.
+    variable calibrated 0.60
+
+    # Refuse a state in which a bearing between a lower and an upper node is sheared beyond the tests.
+    proc within_tests {pairs} {
+        variable calibrated; variable thickness
+        foreach {tag lower upper} $pairs {
+            set squares 0.0
+            foreach a [lrange [nodeDisp $lower] 0 1] b [lrange [nodeDisp $upper] 0 1] {
+                set squares [expr {$squares + ($b - $a)**2}]
+            }
+            set strain [expr {sqrt($squares)/$thickness}]
+            if {$strain > $calibrated} {
+                error [format "bearing %d has a shear strain of %.1f %% at %.2f s: the models are identified up to %.0f %%" \
+                    $tag [expr {100.0*$strain}] [getTime] [expr {100.0*$calibrated}]]
+            }
+        }
+    }
+
     # Axial material of one unit of force: AxialSp with post-elastic stiffness of 1/100 in tension and 1/2 in compression.
     # Stress and strain for factors of 1, force and displacement for the area and for the area over the thickness.
     proc axial {tag {strength 1.0} {stiffness 1.0}} {

@@ -127,6 +127,7 @@ fn values_come_from_lists_tables_and_samples() {
     );
     let (status, _, said) = place.run(&["batch", "lists.toml", "--out", "lists"]);
     assert!(status == Some(0) && said.contains("2 cases have the inputs of another one"), "{said}");
+    assert!(said.contains(" cases in ") && said.contains(" a second on "), "{said}");
     let rows = table(&place, "lists");
     let sums: Vec<&str> = rows.lines().skip(1).map(|r| r.split(',').nth(6).unwrap()).collect();
     assert_eq!(sums, ["11.0", "21.0", "12.0", "22.0"]);

@@ -34,6 +34,8 @@ fn results_do_not_depend_on_threads() {
             let (status, _, said) = place.run(&[command, &study, "--out", &out, "--threads", threads]);
             // Checks of the shipped study that are not met are results.
             assert_eq!(status, Some(0), "{command}: {said}");
+            let of = format!("a second on {threads} thread");
+            assert!(said.contains(" analyses in ") && said.contains(&of), "{command}: {said}");
         }
         let [one, two] = ["1", "2"].map(|threads| results(&place.0.join(format!("{command}{threads}"))));
         assert!(one.len() >= files, "{command}: {} files", one.len());

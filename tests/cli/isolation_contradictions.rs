@@ -168,4 +168,43 @@ fn scripts_without_a_uniform_excitation() {
     ] {
         Case { in_script: &[(from, to)], ..BRIDGE }.refused("check", &named);
     }
+    // The ground of one support differs: the others follow the motion.
+    let one = ("-values [displacements", "-factor [expr {$s == 2 ? 1.5 : 1.0}] -values [displacements");
+    let (status, said) = Case { in_script: &[one], ..BRIDGE }.run("check");
+    let words = ["moves in x with 1.5", "moves in y with 1.5", "supports differ so"];
+    assert!(status == Some(0) && words.iter().all(|w| said.contains(w)), "{status:?} {said}");
+}
+
+/// A building whose supports move has the accelerations and displacements of one that is shaken as a whole.
+#[test]
+fn moving_supports_have_the_response_of_a_uniform_excitation() {
+    let place = Place::new();
+    let uniform = "pattern UniformExcitation 2 1 -accel 2\npattern UniformExcitation 3 2 -accel 3\n";
+    let supports = "pattern MultipleSupport 2 {\n groundMotion 1 Plain -accel 2\n groundMotion 2 Plain -accel 3\n \
+        for {set n 1} {$n <= 9} {incr n} {\n  foreach d {1 2} {\n   remove sp $n $d\n   imposedMotion $n $d $d\n  }\n }\n}\n";
+    let one = [
+        ("eccentricities = [[0.0, 0.0], [0.05, 0.05]]\n", ""),
+        (
+            "[[motion]]\nname = \"Rio Dell 1992\"\nfiles = [\"../ground_motions/riodell_1992_360_g.txt\"]\n\
+             unit = \"g\"\ndt = 0.02\n",
+            "",
+        ),
+    ];
+    place.write("study.toml", replaced("isolation_study/study.toml", &one));
+    let [first, second] = [uniform, supports].map(|patterns| {
+        place.write("building.tcl", replaced("isolation_study/building.tcl", &[(uniform, patterns)]));
+        let (status, _, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
+        assert_eq!(status, Some(0), "{said}");
+        let text = fs::read_to_string(place.0.join("out/isolation.json")).unwrap();
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()["structure"].clone()
+    });
+    let rows = first.as_array().unwrap();
+    assert_eq!(rows.len(), 6, "{first}");
+    for (a, b) in rows.iter().zip(second.as_array().unwrap()) {
+        for column in ["lower largest", "upper largest"] {
+            let ratio = b[column].as_f64().unwrap() / a[column].as_f64().unwrap();
+            // Displacements of the supports are integrated by the trapezoidal rule.
+            assert!((ratio - 1.0).abs() < 0.005, "{a} {b}");
+        }
+    }
 }

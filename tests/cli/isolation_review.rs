@@ -267,14 +267,19 @@ fn displacements_are_magnified_by_the_kind_of_structure() {
 fn two_results_are_compared() {
     let place = Place::new();
     place.write("a.toml", small(&[]));
-    place.write("b.toml", small(&[("\"sm1=0.6\"", "\"sm1=0.75\""), ("displacement = 0.35", "displacement = 0.45")]));
+    // Another path of the same text is the same script; a line more makes another one.
+    let script = fs::read_to_string(format!("{INPUTS}/isolation_study/building.tcl")).unwrap();
+    place.write("longer.tcl", script + "# One line more.\n");
+    let own = format!("{INPUTS}/isolation_study/building.tcl");
+    let b = small(&[("\"sm1=0.6\"", "\"sm1=0.75\""), ("displacement = 0.35", "displacement = 0.45")]);
+    place.write("b.toml", b.replace(&own, "longer.tcl"));
     for name in ["a", "b"] {
         let (status, _, said) = place.run(&["isolate", &format!("{name}.toml"), "--out", name]);
         assert_eq!(status, Some(0), "{said}");
     }
     let (status, printed, said) = place.run(&["isolate", "a", "--compare", "b"]);
     assert_eq!(status, Some(0), "{said}");
-    for part in ["sm1=0.75", "LRB  displacement", "T_M", "design displacement against capacity"] {
+    for part in ["study  script", "sm1=0.75", "LRB  displacement", "T_M", "design displacement against capacity"] {
         let words: Vec<&str> = part.split("  ").collect();
         assert!(printed.lines().any(|l| words.iter().all(|w| l.contains(w))), "{part}: {printed}");
     }

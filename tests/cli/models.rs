@@ -44,6 +44,27 @@ fn every_file_runs() {
     }
 }
 
+/// The house on recycled-rubber bearings: each model answers within the strains of the tests, and a strain beyond them is refused.
+/// OpenSees has the same strains for the first two models, to the printed digits.
+#[test]
+fn a_house_on_recycled_rubber() {
+    let house = concat!(env!("CARGO_MANIFEST_DIR"), "/tcl-like-inputs/rr_frb_house/house.tcl");
+    for (device, strain) in [("boucwen", "0.398"), ("hdr", "0.371"), ("kikuchi", "0.100"), ("rheology", "0.025")] {
+        let place = Place::new();
+        let (status, out, err) = place.run(&["run", "--strict", house, device]);
+        assert_eq!(status, Some(0), "{device}: {err}");
+        assert!(out.contains(&format!("{device}: largest shear strain of the bearings {strain},")), "{device}: {out}");
+        assert!(place.0.join("results/rr_frb_house/bearing1.out").is_file(), "{device}");
+    }
+    for device in ["boucwen", "hdr", "kikuchi"] {
+        let (status, _, err) = Place::new().run(&["run", house, device, "1.0"]);
+        let said = ["has a shear strain of 6", "the models are identified up to 60 %"];
+        assert!(status == Some(1) && said.iter().all(|w| err.contains(w)), "{device}: {status:?} {err}");
+    }
+    let (status, _, err) = Place::new().run(&["run", house, "lead"]);
+    assert!(status == Some(1) && err.contains("expected boucwen, hdr, kikuchi or rheology"), "{err}");
+}
+
 /// The modulus in compression of the RR-FRB (Eqs 2 and 3), and the parameters of Grant's law (Eqs 4 to 6), by hand.
 #[test]
 fn formulas() {

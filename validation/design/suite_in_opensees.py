@@ -178,7 +178,7 @@ def study(args, name):
             return [t.result() for t in tasks]
 
 
-def written(folder, results):
+def written(folder, results, bounds):
     number = "{:.6g}".format
     who = ("hysteron", "compat", "OpenSees")
     head = ["study", "analysis", "motion", "bearing", "steps"] + [f"{n} {w}" for n in NAMES[:4] for w in who]
@@ -188,7 +188,7 @@ def written(folder, results):
         for bearings, _ in results:
             table.writerows([s, a, m, t, c] + [number(x) for k in range(4) for x in (o[k], q[k], p[k])] for s, a, m, t, c, o, q, p in bearings)
     out = "# Largest differences from OpenSees\n\n"
-    out += "`suite_in_opensees.py --write` makes this page. Each number is the largest difference of a quantity in an analysis, over the "
+    out += f"`suite_in_opensees.py --write {' '.join('--bound ' + b for b in bounds)}` makes this page. Each number is the largest difference of a quantity in an analysis, over the "
     out += "largest value of the quantity in that analysis (`P min` over `P max`). Steps: those of the script, or a part of them where "
     out += "OpenSees' iteration fails. Base shear, drifts of storeys and accelerations of floors are those of `hysteron isolate`.\n"
     for title, which in (("The default", 4), ("`--compat opensees`", 5)):
@@ -212,7 +212,7 @@ def main():
     args.bound = args.bound or BOUNDS
     results = [row for name in args.study or STUDIES for row in study(args, name)]
     if args.write:
-        written(Path(__file__), results)
+        written(Path(__file__), results, args.bound)
     print("largest difference from OpenSees, as a share of the largest value of the quantity in its analysis (P min: of P max)")
     worst = 0.0
     for name in args.study or STUDIES:

@@ -138,8 +138,8 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
     product / (strength(a) * strength(b))
 }
 
-/// Each support that moves follows the motion of its direction, which may arrive later there.
-fn supports(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+/// A support in each direction follows the motion, which may arrive later there. Supports that move otherwise are said.
+fn supports(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
     let pair = &study.motions[0];
     let dt = pair.components[0].dt;
     let horizontal = model.dimensions().saturating_sub(1);
@@ -158,6 +158,7 @@ fn supports(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result
         accelerations(&a.unwrap_or_default(), dt)
     };
     let whole = (0..horizontal).map(|d| strength(&expected(d))).fold(0.0, f64::max);
+    let mut remarks = vec![];
     for direction in 0..model.dimensions() {
         let expected = expected(direction);
         let asked = strength(&expected);
@@ -168,6 +169,7 @@ fn supports(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result
                 stated.file, pair.components[0].name
             ));
         }
+        let (mut follows, mut others) = (0, vec![]);
         for (node, ground) in grounds(direction) {
             // Motions that arrive late go on after the end of the record.
             let steps = 2 * pair.components[0].acceleration.len();
@@ -177,21 +179,31 @@ fn supports(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result
             let ratio = if asked > MOTION * whole { strength(&found) / asked } else { 1.0 };
             let is_rest = asked <= MOTION * whole && strength(&found) <= MOTION * whole;
             let alike = if is_rest { 1.0 } else { correlation(&expected, &found) };
-            if !(STRENGTH[0]..=STRENGTH[1]).contains(&ratio) || alike.is_nan() || alike < CORRELATION {
-                return Err(format!(
-                    "{}: the support at node {} of \"{script}\" moves in {axis} with {:.4} times the strength of the motion \"{}\" \
-                     (isolate(a{axis}), isolate(dt)) and a correlation of {alike:.3}: expected {} to {}, and {CORRELATION} or more. \
-                     Each component is to be applied in its direction, with its step and without a factor",
-                    stated.file,
-                    model.model().nodes[node.0].tag,
-                    strength(&found) / asked,
-                    pair.components[0].name,
-                    STRENGTH[0],
-                    STRENGTH[1],
-                ));
+            if (STRENGTH[0]..=STRENGTH[1]).contains(&ratio) && alike >= CORRELATION {
+                follows += 1;
+                continue;
             }
+            others.push(format!(
+                "the support at node {} of \"{script}\" moves in {axis} with {:.4} times the strength of the motion \"{}\" \
+                 (isolate(a{axis}), isolate(dt)) and a correlation of {alike:.3}: expected {} to {}, and {CORRELATION} or more",
+                model.model().nodes[node.0].tag,
+                strength(&found) / asked,
+                pair.components[0].name,
+                STRENGTH[0],
+                STRENGTH[1],
+            ));
         }
+        let Some(first) = others.first() else { continue };
+        if follows == 0 {
+            return Err(format!(
+                "{}: {first}. Each component is to be applied in its direction, with its step and without a factor",
+                stated.file
+            ));
+        }
+        // Motions may differ from support to support, but one of them is that of the study.
+        remarks.push(format!("{first}; {} of {} supports differ so", others.len(), follows + others.len()));
     }
+    study.agreement.remarks.extend(remarks);
     Ok(())
 }
 

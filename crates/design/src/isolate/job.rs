@@ -351,6 +351,15 @@ fn shaken(run: &Run) -> Vec<usize> {
     patterns.filter_map(direction).collect()
 }
 
+/// Mean displacement of the lower ends of the bearings in a direction; none without their records.
+fn below_bearings(study: &Study, rows: &dyn Fn(&str) -> Option<Rows>, direction: usize) -> Option<Vec<f64>> {
+    let tags: Vec<i64> = study.bearings.iter().flat_map(|b| b.tags.iter().copied()).collect();
+    let all: Option<Vec<Vec<f64>>> =
+        tags.iter().map(|t| Some(rows(&format!("{t}/lower"))?.column(direction))).collect();
+    let all = all?;
+    Some((0..all.first()?.len()).map(|i| all.iter().map(|u| u[i]).sum::<f64>() / all.len() as f64).collect())
+}
+
 /// Warnings of the script, by place and check.
 fn warnings(run: &Run) -> Vec<(String, String)> {
     let of = |d: &Diagnostic| {
@@ -405,7 +414,9 @@ fn measure_floors(
         out.accelerations.push(top / study.gravity);
         if k == 0 {
             let largest = |d: usize| {
-                let u = disp.column(d);
+                let below = if shaken.contains(&d) { None } else { below_bearings(study, rows, d) };
+                let below = below.unwrap_or_else(|| vec![0.0; times.len()]);
+                let u: Vec<f64> = disp.column(d).iter().zip(below).map(|(u, b)| u - b).collect();
                 u.iter().fold(0.0f64, |m, x| m.max((x - u[0]).abs()))
             };
             out.base_displacement = (0..width).map(largest).collect();

@@ -84,7 +84,7 @@ pub struct JobOutcome {
     pub drifts: Vec<f64>,
     /// Largest absolute accelerations of the floors in either direction, as a share of gravity.
     pub accelerations: Vec<f64>,
-    /// Largest displacements of the lowest floor in each horizontal direction.
+    /// Largest displacements of the lowest floor in each horizontal direction, from the ground.
     pub base_displacement: Vec<f64>,
     /// Largest forces of the elements of contact, by their tags.
     pub contact: Vec<(i64, f64)>,

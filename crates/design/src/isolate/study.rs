@@ -150,7 +150,7 @@ pub struct Study {
 const DRAW_SEED: u64 = 1;
 
 /// Version of the results of an analysis: those of another one are made again.
-const FORMAT: &str = "6";
+const FORMAT: &str = "7";
 
 /// Hash of texts.
 fn fingerprint(texts: &[&str]) -> u64 {

@@ -23,7 +23,8 @@ fn inputs(study: &Study, outcomes: &[JobOutcome]) -> Value {
         })
     };
     let motion = |(p, f): (&crate::motion::Pair, &f64)| json!({"motion": p.components[0].name, "factor": f});
-    let script = study.script.to_string_lossy();
+    let script = std::path::absolute(&study.script).unwrap_or_else(|_| study.script.clone());
+    let script = script.to_string_lossy();
     let script = outcomes.iter().flat_map(|o| &o.inputs).find(|(path, _)| *path == script);
     json!({
         "code": study.code.label,
