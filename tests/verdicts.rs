@@ -2,7 +2,8 @@
 //! missing, and such as no cause explains.
 //!
 //! The table pins what it says today, right or wrong, so that no verdict changes unseen. Where a change is meant, the test
-//! prints the new table to be put in the place of the old one.
+//! prints the new table to be put in the place of the old one. `cargo test --release --test verdicts -- --ignored` runs the
+//! whole table, a sample of it is among the other tests.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::print_stderr, unreachable_pub)]
@@ -134,11 +135,11 @@ fn verdicts(studies: &[&Named]) -> Vec<(String, f64)> {
     found.into_inner().unwrap()
 }
 
-/// `VERDICTS=name,name` in the environment takes some studies alone.
-#[test]
-fn verdicts_are_as_they_were() {
-    let wanted = std::env::var("VERDICTS").ok();
-    let wants = |name: &str| wanted.as_ref().is_none_or(|w| w.split(',').any(|w| w == name));
+/// Studies of the daily tests: nothing missing, nothing of the library, and one of each kind of cause.
+const SAMPLE: &[&str] = &["slow noise", "ridges", "maxwell", "orbit", "pinching", "soft ground", "tightened", "jump"];
+
+/// Compares the verdicts on some studies with the table.
+fn are_as_they_were(wants: impl Fn(&str) -> bool) {
     let studies: Vec<_> = STUDIES.iter().filter(|(name, _)| wants(name)).collect();
     let (mut table, mut differ) = (String::new(), vec![]);
     for ((name, _), (now, confidence)) in studies.iter().zip(verdicts(&studies)) {
@@ -153,6 +154,19 @@ fn verdicts_are_as_they_were() {
     assert!(differ.is_empty(), "other verdicts than before:\n{}\n\nthe table now:\n{table}", differ.join("\n"));
 }
 
+#[test]
+fn verdicts_of_a_sample_are_as_they_were() {
+    are_as_they_were(|name| SAMPLE.contains(&name));
+}
+
+/// The whole table; `VERDICTS=name,name` in the environment takes some studies alone.
+#[test]
+#[ignore = "takes minutes"]
+fn verdicts_are_as_they_were() {
+    let wanted = std::env::var("VERDICTS").ok();
+    are_as_they_were(|name| wanted.as_ref().is_none_or(|w| w.split(',').any(|w| w == name)));
+}
+
 /// Every cause of the library is the truth of a study.
 #[test]
 fn every_cause_has_a_study() {
@@ -162,4 +176,5 @@ fn every_cause_has_a_study() {
     }
     let names = |row: &Named| TABLE.iter().filter(|r| r.0 == row.0).count();
     assert!(STUDIES.len() == TABLE.len() && STUDIES.iter().all(|row| names(row) == 1));
+    assert!(SAMPLE.iter().all(|name| STUDIES.iter().any(|row| row.0 == *name)));
 }

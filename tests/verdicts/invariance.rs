@@ -67,17 +67,20 @@ fn has_one_name(name: &str, cause: &str, study: fn() -> Concealed, views: &[View
 }
 
 #[test]
+#[ignore = "takes minutes"]
 fn relaxation_has_one_name_in_all_views() {
     let views = [HALF, FIFTH, CUT, NEWTONS, ELSEWHERE];
     has_one_name("maxwell", "rate_dependence", || imposed::maxwell(500.0), &views);
 }
 
 #[test]
+#[ignore = "takes minutes"]
 fn softening_has_one_name_from_fewer_samples_and_without_its_first_cycle() {
     has_one_name("mullins", "mullins_softening", imposed::mullins, &[HALF, CUT]);
 }
 
 #[test]
+#[ignore = "takes minutes"]
 fn a_complete_model_is_complete_from_fewer_samples_and_in_other_units() {
     has_one_name("slow noise", "none", imposed::slow_noise, &[FIFTH, NEWTONS]);
 }
