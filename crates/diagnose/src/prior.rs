@@ -284,6 +284,8 @@ prior! {
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";
+    /// Error over the noise of the recordings from which another value of a parameter in one run is no answer. A choice.
+    MAX_NOISE_OF_CONDITION: f64 = 10.0, "ratio";
     /// Structured share of the residual from which another value of a parameter in one run is not the whole of the matter. A
     /// choice.
     MAX_STRUCTURE_OF_CONDITION: f64 = 0.3, "share";

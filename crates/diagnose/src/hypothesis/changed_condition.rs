@@ -100,7 +100,8 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         let Some(value) = run.text(&variable) else { continue };
         let place = (variable.as_str(), value.as_str());
         out.extend(declared.iter().map(|p| proposal(run, place, &[p])));
-        let together = &declared[..declared.len().min(MAX_TOGETHER)];
+        // Other values of all parameters in a run are another fit, not a condition.
+        let together = if declared.len() > 2 { &declared[..declared.len().min(MAX_TOGETHER)] } else { &[] };
         for (i, first) in together.iter().enumerate() {
             out.extend(together[i + 1..].iter().map(|second| proposal(run, place, &[first, second])));
         }

@@ -447,6 +447,8 @@ impl VerdictJudge<'_, '_> {
             judged: &repair,
             responses: c.responses,
             extent: c.inventory.extent,
+            noise: c.recorded.noise,
+            left: fitted.objective,
             simulate: &simulate,
         };
         let limits = gated.limits();

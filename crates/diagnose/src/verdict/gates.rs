@@ -15,8 +15,8 @@ use crate::fit::search_settings::is_at_bound;
 use crate::hypothesis::changed_condition;
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
-    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_STRUCTURE_OF_CONDITION, MIN_BOUND_EFFECT,
-    PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY,
+    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
+    MIN_BOUND_EFFECT, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY,
 };
 use hysteron_identify::study::{Role, Run, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
@@ -36,6 +36,10 @@ pub(super) struct GatedRepair<'a> {
     pub(super) responses: &'a ResponseRanges,
     /// Diagonal of the box around all nodes.
     pub(super) extent: f64,
+    /// NMSE of the noise in the fitted recordings; none if they do not show it.
+    pub(super) noise: Option<f64>,
+    /// NMSE that the repair leaves in the fitted runs.
+    pub(super) left: f64,
     /// Channels of a variant in a run, at values of all of its parameters.
     pub(super) simulate: &'a Simulate<'a>,
 }
@@ -57,6 +61,7 @@ impl GatedRepair<'_> {
         out.extend(faults.iter().find_map(|f| self.run_that_does_not_improve(f)).map(limit(0.0)));
         out.extend(faults.iter().find_map(|f| self.change_of_parameters(f)).map(limit(0.0)));
         out.extend(self.zero_that_follows_history(&faults).map(limit(0.0)));
+        out.extend(self.condition_above_noise().map(limit(0.0)));
         out.extend(self.condition_with_structure().map(limit(BOUND_PROBABILITY)));
         out.extend(self.parameters_at_bounds().map(limit(BOUND_PROBABILITY)));
         out.extend(faults.iter().find_map(|f| self.single_sensor(f)).map(limit(SINGLE_SENSOR_PROBABILITY)));
@@ -156,6 +161,13 @@ impl GatedRepair<'_> {
             return Some(changed.description());
         }
         (left <= enough).then(|| format!("other values of your own parameters in the run {name} explain as much"))
+    }
+
+    /// Another value of a parameter that leaves many times the noise: the model lacks more than a value.
+    fn condition_above_noise(&self) -> Option<String> {
+        let times = self.left / self.noise?;
+        (times > MAX_NOISE_OF_CONDITION && self.variant.cause() == changed_condition::CAUSE)
+            .then(|| format!("the other value leaves {times:.0} times the noise of the recordings"))
     }
 
     /// Another value of a parameter that leaves structure. A model that is whole but for the value would leave none, and a
