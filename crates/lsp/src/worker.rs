@@ -197,7 +197,10 @@ fn next(mailbox: &Mailbox, memory: &mut Memory) -> Option<(String, Arc<Buffers>,
         let (changed, buffers) = (std::mem::take(&mut state.changed), state.buffers.clone());
         for path in changed {
             let own = buffers.contains_key(&path).then(|| memory.roots.root_of(&path, &buffers));
-            let readers = memory.read.iter().filter(|(_, files)| files.contains(&path)).map(|(root, _)| root.clone());
+            // Scripts that have read the file, as far as one of their files is open.
+            let is_open = |files: &BTreeSet<String>| buffers.keys().any(|p| files.contains(p));
+            let readers = memory.read.iter().filter(|(_, files)| files.contains(&path) && is_open(files));
+            let readers = readers.map(|(root, _)| root.clone());
             for root in own.into_iter().chain(readers) {
                 let is_script = !root.ends_with(".toml");
                 let due = Instant::now() + if is_script { Duration::ZERO } else { STUDY_PAUSE };

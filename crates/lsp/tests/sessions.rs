@@ -229,10 +229,10 @@ fn the_outline_and_what_can_be_folded() {
         s["children"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };
     let of = |name: &str| children(symbols.as_array().unwrap().iter().find(|s| s["name"] == name).unwrap());
-    assert_eq!(of("nodes"), ["node 1 2 3 4"]);
-    assert_eq!(of("elements"), ["element 11", "element 12", "element 13"]);
-    assert_eq!(of("procedures"), ["push"]);
-    assert_eq!(of("load patterns"), ["load pattern 6"]);
+    assert_eq!(of("node"), ["node 1 2 3 4"]);
+    assert_eq!(of("element"), ["element 11", "element 12", "element 13"]);
+    assert_eq!(of("procedure"), ["push"]);
+    assert_eq!(of("load pattern"), ["load pattern 6"]);
     let folded = e.request("textDocument/foldingRange", document);
     assert_eq!(
         folded
