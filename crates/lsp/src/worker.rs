@@ -8,7 +8,7 @@ use hysteron_opensees::NumberFiles;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::{self, JoinHandle};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// A check that runs longer is ended when its text changes.
@@ -67,7 +67,6 @@ impl Mailbox {
 pub(crate) struct Worker {
     mailbox: Arc<Mailbox>,
     limits: Limits,
-    thread: Option<JoinHandle<()>>,
 }
 
 impl Worker {
@@ -75,8 +74,8 @@ impl Worker {
     pub(crate) fn new(limits: Limits, results: Sender<Checked>) -> std::io::Result<Self> {
         let mailbox = Arc::new(Mailbox::default());
         let shared = mailbox.clone();
-        let thread = thread::Builder::new().spawn(move || supervise(&shared, limits, &results))?;
-        Ok(Self { mailbox, limits, thread: Some(thread) })
+        thread::Builder::new().spawn(move || supervise(&shared, limits, &results))?;
+        Ok(Self { mailbox, limits })
     }
 
     /// Give the texts of the open files, and the files that have changed. `is_renewed` after opening, closing and writing.
@@ -120,10 +119,8 @@ impl Drop for Worker {
             running.stop.store(true, Ordering::Relaxed);
         }
         drop(state);
+        // A command of a script that does not end must not hold up the end of the server: nobody waits for the thread.
         self.mailbox.wake.notify_all();
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
     }
 }
 
@@ -200,7 +197,10 @@ fn next(mailbox: &Mailbox, memory: &mut Memory) -> Option<(String, Arc<Buffers>,
         let (changed, buffers) = (std::mem::take(&mut state.changed), state.buffers.clone());
         for path in changed {
             let own = buffers.contains_key(&path).then(|| memory.roots.root_of(&path, &buffers));
-            let readers = memory.read.iter().filter(|(_, files)| files.contains(&path)).map(|(root, _)| root.clone());
+            // Scripts that have read the file, as far as one of their files is open.
+            let is_open = |files: &BTreeSet<String>| buffers.keys().any(|p| files.contains(p));
+            let readers = memory.read.iter().filter(|(_, files)| files.contains(&path) && is_open(files));
+            let readers = readers.map(|(root, _)| root.clone());
             for root in own.into_iter().chain(readers) {
                 let is_script = !root.ends_with(".toml");
                 let due = Instant::now() + if is_script { Duration::ZERO } else { STUDY_PAUSE };

@@ -229,10 +229,10 @@ fn the_outline_and_what_can_be_folded() {
         s["children"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
     };
     let of = |name: &str| children(symbols.as_array().unwrap().iter().find(|s| s["name"] == name).unwrap());
-    assert_eq!(of("nodes"), ["node 1 2 3 4"]);
-    assert_eq!(of("elements"), ["element 11", "element 12", "element 13"]);
-    assert_eq!(of("procedures"), ["push"]);
-    assert_eq!(of("load patterns"), ["load pattern 6"]);
+    assert_eq!(of("node"), ["node 1 2 3 4"]);
+    assert_eq!(of("element"), ["element 11", "element 12", "element 13"]);
+    assert_eq!(of("procedure"), ["push"]);
+    assert_eq!(of("load pattern"), ["load pattern 6"]);
     let folded = e.request("textDocument/foldingRange", document);
     assert_eq!(
         folded
@@ -350,4 +350,18 @@ fn forty_mistakes_are_told() {
     assert_eq!(missed, NOT_TOLD);
     let unmarked: Vec<usize> = lines.into_iter().filter(|i| !marked.iter().any(|(m, _)| m == i)).collect();
     assert_eq!(unmarked, [] as [usize; 0], "lines without a mistake");
+}
+
+#[test]
+fn keys_of_an_isolation_study_are_told() {
+    let mut e = Editor::new();
+    let study = "script = \"m.tcl\"\ngravity = 9.81\ntarget = [\"asce7\"]\n[[bearing]]\nname = \"A\"\ntgas = [1]\n";
+    let told = short(&e.open("study.toml", study));
+    assert!(told[0].starts_with("6:1-5 - unknown field `tgas`"), "{told:?}");
+    assert!(e.hover("study.toml", 1, 2).contains("Acceleration of gravity"));
+    assert!(e.hover("study.toml", 4, 2).contains("Name, which the script finds"));
+    assert!(labels(&e.complete("study.toml", 5, 0)).contains(&"k_d"));
+    let plan = "scripts = [\"m.tcl\"]\nresults = 3\n";
+    let told = short(&e.open("plan.toml", plan));
+    assert!(told[0].starts_with("2:11-12 - invalid type"), "{told:?}");
 }

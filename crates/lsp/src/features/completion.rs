@@ -176,27 +176,26 @@ impl Offer<'_> {
         for m in script.index.mentions.iter().filter(|m| m.defines && (kinds.is_empty() || kinds.contains(m.kind))) {
             known.extend(m.tag.parse().ok().map(|tag: i64| (m.kind, tag)));
         }
+        let mut defined: BTreeMap<(&str, &str), &CalledCommand> = BTreeMap::new();
+        for c in &script.index.commands {
+            c.defines.iter().for_each(|(kind, tag)| _ = defined.entry((kind, tag)).or_insert(c));
+        }
         let item = |(kind, tag): (&str, i64)| {
-            let detail = self.defined_by(script, kind, tag);
-            let item = self.item(&tag.to_string(), CompletionItemKind::REFERENCE, format!("{kind}: {detail}"));
+            let label = tag.to_string();
+            let command = defined.get(&(kind, label.as_str()));
+            let detail = command.map(|c| super::hover::in_one_line(self.view, c)).unwrap_or_default();
+            let item = self.item(&label, CompletionItemKind::REFERENCE, format!("{kind}: {detail}"));
             CompletionItem { sort_text: Some(format!("{kind}{tag:010}")), ..item }
         };
         known.into_iter().take(MAX_ITEMS).map(item).collect()
-    }
-
-    fn defined_by(&self, script: &Script, kind: &str, tag: i64) -> String {
-        let tag = tag.to_string();
-        let defines = |c: &&CalledCommand| c.defines.iter().any(|(k, t)| *k == kind && *t == tag);
-        let command = script.index.commands.iter().find(defines);
-        command.map(|c| super::hover::in_one_line(self.view, c)).unwrap_or_default()
     }
 
     /// Kinds of things that the words at this place name in other calls of the same command and kind.
     fn kinds_named_here(&self, script: &Script) -> BTreeSet<&'static str> {
         let (name, kind) = (self.line.words.first().copied().unwrap_or_default(), self.line.words.get(1));
         let option = self.line.words.last().filter(|w| w.starts_with('-') && w.parse::<f64>().is_err());
+        let has_kinds = words::command(name).is_some_and(|c| !c.kinds().is_empty());
         let is_same = |c: &&CalledCommand| {
-            let has_kinds = !c.command.kinds().is_empty();
             c.command.name == name && (!has_kinds || c.words.get(1).map(|w| w.value.as_str()) == kind.copied())
         };
         let mut kinds = BTreeSet::new();

@@ -37,7 +37,7 @@ fn known(view: &View<'_>, at: usize, word: &WordAt) -> Vec<String> {
     let mut parts: Vec<String> = vec![];
     match word.word {
         0 => parts.extend(of_name(view, &written)),
-        1 if Called::of(&written).is_some_and(|c| c.kind.is_some()) => parts.extend(of_kind(&written)),
+        1 if Called::of(&written).is_some_and(|c| c.kind.is_some()) => return of_kind(&written).into_iter().collect(),
         _ => {}
     }
     parts.extend(of_word(view, word, &written));

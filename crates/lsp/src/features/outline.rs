@@ -28,10 +28,9 @@ fn group(kind: &str, mut children: Vec<DocumentSymbol>) -> Option<DocumentSymbol
     children.sort_by_key(|s| (s.range.start.line, s.range.start.character));
     let (first, last) =
         (children.first()?.range, children.iter().map(|c| c.range.end).max_by_key(|p| (p.line, p.character))?);
-    let name = format!("{kind}s");
     let range = lsp_types::Range::new(first.start, last);
     let detail = Some(children.len().to_string());
-    Some(symbol(name, detail, SymbolKind::NAMESPACE, range, first, Some(children)))
+    Some(symbol(kind.to_owned(), detail, SymbolKind::NAMESPACE, range, first, Some(children)))
 }
 
 #[allow(deprecated)]
