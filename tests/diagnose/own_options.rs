@@ -70,6 +70,10 @@ fn concealed_self_heating_is_an_option_of_the_law() {
     assert_eq!(o.verdict.cause, "self_heating", "{:?}", o.verdict);
     assert!(o.verdict.also.is_empty(), "{:?}", o.verdict);
     assert!(o.unmoved_channels.is_empty(), "{:?}", o.unmoved_channels);
+    // The loop of the device by the law as it was and with its option; the recorded stress is no force.
+    let l = d.device_loop.as_ref().unwrap();
+    let moves = l.before.iter().zip(&l.after).map(|(a, b)| (a.1 - b.1).abs()).filter(|x| x.is_finite()).sum::<f64>();
+    assert!(l.element == 1 && l.recorded.is_empty() && l.before.len() == l.after.len() && moves > 0.1, "{l:?}");
     let capacity = o.corrected.parameters["hy_heatCapacity"];
     assert!((capacity - HEAT_CAPACITY).abs() < 0.1 * HEAT_CAPACITY, "{capacity}");
     // Noise over the variance of the held-out stress.

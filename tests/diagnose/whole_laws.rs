@@ -88,6 +88,14 @@ fn concealed_high_damping_rubber_is_a_whole_law() {
     let o = &d.outcome;
     assert_eq!(o.verdict.cause, "strain_stiffening", "{:?}", o.verdict);
     assert!(o.verdict.also.is_empty(), "{:?}", o.verdict);
+    // The loop of another law stands beside that of the analyst's, and is nearer to the recorded one.
+    let l = d.device_loop.as_ref().unwrap();
+    let away = |points: &[(f64, f64)]| {
+        let squares = points.iter().zip(&l.recorded).map(|(a, b)| (a.1 - b.1).powi(2));
+        squares.filter(|x| x.is_finite()).sum::<f64>()
+    };
+    assert!(!l.recorded.is_empty() && l.after.len() == l.recorded.len(), "{l:?}");
+    assert!(away(&l.after) < 0.3 * away(&l.before), "{} {}", away(&l.after), away(&l.before));
     assert!(d.repaired_script.contains("KikuchiAikenHDR 1 X0.6 $::hy_area $::hy_height"), "{}", d.repaired_script);
     let height = o.corrected.parameters["hy_height"];
     assert!((height - 0.06).abs() < 0.003, "{height}");

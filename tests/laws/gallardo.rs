@@ -47,7 +47,6 @@ fn gallardo_published_example() {
         }
     }
     let mean = (squares / f64::from(compared)).sqrt();
-    println!("{compared} of {} steps: {most:.2e} at most, {mean:.2e} in the mean", force.len());
     assert_eq!((force.len(), compared), (26_047, 25_657));
     // Six printed digits are 1.8e-6 of the peak, and the authors' z has an error of some 1e-6.
     assert!(most < 6e-6 && mean < 1e-6, "{most:.2e} {mean:.2e}");

@@ -131,7 +131,7 @@ fn the_page_of_many_steps_stays_small() {
 
 #[test]
 fn plotly_is_the_file_that_its_page_names() {
-    let unpacked = miniz_oxide::inflate::decompress_to_vec_zlib(LIBRARY).unwrap();
+    let unpacked = miniz_oxide::inflate::decompress_to_vec_zlib(LIBRARY).expect("a packed file");
     let sum: String = Sha256::digest(&unpacked).iter().map(|b| format!("{b:02x}")).collect();
     assert!(include_str!("../plotly/README.md").contains(&sum), "{sum}");
 }

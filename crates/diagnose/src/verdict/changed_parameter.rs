@@ -102,7 +102,7 @@ mod tests {
             let range = ParameterRange { lower, upper, scale: Scale::Log };
             Parameter { name: name.into(), kind: ParameterKind::Free(range) }
         };
-        ParameterSpace::new(vec![free("Fn", 1.0, 100.0), free("k", 10.0, 1000.0)]).unwrap()
+        ParameterSpace::new(vec![free("Fn", 1.0, 100.0), free("k", 10.0, 1000.0)]).expect("two free parameters")
     }
 
     /// What two runs leave of a force of friction and of a spring. The second was recorded with other values.
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn the_parameter_that_changed_is_found_with_its_value_in_each_run() {
         let told = "a changed condition explains as much: Fn of 13.9 in the run second, 10.0 in the run first";
-        assert_eq!(found(13.9, 100.0).unwrap().description(), told);
+        assert_eq!(found(13.9, 100.0).map(|c| c.description()).as_deref(), Some(told));
     }
 
     #[test]
