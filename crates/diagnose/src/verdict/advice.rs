@@ -65,11 +65,6 @@ const MEASUREMENTS: &[Measurement] = &[
     )
     .unless(Recordable::Temperature, Some("repeat one run at the temperature of the model")),
     of(
-        CHANGED_CONDITION,
-        "ask what was adjusted, repaired or replaced between the earthquakes",
-        "ask what was adjusted between the runs, and repeat one run under the condition of the others",
-    ),
-    of(
         "mullins_softening",
         "compare earthquakes before and after the strongest one: {place} must be softer after it",
         "drive the same cycles twice without a rest: the second time must be softer",
@@ -150,6 +145,11 @@ const MEASUREMENTS: &[Measurement] = &[
         "drive small cycles after large ones: their force must be small",
     )
     .unless_at_building(Recordable::Deformation),
+    of(
+        CHANGED_CONDITION,
+        "ask what was adjusted, repaired or replaced between the earthquakes",
+        "ask what was adjusted between the runs, and repeat one run under the condition of the others",
+    ),
     of(
         "sensor_gain",
         "check the factor of this channel in the settings of the recorder, or put a second instrument beside it",
