@@ -97,7 +97,8 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let declared = declared(s);
     let mut out = vec![];
     for run in runs(s) {
-        let Some(value) = run.text(&variable) else { continue };
+        // The value stands between braces in the script.
+        let Some(value) = run.text(&variable).filter(|v| !v.contains(['{', '}', '\\'])) else { continue };
         let place = (variable.as_str(), value.as_str());
         out.extend(declared.iter().map(|p| proposal(run, place, &[p])));
         // Other values of all parameters in a run are another fit, not a condition.
