@@ -28,7 +28,7 @@ const MAX_VARIABLES: usize = 2000;
 /// Characters of a value that are kept.
 const MAX_VALUE: usize = 80;
 
-/// What is checked, and within what.
+/// A file to be checked, and the limits of the check.
 pub(crate) struct Job<'a> {
     /// Path of the script or study.
     pub(crate) root: &'a str,

@@ -15,9 +15,9 @@ struct Measurement {
     building: &'static str,
     /// In a test rig, whose motion can.
     rig: &'static str,
-    /// What it records at a building and in a rig; none where it asks for more than a recording.
+    /// Quantities recorded at a building and in a rig; none where it asks for more than a recording.
     records: [Option<Recordable>; 2],
-    /// What is left to do in a rig where every run has that already.
+    /// The rest to be done in a rig where every run has that already.
     left_in_rig: Option<&'static str>,
 }
 

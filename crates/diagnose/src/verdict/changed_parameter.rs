@@ -1,5 +1,6 @@
 //! One parameter of the user's with another value in one run: a condition that has changed.
 
+use super::quantity::digits;
 use crate::prior::BOUND_STEP;
 use hysteron_identify::study::ParameterSpace;
 
@@ -48,17 +49,8 @@ impl ChangedParameter {
     /// The change in words.
     pub(super) fn description(&self) -> String {
         let values: Vec<String> =
-            self.by_run.iter().map(|(run, x)| format!("{} in the run {run}", short(*x))).collect();
+            self.by_run.iter().map(|(run, x)| format!("{} in the run {run}", digits(*x, 3))).collect();
         format!("a changed condition explains as much: {} of {}", self.name, values.join(", "))
-    }
-}
-
-/// A number with three digits.
-fn short(x: f64) -> String {
-    let digits = if x == 0.0 { 0.0 } else { 2.0 - x.abs().log10().floor() };
-    match digits {
-        d if (-3.0..=6.0).contains(&d) => format!("{x:.*}", d.max(0.0) as usize),
-        _ => format!("{x:.2e}"),
     }
 }
 
@@ -94,7 +86,7 @@ fn best_value(
 
 #[cfg(test)]
 mod tests {
-    use super::{ChangedParameter, short};
+    use super::ChangedParameter;
     use hysteron_identify::study::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 
     fn space() -> ParameterSpace {
@@ -105,7 +97,7 @@ mod tests {
         ParameterSpace::new(vec![free("Fn", 1.0, 100.0), free("k", 10.0, 1000.0)]).expect("two free parameters")
     }
 
-    /// What two runs leave of a force of friction and of a spring. The second was recorded with other values.
+    /// Residuals of two runs of a force of friction and of a spring. The second was recorded with other values.
     fn found(friction: f64, stiffness: f64) -> Option<ChangedParameter> {
         let residual = |run: usize, point: &[f64]| {
             let values = space().values_at(point).ok()?;
@@ -119,17 +111,12 @@ mod tests {
 
     #[test]
     fn the_parameter_that_changed_is_found_with_its_value_in_each_run() {
-        let told = "a changed condition explains as much: Fn of 13.9 in the run second, 10.0 in the run first";
+        let told = "a changed condition explains as much: Fn of 13.9 in the run second, 10 in the run first";
         assert_eq!(found(13.9, 100.0).map(|c| c.description()).as_deref(), Some(told));
     }
 
     #[test]
     fn two_changed_parameters_are_not_one() {
         assert_eq!(found(13.9, 300.0), None);
-    }
-
-    #[test]
-    fn numbers_have_three_digits() {
-        assert_eq!([13.94, 0.0123456, 123456.0, 5e-9].map(short), ["13.9", "0.0123", "123456", "5.00e-9"]);
     }
 }

@@ -1,4 +1,4 @@
-//! What the runs of a study record, so that no advice asks for it again.
+//! Quantities that the runs of a study record, so that no advice asks for them again.
 
 use super::place::Place;
 use super::residual_force::{element_of, is_acceleration, node_of};

@@ -264,19 +264,24 @@ fn channel_in_words(m: &Mismatch) -> String {
 }
 
 /// Windows that a sentence lists, at most.
-const MAX_WINDOWS: usize = 2;
+pub(super) const MAX_WINDOWS: usize = 2;
+
+/// The longest windows of time in their order, in words; empty without any.
+pub(super) fn longest_windows(windows: &[[f64; 2]]) -> String {
+    let length = |w: &&[f64; 2]| w[1] - w[0];
+    let mut longest: Vec<&[f64; 2]> = windows.iter().collect();
+    longest.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    longest.truncate(MAX_WINDOWS);
+    longest.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let words = |w: &&[f64; 2]| format!("{} to {} s", digits(w[0], 3), digits(w[1], 3));
+    longest.iter().map(words).collect::<Vec<_>>().join(" and ")
+}
 
 /// Channel, run and time with the largest error of the user's model.
 fn where_it_shows(c: &SummaryContext<'_>) -> String {
     let Some(m) = c.mismatch.first() else { return String::new() };
-    let length = |w: &&[f64; 2]| w[1] - w[0];
-    let mut windows: Vec<&[f64; 2]> = m.windows.iter().collect();
-    windows.sort_by(|a, b| length(b).total_cmp(&length(a)));
-    windows.truncate(MAX_WINDOWS);
-    windows.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let windows: Vec<String> =
-        windows.iter().map(|w| format!("{} to {} s", digits(w[0], 3), digits(w[1], 3))).collect();
-    let at = if windows.is_empty() { String::new() } else { format!(" at {}", windows.join(" and ")) };
+    let windows = longest_windows(&m.windows);
+    let at = if windows.is_empty() { String::new() } else { format!(" at {windows}") };
     format!("It shows most in {} of run {}{at}, {}.", channel_in_words(m), m.run, m.regime)
 }
 

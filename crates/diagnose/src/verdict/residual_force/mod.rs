@@ -59,7 +59,7 @@ const STROKE: &str = "stroke";
 /// Part of a residual force that follows the motion.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidualPart {
-    /// What it follows: the sign of the `speed` or of the `deformation`, one `side` for a force of one sign, or the `stroke`.
+    /// The motion that it follows: the sign of the `speed` or of the `deformation`, one `side` for a force of one sign, or the `stroke`.
     pub follows: &'static str,
     /// Share of its square that this predicts on stretches of time that were left out.
     pub share: f64,

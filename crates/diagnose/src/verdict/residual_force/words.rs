@@ -2,10 +2,8 @@
 
 use super::{ResidualForce, ResidualPart, STROKE};
 use crate::verdict::quantity::digits;
-use crate::verdict::summary::percent;
+use crate::verdict::summary::{MAX_WINDOWS, longest_windows, percent};
 
-/// Windows that a sentence lists, at most.
-const MAX_WINDOWS: usize = 2;
 /// Excess of the share of the square over that of the time from which a quadrant is told.
 const MIN_EXCESS: f64 = 0.15;
 /// Share of the part along the stroke beyond that of a sign from which it is told in its place.
@@ -16,20 +14,14 @@ const THROUGHOUT: f64 = 0.75;
 impl ResidualForce {
     /// The first sentence: place, run, size and time.
     pub(super) fn where_and_when(&self) -> String {
-        let length = |w: &&[f64; 2]| w[1] - w[0];
-        let mut windows: Vec<&[f64; 2]> = self.windows.iter().collect();
-        windows.sort_by(|a, b| length(b).total_cmp(&length(a)));
-        windows.truncate(MAX_WINDOWS);
-        windows.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let listed: Vec<String> =
-            windows.iter().map(|w| format!("{} to {} s", digits(w[0], 3), digits(w[1], 3))).collect();
+        let listed = longest_windows(&self.windows);
         let most = if self.windows.len() > MAX_WINDOWS { ", mostly at " } else { ", at " };
         let times = &self.course.times;
         let run = times.first().zip(times.last()).map_or(0.0, |(a, b)| b - a);
         let at = match self.windows.iter().map(|w| w[1] - w[0]).sum::<f64>() {
             within if within > THROUGHOUT * run => ", throughout the run".to_owned(),
             _ if listed.is_empty() => String::new(),
-            _ => format!("{most}{}", listed.join(" and ")),
+            _ => format!("{most}{}", listed),
         };
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
         format!(
