@@ -61,7 +61,7 @@ pub use hysteron_engine::{
 };
 // Parts of the engine that no program needs.
 #[doc(hidden)]
-pub use hysteron_engine::{assembly, bytes, number_format, numeric, solve};
+pub use hysteron_engine::{assembly, bytes, number_format, numeric, parameter, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};
 pub use hysteron_lsp as lsp;
 pub use hysteron_opensees::{self as opensees, run};

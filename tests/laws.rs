@@ -45,6 +45,8 @@ mod materials;
 mod multiple_shear_spring;
 #[path = "laws/normal_springs.rs"]
 mod normal_springs;
+#[path = "laws/parameters.rs"]
+mod parameters;
 #[path = "laws/parts.rs"]
 mod parts;
 #[path = "laws/plates.rs"]

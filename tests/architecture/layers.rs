@@ -110,6 +110,7 @@ pub const LAYERS: &[Layers] = &[
         krate: "engine",
         modules: &[
             "numeric",
+            "parameter",
             "state_struct",
             "shared",
             "bytes",
@@ -141,6 +142,7 @@ pub const LAYERS: &[Layers] = &[
             "slips",
             "args",
             "kind",
+            "recipes",
             "model",
             "files",
             "material",

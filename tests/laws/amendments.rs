@@ -30,7 +30,7 @@ fn shear() -> BoucWenShear {
 }
 
 fn elastic(e: f64) -> (Material, i32) {
-    (Arc::new(Elastic::new(e)), 1)
+    (Material::new(Elastic::new(e)), 1)
 }
 
 fn plane() -> impl Element + 'static {
@@ -233,9 +233,9 @@ fn brace_modifier_yields_like_a_yielding_material() {
     let stiffness = modulus * area / 5.0;
     let steel = Steel01 { fy: strength, e0: modulus, b: hardening, a: Steel01::NO_ISOTROPIC };
     let law = Arc::new(Yielding { force: strength * area, stiffness, hardening });
-    let amended = Amended::new(Arc::new(brace(Arc::new(Elastic::new(modulus)))), law, &[]).unwrap();
+    let amended = Amended::new(Arc::new(brace(Material::new(Elastic::new(modulus)))), law, &[]).unwrap();
     assert!((amended.initial_stiffness()[0] - stiffness).abs() < 1e-9 * stiffness);
-    let (mut amended, mut yields) = (SingleElement::new(amended), SingleElement::new(brace(Arc::new(steel))));
+    let (mut amended, mut yields) = (SingleElement::new(amended), SingleElement::new(brace(Material::new(steel))));
     let mut largest = 0.0f64;
     for (k, u) in path(5, 60, 0.05).into_iter().enumerate() {
         let disp = [0.0, 0.0, 0.0, u, 0.3 * u, 0.1];

@@ -7,7 +7,6 @@ use hysteron::material::{
     KikuchiAiken, LeadRubber, LeadRubberParameters, Material,
 };
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 const AXIAL: AxialParameters =
     AxialParameters { sce: 1200.0, fty: 1.5, fcy: -30.0, bte: 0.5, bty: 0.05, bcy: 0.3, fcr: -5.0, hardening: None };
@@ -15,8 +14,8 @@ const HEIGHT: f64 = 0.15;
 
 fn axial(p: AxialParameters) -> Material {
     match p.hardening {
-        Some(_) => Arc::new(AxialSpHD::new(&p)),
-        None => Arc::new(AxialSp::new(&p)),
+        Some(_) => Material::new(AxialSpHD::new(&p)),
+        None => Material::new(AxialSp::new(&p)),
     }
 }
 
@@ -25,12 +24,12 @@ fn rubber(compound: usize) -> HighDampingRubber {
 }
 
 fn high_damping(compound: usize) -> Material {
-    Arc::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25]))
+    Material::new(KikuchiAiken::new(rubber(compound), [0.5, 0.25]))
 }
 
 /// Slowly decaying loops, which in OpenSees end short of the skeleton by 1 % of the force.
 fn thin() -> Material {
-    Arc::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2]))
+    Material::new(KikuchiAiken::new(HighDampingRubber { factors: [2.0, 0.8, 1.12], ..rubber(0) }, [1.0; 2]))
 }
 
 fn lead() -> LeadRubber {
@@ -56,8 +55,12 @@ fn all() -> Vec<(String, Material, f64)> {
         ("axial, hardening".to_owned(), axial(AxialParameters { hardening: hard, ..AXIAL }), 0.06),
         ("axial, closing at 0".to_owned(), axial(AxialParameters { fcr: 0.0, hardening: hard, ..AXIAL }), 0.06),
         ("little damping".to_owned(), thin(), 2.0 * HEIGHT),
-        ("lead rubber".to_owned(), Arc::new(KikuchiAiken::new(lead(), [1.0; 2])) as Material, 2.6 * HEIGHT),
-        ("impact".to_owned(), Arc::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }), 0.04),
+        ("lead rubber".to_owned(), Material::new(KikuchiAiken::new(lead(), [1.0; 2])), 2.6 * HEIGHT),
+        (
+            "impact".to_owned(),
+            Material::new(Impact { k1: 4e4, k2: 9e3, delta_y: -0.003, gap: -0.01, compat: false }),
+            0.04,
+        ),
     ];
     for (i, c) in COMPOUNDS.iter().enumerate() {
         all.push((c.name.to_owned(), high_damping(i), 1.5 * HEIGHT));
@@ -182,7 +185,7 @@ fn loops_have_the_damping_of_the_compound() {
     for (gamma, heq) in [(1.0, 0.2103), (2.0, 0.1825)] {
         let device = HighDampingRubber { factors: [1.0; 3], ..rubber(0) };
         let x = gamma * HEIGHT;
-        let mut p = MaterialPoint::new(Arc::new(KikuchiAiken::new(device, [1.0; 2])));
+        let mut p = MaterialPoint::new(Material::new(KikuchiAiken::new(device, [1.0; 2])));
         cycle(&mut p, 0.0, x);
         let work = cycle(&mut p, 0.0, x);
         let force = p.advance(x).value;
@@ -247,7 +250,7 @@ fn shear_beyond_the_fit_is_an_error() {
 fn contact_force_opposes_the_rate() {
     let hertz = HertzDamp { kh: 1e4, xi: 0.4, gap: -0.01, n: 1.5, compat: false };
     let jankowski = JankowskiImpact { kh: 1e4, xi: 0.3, mass: 20.0, gap: -0.01, n: 1.5, compat: false };
-    for law in [Arc::new(hertz) as Material, Arc::new(jankowski)] {
+    for law in [Material::new(hertz), Material::new(jankowski)] {
         let mut p = MaterialPoint::new(law);
         assert_eq!(p.trial(-0.01, -2.0, 0.01).value, 0.0, "open");
         let begins = p.trial(-0.02, -2.0, 0.01);

@@ -5,7 +5,6 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Rotation3, Vector3};
-use std::sync::Arc;
 
 fn shear(eta: f64, beta: f64, gamma: f64, alpha2: f64) -> BoucWenShear {
     let k = 8000.0;
@@ -13,12 +12,12 @@ fn shear(eta: f64, beta: f64, gamma: f64, alpha2: f64) -> BoucWenShear {
 }
 
 fn elastic(e: f64) -> (Material, i32) {
-    (Arc::new(Elastic::new(e)), 1)
+    (Material::new(Elastic::new(e)), 1)
 }
 
 fn plane(p: BoucWenShear, shear_dist: f64) -> SingleElement {
     let (axes, length) = Orientation::default().of_link(Vector3::zeros(), Vector3::new(0.05, 0.3, 0.0), true).unwrap();
-    let moment = (Arc::new(ElasticPP::new(6000.0, 1.0, -1.0, 0.0)) as Material, 2);
+    let moment = (Material::new(ElasticPP::new(6000.0, 1.0, -1.0, 0.0)), 2);
     SingleElement::new(PlaneBearing::new(p, Link::new(&axes, length, shear_dist), [elastic(1e5), moment], 0.0, false))
 }
 

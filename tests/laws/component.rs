@@ -32,7 +32,7 @@ fn steel() -> [Option<Material>; 2] {
         sig_init: 0.0,
     };
     let bilinear = Steel01 { fy: 25.0, e0: 4000.0, b: 0.02, a: Steel01::NO_ISOTROPIC };
-    [Some(Arc::new(curved)), Some(Arc::new(bilinear))]
+    [Some(Material::new(curved)), Some(Material::new(bilinear))]
 }
 
 /// Alternating end displacements.
@@ -63,7 +63,7 @@ fn tangent_matches_finite_difference() {
 /// Rigid springs give the elastic beam, and a missing spring is a hinge.
 #[test]
 fn rigid_springs_give_the_elastic_beam_and_none_a_hinge() {
-    let stiff = || Some(Arc::new(Elastic::new(1e12)) as Material);
+    let stiff = || Some(Material::new(Elastic::new(1e12)));
     let section = ElasticSection { e: 1000.0, area: 5.0, iz: 0.9, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     let mut whole =
         SingleElement::new(ElasticBeam::new(transform(TransformKind::Linear), section, ElasticOptions::default()));

@@ -5,9 +5,9 @@ use hysteron::element::beam::{ElasticBeam, ElasticOptions};
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::element::{BarOptions, CorotTruss, Mass};
 use hysteron::material::Elastic;
+use hysteron::material::Material;
 use hysteron::section::ElasticSection;
 use nalgebra::{Rotation3, Unit, Vector3};
-use std::sync::Arc;
 
 const LINE: (Vector3<f64>, Vector3<f64>) = (Vector3::new(1.0, 2.0, 0.5), Vector3::new(4.0, 3.5, 2.5));
 
@@ -27,7 +27,7 @@ fn beam(offsets: bool) -> SingleElement {
 fn bar() -> SingleElement {
     let options = BarOptions { area: 2.0, rho: 0.3, consistent: true, rayleigh: false };
     let line = LINE.1 - LINE.0;
-    SingleElement::new(CorotTruss::new(Arc::new(Elastic::new(700.0)), 1, line.as_slice(), 3, options).unwrap())
+    SingleElement::new(CorotTruss::new(Material::new(Elastic::new(700.0)), 1, line.as_slice(), 3, options).unwrap())
 }
 
 /// Displacements of a rigid rotation about an axis through the origin, and a translation.

@@ -8,7 +8,6 @@ use hysteron::material::{
     Pinching4Parameters, Pinching4Side, PinchingPoint, Saws, SawsParameters, UvcUniaxial,
 };
 use hysteron::rules::{Consistent, OpenSees};
-use std::sync::Arc;
 
 const KE: f64 = 200.0;
 
@@ -34,7 +33,7 @@ fn close(a: f64, b: f64) {
 
 /// Peaks of full cycles of one amplitude.
 fn peaks(law: Bilin, amplitude: f64, cycles: usize) -> Vec<f64> {
-    let mut p = MaterialPoint::new(Arc::new(law));
+    let mut p = MaterialPoint::new(Material::new(law));
     let mut at = |from: f64, to: f64| -> f64 {
         (1..=40).map(|i| p.advance(from + (to - from) * f64::from(i) / 40.0).value).last().unwrap()
     };
@@ -52,9 +51,9 @@ fn peaks(law: Bilin, amplitude: f64, cycles: usize) -> Vec<f64> {
 #[test]
 fn tangent_is_consistent_and_trials_have_no_effect() {
     for (name, capacity, n) in [("no deterioration", 0.0, 0.0), ("little", 10.0, 0.0), ("much", 1.0, 3.0)] {
-        check_tangent(name, Arc::new(hinge(capacity, n, Consistent)), 0.1);
-        check_purity(name, Arc::new(hinge(capacity, n, Consistent)), 0.1);
-        check_purity(name, Arc::new(hinge(capacity, n, OpenSees)), 0.3);
+        check_tangent(name, Material::new(hinge(capacity, n, Consistent)), 0.1);
+        check_purity(name, Material::new(hinge(capacity, n, Consistent)), 0.1);
+        check_purity(name, Material::new(hinge(capacity, n, OpenSees)), 0.3);
     }
 }
 
@@ -63,7 +62,7 @@ fn tangent_is_consistent_and_trials_have_no_effect() {
 fn monotonic_loading_follows_the_backbone() {
     let (yielded, peak) = (0.01, 2.0 + 0.03 * KE * 0.05);
     for s in [1.0, -1.0] {
-        let mut p = MaterialPoint::new(Arc::new(hinge(1.0, 0.0, Consistent)));
+        let mut p = MaterialPoint::new(Material::new(hinge(1.0, 0.0, Consistent)));
         for (x, force) in [
             (0.005, 1.0),
             (yielded, 2.0),
@@ -84,7 +83,7 @@ fn monotonic_loading_follows_the_backbone() {
 fn hinge_and_member_follow_the_given_backbone() {
     let n = 10.0;
     let member = KE * (1.0 + n) / n;
-    let mut p = MaterialPoint::new(Arc::new(hinge(0.0, n, Consistent)));
+    let mut p = MaterialPoint::new(Material::new(hinge(0.0, n, Consistent)));
     let mut last = (0.0, 0.0);
     for i in 1..=50 {
         let x = 0.001 * f64::from(i);
@@ -118,8 +117,8 @@ fn long_step_keeps_strength() {
     let drive = |compat: bool| {
         let side = BilinSide { plastic: 0.02, residual: 0.0, ..SIDE };
         let mut p = match compat {
-            true => MaterialPoint::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, OpenSees) })),
-            false => MaterialPoint::new(Arc::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, Consistent) })),
+            true => MaterialPoint::new(Material::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, OpenSees) })),
+            false => MaterialPoint::new(Material::new(Bilin { sides: [side; 2], ..hinge(1.0, 0.0, Consistent) })),
         };
         [0.03, -0.07, 0.03, -0.065].map(|x| p.advance(x).value)[3]
     };
@@ -135,7 +134,7 @@ const WALL: SawsParameters =
 fn monotonic_loading_of_a_wall_follows_its_envelope() {
     let envelope = |u: f64| (2.0 + 12.0 * u) * (1.0 - (-100.0 * u).exp());
     for s in [1.0, -1.0] {
-        let mut p = MaterialPoint::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+        let mut p = MaterialPoint::new(Material::new(Saws::new(WALL).expect("a wall that pinches")));
         for u in [0.005, 0.02, 0.05, 0.07] {
             close(s * p.advance(s * u).value, envelope(u));
         }
@@ -147,7 +146,7 @@ fn monotonic_loading_of_a_wall_follows_its_envelope() {
 /// Cycles of one amplitude dissipate energy, later ones less.
 #[test]
 fn wall_cycles_dissipate_less_when_repeated() {
-    let mut p = MaterialPoint::new(Arc::new(Saws::new(WALL).expect("a wall that pinches")));
+    let mut p = MaterialPoint::new(Material::new(Saws::new(WALL).expect("a wall that pinches")));
     let mut cycle = || {
         let mut work = 0.0;
         let (mut from, mut before) = (0.0, p.advance(0.0).value);
@@ -211,11 +210,11 @@ fn hinges(capacity: f64) -> [Material; 5] {
     let (pinching, end) =
         (Pinching { force: 0.4, deformation: 0.6 }, PinchingPoint { force: [0.4; 2], deformation: 0.3 });
     [
-        Arc::new(imk_bilin(capacity)),
-        Arc::new(imk_peak_oriented(capacity)),
-        Arc::new(ImkPinching { hinge: imk_peak_oriented(capacity), pinching }),
-        Arc::new(mod_imk(capacity)),
-        Arc::new(ModImkPinching { hinge: mod_imk(capacity), pinching: end }),
+        Material::new(imk_bilin(capacity)),
+        Material::new(imk_peak_oriented(capacity)),
+        Material::new(ImkPinching { hinge: imk_peak_oriented(capacity), pinching }),
+        Material::new(mod_imk(capacity)),
+        Material::new(ModImkPinching { hinge: mod_imk(capacity), pinching: end }),
     ]
 }
 
@@ -227,11 +226,11 @@ fn uvc() -> UvcUniaxial {
 #[test]
 fn trials_have_no_effect() {
     let others: [Material; 5] = [
-        Arc::new(Pinching4::new(pinching4(0.3))),
-        Arc::new(Concrete04 { fc: -3.0, epsc0: -0.03, epscu: -0.08, ec0: KE, ft: 0.3, etu: 0.02, beta: 0.1 }),
-        Arc::new(BondSp01 { fy: 60.0, sy: 0.02, fu: 90.0, su: 0.6, b: 0.4, r: 0.7, rules: Consistent }),
-        Arc::new(HyperbolicGap { kmax: KE, kur: KE, rf: 0.7, fult: -3.0, gap: -0.02, rules: Consistent }),
-        Arc::new(uvc()),
+        Material::new(Pinching4::new(pinching4(0.3))),
+        Material::new(Concrete04 { fc: -3.0, epsc0: -0.03, epscu: -0.08, ec0: KE, ft: 0.3, etu: 0.02, beta: 0.1 }),
+        Material::new(BondSp01 { fy: 60.0, sy: 0.02, fu: 90.0, su: 0.6, b: 0.4, r: 0.7, rules: Consistent }),
+        Material::new(HyperbolicGap { kmax: KE, kur: KE, rf: 0.7, fult: -3.0, gap: -0.02, rules: Consistent }),
+        Material::new(uvc()),
     ];
     for law in hinges(5.0).into_iter().chain(others) {
         check_purity(law.name(), law, 0.1);
@@ -259,7 +258,7 @@ fn monotonic_loading_of_the_family_follows_the_backbone() {
 #[test]
 fn monotonic_loading_follows_the_four_points() {
     for s in [1.0, -1.0] {
-        let mut p = MaterialPoint::new(Arc::new(Pinching4::new(pinching4(0.0))));
+        let mut p = MaterialPoint::new(Material::new(Pinching4::new(pinching4(0.0))));
         for (x, stress) in [(0.01, 2.0), (0.02, 3.0), (0.035, 3.0), (0.05, 3.0), (0.07, 2.0), (0.09, 1.0)] {
             close(s * p.advance(s * x).value, stress);
         }
@@ -291,7 +290,7 @@ fn cycles_lose_strength() {
         let (name, kept, left) = (intact.name(), last(intact), last(worn));
         assert!(kept > 0.99 && left < 0.95 * kept, "{name}: {kept} and {left}");
     }
-    let [kept, left] = [0.0, 0.3].map(|rate| last(Arc::new(Pinching4::new(pinching4(rate)))));
+    let [kept, left] = [0.0, 0.3].map(|rate| last(Material::new(Pinching4::new(pinching4(rate)))));
     assert!(kept > 0.99 && left < 0.95, "{kept} and {left}");
 }
 
@@ -299,7 +298,7 @@ fn cycles_lose_strength() {
 #[test]
 fn structural_steel_follows_its_integrated_equations() {
     for s in [1.0, -1.0] {
-        let mut p = MaterialPoint::new(Arc::new(uvc()));
+        let mut p = MaterialPoint::new(Material::new(uvc()));
         for i in 1..=30 {
             let strain = 0.005 * f64::from(i);
             let stress = s * p.advance(s * strain).value;

@@ -104,6 +104,11 @@ static KINDS: [Kind; 25] = [
     plane("fibre-reinforced", "elastomericBearingUFRP 1 1 2 0.02 900. -100. 0. 0. 0. 20. 0. 2. 0.5 0.5 -P 1 -Mz 4"),
 ];
 
+/// The scripts of all upright bearings.
+pub fn scripts() -> impl Iterator<Item = String> {
+    KINDS.iter().map(|k| k.script(&Matrix3::identity()))
+}
+
 /// The commands of all rows.
 pub fn commands() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|k| k.command)
@@ -114,8 +119,8 @@ impl Kind {
         if self.plane { 6 } else { 12 }
     }
 
-    /// The vertical bearing, rotated by `turn`; `more` is the rest of the script.
-    fn turned(&self, turn: &Matrix3<f64>, more: &str) -> SingleElement {
+    /// The script of the vertical bearing, rotated by `turn`.
+    fn script(&self, turn: &Matrix3<f64>) -> String {
         let words = |v: Vector3<f64>| format!("{} {} {}", v.x, v.y, v.z);
         let up = if self.plane { Vector3::y() } else { Vector3::z() };
         let head = turn * up * HEIGHT;
@@ -126,7 +131,12 @@ impl Kind {
         };
         let axes = format!("{} {}", words(turn * up), words(turn * Vector3::x()));
         let command = self.command.replace('@', &axes);
-        let ran = run(&format!("{nodes}\n{PARTS}element {command}\n{more}")).done();
+        format!("{nodes}\n{PARTS}element {command}\n")
+    }
+
+    /// The vertical bearing, rotated by `turn`; `more` is the rest of the script.
+    fn turned(&self, turn: &Matrix3<f64>, more: &str) -> SingleElement {
+        let ran = run(&format!("{}{more}", self.script(turn))).done();
         SingleElement::of(ran.interp.host.engine.model().elements[0].element.clone())
     }
 

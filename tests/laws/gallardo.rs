@@ -1,8 +1,7 @@
 //! The shear law of Gallardo et al. (2023): its authors' published example, and what the law is for.
 
 use super::driver::MaterialPoint;
-use hysteron::material::{Decay, GallardoShear};
-use std::sync::Arc;
+use hysteron::material::{Decay, GallardoShear, Material};
 
 /// Parameters of the published example, tonf and cm.
 fn published() -> GallardoShear {
@@ -38,7 +37,7 @@ fn gallardo_published_example() {
     let (displacement, force): (Vec<_>, Vec<_>) =
         text.lines().skip(1).map(|l| l.split_once(',').unwrap()).map(|(u, f)| (number(u), number(f))).unzip();
     let peak = force.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
-    let mut law = MaterialPoint::new(Arc::new(published()));
+    let mut law = MaterialPoint::new(Material::new(published()));
     let (mut most, mut squares, mut compared) = (0.0f64, 0.0, 0);
     for (i, (u, f)) in displacement.iter().zip(&force).enumerate() {
         let difference = (-law.advance(-u).value - f).abs() / peak;
@@ -60,7 +59,7 @@ fn gallardo_softens_by_cycles_and_by_the_largest_strain() {
         let forces: Vec<f64> = (1..=400).map(|k| law.advance(at(k)).value).collect();
         (forces[99] - forces[299]) / (2.0 * amplitude)
     };
-    let mut law = MaterialPoint::new(Arc::new(published()));
+    let mut law = MaterialPoint::new(Material::new(published()));
     let small: Vec<f64> = (0..4).map(|_| cycle(&mut law, 5.0)).collect();
     assert!(small.windows(2).all(|w| w[1] < w[0]), "{small:?}");
     let large = cycle(&mut law, 20.0);
@@ -71,7 +70,7 @@ fn gallardo_softens_by_cycles_and_by_the_largest_strain() {
 /// A path of many reversals loses energy.
 #[test]
 fn gallardo_dissipates() {
-    let mut law = MaterialPoint::new(Arc::new(published()));
+    let mut law = MaterialPoint::new(Material::new(published()));
     let (mut work, mut before) = (0.0, (0.0, 0.0));
     for k in 1..=2000 {
         let u = 15.0 * (f64::from(k) * 0.037).sin() * (f64::from(k) * 0.0071).cos();

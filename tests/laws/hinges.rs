@@ -27,7 +27,15 @@ fn beams(kind: TransformKind, law: Material) -> [SingleElement; 2] {
 fn yielding(stiffer: f64) -> Material {
     let stiffness = stiffer * 857.0;
     let (r0, c_r) = (Steel02::TRANSITION[0], [Steel02::TRANSITION[1], Steel02::TRANSITION[2]]);
-    Arc::new(Steel02 { fy: 10.0, e0: stiffness, b: 30.0 / stiffness, r0, c_r, a: Steel02::NO_ISOTROPIC, sig_init: 0.0 })
+    Material::new(Steel02 {
+        fy: 10.0,
+        e0: stiffness,
+        b: 30.0 / stiffness,
+        r0,
+        c_r,
+        a: Steel02::NO_ISOTROPIC,
+        sig_init: 0.0,
+    })
 }
 
 /// Alternating displacements about all axes; one period is 2π/0.31 steps.
@@ -38,7 +46,7 @@ fn motion(step: f64) -> Vec<f64> {
 /// Elastic hinges are springs in series: the flexibilities add.
 #[test]
 fn elastic_hinges_add_their_flexibility() {
-    let [plain, hinged] = beams(TransformKind::Linear, Arc::new(Elastic::new(500.0)));
+    let [plain, hinged] = beams(TransformKind::Linear, Material::new(Elastic::new(500.0)));
     let flexibility = |e: &SingleElement| {
         let mut k = vec![0.0; 144];
         e.element.initial_tangent(&mut k);

@@ -11,7 +11,6 @@ use hysteron::material::{
     Steel01, Steel02,
 };
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use std::sync::Arc;
 
 const SIZE: f64 = 0.8;
 const RUBBER: f64 = 0.16;
@@ -21,11 +20,11 @@ const MODULUS: f64 = 6.0e8;
 const AXIAL: f64 = -2.0e6;
 
 fn elastic(k: f64) -> Material {
-    Arc::new(Elastic::new(k))
+    Material::new(Elastic::new(k))
 }
 
 fn steel(fy: f64, e0: f64, b: f64) -> Material {
-    Arc::new(Steel01 { fy, e0, b, a: Steel01::NO_ISOTROPIC })
+    Material::new(Steel01 { fy, e0, b, a: Steel01::NO_ISOTROPIC })
 }
 
 fn parameters(shear: Material, normal: Material) -> KikuchiParameters {
@@ -58,8 +57,8 @@ fn bearing(p: KikuchiParameters) -> SingleElement {
 /// Bearings with every kind of spring and option.
 fn kinds() -> Vec<(&'static str, KikuchiParameters)> {
     let linear = || parameters(elastic(SHEAR), elastic(MODULUS));
-    let yielding = || parameters(steel(6.0e4, 1.2e7, 0.1), Arc::new(ElasticPP::new(MODULUS, 1e9, -1.2e7, 0.0)));
-    let uplifting = || parameters(steel(6.0e4, 1.2e7, 0.1), Arc::new(NoTension { e: MODULUS, a: 0.0, b: 0.0 }));
+    let yielding = || parameters(steel(6.0e4, 1.2e7, 0.1), Material::new(ElasticPP::new(MODULUS, 1e9, -1.2e7, 0.0)));
+    let uplifting = || parameters(steel(6.0e4, 1.2e7, 0.1), Material::new(NoTension { e: MODULUS, a: 0.0, b: 0.0 }));
     let square = Layout::new(Shape::Square, SIZE, 7, Distribution::Pressure(10.0), Mean::Springs);
     vec![
         ("linear", linear()),
@@ -328,7 +327,7 @@ fn shear_stiffness_under_load_matches_koh_and_kelly() {
 #[test]
 fn tangent_becomes_negative_where_koh_and_kelly_predict() {
     // No-tension normal springs: the sections soften in uplift.
-    let normal: Material = Arc::new(NoTension { e: MODULUS, a: 0.0, b: 0.0 });
+    let normal: Material = Material::new(NoTension { e: MODULUS, a: 0.0, b: 0.0 });
     let load = 0.25 * critical_load();
     let layout = parameters(elastic(1.0), elastic(1.0)).layout;
     let section = NormalSprings::new(normal.clone(), &layout, 0.5 * RUBBER, 0);
@@ -379,7 +378,7 @@ fn cycles_of_a_lightly_damped_bearing_are_independent_of_step_size() {
         rubber: 0.2,
         height: 0.21,
         layout: Layout::new(Shape::Square, 0.21, 8, Distribution::Uniform, Mean::Springs),
-        ..parameters(Arc::new(KikuchiAiken::new(device, [1.0; 2])), Arc::new(AxialSp::new(&axial)))
+        ..parameters(Material::new(KikuchiAiken::new(device, [1.0; 2])), Material::new(AxialSp::new(&axial)))
     };
     let run = |steps: u32| {
         let (mut e, mut u, mut from, mut forces) = (bearing(parameters.clone()), [0.0; 12], 0.0, vec![]);
@@ -401,7 +400,7 @@ fn cycles_of_a_lightly_damped_bearing_are_independent_of_step_size() {
 
 #[test]
 fn outer_iterations_converge_quadratically() {
-    let smooth: Material = Arc::new(Steel02 {
+    let smooth: Material = Material::new(Steel02 {
         fy: 6.0e4,
         e0: 1.2e7,
         b: 0.1,

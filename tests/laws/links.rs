@@ -8,10 +8,9 @@ use hysteron::element::{
 };
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use std::sync::Arc;
 
 fn elastic(e: f64) -> Material {
-    Arc::new(Elastic::new(e))
+    Material::new(Elastic::new(e))
 }
 
 fn options(p_delta: Option<[f64; 4]>) -> LinkOptions {
@@ -53,10 +52,8 @@ fn link_tangent() {
         assert!(difference(&k, &initial) < 1e-14);
 
         // The P-Delta tangent omits the change of the axial force, so the axial force is nearly constant here.
-        let springs = vec![
-            (Arc::new(ElasticPP::new(1e4, 0.005, -0.005, 0.0)) as Material, 1, 1),
-            (elastic(30.0), 2, 2.min(per_node)),
-        ];
+        let springs =
+            vec![(Material::new(ElasticPP::new(1e4, 0.005, -0.005, 0.0)), 1, 1), (elastic(30.0), 2, 2.min(per_node))];
         let springs = springs.into_iter().chain((3..=per_node).map(|d| (elastic(40.0), 3, d))).collect();
         let mut e = SingleElement::new(
             TwoNodeLink::new(springs, (ndm, per_node), axes(ndm), 1.4, &options(Some([0.1, 0.3, 0.2, 0.4]))).unwrap(),

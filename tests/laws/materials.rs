@@ -2,10 +2,9 @@
 
 use super::driver::{MaterialPoint, path};
 use hysteron::material::{BoucWen, Elastic, ElasticPP, Material, Steel01, Viscous};
-use std::sync::Arc;
 
 fn bouc_wen(n: f64, gamma: f64, beta: f64, delta: f64) -> Material {
-    Arc::new(BoucWen {
+    Material::new(BoucWen {
         alpha: 0.1,
         ko: 1000.0,
         n,
@@ -21,11 +20,11 @@ fn bouc_wen(n: f64, gamma: f64, beta: f64, delta: f64) -> Material {
 /// Every law with a strain amplitude in its nonlinear range.
 fn all() -> Vec<(&'static str, Material, f64)> {
     vec![
-        ("elastic", Arc::new(Elastic::new(200.0)) as Material, 0.1),
-        ("elastic, softer in compression", Arc::new(Elastic { e_pos: 200.0, eta: 0.0, e_neg: 50.0 }), 0.1),
-        ("elastic-plastic", Arc::new(ElasticPP::new(200.0, 0.01, -0.02, 0.003)), 0.1),
-        ("steel, kinematic", Arc::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC }), 0.1),
-        ("steel, isotropic", Arc::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: [0.05, 5.0, 0.05, 5.0] }), 0.1),
+        ("elastic", Material::new(Elastic::new(200.0)), 0.1),
+        ("elastic, softer in compression", Material::new(Elastic { e_pos: 200.0, eta: 0.0, e_neg: 50.0 }), 0.1),
+        ("elastic-plastic", Material::new(ElasticPP::new(200.0, 0.01, -0.02, 0.003)), 0.1),
+        ("steel, kinematic", Material::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC }), 0.1),
+        ("steel, isotropic", Material::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: [0.05, 5.0, 0.05, 5.0] }), 0.1),
         ("bouc-wen, n 1", bouc_wen(1.0, 20.0, 20.0, 0.0), 0.2),
         ("bouc-wen, n 2, softening", bouc_wen(2.0, -20.0, 60.0, 0.0), 0.4),
         ("bouc-wen, n 1.7, degrading", bouc_wen(1.7, 15.0, 25.0, 0.01), 0.2),
@@ -143,7 +142,7 @@ fn bouc_wen_converges_with_the_step() {
 
 #[test]
 fn dashpot_force_opposes_the_rate() {
-    let mut p = MaterialPoint::new(Arc::new(Viscous { c: 50.0, alpha: 0.5, min_rate: 1e-11 }));
+    let mut p = MaterialPoint::new(Material::new(Viscous { c: 50.0, alpha: 0.5, min_rate: 1e-11 }));
     let s = p.trial(0.0, 4.0, 0.01);
     assert!((s.value - 100.0).abs() < 1e-12);
     assert!((s.damping - 12.5).abs() < 1e-12, "derivative of 50 sqrt(v) at 4");

@@ -8,12 +8,11 @@ use hysteron::material::{
 };
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 const HEIGHT: f64 = 0.14;
 
 fn steel() -> Material {
-    Arc::new(Steel01 { fy: 25.0, e0: 1000.0, b: 0.05, a: Steel01::NO_ISOTROPIC })
+    Material::new(Steel01 { fy: 25.0, e0: 1000.0, b: 0.05, a: Steel01::NO_ISOTROPIC })
 }
 
 fn lead() -> Material {
@@ -28,12 +27,12 @@ fn lead() -> Material {
         temperature: 15.0,
         factors: [1.0; 2],
     });
-    Arc::new(KikuchiAiken::new(device, [1.0; 2]))
+    Material::new(KikuchiAiken::new(device, [1.0; 2]))
 }
 
 fn high_damping() -> Material {
     let device = HighDampingRubber { compound: COMPOUNDS[0].clone(), area: 0.4e-3, height: HEIGHT, factors: [1.0; 3] };
-    Arc::new(KikuchiAiken::new(device, [1.0; 2]))
+    Material::new(KikuchiAiken::new(device, [1.0; 2]))
 }
 
 fn laws() -> [(&'static str, Material); 3] {
@@ -158,7 +157,7 @@ fn law_rotates_with_its_axes() {
 /// Springs of different materials each contribute their own force.
 #[test]
 fn springs_of_different_materials_add_up() {
-    let hard: Material = Arc::new(ElasticPP::new(300.0, 0.02, -0.02, 0.0));
+    let hard: Material = Material::new(ElasticPP::new(300.0, 0.02, -0.02, 0.0));
     let mut e = along(vec![(hard.clone(), 1), (steel(), 1)], None, Vector3::z(), Vector3::x());
     let (mut a, mut b) = (MaterialPoint::new(hard), MaterialPoint::new(steel()));
     for u in orbit(2, 200) {
@@ -194,7 +193,7 @@ fn orbits_dissipate_energy() {
 /// Springs without force at the limit are an error, since the factors are ratios of forces.
 #[test]
 fn springs_without_force_are_an_error() {
-    let slack: Material = Arc::new(Impact { k1: 300.0, k2: 100.0, delta_y: -0.01, gap: -0.1, compat: false });
+    let slack: Material = Material::new(Impact { k1: 300.0, k2: 100.0, delta_y: -0.01, gap: -0.1, compat: false });
     let (axes, length) = Orientation { x: Some(Vector3::z()), y: Some(Vector3::x()) }
         .of_link(Vector3::zeros(), Vector3::z(), false)
         .unwrap();

@@ -2,7 +2,6 @@
 
 use hysteron::element::bearing::{Distribution, Layout, Mean, NormalSprings, Section, Shape};
 use hysteron::material::{AxialParameters, AxialSp, Material, Steel01, Viscous};
-use std::sync::Arc;
 
 /// Length of a spring, m.
 const LENGTH: f64 = 0.1;
@@ -34,8 +33,12 @@ fn materials(compat: bool) -> [Material; 2] {
     let cavitating =
         AxialParameters { sce: 1.2e9, fty: 1e6, fcy: -1e7, bte: 0.1, bty: 0.01, bcy: 0.5, fcr: 0.0, hardening: None };
     [
-        if compat { Arc::new(AxialSp::as_opensees(&cavitating)) } else { Arc::new(AxialSp::new(&cavitating)) },
-        Arc::new(Steel01 { fy: 1e6, e0: 1e9, b: 0.05, a: Steel01::NO_ISOTROPIC }),
+        if compat {
+            Material::new(AxialSp::as_opensees(&cavitating))
+        } else {
+            Material::new(AxialSp::new(&cavitating))
+        },
+        Material::new(Steel01 { fy: 1e6, e0: 1e9, b: 0.05, a: Steel01::NO_ISOTROPIC }),
     ]
 }
 
@@ -158,7 +161,7 @@ fn line_tangent_matches_finite_difference() {
 #[test]
 fn dampers_have_an_out_of_plane_moment() {
     let layout = Layout::new(Shape::Square, 0.6, 12, Distribution::Uniform, Mean::Springs);
-    let damper: Material = Arc::new(Viscous { c: 1e6, alpha: 1.0, min_rate: 1e-9 });
+    let damper: Material = Material::new(Viscous { c: 1e6, alpha: 1.0, min_rate: 1e-9 });
     let SectionState { springs, committed, mut trial } =
         SectionState::new(NormalSprings::new(damper, &layout, LENGTH, 0));
     // Bending about y at the start of a rotation about z.

@@ -4,7 +4,6 @@ use super::driver::{MaterialPoint, path};
 use hysteron::material::hdr::{Compound, Parameters, Stack, Thermal};
 use hysteron::material::{HdrRheology, Material, Mullins, Softening, Steel01};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 pub(super) fn compound(name: &str) -> Compound {
     Compound::parse(Compound::built_in(name).unwrap()).unwrap()
@@ -16,7 +15,7 @@ fn law(name: &str, temperature: f64) -> HdrRheology {
 
 /// Strain and stress at every step of a path through corners at a constant rate, with `per` steps per unit strain.
 fn drive(law: HdrRheology, corners: &[f64], rate: f64, per: f64) -> Vec<(f64, f64)> {
-    let mut p = MaterialPoint::new(Arc::new(law));
+    let mut p = MaterialPoint::new(Material::new(law));
     let mut out = vec![(0.0, 0.0)];
     let mut at = 0.0f64;
     for &to in corners {
@@ -81,7 +80,7 @@ fn stress_is_independent_of_step_size() {
 
 /// Overstress of HDR3 at -30 degC after a ramp at 5.5/s to a strain, and after holds of the given steps.
 fn held(strain: f64, steps: &[f64]) -> f64 {
-    let mut p = MaterialPoint::new(Arc::new(law("HDR3", -30.0)));
+    let mut p = MaterialPoint::new(Material::new(law("HDR3", -30.0)));
     p.trial(strain, 0.0, strain / 5.5);
     p.commit();
     for &dt in steps {
@@ -109,7 +108,7 @@ fn relaxation_is_independent_of_step_count() {
     }
     // The slider of the overstress reverses at 22.17 s.
     let slip = |t: f64| {
-        let mut p = MaterialPoint::new(Arc::new(law("HDR3", -30.0)));
+        let mut p = MaterialPoint::new(Material::new(law("HDR3", -30.0)));
         p.trial(1.75, 0.0, 1.75 / 5.5);
         p.commit();
         let before = p.state()[3];
@@ -123,7 +122,7 @@ fn relaxation_is_independent_of_step_count() {
 #[test]
 fn overstress_after_a_fast_ramp_relaxes() {
     for (t, expected) in [(-30.0, 3.48), (-10.0, 2.09), (23.0, 1.70)] {
-        let mut p = MaterialPoint::new(Arc::new(law("HDR3", t)));
+        let mut p = MaterialPoint::new(Material::new(law("HDR3", t)));
         p.trial(1.75, 0.0, 1.75 / 5.5);
         p.commit();
         let peak = response(&p, "overstress");
@@ -155,17 +154,17 @@ fn all() -> Vec<(&'static str, Material)> {
     let p = [3.0, 0.4, 0.02, 0.3, 3.0, 8.0, 0.5, 0.6, 1.5, 0.6];
     let thick = Compound::constant(Parameters::new(p).unwrap());
     vec![
-        ("HDR3, cold", Arc::new(law("HDR3", -30.0)) as Material),
-        ("HDR2, in between", Arc::new(law("HDR2", 3.7))),
-        ("heated", Arc::new(hot("HDR3", -22.0))),
-        ("heated in layers", Arc::new(HdrRheology { thermal: Some(stack), ..hot("HDR2", -5.0) })),
-        ("heated and softened", Arc::new(HdrRheology { softening: Some(softening), ..hot("HDR2", -30.0) })),
-        ("linear overstress", Arc::new(HdrRheology::new(linear, 10.0))),
-        ("linear dashpot, no second spring", Arc::new(HdrRheology::new(newtonian, 0.0))),
-        ("weakly nonlinear dashpot", Arc::new(HdrRheology::new(thick, 0.0))),
-        ("force", Arc::new(HdrRheology { area: 57600.0, height: 1.3, ..law("HDR2", 23.0) })),
-        ("softened steel", Arc::new(Mullins::new((Arc::new(steel()), 1), softening))),
-        ("gradually softened steel", Arc::new(Mullins::new((Arc::new(steel()), 1), gradual))),
+        ("HDR3, cold", Material::new(law("HDR3", -30.0))),
+        ("HDR2, in between", Material::new(law("HDR2", 3.7))),
+        ("heated", Material::new(hot("HDR3", -22.0))),
+        ("heated in layers", Material::new(HdrRheology { thermal: Some(stack), ..hot("HDR2", -5.0) })),
+        ("heated and softened", Material::new(HdrRheology { softening: Some(softening), ..hot("HDR2", -30.0) })),
+        ("linear overstress", Material::new(HdrRheology::new(linear, 10.0))),
+        ("linear dashpot, no second spring", Material::new(HdrRheology::new(newtonian, 0.0))),
+        ("weakly nonlinear dashpot", Material::new(HdrRheology::new(thick, 0.0))),
+        ("force", Material::new(HdrRheology { area: 57600.0, height: 1.3, ..law("HDR2", 23.0) })),
+        ("softened steel", Material::new(Mullins::new((Material::new(steel()), 1), softening))),
+        ("gradually softened steel", Material::new(Mullins::new((Material::new(steel()), 1), gradual))),
     ]
 }
 
@@ -248,7 +247,7 @@ fn every_branch_dissipates_energy() {
         ("dashpot", p([0.0, 0.0, 0.0, 0.0, 3.0, 0.0, 2.0, 0.0, 1.5, 0.25])),
         ("dashpot and slider", p([0.0, 0.0, 0.0, 0.0, 3.0, 9.0, 0.5, 0.7, 1.5, 0.25])),
     ] {
-        let mut p = MaterialPoint::new(Arc::new(HdrRheology::new(compound, 0.0)));
+        let mut p = MaterialPoint::new(Material::new(HdrRheology::new(compound, 0.0)));
         let (mut heat, mut least) = (0.0, f64::INFINITY);
         for (k, strain) in path(23, 1500, 2.0).into_iter().enumerate() {
             p.trial(strain, 0.0, if k % 5 == 0 { pace(k) } else { 0.02 });
@@ -300,7 +299,7 @@ fn conduction_matches_slab_and_composite_solutions() {
     // Without plates and with ambient ends, a slab with a constant source has the parabola q h^2/(8 k).
     let slab = Stack { layers: 12, steel: 0.0, plate: 0.0, film: 1e9, rubber: 2.5, ..bearing() };
     let law = |thermal| HdrRheology { thermal: Some(thermal), hold_ends: true, ..law("HDR3", 23.0) };
-    let mut p = MaterialPoint::new(Arc::new(law(Thermal::stack(&slab))));
+    let mut p = MaterialPoint::new(Material::new(law(Thermal::stack(&slab))));
     let (mut last, mut power) = (0.0, 0.0);
     for k in 1..=20_000 {
         p.trial(0.5 * (0.25 * f64::from(k)).sin(), 0.0, 0.5);
@@ -321,7 +320,7 @@ fn conduction_matches_slab_and_composite_solutions() {
     // After a fast test the heat is in the rubber; conduction then heats the steel towards the composite's
     // temperature.
     let insulated = Stack { film: 0.0, ..bearing() };
-    let mut p = MaterialPoint::new(Arc::new(law(Thermal::stack(&insulated))));
+    let mut p = MaterialPoint::new(Material::new(law(Thermal::stack(&insulated))));
     for k in 1..=200 {
         p.trial(1.75 * (0.02 * PI * f64::from(k)).sin(), 0.0, 0.02);
         p.commit();
@@ -337,10 +336,10 @@ fn conduction_matches_slab_and_composite_solutions() {
 fn virgin_rubber_is_stiffer_once() {
     let softening = Softening { excess: 0.5, strain: 0.4, power: None, healed: 0.6, time: 3600.0, preload: 0.0 };
     let law = HdrRheology { softening: Some(softening), ..law("HDR3", 23.0) };
-    let wrapped = Mullins::new((Arc::new(self::law("HDR3", 23.0)), 1), softening);
-    let mut p = MaterialPoint::new(Arc::new(law.clone()));
-    let mut q = MaterialPoint::new(Arc::new(wrapped));
-    let mut plain = MaterialPoint::new(Arc::new(self::law("HDR3", 23.0)));
+    let wrapped = Mullins::new((Material::new(self::law("HDR3", 23.0)), 1), softening);
+    let mut p = MaterialPoint::new(Material::new(law.clone()));
+    let mut q = MaterialPoint::new(Material::new(wrapped));
+    let mut plain = MaterialPoint::new(Material::new(self::law("HDR3", 23.0)));
     let mut ratios = vec![];
     for k in 1..=600 {
         let strain = 1.75 * (PI * f64::from(k) / 100.0).sin();
@@ -364,7 +363,7 @@ fn virgin_rubber_is_stiffer_once() {
     let expected = 1.0 + 0.5 * (-0.4 * 1.75f64 / 0.4).exp();
     assert!(soft < 1.007 && (factor(&p) - expected).abs() < 1e-6, "{soft}, then {}", factor(&p));
     let preloaded = HdrRheology { softening: Some(Softening { preload: 2.5, ..softening }), ..law };
-    assert!(factor(&MaterialPoint::new(Arc::new(preloaded))) < 1.001);
+    assert!(factor(&MaterialPoint::new(Material::new(preloaded))) < 1.001);
 }
 
 #[test]
@@ -382,11 +381,11 @@ fn compounds_have_the_range_of_their_tables() {
 #[test]
 fn temperature_beyond_the_table_is_held_or_an_error() {
     let hot = |hold_ends| HdrRheology { thermal: Some(Thermal::lumped(0.01, 1e9)), hold_ends, ..law("HDR3", 23.0) };
-    let mut p = MaterialPoint::new(Arc::new(hot(true)));
+    let mut p = MaterialPoint::new(Material::new(hot(true)));
     p.trial(1.5, 0.0, 0.3);
     p.commit();
     assert!(response(&p, "temperature") > 40.0);
-    let law: Material = Arc::new(hot(false));
+    let law: Material = Material::new(hot(false));
     let mut state = vec![0.0; law.state_len()];
     law.init(&mut state);
     let mut next = state.clone();

@@ -2,9 +2,9 @@
 
 use super::driver::{MaterialPoint, path};
 use super::rubber::{bearing, compound};
+use hysteron::material::Material;
 use hysteron::material::hdr::{PlaneHistory, PlaneStep, Thermal};
 use hysteron::material::{HdrRheology, Softening};
-use std::sync::Arc;
 
 fn laws() -> Vec<(&'static str, HdrRheology)> {
     let cold = HdrRheology::new(compound("HDR3"), -30.0);
@@ -37,7 +37,7 @@ fn advance(law: &HdrRheology, strains: &[[f64; 2]], dt: f64) -> Vec<PlaneStep> {
 #[test]
 fn straight_path_equals_the_uniaxial_law() {
     for (name, law) in laws().into_iter().filter(|l| l.1.thermal.is_none()) {
-        let mut p = MaterialPoint::new(Arc::new(law.clone()));
+        let mut p = MaterialPoint::new(Material::new(law.clone()));
         let line = path(4, 300, 1.75);
         let (c, s) = (0.6, -0.8);
         let strains: Vec<_> = line.iter().map(|g| [c * g, s * g]).collect();

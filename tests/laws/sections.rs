@@ -53,7 +53,7 @@ fn quadrature_is_exact_to_its_degree() {
 }
 
 fn steel() -> Material {
-    Arc::new(Steel02 {
+    Material::new(Steel02 {
         fy: 4.0,
         e0: 2000.0,
         b: 0.02,
@@ -73,8 +73,11 @@ fn rectangle(material: &Material, space: bool) -> SharedSection {
         material: (material.clone(), 1),
     };
     let fibers = (0..32).map(|k| cell(k / 4, k % 4)).collect();
-    let bending =
-        if space { FiberBending::Space(Some((Arc::new(ElasticMaterial::new(5.0)), 2))) } else { FiberBending::Plane };
+    let bending = if space {
+        FiberBending::Space(Some((Material::new(ElasticMaterial::new(5.0)), 2)))
+    } else {
+        FiberBending::Plane
+    };
     Arc::new(FiberSection::new(fibers, bending, false))
 }
 
@@ -117,7 +120,7 @@ fn stiffness(section: &SharedSection) -> Vec<f64> {
 
 #[test]
 fn fiber_section_has_the_rigidities_of_its_areas() {
-    let k = stiffness(&rectangle(&(Arc::new(ElasticMaterial::new(100.0)) as Material), true));
+    let k = stiffness(&rectangle(&Material::new(ElasticMaterial::new(100.0)), true));
     // Cells count at their centres: h² - (h/n)² instead of h².
     let (iz, iy) = (0.08 / 12.0 * 0.16 * (1.0 - 1.0 / 64.0), 0.08 / 12.0 * 0.04 * (1.0 - 1.0 / 16.0));
     let expected = [8.0, 0.0, 0.0, 0.0, 0.0, 100.0 * iz, 0.0, 0.0, 0.0, 0.0, 100.0 * iy, 0.0, 0.0, 0.0, 0.0, 5.0];
@@ -127,8 +130,8 @@ fn fiber_section_has_the_rigidities_of_its_areas() {
 #[test]
 fn section_tangent_matches_finite_difference() {
     let concrete = Concrete02 { fc: -3.0, epsc0: -0.002, fcu: -0.6, epscu: -0.006, ratio: 0.1, ft: 0.3, ets: 200.0 };
-    for material in [steel(), Arc::new(concrete) as Material] {
-        let shear = (Arc::new(ElasticMaterial::new(30.0)) as Material, 9, Resultant::Vy);
+    for material in [steel(), Material::new(concrete)] {
+        let shear = (Material::new(ElasticMaterial::new(30.0)), 9, Resultant::Vy);
         let section: SharedSection = Arc::new(Aggregator::new(Some(rectangle(&material, true)), vec![shear]).unwrap());
         let mut e = SingleElement::new(ZeroLengthSection::new((section, 1), (3, 6), Matrix3::identity(), true));
         let mut tested = 0;

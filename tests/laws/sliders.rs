@@ -62,11 +62,11 @@ fn friction_by_points_stays_positive() {
 }
 
 fn elastic(e: f64) -> (Material, i32) {
-    (Arc::new(Elastic::new(e)), 1)
+    (Material::new(Elastic::new(e)), 1)
 }
 
 fn no_tension() -> (Material, i32) {
-    (Arc::new(NoTension { e: AXIAL, a: 0.0, b: 1.0 }), 1)
+    (Material::new(NoTension { e: AXIAL, a: 0.0, b: 1.0 }), 1)
 }
 
 fn setting(kind: Kind) -> Setting {

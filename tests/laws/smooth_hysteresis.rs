@@ -3,18 +3,17 @@
 use super::driver::MaterialPoint;
 use super::materials::{check_purity, check_tangent};
 use hysteron::material::{HystereticAsym, HystereticPoly, HystereticSmooth, Material};
-use std::sync::Arc;
 
 fn asym(b: [f64; 2], gamma: f64) -> Material {
-    Arc::new(HystereticAsym { ka: 200.0, kb: 10.0, fo: 2.0, b, gamma })
+    Material::new(HystereticAsym { ka: 200.0, kb: 10.0, fo: 2.0, b, gamma })
 }
 
 fn poly(a: f64, b: [f64; 2]) -> Material {
-    Arc::new(HystereticPoly { ka: 200.0, kb: 10.0, a, b, tolerance: 1e-12, compat: false })
+    Material::new(HystereticPoly { ka: 200.0, kb: 10.0, a, b, tolerance: 1e-12, compat: false })
 }
 
 fn smooth(beta: f64) -> Material {
-    Arc::new(HystereticSmooth::new(200.0, 10.0, 2.0, beta))
+    Material::new(HystereticSmooth::new(200.0, 10.0, 2.0, beta))
 }
 
 fn all() -> Vec<(&'static str, Material, f64)> {

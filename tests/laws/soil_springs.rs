@@ -5,13 +5,12 @@ use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
     Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1,
 };
-use std::sync::Arc;
 
 const ULTIMATE: f64 = 50.0;
 const Y50: f64 = 0.01;
 
 fn spring<S: Soil>(soil: S, dashpot: f64, compat: bool) -> Material {
-    Arc::new(SoilSpring { soil, dashpot, compat })
+    Material::new(SoilSpring { soil, dashpot, compat })
 }
 
 fn py(backbone: PyBackbone, drag: f64) -> PySimple1 {

@@ -4,14 +4,13 @@ use super::driver::{SingleElement, difference, path};
 use hysteron::element::{BarOptions, Mass, RayleighDamping, Truss, ZeroLength};
 use hysteron::material::{BoucWen, Elastic, Material, Steel01};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use std::sync::Arc;
 
 fn elastic(e: f64) -> Material {
-    Arc::new(Elastic::new(e))
+    Material::new(Elastic::new(e))
 }
 
 fn steel() -> Material {
-    Arc::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC })
+    Material::new(Steel01 { fy: 2.0, e0: 200.0, b: 0.02, a: Steel01::NO_ISOTROPIC })
 }
 
 fn smooth() -> Material {
@@ -26,7 +25,7 @@ fn smooth() -> Material {
         delta_nu: 0.0,
         delta_eta: 0.0,
     };
-    Arc::new(law)
+    Material::new(law)
 }
 
 fn turned() -> Matrix3<f64> {

@@ -16,7 +16,7 @@ const K: f64 = 1e6;
 const DT: f64 = 0.01;
 
 fn elastic(e: f64) -> (Material, i32) {
-    (Arc::new(Elastic::new(e)), 1)
+    (Material::new(Elastic::new(e)), 1)
 }
 
 fn coulomb() -> [Friction; 3] {

@@ -92,7 +92,7 @@ impl Owned for Slot {
         Some((probe.labels, out))
     }
     fn parameter(&self, words: &[&str]) -> Option<f64> {
-        self.clone().set_parameter(words, 1.0)
+        self.clone().set_parameter(words, None).ok()
     }
     fn curves(&self) -> Vec<LimitCurve> {
         self.limit_curves().into_iter().cloned().collect()
@@ -120,7 +120,7 @@ impl Owned for SectionSlot {
         Some((probe.labels, out))
     }
     fn parameter(&self, words: &[&str]) -> Option<f64> {
-        self.clone().set_parameter(words, 1.0)
+        self.clone().set_parameter(words, None).ok()
     }
     fn curves(&self) -> Vec<LimitCurve> {
         self.limit_curves().into_iter().cloned().collect()
@@ -184,15 +184,15 @@ fn wrappers(law: &Material) -> Vec<(&'static str, Material, &'static [&'static s
     let fiber = Fiber { y: 0.0, z: 0.0, area: 1.0, material: one() };
     let section = FiberSection::new(vec![fiber], FiberBending::Plane, true);
     let mut all: Vec<(&'static str, Material, &'static [&'static str])> = vec![
-        ("MinMax", Arc::new(MinMax::new(one(), -1e9, 1e9, false)), &["material"]),
-        ("Fatigue", Arc::new(Fatigue::new(one(), life)), &["material"]),
-        ("Mullins", Arc::new(Mullins::new(one(), softening())), &["material"]),
-        ("Parallel", Arc::new(Parallel::new(vec![one()], vec![1.0])), &["material", "1"]),
-        ("Series", Arc::new(Series::new(vec![one()], Iteration::Converged)), &["material", "1"]),
-        ("Axial", Arc::new(Axial::new(Arc::new(section), 1).unwrap()), &["fiber", "0"]),
+        ("MinMax", Material::new(MinMax::new(one(), -1e9, 1e9, false)), &["material"]),
+        ("Fatigue", Material::new(Fatigue::new(one(), life)), &["material"]),
+        ("Mullins", Material::new(Mullins::new(one(), softening())), &["material"]),
+        ("Parallel", Material::new(Parallel::new(vec![one()], vec![1.0])), &["material", "1"]),
+        ("Series", Material::new(Series::new(vec![one()], Iteration::Converged)), &["material", "1"]),
+        ("Axial", Material::new(Axial::new(Arc::new(section), 1).unwrap()), &["fiber", "0"]),
     ];
     if let Ok(shifted) = InitialState::strain(one(), 0.0) {
-        all.push(("InitStrainMaterial", Arc::new(shifted), &["material"]));
+        all.push(("InitStrainMaterial", Material::new(shifted), &["material"]));
     }
     all
 }
@@ -204,7 +204,7 @@ fn every_law_is_whole_inside_wrappers_and_as_a_fiber() {
     for (name, law) in &materials() {
         let bare = Slot::new(law.clone(), 1, 0);
         for (kind, wrapped, path) in wrappers(law) {
-            let twice = Slot::new(Arc::new(MinMax::new((wrapped.clone(), 2), -1e9, 1e9, false)), 1, 0);
+            let twice = Slot::new(Material::new(MinMax::new((wrapped.clone(), 2), -1e9, 1e9, false)), 1, 0);
             let around = Slot::new(wrapped, 1, 0);
             // A fiber is named in responses alone.
             let moved = kind == "InitStrainMaterial";
@@ -246,7 +246,7 @@ fn every_section_is_whole_inside_an_aggregator() {
         {
             let words: Vec<&str> = parameter.into_iter().filter(|w| !w.is_empty()).collect();
             // The addition has parameters of the same names.
-            if let Some(own) = base.with_parameter(&words, 1.0).map(|made| made.1)
+            if let Ok(own) = base.with_parameter(&words, None).map(|made| made.1)
                 && !aggregated_has(&around, &words, own)
             {
                 lost.push(format!("section {tag}: parameter {words:?}"));

@@ -1,7 +1,8 @@
 //! Uniaxial materials that count how often they are asked, in the place of those that a script defines.
 
-use hysteron::material::{Material, MaterialError, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use hysteron::material::{Material, MaterialError, SharedUniaxial, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
 use hysteron::opensees::Tcl;
+use hysteron::parameter::Changed;
 use hysteron::probe::Probe;
 use hysteron::run::Run;
 use hysteron::tcl::{Call, Exception, Value};
@@ -35,7 +36,7 @@ fn count_calls_of(interp: &mut Tcl, call: &Call<'_>) -> Result<Value, Exception>
     let tag: i32 = call.arg(1).as_str().parse().unwrap();
     let materials = &mut interp.host.builder.definitions.materials;
     let material = materials.remove(tag).unwrap();
-    assert!(materials.add(tag, Arc::new(Counted(material))));
+    assert!(materials.add(tag, Material::new(Counted(material))));
     Ok(Value::from(""))
 }
 
@@ -72,9 +73,9 @@ impl Uniaxial for Counted {
         count(strains.value.len());
         self.0.update_all_on(committed, before, strains, next, stresses)
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let (material, old) = self.0.with_parameter(words, value)?;
-        Some((Arc::new(Self(material)), old))
+        Ok((Arc::new(Self(material)), old))
     }
 
     // Points are neither padded nor joined with those of other materials, so that each counts once.

@@ -18,6 +18,7 @@ pub mod material;
 pub mod model;
 pub mod number_format;
 pub mod numeric;
+pub mod parameter;
 pub mod probe;
 pub mod record;
 pub mod rules;

@@ -7,17 +7,44 @@ use std::sync::Arc;
 ///
 /// Most of them are generic, and generic code is compiled where it is used. Each implementation stands in this crate,
 /// so that the code of the hot path is compiled here once, with the optimisation of this crate.
-pub trait Shared<Role: ?Sized> {
+pub trait Shared<R: Role + ?Sized> {
     /// The thing as a model holds it.
-    fn shared(self) -> Arc<Role>;
+    fn shared(self) -> R::Held;
+}
+
+/// A role in a model, and how the model holds what plays it.
+pub trait Role {
+    /// What the model holds.
+    type Held: From<Arc<Self>>;
+}
+
+impl Role for dyn crate::element::Element {
+    type Held = Arc<Self>;
+}
+
+impl Role for dyn crate::section::Section {
+    type Held = Arc<Self>;
+}
+
+impl Role for dyn crate::section::plate::PlateSection {
+    type Held = Arc<Self>;
+}
+
+impl Role for dyn crate::material::Uniaxial {
+    type Held = crate::material::Material;
+}
+
+impl<const N: usize> Role for dyn crate::material::Multiaxial<N> {
+    type Held = Arc<Self>;
 }
 
 /// Implements [`Shared`] for the kinds of a role.
 macro_rules! shared {
     (dyn $role:path: $($kind:ty),* $(,)?) => { $(impl $crate::shared::Shared<dyn $role> for $kind {
         #[inline(never)]
-        fn shared(self) -> std::sync::Arc<dyn $role> {
-            std::sync::Arc::new(self)
+        fn shared(self) -> <dyn $role as $crate::shared::Role>::Held {
+            let shared: std::sync::Arc<dyn $role> = std::sync::Arc::new(self);
+            shared.into()
         }
     })* };
 }

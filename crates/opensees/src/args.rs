@@ -1,5 +1,6 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
+mod number_names;
 mod number_words;
 mod unknown_words;
 
@@ -8,6 +9,7 @@ use crate::{Tcl, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
+pub(crate) use number_names::number_names;
 use number_words::{as_int, no_list_of_numbers, numbers};
 use std::borrow::Cow;
 use std::fmt::Display;
@@ -57,6 +59,11 @@ impl<'a> Args<'a> {
     /// The same words for what a sub-command wants.
     pub(crate) fn usage(&mut self, usage: &'static str) {
         self.usage = usage;
+    }
+
+    /// Leave out the words before one, which have been taken elsewhere.
+    pub(crate) fn skip_to(&mut self, word: usize) {
+        self.at = self.at.max(word);
     }
 
     /// Number of words left.
@@ -197,6 +204,7 @@ impl<'a> Args<'a> {
             Sign::NotNegative => "a number not less than 0",
         };
         self.call.note_meaning(self.at - 1, || format!("{what}, {expected}"));
+        self.call.note_number(self.at - 1, || what.to_string(), false);
         let label = || format!("expected the {what}, {expected}");
         let Some(x) = value.as_f64() else {
             let text = value.as_str();
@@ -295,6 +303,7 @@ impl<'a> Args<'a> {
         while let Some(value) = self.call.get(self.at) {
             self.call.note_meaning(self.at, || what.to_owned());
             if let Some(x) = value.as_f64() {
+                self.call.note_number(self.at, || what.to_owned(), false);
                 if !x.is_finite() {
                     self.at += 1;
                     return Err(self.refuse(format!("a {what} is not finite"), "expected a number"));
@@ -331,6 +340,7 @@ impl<'a> Args<'a> {
 
     fn int_as(&mut self, what: &dyn Display) -> Result<i32, Exception> {
         let value = self.take(what)?;
+        self.call.note_number(self.at - 1, || what.to_string(), true);
         match as_int(value) {
             Some(i) => Ok(i),
             None => {

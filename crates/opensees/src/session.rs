@@ -14,6 +14,7 @@ use crate::model::parameter::Parameter;
 use crate::output::Balances;
 use crate::output::model_file::MadeOf;
 use crate::output::recorders::Recorders;
+use crate::recipes::WordsOfElement;
 use crate::section::fiber::ContinuumFiber;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
@@ -62,6 +63,8 @@ pub struct ModelBuilder {
     pub definitions: Definitions,
     /// Definitions that each element was made of.
     pub(crate) made_of: MadeOf,
+    /// Words that each element between two nodes was made from.
+    pub(crate) element_words: BTreeMap<Tag, WordsOfElement>,
     /// Place in the script of the command that made each element.
     pub made_at: BTreeMap<i32, Span>,
     /// Number of dimensions.

@@ -92,11 +92,24 @@ impl Place<'_> {
     }
 }
 
+/// A word of a call that is taken for a number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NumberNote {
+    /// Number of the word.
+    pub word: usize,
+    /// What the number is.
+    pub what: String,
+    /// A count, a switch or a tag.
+    pub whole: bool,
+}
+
 /// What a command took the words of a call for, told to those who show scripts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CallNotes {
     /// Number of a word and its meaning.
     pub meanings: Vec<(usize, String)>,
+    /// Words that are taken for numbers.
+    pub numbers: Vec<NumberNote>,
     /// Place of a word, and the thing that it names: kind and tag.
     pub names: Vec<(Span, &'static str, String)>,
 }
@@ -132,6 +145,13 @@ impl<'a> Call<'a> {
     pub fn note_meaning(&self, i: usize, meaning: impl FnOnce() -> String) {
         if let Some(notes) = &self.notes {
             notes.borrow_mut().meanings.push((i, meaning()));
+        }
+    }
+
+    /// Note that a word is taken for a number, what the number is, and whether it is a count, a switch or a tag.
+    pub fn note_number(&self, word: usize, what: impl FnOnce() -> String, whole: bool) {
+        if let Some(notes) = &self.notes {
+            notes.borrow_mut().numbers.push(NumberNote { word, what: what(), whole });
         }
     }
 

@@ -44,7 +44,7 @@ mod text;
 mod value;
 mod vars;
 
-pub use self::command::{Call, CallNotes, CommandFn};
+pub use self::command::{Call, CallNotes, CommandFn, NumberNote};
 pub use self::console::{Console, Recorded, Silent};
 pub use self::core::{Core, ForeignScript};
 pub use self::encoding::decode;

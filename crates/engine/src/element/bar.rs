@@ -2,6 +2,7 @@
 
 use super::{ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
+use crate::parameter::{ParameterError, exchange, first};
 use crate::probe::Probe;
 
 /// Data of an axial bar with any kinematics.
@@ -73,14 +74,14 @@ impl Bar {
     }
 
     /// Sets a parameter of the bar or of its material; returns the previous value.
-    pub(super) fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
-        let place = match *words.first()? {
+    pub(super) fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
+        let place = match first(words)? {
             "A" => &mut self.options.area,
             "rho" => &mut self.options.rho,
             "material" => return self.slot.set_parameter(&words[1..], value),
             _ => return self.slot.set_parameter(words, value),
         };
-        Some(std::mem::replace(place, value))
+        Ok(exchange(place, value))
     }
 
     pub(super) fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::material::{Material, Slot, Strain, of_length};
 use crate::numeric::wide::WIDTH;
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -149,10 +150,10 @@ impl Element for CorotTruss {
         self.bar.mass()
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = new.bar.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -2,6 +2,7 @@
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain};
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -125,11 +126,11 @@ impl Element for CoupledZeroLength {
         self.add_stiffness(self.slot.material.initial_tangent(), tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let words = words.strip_prefix(&["material"]).unwrap_or(words);
         let old = new.slot.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

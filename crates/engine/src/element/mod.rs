@@ -42,6 +42,7 @@ mod zero_length_section;
 use crate::material::{MaterialError, Slot, WatchesColumns};
 pub(crate) use crate::numeric::dot;
 use crate::numeric::wide::WIDTH;
+use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
 use std::any::Any;
 use std::fmt;
@@ -348,10 +349,13 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
         false
     }
 
-    /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had;
-    /// `None` where it has none of that name. The state variables stay the same.
-    fn with_parameter(&self, _words: &[&str], _value: f64) -> Option<(Arc<dyn Element>, f64)> {
-        None
+    /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had. No
+    /// value asks for the present one. The state variables stay the same.
+    ///
+    /// # Errors
+    /// The element has no parameter of that name, or refuses the value.
+    fn with_parameter(&self, _words: &[&str], _value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        Err(ParameterError::Unknown)
     }
 
     /// Number of load variables, in which [`Element::add_load`] sums loads.

@@ -3,6 +3,7 @@
 use super::damping::BasicForces;
 use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
+use crate::parameter::{ParameterError, existing, index, last_of};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 
@@ -184,12 +185,12 @@ impl Springs {
     }
 
     /// Sets a parameter of one material, or of all materials that have it; returns the previous value.
-    pub(super) fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
+    pub(super) fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
         if let ["material", i, rest @ ..] = words {
-            let i = i.parse::<usize>().ok()?.checked_sub(1)?;
-            return self.springs.get_mut(i)?.slot.set_parameter(rest, value);
+            let spring = existing(self.springs.get_mut(index(i)?))?;
+            return spring.slot.set_parameter(rest, value);
         }
-        self.springs.iter_mut().filter_map(|s| s.slot.set_parameter(words, value)).last()
+        last_of(self.springs.iter_mut().map(|s| s.slot.set_parameter(words, value)))
     }
 
     /// The response for the arguments of a recorder; column names begin with `force` and `deformation`.

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::material::{Material, Slot};
 use crate::numeric::wide::WIDTH;
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -260,10 +261,10 @@ impl Element for TwoNodeLink {
         self.springs.basic_rows(direction, (self.ndm, self.per_node))
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = new.springs.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

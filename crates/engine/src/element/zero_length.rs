@@ -8,6 +8,7 @@ use super::{
 };
 use crate::material::{Material, Slot};
 use crate::numeric::wide::WIDTH;
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -120,10 +121,10 @@ impl Element for ZeroLength {
         self.springs.initial_tangent(tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = new.springs.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn basic_forces(&self) -> Option<&dyn BasicForces> {

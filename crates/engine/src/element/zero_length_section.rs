@@ -2,6 +2,7 @@
 
 use super::zero_length::direction_row;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
@@ -114,11 +115,11 @@ impl Element for ZeroLengthSection {
         self.add_stiffness(&k[..n * n], tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let words = words.strip_prefix(&["section"]).unwrap_or(words);
         let old = new.slot.set_parameter(words, value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

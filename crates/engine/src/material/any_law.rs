@@ -2,10 +2,11 @@
 
 use super::plain_methods::plain_methods;
 use super::{
-    LimitCurve, Material, MaterialError, ObservedColumns, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialLaw,
-    WatchesColumns,
+    LimitCurve, MaterialError, ObservedColumns, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial,
+    UniaxialLaw, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
+use crate::parameter::{Changed, existing, first};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::any::Any;
@@ -86,10 +87,16 @@ impl<L: UniaxialLaw> Uniaxial for L {
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         UniaxialLaw::shown_strain(self, strain)
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
-        let old = new.set_parameter(words.first()?, value)?;
-        Some((Arc::new(new), old))
+        let name = first(words)?;
+        let old = match value {
+            Some(value) => new.set_parameter(name, value),
+            // The law tells the value before; what it has put in its place is dropped.
+            None => self.clone().set_parameter(name, 1.0),
+        };
+        let old = existing(old)?;
+        Ok((Arc::new(new), old))
     }
     fn as_any(&self) -> Option<&dyn Any> {
         Some(self)

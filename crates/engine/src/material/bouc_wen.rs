@@ -131,22 +131,6 @@ impl UniaxialLaw for BoucWen {
         Ok((stress, History { strain: strain.value, z, e, softening: tangent - initial }))
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "alpha" => &mut self.alpha,
-            "ko" => &mut self.ko,
-            "n" => &mut self.n,
-            "gamma" => &mut self.gamma,
-            "beta" => &mut self.beta,
-            "Ao" => &mut self.ao,
-            "deltaA" => &mut self.delta_a,
-            "deltaNu" => &mut self.delta_nu,
-            "deltaEta" => &mut self.delta_eta,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.alpha * self.ko + (1.0 - self.alpha) * self.ko * self.ao
     }

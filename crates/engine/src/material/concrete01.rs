@@ -168,17 +168,6 @@ impl UniaxialLaw for Concrete01 {
         update_blocks(self, committed, strains, next, stresses)
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "fc" => &mut self.fpc,
-            "epsco" => &mut self.epsc0,
-            "fcu" => &mut self.fpcu,
-            "epscu" => &mut self.epscu,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.modulus()
     }

@@ -54,16 +54,6 @@ impl UniaxialLaw for ElasticPPGap {
         Ok((Stress { value, tangent, damping: 0.0 }, t))
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "E" | "k" => &mut self.e,
-            "Fy" | "fy" => &mut self.fy,
-            "gap" => &mut self.gap,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         let open = if self.fy >= 0.0 { self.gap > 0.0 } else { self.gap < 0.0 };
         if open { 0.0 } else { self.e }

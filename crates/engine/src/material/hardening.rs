@@ -55,17 +55,6 @@ impl UniaxialLaw for Hardening {
         Ok((Stress { value: elastic - s * flow * self.e, tangent, damping: 0.0 }, next))
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "sigmaY" | "fy" | "Fy" => &mut self.sigma_y,
-            "E" => &mut self.e,
-            "H_kin" | "Hkin" => &mut self.h_kin,
-            "H_iso" | "Hiso" => &mut self.h_iso,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.e
     }

@@ -58,6 +58,8 @@ mod kikuchi_aiken_lrb;
 mod lanes;
 mod limit_state;
 mod masonry;
+#[allow(clippy::module_inception)]
+mod material;
 mod maxwell;
 mod mod_imk;
 mod multi_linear;
@@ -92,11 +94,11 @@ mod viscous_damper;
 mod wrapped;
 mod wrapper;
 
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::any::Any;
 use std::fmt;
-use std::sync::Arc;
 
 pub use asd_concrete_1d::AsdConcrete1d;
 pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
@@ -154,6 +156,7 @@ pub use limit_state::{
     RotationShear,
 };
 pub use masonry::Masonry;
+pub use material::{Material, Recipe, SharedUniaxial, of_length};
 pub use maxwell::Maxwell;
 pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
 pub use multi_linear::MultiLinear;
@@ -444,8 +447,11 @@ pub trait Uniaxial: WatchesColumns + fmt::Debug + Send + Sync {
     /// Strain in recorders for a strain of the material. A law with an initial strain adds it.
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64;
     /// Returns the material with a new value of a parameter, named by the words of a `parameter` command, and the
-    /// previous value. `None` if it has no such parameter. The layout of the history does not change.
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)>;
+    /// previous value. No value asks for the present one. The layout of the history does not change.
+    ///
+    /// # Errors
+    /// The law itself has no such parameter, or refuses the value. [`Material::with_parameter`] knows more names.
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial>;
     /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
     fn as_any(&self) -> Option<&dyn Any>;
     /// Response specific to this material, by the words of a recorder command.
@@ -454,13 +460,5 @@ pub trait Uniaxial: WatchesColumns + fmt::Debug + Send + Sync {
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
 }
 
-/// A material as elements hold it: the parameters are shared, the state is stored by the element.
-pub type Material = Arc<dyn Uniaxial>;
-
 /// Parameter of laws whose softening depends on the length in which it localises.
 pub const CHARACTERISTIC_LENGTH: &str = "characteristicLength";
-
-/// The material for a bar of a length.
-pub fn of_length(material: Material, length: f64) -> Material {
-    material.with_parameter(&[CHARACTERISTIC_LENGTH], length).map_or(material, |(made, _)| made)
-}

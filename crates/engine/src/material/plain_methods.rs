@@ -72,8 +72,8 @@ macro_rules! plain_methods {
         }
     };
     (@with_parameter) => {
-        fn with_parameter(&self, _: &[&str], _: f64) -> Option<($crate::material::Material, f64)> {
-            None
+        fn with_parameter(&self, _: &[&str], _: Option<f64>) -> $crate::parameter::Changed<$crate::material::SharedUniaxial> {
+            Err($crate::parameter::ParameterError::Unknown)
         }
     };
     (@as_any) => {

@@ -2,7 +2,8 @@
 
 use super::plain_methods::plain_methods;
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use super::{Material, MaterialError, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use crate::parameter::{Changed, exchange};
 use crate::probe::Probe;
 use std::any::Any;
 use std::sync::Arc;
@@ -202,14 +203,14 @@ impl Uniaxial for InitialState {
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
         self.inner.shown(strain + self.strain, state)
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = match words {
-            ["epsInit"] => std::mem::replace(&mut new.strain, value),
+            ["epsInit"] => exchange(&mut new.strain, value),
             ["material", rest @ ..] => new.inner.set_parameter(rest, value)?,
             _ => new.inner.set_parameter(words, value)?,
         };
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let words = if words.first() == Some(&"material") { &words[1..] } else { words };

@@ -1,7 +1,11 @@
 //! Laws around other laws.
 
 use super::plain_methods::plain_methods;
-use super::{LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Stress, Uniaxial, WatchesColumns};
+use super::{
+    LimitCurve, Material, MaterialError, ObservedColumns, SharedUniaxial, Slot, Strain, Stress, Uniaxial,
+    WatchesColumns,
+};
+use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
 use std::any::Any;
 use std::fmt;
@@ -126,16 +130,16 @@ impl<W: Wrapper> Uniaxial for Wrapped<W> {
         self.wrapper.shown_strain(&self.inner, strain, state)
     }
     /// Applies to the law inside that the words name, or to all that have the parameter.
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = match words {
             ["material" | "component", rest @ ..] => {
-                let (i, rest) = self.chosen(rest)?;
-                new.inner.get_mut(i)?.set_parameter(rest, value)?
+                let (i, rest) = existing(self.chosen(rest))?;
+                existing(new.inner.get_mut(i))?.set_parameter(rest, value)?
             }
-            _ => new.inner.iter_mut().filter_map(|slot| slot.set_parameter(words, value)).last()?,
+            _ => last_of(new.inner.iter_mut().map(|slot| slot.set_parameter(words, value)))?,
         };
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
     fn as_any(&self) -> Option<&dyn Any> {
         None

@@ -47,6 +47,16 @@ impl<T> Registry<T> {
     pub fn remove(&mut self, tag: Tag) -> Option<T> {
         self.things.remove(&tag)
     }
+    /// The registry with the things of some tags alone. Each tag comes with the kind of its thing.
+    fn only(&self, taken: &[(&'static str, Tag)]) -> Self
+    where
+        T: Clone,
+    {
+        let mine = taken.iter().filter(|(kind, _)| *kind == self.kind);
+        let things = mine.filter_map(|(_, tag)| Some((*tag, self.things.get(tag)?.clone()))).collect();
+        Self { kind: self.kind, things, reusable: BTreeSet::new() }
+    }
+
     /// Tags, rising.
     pub fn tags(&self) -> impl Iterator<Item = Tag> + '_ {
         self.things.keys().copied()
@@ -90,6 +100,24 @@ pub struct Definitions {
 }
 
 impl Definitions {
+    /// The definitions of some kinds and tags alone.
+    #[must_use]
+    pub fn only(&self, taken: &[(&'static str, Tag)]) -> Self {
+        Self {
+            materials: self.materials.only(taken),
+            nd_materials: self.nd_materials.only(taken),
+            frictions: self.frictions.only(taken),
+            series: self.series.only(taken),
+            sections: self.sections.only(taken),
+            plates: self.plates.only(taken),
+            integrations: self.integrations.only(taken),
+            transforms: self.transforms.only(taken),
+            backbones: self.backbones.only(taken),
+            limit_curves: self.limit_curves.only(taken),
+            dampings: self.dampings.only(taken),
+        }
+    }
+
     /// Let the tags be taken once more that OpenSees forgets at a further `model`: those of all but materials and sections.
     /// Elements and patterns made of the things of before keep them.
     pub fn reuse_tags(&mut self) {

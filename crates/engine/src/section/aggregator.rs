@@ -3,6 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, WatchesColumns};
+use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
@@ -119,19 +120,21 @@ impl Section for Aggregator {
         }
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
         let mut new = self.clone();
         let (tag, rest) = match words {
-            ["material" | "addition", tag, rest @ ..] => (Some(tag.parse::<i32>().ok()?), rest),
+            ["material" | "addition", tag, rest @ ..] => (Some(existing(tag.parse::<i32>().ok())?), rest),
             _ => (None, words),
         };
         let chosen = new.additions.iter_mut().filter(|s| tag.is_none_or(|t| s.tag == t));
-        let mut old = chosen.filter_map(|s| s.set_parameter(rest, value)).last();
-        if let Some((base, value)) = new.base.as_ref().and_then(|b| b.with_parameter(words, value)) {
+        let of_additions = last_of(chosen.map(|s| s.set_parameter(rest, value)));
+        let of_base = self.base.as_ref().map(|b| b.with_parameter(words, value)).map(|changed| {
+            let (base, old) = changed?;
             new.base = Some(base);
-            old = Some(value);
-        }
-        Some((Arc::new(new), old?))
+            Ok(old)
+        });
+        let old = last_of(std::iter::once(of_additions).chain(of_base))?;
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -2,7 +2,8 @@
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use crate::material::plain_methods::plain_methods;
-use crate::material::{Material, MaterialError, Strain, Stress, Uniaxial};
+use crate::material::{MaterialError, SharedUniaxial, Strain, Stress, Uniaxial};
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -60,10 +61,10 @@ impl Uniaxial for Axial {
     fn is_linear(&self) -> bool {
         self.slot.section.is_linear()
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Material, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))

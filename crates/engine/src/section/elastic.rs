@@ -3,6 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SharedSection};
 use crate::material::MaterialError;
+use crate::parameter::{Changed, exchange, existing, first};
 use std::sync::Arc;
 
 /// Properties of an elastic cross-section; those unused in a plane model are zero.
@@ -129,9 +130,9 @@ impl Section for Elastic {
         Some(self.section)
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
         let mut new = self.clone();
-        let old = std::mem::replace(new.section.parameter(words.first()?)?, value);
-        Some((Arc::new(new), old))
+        let old = exchange(existing(new.section.parameter(first(words)?))?, value);
+        Ok((Arc::new(new), old))
     }
 }

@@ -10,6 +10,7 @@ use crate::material::{
     LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
+use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
 use points::Points;
 use runs::{FiberRun, MAX_BLOCK_LENGTH, PlacedFiber, Placement, RunBlock};
@@ -337,17 +338,17 @@ impl Section for FiberSection {
     }
 
     /// Applies to one material by its tag, or to all that have the parameter.
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
         let mut new = self.clone();
         let (tag, rest) = match words {
-            ["material", tag, rest @ ..] => (Some(tag.parse::<i32>().ok()?), rest),
+            ["material", tag, rest @ ..] => (Some(existing(tag.parse::<i32>().ok())?), rest),
             _ => (None, words),
         };
         let chosen = new.runs.iter_mut().map(|r| &mut r.slot).filter(|s| tag.is_none_or(|t| s.tag == t));
-        let old = chosen.filter_map(|s| s.set_parameter(rest, value)).last()?;
+        let old = last_of(chosen.map(|s| s.set_parameter(rest, value)))?;
         new.blocks.iter_mut().for_each(|b| b.renew(&new.runs));
         new.take_stiffness();
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

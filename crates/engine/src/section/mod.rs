@@ -19,6 +19,7 @@ mod slot;
 mod two_spring_isolator;
 
 use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, WatchesColumns};
+use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -131,8 +132,11 @@ pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     fn elastic(&self) -> Option<ElasticSection>;
 
     /// Returns the section with a new value of a parameter, named by the words of a `parameter` command, and the
-    /// previous value. `None` if it has no such parameter. The layout of the history does not change.
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(SharedSection, f64)>;
+    /// previous value. No value asks for the present one. The layout of the history does not change.
+    ///
+    /// # Errors
+    /// The section has no such parameter, or refuses the value.
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection>;
 
     /// Response specific to this section, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
@@ -145,5 +149,5 @@ pub type SharedSection = Arc<dyn Section>;
 
 /// The section for a part of a beam of a length.
 pub fn of_length(section: SharedSection, length: f64) -> SharedSection {
-    section.with_parameter(&[CHARACTERISTIC_LENGTH], length).map_or(section, |(made, _)| made)
+    section.with_parameter(&[CHARACTERISTIC_LENGTH], Some(length)).map_or(section, |(made, _)| made)
 }

@@ -4,6 +4,7 @@ use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section};
 use crate::material::{MaterialError, SharedMultiaxial};
+use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
@@ -172,9 +173,14 @@ impl<const N: usize> Section for NdFiberSection<N> {
     }
 
     /// The shape factor `alpha`.
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(super::SharedSection, f64)> {
-        if words != ["alpha"] || value < 0.0 {
-            return None;
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<super::SharedSection> {
+        if words != ["alpha"] {
+            return Err(ParameterError::Unknown);
+        }
+        let before = self.root_alpha * self.root_alpha;
+        let value = value.unwrap_or(before);
+        if value < 0.0 {
+            return Err(ParameterError::Refused(format!("the shape factor alpha is {value}, less than 0")));
         }
         let mut new = self.clone();
         new.root_alpha = value.sqrt();
@@ -183,7 +189,7 @@ impl<const N: usize> Section for NdFiberSection<N> {
                 row[if N == 2 { 2 } else { 2 + i }] = new.root_alpha;
             }
         }
-        Some((Arc::new(new), self.root_alpha * self.root_alpha))
+        Ok((Arc::new(new), before))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -25,8 +25,8 @@ macro_rules! plain_methods {
         }
     };
     (@with_parameter) => {
-        fn with_parameter(&self, _: &[&str], _: f64) -> Option<($crate::section::SharedSection, f64)> {
-            None
+        fn with_parameter(&self, _: &[&str], _: Option<f64>) -> $crate::parameter::Changed<$crate::section::SharedSection> {
+            Err($crate::parameter::ParameterError::Unknown)
         }
     };
     (@probe) => {

@@ -3,6 +3,7 @@
 use super::{MAX_ORDER, Resultant, SharedSection};
 use crate::material::MaterialError;
 use crate::numeric::invert;
+use crate::parameter::ParameterError;
 use crate::probe::Probe;
 
 /// A section at an offset in the state of its owner. The state begins with deformations (n), resultants (n) and
@@ -150,10 +151,10 @@ impl SectionSlot {
     }
 
     /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.
-    pub fn set_parameter(&mut self, words: &[&str], value: f64) -> Option<f64> {
+    pub fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
         let (section, old) = self.section.with_parameter(words, value)?;
         self.section = section;
-        Some(old)
+        Ok(old)
     }
 
     /// Names of the responses of every section, to suggest the nearest to a misspelled one.

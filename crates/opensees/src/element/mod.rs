@@ -23,6 +23,7 @@ mod multiple_normal_spring;
 mod multiple_shear_spring;
 mod multiple_springs;
 mod quad;
+mod recipe;
 mod rheology_bearing;
 mod rubber_bearing;
 mod shell;
@@ -47,6 +48,9 @@ use hysteron_engine::model::NodeId;
 use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 use std::sync::Arc;
+
+pub use recipe::numbers_of_element;
+pub(crate) use recipe::{set_parameter, with_parameter};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind $tag $iNode $jNode ...", element)
     .defining(&[things::ELEMENT], 2)
@@ -197,7 +201,10 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (nodes, made) = match &kind.make {
         Make::TwoNodes(make) => {
             let ends = Ends::take(interp, &mut a)?;
-            (ends.nodes.to_vec(), make(interp, &mut a, &ends)?)
+            let made = make(interp, &mut a, &ends)?;
+            let words = recipe::words_of(call, &ends, &made);
+            interp.host.builder.element_words.insert(tag, words);
+            (ends.nodes.to_vec(), made)
         }
         Make::AnyNodes(make) => make(interp, &mut a)?,
     };

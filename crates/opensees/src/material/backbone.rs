@@ -5,6 +5,7 @@ use crate::args::Args;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{Backbone, BackboneElastic, Material, SoilCurve};
+use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -110,7 +111,7 @@ fn hysteretic_backbone(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn backbone_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (backbone, _) = a.of(&interp.host.builder.definitions.backbones)?;
     let factor = a.optional_float("factor of the stress")?.unwrap_or(1.0);
-    Ok(Arc::new(BackboneElastic { backbone, factor }))
+    Ok(BackboneElastic { backbone, factor }.shared())
 }
 
 fn points(a: &mut Args<'_>, n: usize) -> Result<Backbone, Exception> {

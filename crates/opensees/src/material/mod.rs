@@ -18,7 +18,9 @@ mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
 mod nd_wrapper;
+mod parameter_names;
 mod plastic;
+mod recipe;
 mod rubber;
 mod smooth;
 mod soil;
@@ -31,6 +33,9 @@ use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::Material;
 use hysteron_tcl::{Call, Exception, Value};
+
+use recipe::WordsOfMaterial;
+use std::sync::Arc;
 
 pub(crate) use material_test::MaterialTests;
 pub(crate) use rubber::rheology;
@@ -87,6 +92,7 @@ fn uniaxial_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     let material = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
+    let material = material.made_by(Arc::new(WordsOfMaterial::of(interp, kind, call, &a)));
     if !interp.host.builder.definitions.materials.add(tag, material) {
         return Err(a.refuse_at(span, format!("there is a uniaxial material {tag} already"), "expected a new tag"));
     }

@@ -4,7 +4,8 @@ use super::nd_material::{family, form, of_solid};
 use crate::Tcl;
 use crate::args::Args;
 use hysteron_engine::material::{
-    BeamJ2, Condensed, InitialStrain, NdMaterial, SOLID, SeriesSolids, SeriesTolerance, WeightedLaws, strain_of_stress,
+    BEAM_FIBRE, BeamJ2, Condensed, InitialStrain, Multiaxial, NdMaterial, PLANE_BEAM_FIBRE, SOLID, SeriesSolids,
+    SeriesTolerance, WeightedLaws, strain_of_stress,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -82,5 +83,9 @@ pub(super) fn j2_beam_fiber(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial,
         kinematic: a.not_negative("modulus of kinematic hardening Hkin")?,
         rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
     };
-    Ok(NdMaterial::of_beams("J2BeamFiber", Some(law.shared()), Some(law.shared())))
+    Ok(NdMaterial::of_beams(
+        "J2BeamFiber",
+        Some(Shared::<dyn Multiaxial<BEAM_FIBRE>>::shared(law)),
+        Some(Shared::<dyn Multiaxial<PLANE_BEAM_FIBRE>>::shared(law)),
+    ))
 }

@@ -2,10 +2,12 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::element::{set_parameter as set_parameter_of, with_parameter};
 use crate::model::nodes::node_of;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
+use hysteron_engine::parameter::ParameterError;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -84,7 +86,8 @@ fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<V
         words.push(a.word("name of the parameter")?.into_owned());
     }
     let place = |element: Tag| Place::Element { element, words: words.clone() };
-    let places: Vec<Place> = elements.iter().map(|e| place(*e)).filter(|p| read(interp, p).is_some()).collect();
+    let mut places: Vec<Place> = elements.iter().map(|e| place(*e)).collect();
+    places.retain(|p| read(interp, p).is_some());
     if places.is_empty() {
         let of = match elements {
             [one] => format!("element {one} has"),
@@ -163,7 +166,11 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
 }
 
 /// Present value at a place.
-fn read(interp: &Tcl, place: &Place) -> Option<f64> {
+fn read(interp: &mut Tcl, place: &Place) -> Option<f64> {
+    if let Place::Element { element, words } = place {
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        return with_parameter(interp, *element, &words, None).ok().map(|(_, value)| value);
+    }
     let engine = &interp.host.engine;
     let model = engine.model();
     match place {
@@ -172,13 +179,8 @@ fn read(interp: &Tcl, place: &Place) -> Option<f64> {
             let node = &model.nodes[model.node(*node)?.0];
             engine.state().disp.get(node.offset + dof).copied()
         }
-        Place::Element { element, words } => {
-            let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            let element = &model.elements[model.element(*element)?.0].element;
-            // The change reports the old value; the changed copy of the element is dropped.
-            element.with_parameter(&words, 1.0).map(|(_, value)| value)
-        }
         Place::Factor { pattern } => Some(model.patterns.get(pattern)?.factor(engine.state().time)),
+        Place::Element { .. } => None,
         Place::Load { pattern, node, dof } => {
             let id = model.node(*node)?;
             // OpenSees takes the last load on the node.
@@ -190,6 +192,11 @@ fn read(interp: &Tcl, place: &Place) -> Option<f64> {
 
 /// Put a value in its place.
 fn write(interp: &mut Tcl, place: &Place, value: f64) {
+    if let Place::Element { element, words } = place {
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        set_parameter_of(interp, *element, &words, value);
+        return;
+    }
     interp.host.engine.change_model(|model| match place {
         Place::Mass { node, dofs } => {
             if let Some(id) = model.node(*node) {
@@ -205,16 +212,18 @@ fn write(interp: &mut Tcl, place: &Place, value: f64) {
                 *x = value;
             }
         }
-        Place::Element { element, words } => {
-            let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            if let Some(id) = model.element(*element)
-                && let Some((new, _)) = model.elements[id.0].element.with_parameter(&words, value)
-            {
-                model.replace_element(id, new);
-            }
-        }
-        Place::Disp { .. } | Place::Factor { .. } => {}
+        Place::Element { .. } | Place::Disp { .. } | Place::Factor { .. } => {}
     });
+}
+
+/// Why an element refuses a value, in words; `None` where it takes it.
+fn refusal(interp: &mut Tcl, place: &Place, value: f64) -> Option<String> {
+    let Place::Element { element, words } = place else { return None };
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match with_parameter(interp, *element, &words, Some(value)) {
+        Err(ParameterError::Refused(why)) => Some(format!("element {element}: {why}")),
+        _ => None,
+    }
 }
 
 fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -260,8 +269,17 @@ fn add_to_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Refuse a value that a number of the model cannot have.
-fn refuse_meaningless(a: &Args<'_>, span: Option<Span>, value: f64, places: &[Place]) -> Result<(), Exception> {
+fn refuse_meaningless(
+    interp: &mut Tcl,
+    a: &Args<'_>,
+    span: Option<Span>,
+    value: f64,
+    places: &[Place],
+) -> Result<(), Exception> {
     for place in places {
+        if let Some(why) = refusal(interp, place, value) {
+            return Err(a.refuse_at(span, why, "expected a value that the law takes").by(&checks::words::OUT_OF_RANGE));
+        }
         match place {
             Place::Mass { .. } if value < 0.0 => {
                 return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
@@ -284,15 +302,17 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     finish(interp, &a)?;
     let places = interp.host.builder.parameters.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
-    refuse_meaningless(&a, span, value, &places)?;
+    refuse_meaningless(interp, &a, span, value, &places)?;
     places.iter().for_each(|p| write(interp, p, value));
     if let Some(p) = interp.host.builder.parameters.get_mut(&tag) {
         p.value = value;
     }
     // An element that has been removed is no news; one that a script has put in its place may have other parameters.
-    let there = |element: &Tag| interp.host.engine.model().element(*element).is_some();
+    let there = |interp: &Tcl, element: Tag| interp.host.engine.model().element(element).is_some();
     let lost = places.iter().find_map(|place| match place {
-        Place::Element { element, words } if there(element) && read(interp, place).is_none() => Some((*element, words)),
+        Place::Element { element, words } if there(interp, *element) && read(interp, place).is_none() => {
+            Some((*element, words))
+        }
         _ => None,
     });
     if let Some((element, words)) = lost {
@@ -309,7 +329,7 @@ fn value_of(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getParamValue $tag");
     let tag = known(interp, &mut a)?;
     finish(interp, &a)?;
-    let Some(p) = interp.host.builder.parameters.get(&tag) else { return Ok(Value::EMPTY) };
+    let Some(p) = interp.host.builder.parameters.get(&tag).cloned() else { return Ok(Value::EMPTY) };
     // Results are read anew; what a script has set is as it was set.
     let result = p.places.iter().find(|p| matches!(p, Place::Disp { .. } | Place::Factor { .. }));
     Ok(Value::from(result.and_then(|place| read(interp, place)).unwrap_or(p.value)))
@@ -352,7 +372,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     if let Some(elements) = elements {
         let places = of_elements(interp, &mut a, &elements)?;
-        refuse_meaningless(&a, span, value, &places)?;
+        refuse_meaningless(interp, &a, span, value, &places)?;
         places.iter().for_each(|p| write(interp, p, value));
         return Ok(Value::EMPTY);
     }
@@ -369,7 +389,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let dofs = mass_dofs(&mut a, ndf)?;
     finish(interp, &a)?;
     let places: Vec<Place> = nodes.iter().map(|(_, n)| Place::Mass { node: *n, dofs: dofs.clone() }).collect();
-    refuse_meaningless(&a, span, value, &places)?;
+    refuse_meaningless(interp, &a, span, value, &places)?;
     places.iter().for_each(|p| write(interp, p, value));
     Ok(Value::EMPTY)
 }

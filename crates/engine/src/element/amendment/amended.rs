@@ -11,6 +11,7 @@ use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS, MatrixMask,
     OpenSeesTraits, OutsideRange, SmallBeam, Snapshot, dot,
 };
+use crate::parameter::Changed;
 use crate::series::Series;
 use responses::AmendedResponse;
 use std::sync::Arc;
@@ -411,7 +412,7 @@ impl Element for Amended {
         let inner = self.inner.opensees();
         OpenSeesTraits { calls: inner.calls.map(|_| self as &dyn CallDependent), ..inner }
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
         let mut new = Self { inner, ..self.clone() };
         let has = new.inner.basic_rows();
@@ -428,7 +429,7 @@ impl Element for Amended {
         {
             new.law = law;
         }
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
     fn basic_forces(&self) -> Option<&dyn BasicForces> {
         None

@@ -7,6 +7,7 @@ use crate::element::{
     dot,
 };
 use crate::material::{Material, Strain, WatchesColumns};
+use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
 use std::ops::Range;
@@ -372,10 +373,10 @@ impl Element for Hinged {
         // An inner element that depends on the number of calls is linear here, and is evaluated like any other.
         OpenSeesTraits { calls: None, ..self.inner.opensees() }
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
-        let new = Self { inner, ..self.clone() }.scaled().ok()?;
-        Some((Arc::new(new), old))
+        let new = Self { inner, ..self.clone() }.scaled().map_err(|e| ParameterError::Refused(e.to_string()))?;
+        Ok((Arc::new(new), old))
     }
     fn basic_forces(&self) -> Option<&dyn BasicForces> {
         None

@@ -8,6 +8,7 @@ use crate::element::{
     Snapshot, frame_force_labels,
 };
 use crate::numeric::axpy;
+use crate::parameter::{Changed, exchange, existing, first};
 use crate::probe::Probe;
 use crate::section::{ElasticSection, Resultant, SharedSection};
 use std::sync::Arc;
@@ -390,9 +391,9 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         Mass::Lumped(lumped_mass::<N>(self.options.rho * length))
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
-        let place = match (*words.first()?, &mut new.modified) {
+        let place = match (first(words)?, &mut new.modified) {
             ("rho", _) => &mut new.options.rho,
             ("K11" | "K11z", Some(k)) => &mut k[0][0],
             ("K33" | "K33z", Some(k)) => &mut k[0][1],
@@ -400,10 +401,10 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
             ("K11y", Some(k)) => &mut k[1][0],
             ("K33y", Some(k)) => &mut k[1][1],
             ("K44y", Some(k)) => &mut k[1][2],
-            (name, _) => new.section.parameter(name)?,
+            (name, _) => existing(new.section.parameter(name))?,
         };
-        let old = std::mem::replace(place, value);
-        Some((Arc::new(new.rebuilt()), old))
+        let old = exchange(place, value);
+        Ok((Arc::new(new.rebuilt()), old))
     }
 
     fn basic_forces(&self) -> Option<&dyn BasicForces> {

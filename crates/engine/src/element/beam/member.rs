@@ -8,6 +8,7 @@ use crate::element::{
     SharedState, Snapshot, frame_force_labels,
 };
 use crate::numeric::norm;
+use crate::parameter::{Changed, exchange, existing, index, last_of};
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection, of_length};
 use std::fmt;
@@ -348,17 +349,16 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         }
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = match words {
-            ["rho"] => std::mem::replace(&mut new.member.rho, value),
+            ["rho"] => exchange(&mut new.member.rho, value),
             ["section", n, rest @ ..] => {
-                let i = n.parse::<usize>().ok()?.checked_sub(1)?;
-                new.member.sections.get_mut(i)?.set_parameter(rest, value)?
+                existing(new.member.sections.get_mut(index(n)?))?.set_parameter(rest, value)?
             }
-            _ => new.member.sections.iter_mut().filter_map(|s| s.set_parameter(words, value)).last()?,
+            _ => last_of(new.member.sections.iter_mut().map(|s| s.set_parameter(words, value)))?,
         };
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
 
     fn basic_forces(&self) -> Option<&dyn BasicForces> {

@@ -8,6 +8,7 @@ use crate::element::{
     dot, frame_force_labels,
 };
 use crate::numeric::axpy;
+use crate::parameter::{Changed, exchange, existing, first};
 use crate::probe::Probe;
 use crate::section::ElasticSection;
 use std::sync::Arc;
@@ -224,10 +225,10 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(2.0), ..OpenSeesTraits::default() }
     }
 
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut section = self.section;
-        let old = std::mem::replace(section.parameter(words.first()?)?, value);
-        Some((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))
+        let old = exchange(existing(section.parameter(first(words)?))?, value);
+        Ok((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))
     }
 
     /// Load sums: local end forces of the clamped beam.

@@ -7,6 +7,7 @@ use super::forward::forward_to_inner;
 use super::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
 };
+use crate::parameter::{Changed, ParameterError, exchange};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -139,17 +140,17 @@ impl Element for Damped {
         // The element is evaluated like any other, whatever the number of calls.
         OpenSeesTraits { calls: None, ..self.inner.opensees() }
     }
-    fn with_parameter(&self, words: &[&str], value: f64) -> Option<(Arc<dyn Element>, f64)> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = match words {
             ["damping", name] => {
                 let damping = Arc::make_mut(&mut new.damping);
                 match (&mut damping.law, *name) {
                     (DampingLaw::Filters { loss: Some(loss), .. }, "dampingRatio") => {
-                        0.5 * std::mem::replace(loss, 2.0 * value)
+                        0.5 * exchange(loss, value.map(|v| 2.0 * v))
                     }
-                    (DampingLaw::SecantStiffness { beta }, "dampingFactor") => std::mem::replace(beta, value),
-                    _ => return None,
+                    (DampingLaw::SecantStiffness { beta }, "dampingFactor") => exchange(beta, value),
+                    _ => return Err(ParameterError::Unknown),
                 }
             }
             _ => {
@@ -158,7 +159,7 @@ impl Element for Damped {
                 old
             }
         };
-        Some((Arc::new(new), old))
+        Ok((Arc::new(new), old))
     }
     fn basic_forces(&self) -> Option<&dyn BasicForces> {
         None

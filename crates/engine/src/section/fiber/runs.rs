@@ -69,7 +69,7 @@ struct Group {
 }
 
 fn address(material: &Material) -> *const () {
-    Arc::as_ptr(material).cast()
+    Arc::as_ptr(material.law()).cast()
 }
 
 /// The law that a material shifts the strains of.

@@ -55,7 +55,7 @@ impl Multiaxial<LAYER> for PlateRebar {
     }
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<LAYER>> {
         let mut new = self.clone();
-        new.bar.set_parameter(&[CHARACTERISTIC_LENGTH], length)?;
+        new.bar.set_parameter(&[CHARACTERISTIC_LENGTH], Some(length)).ok()?;
         Some(Arc::new(new))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -1,0 +1,48 @@
+//! Parameters: numbers of laws, sections and elements that a script may change by the words of `parameter`.
+//!
+//! A change makes a copy with another value. The state of the thing stays as it is, so the copy has the same layout.
+
+/// Reason why a parameter has not been changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ParameterError {
+    /// The thing has no parameter of this name.
+    Unknown,
+    /// The thing refuses the value: the reason in words.
+    Refused(String),
+}
+
+/// A thing with a new value of a parameter, and the value before.
+pub type Changed<T> = Result<(T, f64), ParameterError>;
+
+/// Puts the new value in its place, if there is one, and returns the value before.
+pub(crate) fn exchange(place: &mut f64, value: Option<f64>) -> f64 {
+    let before = *place;
+    *place = value.unwrap_or(before);
+    before
+}
+
+/// The first of the words that name a parameter.
+pub(crate) fn first<'a>(words: &[&'a str]) -> Result<&'a str, ParameterError> {
+    words.first().copied().ok_or(ParameterError::Unknown)
+}
+
+/// A word that counts from 1, counted from 0.
+pub(crate) fn index(word: &str) -> Result<usize, ParameterError> {
+    word.parse::<usize>().ok().and_then(|i| i.checked_sub(1)).ok_or(ParameterError::Unknown)
+}
+
+/// The thing among several, or none.
+pub(crate) fn existing<T>(thing: Option<T>) -> Result<T, ParameterError> {
+    thing.ok_or(ParameterError::Unknown)
+}
+
+/// Of changes to several things: the value before of the last that has the parameter. A refusal by one refuses all.
+pub(crate) fn last_of(changes: impl Iterator<Item = Result<f64, ParameterError>>) -> Result<f64, ParameterError> {
+    changes.fold(Err(ParameterError::Unknown), |sum, one| match (sum, one) {
+        (Err(ParameterError::Refused(why)), _) | (_, Err(ParameterError::Refused(why))) => {
+            Err(ParameterError::Refused(why))
+        }
+        (sum, Err(ParameterError::Unknown)) => sum,
+        (_, Ok(before)) => Ok(before),
+    })
+}
