@@ -62,6 +62,14 @@ fn named_in(what: &str, parts: &[Part<'_>], from: usize) -> Option<usize> {
     parts.iter().skip(from).position(is).map(|i| from + i).or_else(|| parts.iter().position(is))
 }
 
+/// A name that no other number has: with its option before it, or a count behind it.
+fn unique(name: &str, option: Option<&String>, names: &[(usize, String)]) -> String {
+    let free = |name: &String| names.iter().all(|(_, n)| n != name);
+    let with_option = option.map(|option| format!("{option} {name}"));
+    let candidates = std::iter::once(name.to_owned()).chain(with_option);
+    candidates.chain((2..).map(|i| format!("{name}{i}"))).find(free).unwrap_or_default()
+}
+
 /// Places and names of the numbers of a call, but for counts, switches and tags. `numbers` are in order.
 ///
 /// A number is named as the usage line names it: by the name in its message, else by its place. The second number of
@@ -107,12 +115,7 @@ pub(crate) fn number_names(usage: &str, words: &[String], numbers: &[NumberNote]
         if *whole {
             continue;
         }
-        let taken = names.iter().any(|(_, n)| *n == name);
-        let name = match option.filter(|_| taken) {
-            Some(option) => format!("{option} {name}"),
-            None => name,
-        };
-        names.push((*i, name));
+        names.push((*i, unique(&name, option, &names)));
     }
     names
 }
