@@ -70,6 +70,19 @@ pub(crate) struct WholeLawParts {
     pub(crate) basis: &'static str,
 }
 
+/// Other values of the user's parameters, by the names of the added parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ChangedCondition {
+    /// The run; none if there is one alone.
+    pub(crate) run: Option<String>,
+    /// The user's parameters with the factors on them.
+    pub(crate) factors: Vec<(String, String)>,
+    /// Time from which they hold; none for the beginning.
+    pub(crate) from: Option<String>,
+    /// Time up to which they hold; none for the end.
+    pub(crate) to: Option<String>,
+}
+
 /// An edit of the script, or a fault of a channel.
 #[derive(Clone)]
 pub(crate) struct Proposal {
@@ -95,6 +108,8 @@ pub(crate) struct Proposal {
     pub(crate) fault_model: Option<FaultModel>,
     /// Parts of the law that replaces that of a device; none for other effects.
     pub(crate) whole_law: Option<WholeLawParts>,
+    /// Other values of the user's parameters; none for other effects.
+    pub(crate) condition: Option<ChangedCondition>,
     /// The user's parameters that the replaced law alone has read, by their index in the study.
     pub(crate) unread: Vec<usize>,
     /// True if the effect follows from geometry, not from a form of law. Its residual must not recur along the stroke.
@@ -106,6 +121,18 @@ pub(crate) struct Proposal {
 impl fmt::Debug for Proposal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({}) at {}: {:?} {:?}", self.cause, self.form, self.location, self.commands, self.parameters)
+    }
+}
+
+impl ChangedCondition {
+    /// The same with other names of the added parameters.
+    fn renamed(&self, rename: impl Fn(&str) -> String) -> Self {
+        Self {
+            run: self.run.clone(),
+            factors: self.factors.iter().map(|(own, added)| (own.clone(), rename(added))).collect(),
+            from: self.from.as_deref().map(&rename),
+            to: self.to.as_deref().map(&rename),
+        }
     }
 }
 
@@ -130,6 +157,7 @@ impl Proposal {
             parameters,
             fault_model: None,
             whole_law: None,
+            condition: None,
             unread: vec![],
             geometric: false,
             visible_in_recording: false,
@@ -157,6 +185,7 @@ impl Proposal {
             }
             (first, _) => first,
         };
+        both.condition = self.condition.clone().or_else(|| second.condition.as_ref().map(|c| c.renamed(renamed)));
         both.declared_at = self.declared_at.into_iter().chain(second.declared_at).min();
         let parameters = second.parameters.iter();
         both.parameters.extend(parameters.map(|a| AddedParameter { name: renamed(&a.name), ..a.clone() }));
@@ -184,6 +213,12 @@ impl Proposal {
         }
         out.parameters.retain(|a| switch.neutral.iter().all(|(name, _)| *name != a.name));
         out
+    }
+
+    /// Number of times at which a parameter of the user's changes.
+    pub(crate) fn change_points(&self) -> usize {
+        let condition = self.condition.as_ref();
+        condition.map_or(0, |c| usize::from(c.from.is_some()) + usize::from(c.to.is_some()))
     }
 
     /// Returns true if the proposal changes the script, not only its channels.

@@ -116,6 +116,13 @@ pub(crate) const SCREENING_STEP_RATIO: u32 = 4;
 /// Expected log evidence over one effect below which a pair is not fitted.
 pub(crate) const MIN_EXPECTED_PAIR_GAIN: f64 = -1.0;
 
+// ---- one parameter of the user's in one run ----
+
+/// Steps of the search for its value there, each along the secant of the last two.
+pub(crate) const CHANGED_PARAMETER_STEPS: usize = 6;
+/// Change of a coordinate that ends it.
+pub(crate) const CHANGED_PARAMETER_TOLERANCE: f64 = 1e-4;
+
 // ---- last search ----
 
 /// Further starts around the fitted point: contact and yielding make ridges.

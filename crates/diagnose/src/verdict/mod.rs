@@ -25,6 +25,7 @@ mod advice;
 mod all_runs;
 mod changed_parameter;
 pub(crate) mod conclusion;
+pub(crate) mod condition_in_words;
 pub(crate) mod device_loop;
 pub(crate) mod diagnosis;
 pub(crate) mod discriminating_test;

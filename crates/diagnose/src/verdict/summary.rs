@@ -1,6 +1,7 @@
 //! The verdict for readers without statistics: one template of the terminal, the report and the result file.
 
 use super::advice::{measurement, shorter_step, unrecorded};
+use super::condition_in_words::FittedCondition;
 use super::explanation::unsteady_in_words;
 use super::fault_in_words::{cause_of, fault_in_words, unit_of};
 use super::gain::gain;
@@ -13,6 +14,7 @@ use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
 use crate::candidate::variant::Variant;
 use crate::fit::step_error::StepError;
 use crate::hypothesis;
+use crate::hypothesis::changed_condition;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRange;
 use hysteron_identify::calibrate::Uncertainty;
@@ -181,7 +183,12 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
 
 fn of_cause(c: &SummaryContext<'_>) -> Summary {
     let units = Units::of(c.study, c.script);
-    let places = places(c.variant, c.inventory);
+    let mut places = places(c.variant, c.inventory);
+    let condition = FittedCondition::of(c.variant, c.values);
+    let is_second = usize::from(c.variant.cause() != changed_condition::CAUSE);
+    if let Some((_, place)) = places.get_mut(is_second) {
+        place.span = condition.as_ref().and_then(FittedCondition::span);
+    }
     let described: Vec<String> = places.iter().map(|(location, p)| p.description(location, c.study, &units)).collect();
     let sizes = sizes(c, &units, &places);
     // What the recordings hardly determine is left to the list of sizes.
@@ -197,6 +204,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
         next.push(c.test.to_owned());
     }
     next.extend(measurement(c.verdict.0, location, place, c.is_building(), &c.recorded_quantities()));
+    next.extend(condition.as_ref().map(FittedCondition::needed));
     // A shorter step is for the script; what tells causes apart comes first.
     next.extend(steps(c));
     Summary {
@@ -231,7 +239,12 @@ fn what(c: &SummaryContext<'_>) -> String {
                 .map(|f| fault_in_words(f, unit_of(c.study, &f.channel)))
                 .collect();
             let statement = hypothesis::of(cause).map_or(cause, |h| h.statement);
-            let words = if faults.is_empty() { statement.to_owned() } else { faults.join("; ") };
+            let condition = FittedCondition::of(c.variant, c.values).filter(|_| cause == changed_condition::CAUSE);
+            let words = match condition {
+                Some(condition) => format!("{statement}: {}", condition.description()),
+                None if faults.is_empty() => statement.to_owned(),
+                None => faults.join("; "),
+            };
             format!("{words} ({cause})")
         })
         .collect();

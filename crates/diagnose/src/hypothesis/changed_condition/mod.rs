@@ -1,8 +1,15 @@
-//! A parameter of the user's that had another value in one run: a band that was tightened, a valve that was turned.
+//! A parameter of the user's that had another value in one run, or for a part of it: a band that was tightened, a valve that
+//! was turned.
+
+mod change_points;
+mod in_time;
 
 use super::context::distinguishing_variable;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
-use crate::candidate::proposal::TextEdit;
+use crate::candidate::proposal::{ChangedCondition, TextEdit};
+use crate::prior::{
+    CONDITION_FACTORS, MAX_CONDITION_PARAMETERS, MAX_CONDITION_PARAMETERS_IN_PAIRS, MAX_CONDITION_RUNS,
+};
 use hysteron_identify::study::{Role, Run, objective};
 
 /// The cause.
@@ -10,25 +17,16 @@ pub(crate) const CAUSE: &str = "changed_condition";
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: CAUSE,
-    statement: "a parameter of the model had another value in one run",
-    refuted_by: "the run, repeated under the condition of the others, differs from them as much",
+    statement: "a parameter of the model had another value in one run or for a part of it",
+    refuted_by: "the run, repeated under one and the same condition, differs as much",
     look_alikes: &["sensor_gain", "ambient_temperature"],
     needs_clock: false,
     memory: &[],
     propose,
 };
 
-/// Runs that are considered at most, those with the largest error.
-const MAX_RUNS: usize = 3;
-/// Parameters that are considered at most.
-const MAX_PARAMETERS: usize = 6;
-/// Parameters that are considered in pairs at most.
-const MAX_TOGETHER: usize = 4;
 /// Beginning of the name of a factor, in front of that of the parameter.
 pub(crate) const FACTOR_ON: &str = "factor_on_";
-/// Range of the factor on the parameter. A change beyond it would be known to those who made it.
-const FACTORS: [f64; 2] = [0.2, 5.0];
-
 /// The fitted runs that may have another value.
 fn runs<'a>(s: &ProposalContext<'a>) -> Vec<&'a Run> {
     let mut fitted: Vec<(&Run, f64)> =
@@ -41,12 +39,15 @@ fn runs<'a>(s: &ProposalContext<'a>) -> Vec<&'a Run> {
         fitted.remove(0);
     }
     fitted.sort_by(|a, b| b.1.total_cmp(&a.1));
-    fitted.into_iter().take(MAX_RUNS).map(|(run, _)| run).collect()
+    fitted.into_iter().take(MAX_CONDITION_RUNS).map(|(run, _)| run).collect()
 }
 
 /// A parameter of the user's that is read from the script.
 struct Declared<'a> {
     name: &'a str,
+    /// Number in the study, and among the free parameters.
+    index: usize,
+    coordinate: usize,
     /// First byte of its command, and the byte behind its value.
     command: usize,
     end: usize,
@@ -54,37 +55,46 @@ struct Declared<'a> {
 
 /// Free parameters whose value stands in the script.
 fn declared<'a>(s: &ProposalContext<'a>) -> Vec<Declared<'a>> {
-    let of = |(index, _): (usize, _)| {
+    let of = |(coordinate, (index, _)): (usize, (usize, _))| {
         let name = s.study.space.parameters[index].name.as_str();
         let (start, end) = s.value_spans.get(index).copied().flatten()?;
         let command = s.text.get(..start)?.rfind("pset")?;
         let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-        plain.then_some(Declared { name, command, end })
+        plain.then_some(Declared { name, index, coordinate, command, end })
     };
-    s.study.space.free().filter_map(of).take(MAX_PARAMETERS).collect()
+    s.study.space.free().enumerate().filter_map(of).take(MAX_CONDITION_PARAMETERS).collect()
 }
 
-/// Other values of some parameters in a run that has a value of the variable to itself.
-fn proposal(run: &Run, (variable, value): (&str, &str), changed: &[&Declared<'_>]) -> Proposal {
+/// A command that runs only in a run, which has a value of the variable to itself. The value stands between braces in the
+/// script: `None` for one that has braces.
+fn only_in_run(run: &Run, variable: &str, command: &str) -> Option<String> {
+    let value = run.text(variable).filter(|v| !v.contains(['{', '}', '\\']))?;
+    Some(format!("if {{$::{variable} eq {{{value}}}}} {{{command}}}"))
+}
+
+/// Other values of some parameters in a run.
+fn proposal(run: &Run, variable: &str, changed: &[&Declared<'_>]) -> Option<Proposal> {
     let names: Vec<&str> = changed.iter().map(|p| p.name).collect();
     let factor = |p: &&Declared<'_>| {
-        let mut factor = AddedParameter::log(&factor_name(p.name), FACTORS[0], FACTORS[1], 1.3);
+        let mut factor = AddedParameter::log(&factor_name(p.name), CONDITION_FACTORS[0], CONDITION_FACTORS[1], 1.3);
         factor.further_starts = vec![0.75];
         factor
     };
     let edit = |p: &&Declared<'_>| {
         let (name, factor) = (p.name, factor_name(p.name));
-        let text = format!("\nif {{$::{variable} eq {{{value}}}}} {{set {name} [expr {{${name}*$::hy_{factor}}}]}}");
-        TextEdit { start: p.end, end: p.end, text }
+        let command = only_in_run(run, variable, &format!("set {name} [expr {{${name}*$::hy_{factor}}}]"))?;
+        Some(TextEdit { start: p.end, end: p.end, text: format!("\n{command}") })
     };
     let form = if changed.len() == 1 { "another value of a parameter" } else { "other values of several parameters" };
     let location = format!("{} in the run {}", names.join(" and "), run.name);
-    let parameters = changed.iter().map(factor).collect();
-    Proposal {
-        option_edits: changed.iter().map(edit).collect(),
+    let parameters: Vec<AddedParameter> = changed.iter().map(factor).collect();
+    let factors = changed.iter().zip(&parameters).map(|(p, a)| (p.name.to_owned(), a.name.clone())).collect();
+    Some(Proposal {
+        option_edits: changed.iter().map(edit).collect::<Option<_>>()?,
         declared_at: changed.iter().map(|p| p.command).min(),
+        condition: Some(ChangedCondition { run: Some(run.name.clone()), factors, from: None, to: None }),
         ..Proposal::script_edit(CAUSE, form, location, vec![], parameters)
-    }
+    })
 }
 
 /// Name of the factor on a parameter, which says what it is.
@@ -93,18 +103,16 @@ fn factor_name(parameter: &str) -> String {
 }
 
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
-    let Some(variable) = distinguishing_variable(s.study) else { return vec![] };
+    let mut out = in_time::proposals(s);
+    let Some(variable) = distinguishing_variable(s.study) else { return out };
     let declared = declared(s);
-    let mut out = vec![];
     for run in runs(s) {
-        // The value stands between braces in the script.
-        let Some(value) = run.text(&variable).filter(|v| !v.contains(['{', '}', '\\'])) else { continue };
-        let place = (variable.as_str(), value.as_str());
-        out.extend(declared.iter().map(|p| proposal(run, place, &[p])));
+        out.extend(declared.iter().filter_map(|p| proposal(run, &variable, &[p])));
         // Other values of all parameters in a run are another fit, not a condition.
-        let together = if declared.len() > 2 { &declared[..declared.len().min(MAX_TOGETHER)] } else { &[] };
+        let together =
+            if declared.len() > 2 { &declared[..declared.len().min(MAX_CONDITION_PARAMETERS_IN_PAIRS)] } else { &[] };
         for (i, first) in together.iter().enumerate() {
-            out.extend(together[i + 1..].iter().map(|second| proposal(run, place, &[first, second])));
+            out.extend(together[i + 1..].iter().filter_map(|second| proposal(run, &variable, &[first, second])));
         }
     }
     out
