@@ -5,7 +5,8 @@ use super::script::{Ran, Script};
 
 /// A spring that yields beside one that does not, pulled and pushed by 20 steps of 0.1 s. `changes` stand before the analysis.
 fn pulled(model: &str, changes: &str) -> Ran {
-    let motion: String = (0..=20).map(|i| format!("{} ", displacement(i))).collect();
+    // Sums of 0.1 pass the end of the analysis by round-off.
+    let motion: String = (0..=21).map(|i| format!("{} ", displacement(i))).collect();
     Script::default().run(&format!(
         "wipe; model basic -ndm 1 -ndf 1; node 1 0; node 2 0; fix 1 1
         {model}

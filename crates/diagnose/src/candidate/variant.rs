@@ -96,6 +96,16 @@ impl Variant {
         self.dimension() - self.unread_coordinates().len() + (CHANGE_POINT_PARAMETERS - 1) * change_points
     }
 
+    /// Coordinates of the times at which a parameter of the user's changes.
+    pub(crate) fn change_point_coordinates(&self) -> Vec<usize> {
+        let Some(p) = &self.proposal else { return vec![] };
+        let Some(condition) = &p.condition else { return vec![] };
+        let times = [&condition.from, &condition.to];
+        let own = self.dimension() - p.parameters.len();
+        let place = |name: &String| Some(own + p.parameters.iter().position(|a| a.name == *name)?);
+        times.into_iter().flatten().filter_map(place).collect()
+    }
+
     /// Coordinates of the user's parameters that the model does not depend on, because their law is replaced.
     pub(crate) fn unread_coordinates(&self) -> Vec<usize> {
         let unread = self.proposal.as_ref().map_or(&[][..], |p| &p.unread);

@@ -8,6 +8,7 @@ use super::explanation::observation;
 use super::gates::GatedRepair;
 use super::learned::{LearnedContext, learned_repair};
 use super::mismatch::mismatches;
+use super::nearest::nearest_in_words;
 use super::quantity::Units;
 use super::residual_force::{FittedModelRuns, ResidualForce, residual_forces};
 use super::result_file::{Baseline, Mismatch, Outcome, RepairedModel, UnmovedChannel};
@@ -233,6 +234,7 @@ pub(super) fn conclude(
         tried: c.tried,
         structure: &structure.description,
         memory: evidence.memory_sentence(),
+        nearest: nearest_in_words(ranked, &evidence).filter(|_| verdict.repair.hypothesis.cause() == "none"),
         unsteady_channels: &structure.unsteady_channels,
         residual_forces: &residual_forces,
         columns: &columns,

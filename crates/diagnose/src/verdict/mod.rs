@@ -38,6 +38,7 @@ pub(crate) mod learned;
 pub(crate) mod learned_study;
 mod levels;
 pub(crate) mod mismatch;
+mod nearest;
 pub(crate) mod place;
 mod plausibility;
 pub(crate) mod quantity;

@@ -69,6 +69,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) structure: &'a str,
     /// Kind of memory of the device, in words; none where none stands out.
     pub(super) memory: Option<String>,
+    /// Effect that takes most of the error away without being likely, in words; none where none does, or it is the repair.
+    pub(super) nearest: Option<String>,
     /// Channels with unsteady noise.
     pub(super) unsteady_channels: &'a [String],
     /// Forces that the user's model lacks, the largest first; empty unless the cause is unknown.
@@ -157,6 +159,9 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
         let share = c.corrected.fit_nmse / c.baseline.fit_nmse.max(f64::MIN_POSITIVE);
         let place = c.variant.proposal.as_ref().map_or("", |p| p.location.as_str());
         let _ = write!(tried, " The nearest, {} at {place}, leaves {} of the squared error.", h.cause, percent(share));
+    }
+    if let Some(nearest) = &c.nearest {
+        let _ = write!(tried, " {nearest}.");
     }
     let channel = c.mismatch.first().map_or_else(|| "the channel with the largest error".to_owned(), channel_in_words);
     let repetition = if c.is_building() {
