@@ -200,7 +200,7 @@ def cases():
     yield damper_case("wear", {"cause": "cyclic_degradation"}, lambda run, t, w: 20.0 * (0.55 + 0.45 * math.exp(-w / 4000.0)))
     yield damper_case("as-modelled", {"cause": "none"}, lambda run, t, w: 20.0)
     yield damper_case("loud", {"cause": "none"}, lambda run, t, w: 20.0, loud=lambda run, t: 4.0 if run == "sweep" and 5 < t < 9 else 1.0)
-    yield damper_case("scaled", {"cause": "sensor_gain"}, lambda run, t, w: 20.0, gain=lambda run: 1.2 if run == "steps" else 1.0)
+    yield damper_case("scaled", {"cause": "sensor_gain", "accept_as_arguable": ["changed_condition"]}, lambda run, t, w: 20.0, gain=lambda run: 1.2 if run == "steps" else 1.0)
     yield damper_case("slow", {"cause": "unknown"}, lambda run, t, w: 20.0 * (1 + 0.3 * math.sin(0.45 * t)))
     def cracks(run, t):
         return (160.0 if run == "second" and t > 7.3 else 220.0), 200.0

@@ -1,5 +1,7 @@
 //! A script from its file to its outcome.
 
+mod elements;
+
 use crate::course::{self, Course};
 use crate::files::live::RecordedFiles;
 use crate::model::parameter_change::ScriptStart;
@@ -142,7 +144,12 @@ impl Run {
             .and_then(|_| set(&mut self.interp, "argv", list));
         known?;
         let globals = self.interp.globals();
-        self.interp.host.start = Some(ScriptStart { path: path.to_owned(), args: args.to_vec(), globals });
+        self.interp.host.start = Some(ScriptStart {
+            elements: elements::made_elements,
+            path: path.to_owned(),
+            args: args.to_vec(),
+            globals,
+        });
         self.interp.eval_file(path)
     }
 

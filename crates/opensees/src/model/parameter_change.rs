@@ -4,24 +4,23 @@
 //! analysis, with the other value. The elements that it makes take the places of those of the model, and keep their state.
 
 use crate::args::Args;
-use crate::files::outputs::NoFiles;
-use crate::run::{Run, Settings};
-use crate::{Mode, Outcome, Tcl, finish};
+use crate::{Outcome, Tcl, finish};
 use hysteron_engine::analysis::integrator::Adaptive;
 use hysteron_engine::analysis::{Failure, Kind};
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Tag;
-use hysteron_tcl::{Call, Exception, FileInfo, Files, MemoryFiles, OpenMode, OverlayFiles, Silent, Stream, Value};
-use std::cell::RefCell;
+use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
-use std::io;
-use std::rc::Rc;
 use std::sync::Arc;
-use std::time::Duration;
+
+/// Makes elements by a second run of a script.
+pub(crate) type MakeElements = fn(&mut Tcl, &ScriptStart, BTreeMap<String, f64>) -> Result<Elements, Exception>;
 
 /// The script of a run, and the variables that it began with.
 #[derive(Clone)]
 pub(crate) struct ScriptStart {
+    /// Makes the elements of the script up to its first analysis, with values of its parameters.
+    pub(crate) elements: MakeElements,
     pub(crate) path: String,
     pub(crate) args: Vec<String>,
     pub(crate) globals: Vec<(String, Value)>,
@@ -55,7 +54,7 @@ impl Change {
 }
 
 /// Elements by tag.
-type Elements = BTreeMap<Tag, Arc<dyn Element>>;
+pub(crate) type Elements = BTreeMap<Tag, Arc<dyn Element>>;
 
 /// Changes of parameters in time.
 #[derive(Default)]
@@ -200,12 +199,7 @@ fn elements_for(interp: &mut Tcl, call: &Call<'_>, parts: &[f64]) -> Result<Elem
     for (name, factor) in session.changes.factors(parts) {
         parameters.extend(session.declared.get(name).map(|value| (name.to_owned(), factor * value)));
     }
-    let files = Rc::new(RefCell::new(std::mem::replace(&mut interp.files, Box::new(MemoryFiles::default()))));
-    let made = made_elements(interp, &start, parameters, &files);
-    interp.files = match Rc::try_unwrap(files) {
-        Ok(files) => files.into_inner(),
-        Err(files) => Box::new(SharedFiles(files)),
-    };
+    let made = (start.elements)(interp, &start, parameters);
     made.map_err(|e| match e {
         Exception::Error(e) => {
             let message = format!("with the other value of the parameter: {}", e.diagnostic.message);
@@ -213,69 +207,6 @@ fn elements_for(interp: &mut Tcl, call: &Call<'_>, parts: &[f64]) -> Result<Elem
         }
         other => other,
     })
-}
-
-/// Elements of the script up to its first analysis, with values of its parameters.
-fn made_elements(
-    interp: &Tcl,
-    start: &ScriptStart,
-    parameters: BTreeMap<String, f64>,
-    files: &Rc<RefCell<Box<dyn Files>>>,
-) -> Result<Elements, Exception> {
-    let session = &interp.host;
-    let settings = Settings { mode: Mode::Run, strict: false, options: session.engine.options.clone() };
-    // What the script writes has been written.
-    let files = OverlayFiles::new(Box::new(SharedFiles(files.clone())));
-    let mut again = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles));
-    again.interp.interrupt = interp.interrupt.clone();
-    again.interp.deadline = interp.deadline;
-    again.interp.group_interrupt = interp.group_interrupt.clone();
-    again.interp.budget = interp.budget;
-    again.interp.host.number_files = session.number_files.clone();
-    again.interp.host.parameters = parameters;
-    again.interp.host.ends_at_analysis = true;
-    for (name, value) in &start.globals {
-        again.interp.set_global(name, value.clone())?;
-    }
-    match again.begin(&start.path, &start.args) {
-        Ok(_) | Err(Exception::Exit(_)) => {}
-        Err(e) => return Err(e),
-    }
-    let model = again.interp.host.engine.model();
-    Ok(model.elements.iter().map(|e| (e.tag, e.element.clone())).collect())
-}
-
-/// Files of another interpreter.
-struct SharedFiles(Rc<RefCell<Box<dyn Files>>>);
-
-impl Files for SharedFiles {
-    fn current_dir(&self) -> String {
-        self.0.borrow().current_dir()
-    }
-    fn open(&mut self, path: &str, mode: OpenMode) -> io::Result<Box<dyn Stream>> {
-        self.0.borrow_mut().open(path, mode)
-    }
-    fn info(&self, path: &str, follow: bool) -> io::Result<FileInfo> {
-        self.0.borrow().info(path, follow)
-    }
-    fn list(&self, path: &str) -> io::Result<Vec<String>> {
-        self.0.borrow().list(path)
-    }
-    fn make_dir(&mut self, path: &str) -> io::Result<()> {
-        self.0.borrow_mut().make_dir(path)
-    }
-    fn remove(&mut self, path: &str) -> io::Result<()> {
-        self.0.borrow_mut().remove(path)
-    }
-    fn rename(&mut self, from: &str, to: &str) -> io::Result<()> {
-        self.0.borrow_mut().rename(from, to)
-    }
-    fn set_modified(&mut self, path: &str, time: Duration) -> io::Result<()> {
-        self.0.borrow_mut().set_modified(path, time)
-    }
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        self.0.borrow_mut().read(path)
-    }
 }
 
 #[cfg(test)]
