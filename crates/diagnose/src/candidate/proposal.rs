@@ -57,6 +57,8 @@ pub(crate) struct TextEdit {
 pub(crate) struct Switch {
     /// The phenomenon, in words.
     pub(crate) phenomenon: &'static str,
+    /// Cause that it is an effect of; none where the library has no name for it.
+    pub(crate) cause: Option<&'static str>,
     /// Names of parameters with the values that switch it off.
     pub(crate) neutral: Vec<(String, f64)>,
 }
@@ -276,7 +278,7 @@ mod tests {
 
     #[test]
     fn a_phenomenon_that_is_switched_off_has_no_parameters() {
-        let switch = Switch { phenomenon: "one", neutral: vec![("hy_one".into(), 0.0)] };
+        let switch = Switch { phenomenon: "one", cause: None, neutral: vec![("hy_one".into(), 0.0)] };
         let without = script_edit("friction", &["one", "two"]).without(&switch);
         let names: Vec<&str> = without.parameters.iter().map(|a| a.name.as_str()).collect();
         assert_eq!(names, ["hy_two"]);

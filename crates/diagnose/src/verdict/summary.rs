@@ -55,6 +55,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) inventory: &'a ModelInventory,
     /// The verdict, its probability, and the other causes.
     pub(super) verdict: (&'a str, f64),
+    /// Causes of further effects: of a second one, and of parts of a law in the place of the user's.
+    pub(super) also: &'a [String],
     pub(super) also_possible: &'a [Candidate],
     /// Variant of the repair, its values, and their uncertainty.
     pub(super) variant: &'a Variant,
@@ -232,7 +234,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
 
 /// The effect in words with the names of its causes, and the form of its model.
 fn what(c: &SummaryContext<'_>) -> String {
-    let causes = std::iter::once(c.verdict.0).chain(c.variant.second_cause());
+    let causes = std::iter::once(c.verdict.0).chain(c.also.iter().map(String::as_str));
     let sentences: Vec<String> = causes
         .map(|cause| {
             let faults: Vec<String> = c
@@ -347,7 +349,9 @@ fn others(c: &SummaryContext<'_>) -> String {
             statement.split([':', '(', ';', ',']).next().unwrap_or_default().trim().to_owned()
         }
     };
-    let listed = c.also_possible.iter().filter(|o| o.confidence >= MIN_LISTED).take(MAX_OTHERS);
+    // What is named beside the first effect is no other answer.
+    let is_other = |o: &&Candidate| o.confidence >= MIN_LISTED && !c.also.contains(&o.cause);
+    let listed = c.also_possible.iter().filter(is_other).take(MAX_OTHERS);
     let listed: Vec<String> =
         listed.map(|o| format!("{} {} ({})", o.cause, percent(o.confidence), words(&o.cause))).collect();
     if listed.is_empty() { String::new() } else { format!("{}.", listed.join(", ")) }
