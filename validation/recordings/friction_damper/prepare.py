@@ -2,9 +2,10 @@
 from bench import columns, write
 
 EVERY = {"harmonic_0.5Hz_36lb_1in": 4, "harmonic_1Hz_36lb_1in": 2, "harmonic_2Hz_36lb_0.5in": 2, "harmonic_0.5Hz_36lb_0.5in": 4,
-         "harmonic_0.25Hz_36lb_1in": 4, "harmonic_0.5Hz_30lb_1in": 4, "eq_36lb_KocaeliDBE": 4, "eq_36lb_ImperialValleyDBE": 4}
+         "harmonic_0.25Hz_36lb_1in": 4, "harmonic_0.5Hz_30lb_1in": 4, "eq_36lb_KocaeliDBE": 4, "eq_36lb_ImperialValleyDBE": 4,
+         "semiactive_step0.03ea1forward": 4}
 VARIANTS = {"no_backlash": ("study.toml", None), "no_speed": ("backlash.toml", None),
-            "pretension": ("condition.toml", None)}
+            "pretension": ("condition.toml", None), "tightened": ("tightened.toml", None)}
 
 
 def prepare(data, folder):
