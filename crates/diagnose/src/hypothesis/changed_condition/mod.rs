@@ -117,3 +117,40 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Declared, only_in_run, proposal};
+    use crate::test_support::pad_study;
+    use hysteron_identify::study::Setting;
+
+    /// Two parameters of a script `pset Fy 9.0` and `pset k 300.0`, each on its line.
+    const DECLARED: [Declared<'_>; 2] = [
+        Declared { name: "Fy", index: 0, coordinate: 0, command: 0, end: 11 },
+        Declared { name: "k", index: 1, coordinate: 1, command: 12, end: 24 },
+    ];
+
+    #[test]
+    fn other_values_hold_in_one_run_behind_their_declarations() {
+        let mut run = pad_study().runs[0].clone();
+        run.set = vec![("motion".into(), Setting::Text("a.dat".into()))];
+        let p = proposal(&run, "motion", &[&DECLARED[0], &DECLARED[1]]).expect("a proposal");
+        let edit = &p.option_edits[1];
+        let told = "\nif {$::motion eq {a.dat}} {set k [expr {$k*$::hy_factor_on_k}]}";
+        assert_eq!((edit.start, edit.end, edit.text.as_str()), (24, 24, told));
+        // Factors are declared before the first of the parameters.
+        assert_eq!((p.declared_at, p.parameters.len(), p.change_points()), (Some(0), 2, 0));
+        let condition = p.condition.expect("a condition");
+        assert_eq!(condition.run.as_deref(), Some(run.name.as_str()));
+        assert_eq!(condition.factors[1], ("k".to_owned(), "hy_factor_on_k".to_owned()));
+    }
+
+    /// A value that ends a word between braces cannot tell a run.
+    #[test]
+    fn values_with_braces_tell_no_run() {
+        let mut run = pad_study().runs[0].clone();
+        run.set = vec![("motion".into(), Setting::Text("a}.dat".into()))];
+        assert!(proposal(&run, "motion", &[&DECLARED[0]]).is_none() && only_in_run(&run, "motion", "x").is_none());
+        assert!(only_in_run(&run, "other", "x").is_none());
+    }
+}
