@@ -40,6 +40,8 @@ mod modes;
 mod motion_files;
 #[path = "analysis/opensees.rs"]
 mod opensees;
+#[path = "analysis/parameter_change.rs"]
+mod parameter_change;
 #[path = "analysis/plateau.rs"]
 mod plateau;
 #[path = "analysis/refine.rs"]

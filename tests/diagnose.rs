@@ -4,6 +4,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, unreachable_pub)]
 
+#[path = "diagnose/changed_in_time.rs"]
+mod changed_in_time;
 #[path = "diagnose/own_options.rs"]
 mod own_options;
 #[path = "diagnose/preflight.rs"]

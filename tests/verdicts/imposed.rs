@@ -268,6 +268,28 @@ pub fn condition() -> Concealed {
     })
 }
 
+/// The device is tightened in the middle of a test, and loosened again. `loosened` is the time of that, s.
+pub fn condition_in_time(loosened: f64) -> Concealed {
+    pad(two_tests(), |t| {
+        let mut spring = Plastic::default();
+        let step = |(i, &u): (usize, &f64)| {
+            let tight = !t.holdout && (3.1..loosened).contains(&(DT * i as f64));
+            K * u + spring.force(u, K0, if tight { 1.5 * FY } else { FY })
+        };
+        t.path.iter().enumerate().map(step).collect()
+    })
+}
+
+/// Nothing is missing; the load cell is noisier for the seconds of a machine beside it.
+pub fn loud_for_a_time() -> Concealed {
+    let mut noise = Noise::default();
+    let loud: Vec<f64> = (0..400).map(|i| if (150..280).contains(&i) { 1.2 * noise.next() } else { 0.0 }).collect();
+    pad(two_tests(), |t| {
+        let force = along(&t.path, |u, q| K * u + q);
+        force.iter().zip(&loud).map(|(f, n)| if t.holdout { *f } else { f + n }).collect()
+    })
+}
+
 /// The zero of the load cell jumps.
 pub fn jump() -> Concealed {
     pad(two_tests(), |t| {

@@ -44,6 +44,7 @@ pub use memory::competition::FamilyResult;
 pub use memory::family::Family;
 pub use memory::learning::Learned;
 pub use prior::PriorNumber;
+pub use verdict::condition_in_words::TimeSpan;
 pub use verdict::device_loop::DeviceLoop;
 pub use verdict::diagnosis::{Diagnosis, RankedHypothesis, Settings, diagnose};
 pub use verdict::discriminating_test::DiscriminatingTest;

@@ -96,6 +96,27 @@ prior! {
     /// Difference of log evidence within which two forms of a cause count as equal. A choice.
     EQUAL_FORM_LOG_EVIDENCE: f64 = 0.5, "nats";
 
+    // ---- other values of the user's parameters ----
+
+    /// Runs that may have another value of a parameter, those with the largest error. More would be another fit. A choice.
+    MAX_CONDITION_RUNS: usize = 3, "count";
+    /// Parameters that may have another value in a run. A choice between time and thoroughness.
+    MAX_CONDITION_PARAMETERS: usize = 6, "count";
+    /// Parameters of which two may change together. A choice between time and thoroughness.
+    MAX_CONDITION_PARAMETERS_IN_PAIRS: usize = 4, "count";
+    /// Range of the factor on a parameter. A change beyond it would be known to those who made it. A choice.
+    CONDITION_FACTORS: [f64; 2] = [0.2, 5.0], "ratio";
+    /// Places of a run at which a parameter may change. As many as the independent samples of a channel.
+    CHANGE_PLACES: usize = 40, "count";
+    /// Parameters that a time of change counts for. What N samples tell of it narrows with 1/N and not with 1/sqrt(N), so that
+    /// its price is ln N.
+    CHANGE_POINT_PARAMETERS: usize = 2, "count";
+    /// Spans of time with another value of a parameter that are proposed. A choice between time and thoroughness.
+    MAX_CONDITION_SPANS: usize = 4, "count";
+    /// Scales of histories on which a parameter may go to a limit, in parts of the largest value; infinity for proportion. What
+    /// such a history tells as well is no change at a time. A choice.
+    HISTORY_SCALES: [f64; 3] = [f64::INFINITY, 0.3, 0.1], "share";
+
     // ---- parametric bootstrap ----
 
     /// Recordings that each explanation simulates. The smallest share that they resolve is 1/200.

@@ -1,7 +1,10 @@
 //! A script from its file to its outcome.
 
+mod elements;
+
 use crate::course::{self, Course};
 use crate::files::live::RecordedFiles;
+use crate::model::parameter_change::ScriptStart;
 use crate::slips;
 use crate::{Mode, Outputs, Session, Tcl};
 use crate::{foreign, opensees_names};
@@ -139,7 +142,15 @@ impl Run {
         let known = set(&mut self.interp, "argv0", Value::from(path))
             .and_then(|_| set(&mut self.interp, "argc", Value::from(args.len() as i64)))
             .and_then(|_| set(&mut self.interp, "argv", list));
-        known.and_then(|_| self.interp.eval_file(path))
+        known?;
+        let globals = self.interp.globals();
+        self.interp.host.start = Some(ScriptStart {
+            elements: elements::made_elements,
+            path: path.to_owned(),
+            args: args.to_vec(),
+            globals,
+        });
+        self.interp.eval_file(path)
     }
 
     /// End a run and finish its recorders.

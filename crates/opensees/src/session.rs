@@ -11,6 +11,7 @@ use crate::host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 use crate::index::Index;
 use crate::material::MaterialTests;
 use crate::model::parameter::Parameter;
+use crate::model::parameter_change::{ParameterChanges, ScriptStart};
 use crate::output::Balances;
 use crate::output::model_file::MadeOf;
 use crate::output::recorders::Recorders;
@@ -179,6 +180,12 @@ pub struct Session {
     pub(crate) before_transient: Option<BeforeTransient>,
     /// Index of the script, where a check is to make one.
     pub index: Option<Box<Index>>,
+    /// Script that is run; `None` where a host calls single commands.
+    pub(crate) start: Option<ScriptStart>,
+    /// Parameters that change in time.
+    pub(crate) changes: ParameterChanges,
+    /// The run is made for its elements: it ends where the first analysis would begin.
+    pub(crate) ends_at_analysis: bool,
 }
 
 impl Session {
@@ -225,6 +232,9 @@ impl Session {
             course: None,
             before_transient: None,
             index: None,
+            start: None,
+            changes: ParameterChanges::default(),
+            ends_at_analysis: false,
         }
     }
 
@@ -310,6 +320,7 @@ impl Session {
         self.analysis_checks = AnalysisChecks::default();
         self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
+        self.changes = ParameterChanges::default();
         finished
     }
 

@@ -57,6 +57,8 @@ pub(crate) struct TextEdit {
 pub(crate) struct Switch {
     /// The phenomenon, in words.
     pub(crate) phenomenon: &'static str,
+    /// Cause that it is an effect of; none where the library has no name for it.
+    pub(crate) cause: Option<&'static str>,
     /// Names of parameters with the values that switch it off.
     pub(crate) neutral: Vec<(String, f64)>,
 }
@@ -68,6 +70,19 @@ pub(crate) struct WholeLawParts {
     pub(crate) switches: Vec<Switch>,
     /// Behaviour that is left without them, in words.
     pub(crate) basis: &'static str,
+}
+
+/// Other values of the user's parameters, by the names of the added parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ChangedCondition {
+    /// The run; none if there is one alone.
+    pub(crate) run: Option<String>,
+    /// The user's parameters with the factors on them.
+    pub(crate) factors: Vec<(String, String)>,
+    /// Time from which they hold; none for the beginning.
+    pub(crate) from: Option<String>,
+    /// Time up to which they hold; none for the end.
+    pub(crate) to: Option<String>,
 }
 
 /// An edit of the script, or a fault of a channel.
@@ -95,6 +110,8 @@ pub(crate) struct Proposal {
     pub(crate) fault_model: Option<FaultModel>,
     /// Parts of the law that replaces that of a device; none for other effects.
     pub(crate) whole_law: Option<WholeLawParts>,
+    /// Other values of the user's parameters; none for other effects.
+    pub(crate) condition: Option<ChangedCondition>,
     /// The user's parameters that the replaced law alone has read, by their index in the study.
     pub(crate) unread: Vec<usize>,
     /// True if the effect follows from geometry, not from a form of law. Its residual must not recur along the stroke.
@@ -106,6 +123,18 @@ pub(crate) struct Proposal {
 impl fmt::Debug for Proposal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({}) at {}: {:?} {:?}", self.cause, self.form, self.location, self.commands, self.parameters)
+    }
+}
+
+impl ChangedCondition {
+    /// The same with other names of the added parameters.
+    fn renamed(&self, rename: impl Fn(&str) -> String) -> Self {
+        Self {
+            run: self.run.clone(),
+            factors: self.factors.iter().map(|(own, added)| (own.clone(), rename(added))).collect(),
+            from: self.from.as_deref().map(&rename),
+            to: self.to.as_deref().map(&rename),
+        }
     }
 }
 
@@ -130,6 +159,7 @@ impl Proposal {
             parameters,
             fault_model: None,
             whole_law: None,
+            condition: None,
             unread: vec![],
             geometric: false,
             visible_in_recording: false,
@@ -157,6 +187,7 @@ impl Proposal {
             }
             (first, _) => first,
         };
+        both.condition = self.condition.clone().or_else(|| second.condition.as_ref().map(|c| c.renamed(renamed)));
         both.declared_at = self.declared_at.into_iter().chain(second.declared_at).min();
         let parameters = second.parameters.iter();
         both.parameters.extend(parameters.map(|a| AddedParameter { name: renamed(&a.name), ..a.clone() }));
@@ -184,6 +215,12 @@ impl Proposal {
         }
         out.parameters.retain(|a| switch.neutral.iter().all(|(name, _)| *name != a.name));
         out
+    }
+
+    /// Number of times at which a parameter of the user's changes.
+    pub(crate) fn change_points(&self) -> usize {
+        let condition = self.condition.as_ref();
+        condition.map_or(0, |c| usize::from(c.from.is_some()) + usize::from(c.to.is_some()))
     }
 
     /// Returns true if the proposal changes the script, not only its channels.
@@ -241,7 +278,7 @@ mod tests {
 
     #[test]
     fn a_phenomenon_that_is_switched_off_has_no_parameters() {
-        let switch = Switch { phenomenon: "one", neutral: vec![("hy_one".into(), 0.0)] };
+        let switch = Switch { phenomenon: "one", cause: None, neutral: vec![("hy_one".into(), 0.0)] };
         let without = script_edit("friction", &["one", "two"]).without(&switch);
         let names: Vec<&str> = without.parameters.iter().map(|a| a.name.as_str()).collect();
         assert_eq!(names, ["hy_two"]);

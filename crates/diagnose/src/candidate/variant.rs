@@ -5,7 +5,7 @@ use super::proposal::Proposal;
 use super::repaired_script::edited_script;
 use crate::inspect::auxiliary_channels::auxiliary_log_odds;
 use crate::inspect::insertion::InsertionPoint;
-use crate::prior::VISIBLE_FAULT_LOG_ODDS;
+use crate::prior::{CHANGE_POINT_PARAMETERS, VISIBLE_FAULT_LOG_ODDS};
 use hysteron_identify::study::{
     Parameter, ParameterKind, ParameterSpace, Role, ScriptSimulator, SimulationError, Simulator, SimulatorFactory,
     Study,
@@ -89,9 +89,21 @@ impl Variant {
         self.study.space.dimension()
     }
 
-    /// Number of free parameters that the model depends on: those of the fit without the unread ones.
+    /// Number of free parameters that the model depends on: those of the fit without the unread ones. A time that has been
+    /// sought among many places counts as several.
     pub(crate) fn counted_parameters(&self) -> usize {
-        self.dimension() - self.unread_coordinates().len()
+        let change_points = self.proposal.as_ref().map_or(0, Proposal::change_points);
+        self.dimension() - self.unread_coordinates().len() + (CHANGE_POINT_PARAMETERS - 1) * change_points
+    }
+
+    /// Coordinates of the times at which a parameter of the user's changes.
+    pub(crate) fn change_point_coordinates(&self) -> Vec<usize> {
+        let Some(p) = &self.proposal else { return vec![] };
+        let Some(condition) = &p.condition else { return vec![] };
+        let times = [&condition.from, &condition.to];
+        let own = self.dimension() - p.parameters.len();
+        let place = |name: &String| Some(own + p.parameters.iter().position(|a| a.name == *name)?);
+        times.into_iter().flatten().filter_map(place).collect()
     }
 
     /// Coordinates of the user's parameters that the model does not depend on, because their law is replaced.

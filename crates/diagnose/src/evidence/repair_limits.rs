@@ -58,14 +58,17 @@ impl VerdictEvidence {
         self.hypotheses.iter().find(|h| h.cause == cause && h.also.as_deref() == also)
     }
 
-    /// Share that a repair takes away; `None` where the user's model leaves hardly more than noise.
-    pub(crate) fn taken_share(&self, h: &HypothesisEvidence, repair: &RepairEvidence) -> Option<TakenShare> {
+    /// Share of the error above the noise that a hypothesis takes away on blocks held back; `None` where the user's model
+    /// leaves hardly more than noise.
+    pub(crate) fn share_on_blocks(&self, h: &HypothesisEvidence) -> Option<f64> {
         let (before, after) = (self.hypothesis("none", None)?.held_back?, h.held_back?);
         let noise = self.noise_on_blocks()?;
-        if before < MIN_SIGNAL_RATIO * noise || h.cause == "none" {
-            return None;
-        }
-        let blocks = (before - after) / (before - noise);
+        (before >= MIN_SIGNAL_RATIO * noise && h.cause != "none").then(|| (before - after) / (before - noise))
+    }
+
+    /// Share that a repair takes away; `None` where the user's model leaves hardly more than noise.
+    pub(crate) fn taken_share(&self, h: &HypothesisEvidence, repair: &RepairEvidence) -> Option<TakenShare> {
+        let blocks = self.share_on_blocks(h)?;
         let of_runs = |errors: super::holdout::HeldOutErrors| {
             let (before, noise) = (errors.before?, self.noise_in_runs(errors.after)?);
             let after = errors.after.unwrap_or(before);

@@ -3,7 +3,10 @@
 use super::job::{ChannelResiduals, FittedModel, Job, JobResult, Task};
 use super::linearized::{LinearizedFit, damped_step};
 use super::projection::Projection;
-use super::search_settings::{CHANNEL_FAULT_ITERATIONS, EXTRA_EVALUATIONS, PRECISE_SEARCH_TOLERANCE, SEARCH_TOLERANCE};
+use super::search_settings::{
+    CHANGE_POINT_MOVES, CHANGE_POINT_ROUNDS, CHANNEL_FAULT_ITERATIONS, EXTRA_EVALUATIONS, PRECISE_SEARCH_TOLERANCE,
+    SEARCH_TOLERANCE,
+};
 use crate::candidate::variant::VariantSimulator;
 use crate::prior::{HOLDOUT_BLOCKS, HOLDOUT_FOLDS, HOLDOUT_STEP_FRACTIONS};
 use hysteron_identify::calibrate::{LevenbergMarquardt, Method, Trial};
@@ -24,7 +27,8 @@ pub(crate) fn evaluate(
     let mut evaluator = Evaluator { study: &job.variant.study, simulator, evaluations, difference_step };
     match &job.task {
         Task::Fit { start, max_evaluations, precise } => {
-            JobResult::Fitted(evaluator.search(start, *max_evaluations, *precise))
+            let change_points = job.variant.change_point_coordinates();
+            JobResult::Fitted(evaluator.search(start, *max_evaluations, *precise, &change_points))
         }
         Task::Screen { points, projection } => {
             JobResult::Screened(evaluator.screen(points, projection.as_deref(), job.variant.is_channel_fault()))
@@ -90,11 +94,40 @@ impl Evaluator<'_> {
         Trial { objective: residuals.iter().map(|r| r * r).sum(), residuals }
     }
 
-    fn search(&mut self, start: &[f64], max_evaluations: usize, precise: bool) -> FittedModel {
+    /// Least squares from a point. `change_points` are the coordinates of times at which a parameter changes: their
+    /// derivatives say only what the step at that time tells, so that other times are tried as well.
+    fn search(&mut self, start: &[f64], max_evaluations: usize, precise: bool, change_points: &[usize]) -> FittedModel {
         let tolerance = if precise { PRECISE_SEARCH_TOLERANCE } else { SEARCH_TOLERANCE };
         let step = self.difference_step;
-        let (objective, point) = least_squares(start, max_evaluations, tolerance, step, |p| self.trial(p));
-        self.fitted_model(point, objective)
+        let mut best = least_squares(start, max_evaluations, tolerance, step, |p| self.trial(p));
+        for _ in 0..CHANGE_POINT_ROUNDS {
+            let moved = self.with_moved_change_points(&best, change_points);
+            if moved.0 >= (1.0 - SEARCH_TOLERANCE) * best.0 {
+                break;
+            }
+            best = least_squares(&moved.1, max_evaluations, tolerance, step, |p| self.trial(p));
+        }
+        self.fitted_model(best.1, best.0)
+    }
+
+    /// A point with its objective, and with the best of some other times of change, each moved alone.
+    fn with_moved_change_points(
+        &mut self,
+        (objective, point): &(f64, Vec<f64>),
+        change_points: &[usize],
+    ) -> (f64, Vec<f64>) {
+        let mut best = (*objective, point.clone());
+        for k in change_points {
+            for by in CHANGE_POINT_MOVES.into_iter().flat_map(|by| [-by, by]) {
+                let mut moved = best.1.clone();
+                moved[*k] = (moved[*k] + by).clamp(0.0, 1.0);
+                let objective = self.trial(&moved).objective;
+                if objective < best.0 {
+                    best = (objective, moved);
+                }
+            }
+        }
+        best
     }
 
     fn model_at(&mut self, point: &[f64]) -> FittedModel {

@@ -1,7 +1,7 @@
 //! Phenomena of a whole law, switched off one at a time.
 
 use super::fitted::FittedHypothesis;
-use super::job::Job;
+use super::job::{ChannelResiduals, Job};
 use super::scheduler::Scheduler;
 use super::search_settings::SECOND_ROUND_ITERATIONS;
 use crate::candidate::proposal::Switch;
@@ -18,6 +18,19 @@ pub(crate) struct PhenomenonShares {
     pub(crate) shares: Vec<(&'static str, f64)>,
     /// Behaviour that is left without them, in words.
     pub(crate) basis: &'static str,
+    /// Phenomena that are effects of other causes than that of the law.
+    pub(crate) of_other_causes: Vec<PhenomenonOnBlocks>,
+}
+
+/// Residuals on blocks held back with a phenomenon and without it.
+#[derive(Clone, Debug)]
+pub(crate) struct PhenomenonOnBlocks {
+    /// Cause that it is an effect of.
+    pub(crate) cause: &'static str,
+    /// Parameters of it.
+    pub(crate) parameters: usize,
+    pub(crate) with: ChannelResiduals,
+    pub(crate) without: ChannelResiduals,
 }
 
 /// Shares of the phenomena of a fitted whole law; none for other hypotheses.
@@ -35,17 +48,30 @@ pub(crate) fn phenomenon_shares(
 ) -> Result<Option<PhenomenonShares>, String> {
     let Some(parts) = e.variant.proposal.as_ref().and_then(|p| p.whole_law.clone()) else { return Ok(None) };
     let gain = baseline.fitted.objective - e.fitted.objective;
-    let mut shares = vec![];
+    let (mut shares, mut compared, mut causes) = (vec![], vec![e.clone()], vec![]);
     for switch in &parts.switches {
         let Some(job) = without(baseline, point, e, switch) else { continue };
+        let variant = job.variant.clone();
         let Some(fitted) = scheduler.fit(STAGE, vec![job])?.pop().flatten() else { continue };
+        if let Some(cause) = switch.cause.filter(|c| *c != e.cause() && Some(*c) != e.second_cause()) {
+            causes.push((cause, switch.neutral.len()));
+            compared.push(FittedHypothesis::new(variant, fitted.clone()));
+        }
         let share = (fitted.objective - e.fitted.objective) / gain;
         if share.is_finite() {
             shares.push((switch.phenomenon, share.clamp(0.0, 1.0)));
         }
     }
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));
-    Ok(Some(PhenomenonShares { shares, basis: parts.basis }))
+    if !causes.is_empty() {
+        scheduler.hold_out(STAGE, &mut compared)?;
+    }
+    let with = compared[0].held_out.clone();
+    let of = |((cause, parameters), e): ((&'static str, usize), &FittedHypothesis)| {
+        Some(PhenomenonOnBlocks { cause, parameters, with: with.clone()?, without: e.held_out.clone()? })
+    };
+    let of_other_causes = causes.into_iter().zip(&compared[1..]).filter_map(of).collect();
+    Ok(Some(PhenomenonShares { shares, basis: parts.basis, of_other_causes }))
 }
 
 /// A search without a phenomenon, from the optimum of a hypothesis.

@@ -116,6 +116,18 @@ pub(crate) const SCREENING_STEP_RATIO: u32 = 4;
 /// Expected log evidence over one effect below which a pair is not fitted.
 pub(crate) const MIN_EXPECTED_PAIR_GAIN: f64 = -1.0;
 
+// ---- other values of the user's parameters ----
+
+/// Moves of a time at which a parameter changes that are tried after a search, coordinates: from a place of the first scan on.
+pub(crate) const CHANGE_POINT_MOVES: [f64; 5] = [0.025, 0.0125, 0.006, 0.003, 0.0015];
+/// Searches that follow such a move, at most.
+pub(crate) const CHANGE_POINT_ROUNDS: usize = 3;
+
+/// Steps of the search for its value there, each along the secant of the last two.
+pub(crate) const CHANGED_PARAMETER_STEPS: usize = 6;
+/// Change of a coordinate that ends it.
+pub(crate) const CHANGED_PARAMETER_TOLERANCE: f64 = 1e-4;
+
 // ---- last search ----
 
 /// Further starts around the fitted point: contact and yielding make ridges.

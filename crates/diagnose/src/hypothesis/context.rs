@@ -6,6 +6,7 @@ use crate::inspect::device_axes::{AxialDirection, device_axes};
 use crate::inspect::inventory::{Device, ModelInventory};
 use crate::inspect::response::{ResponseRange, ResponseRanges};
 use hysteron_identify::study::{Role, ScoredRun, Study};
+use nalgebra::{DMatrix, DVector};
 
 /// Basis of proposals.
 pub(crate) struct ProposalContext<'a> {
@@ -17,6 +18,10 @@ pub(crate) struct ProposalContext<'a> {
     pub(crate) responses: &'a ResponseRanges,
     /// Channels of the fitted baseline in the fitted runs, in their order.
     pub(crate) fits: &'a [ScoredRun],
+    /// Residual of the fitted baseline with its derivatives; none if they have no result.
+    pub(crate) sensitivities: Option<Sensitivities<'a>>,
+    /// Fitted values of all parameters of the study.
+    pub(crate) values: &'a [f64],
     /// True if the times of the recordings are those of a clock, false if they count samples.
     pub(crate) has_clock: bool,
     /// Text of the script.
@@ -25,6 +30,17 @@ pub(crate) struct ProposalContext<'a> {
     pub(crate) model_end: usize,
     /// Byte ranges of the values of the user's parameters in the text, in the order of the study.
     pub(crate) value_spans: &'a [Option<(usize, usize)>],
+}
+
+/// Residual of the fitted baseline with its derivatives by the free parameters, averaged over equal parts of each channel.
+#[derive(Clone, Copy)]
+pub(crate) struct Sensitivities<'a> {
+    /// Residuals, channel after channel.
+    pub(crate) residual: &'a DVector<f64>,
+    /// Derivatives by the coordinates of the unit cube; points x parameters.
+    pub(crate) derivatives: &'a DMatrix<f64>,
+    /// Number of points of each channel.
+    pub(crate) channels: &'a [usize],
 }
 
 /// A variable with another value in every run, by which added commands distinguish the runs.

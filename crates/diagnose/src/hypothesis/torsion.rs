@@ -87,6 +87,8 @@ mod tests {
                 study: &study,
                 responses: &responses,
                 fits: &[],
+                sensitivities: None,
+                values: &[],
                 has_clock: true,
                 text: "",
                 model_end: 0,

@@ -1,13 +1,9 @@
 //! One parameter of the user's with another value in one run: a condition that has changed.
 
 use super::quantity::digits;
+use crate::fit::search_settings::{CHANGED_PARAMETER_STEPS, CHANGED_PARAMETER_TOLERANCE};
 use crate::prior::BOUND_STEP;
 use hysteron_identify::study::ParameterSpace;
-
-/// Steps of the search for the other value.
-const STEPS: usize = 6;
-/// Change of a unit coordinate that ends the search.
-const SMALL: f64 = 1e-4;
 
 /// A parameter with the values that suit each run best.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +61,7 @@ fn best_value(
     let mut best = (point.to_vec(), squares(own));
     let (mut before, mut x, mut at) = (own.to_vec(), point[k], point.to_vec());
     at[k] += if point[k] > 0.5 { -BOUND_STEP } else { BOUND_STEP };
-    for _ in 0..STEPS {
+    for _ in 0..CHANGED_PARAMETER_STEPS {
         let now = residual(&at)?;
         let error = squares(&now);
         if error < best.1 {
@@ -75,7 +71,7 @@ fn best_value(
         let slope: Vec<f64> = now.iter().zip(&before).map(|(a, b)| (a - b) / step).collect();
         let downhill = slope.iter().zip(&now).map(|(j, r)| j * r).sum::<f64>() / squares(&slope);
         let next = (at[k] - downhill).clamp(0.0, 1.0);
-        if !next.is_finite() || (next - at[k]).abs() < SMALL {
+        if !next.is_finite() || (next - at[k]).abs() < CHANGED_PARAMETER_TOLERANCE {
             break;
         }
         (x, before) = (at[k], now);

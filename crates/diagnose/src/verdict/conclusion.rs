@@ -8,6 +8,7 @@ use super::explanation::observation;
 use super::gates::GatedRepair;
 use super::learned::{LearnedContext, learned_repair};
 use super::mismatch::mismatches;
+use super::nearest::nearest_in_words;
 use super::quantity::Units;
 use super::residual_force::{FittedModelRuns, ResidualForce, residual_forces};
 use super::result_file::{Baseline, Mismatch, Outcome, RepairedModel, UnmovedChannel};
@@ -22,7 +23,7 @@ use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
 use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
-use crate::evidence::second_effect::has_second_effect;
+use crate::evidence::second_effect::{causes_within_law, has_second_effect};
 use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
 use crate::evidence::verdict_model::{self, CauseProbabilities, cause_probabilities};
 use crate::fit::fitted::FittedHypothesis;
@@ -216,6 +217,9 @@ pub(super) fn conclude(
     let repaired = FittedHypothesis { fitted: verdict.repair.fitted.clone(), ..repair.hypothesis.clone() };
     if let Some(shares) = phenomenon_shares(scheduler, baseline, c.point, &repaired)? {
         in_words.explanation += &shares.description();
+        let named = !matches!(verdict.cause, "none" | "unknown");
+        let within = causes_within_law(&shares.of_other_causes).into_iter().filter(|_| named);
+        in_words.also.extend(within.map(str::to_owned));
     }
     scheduler.check_cancelled()?;
     in_words.summary = summary(&SummaryContext {
@@ -223,6 +227,7 @@ pub(super) fn conclude(
         script: c.text,
         inventory: c.inventory,
         verdict: (verdict.cause, in_words.confidence),
+        also: &in_words.also,
         also_possible: &in_words.also_possible,
         variant: &repair.hypothesis.variant,
         values: &repair.fitted.values,
@@ -233,6 +238,7 @@ pub(super) fn conclude(
         tried: c.tried,
         structure: &structure.description,
         memory: evidence.memory_sentence(),
+        nearest: nearest_in_words(ranked, &evidence).filter(|_| verdict.repair.hypothesis.cause() == "none"),
         unsteady_channels: &structure.unsteady_channels,
         residual_forces: &residual_forces,
         columns: &columns,

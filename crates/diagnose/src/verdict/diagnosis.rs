@@ -21,7 +21,10 @@ use crate::fit::step_error::step_error;
 use crate::fit::two_effect_search::two_effect_search;
 use crate::fit::unmoved_channels::unmoved_channels;
 use crate::fit::unread_parameters::with_unread_parameters;
-use crate::hypothesis::{self, context::ProposalContext};
+use crate::hypothesis::{
+    self,
+    context::{ProposalContext, Sensitivities},
+};
 use crate::inspect::conditions::lacks_clock;
 use crate::inspect::probe::{inspect_model, record_responses};
 use crate::prior::{MIN_STRUCTURE_FOR_PAIRS, MIN_STRUCTURE_FOR_WHOLE_LAWS};
@@ -135,11 +138,19 @@ pub fn diagnose(
     };
     let responses = record_responses(&factory, &study, text, &values, &point, &inventory, Role::Fit);
     let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
+    let linearized = scheduler.linearize("what may have changed", &[&baseline])?.pop().flatten();
+    let sensitivities = linearized.as_ref().map(|l| Sensitivities {
+        residual: &l.residual,
+        derivatives: &l.derivatives,
+        channels: &l.channels,
+    });
     let context = ProposalContext {
         inventory: &inventory,
         study: &study,
         responses: &responses,
         fits: &baseline.fitted.fits,
+        sensitivities,
+        values: &baseline.fitted.values,
         has_clock,
         text,
         model_end: point.byte().unwrap_or(text.len()),

@@ -1,5 +1,6 @@
 //! Place of an effect: elements or nodes with their coordinates, directions, and the level in the structure.
 
+use super::condition_in_words::TimeSpan;
 use super::quantity::{Units, digits};
 use crate::candidate::variant::Variant;
 use crate::inspect::inventory::ModelInventory;
@@ -25,6 +26,9 @@ pub struct Place {
     pub level: String,
     /// Name of the channel at fault; empty if the model is.
     pub channel: String,
+    /// Time for which the user's parameters have other values; none for other effects, and for a whole run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub span: Option<TimeSpan>,
 }
 
 /// A node with its coordinates.
@@ -89,6 +93,7 @@ fn place(location: &str, commands: &[&str], inventory: &ModelInventory) -> Place
         elements,
         nodes,
         channel: String::new(),
+        span: None,
     }
 }
 

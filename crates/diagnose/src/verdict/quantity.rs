@@ -223,6 +223,8 @@ const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
         ("cyclic_degradation", "deltaA", "loss of the hysteretic force per energy", Unnamed),
         ("cyclic_degradation", "deltaNu", "loss of strength per energy", Unnamed),
         ("cyclic_degradation", "deltaEta", "loss of stiffness per energy", Unnamed),
+        ("changed_condition", "from", "time from which it holds", Time),
+        ("changed_condition", "to", "time up to which it holds", Time),
         ("sensor_gain", "gain", "factor on the true value", Ratio),
         ("sensor_lag", "lag", "delay", Time),
         ("", "hardening", "hardening ratio", Ratio),

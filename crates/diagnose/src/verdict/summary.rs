@@ -1,6 +1,7 @@
 //! The verdict for readers without statistics: one template of the terminal, the report and the result file.
 
 use super::advice::{measurement, shorter_step, unrecorded};
+use super::condition_in_words::FittedCondition;
 use super::explanation::unsteady_in_words;
 use super::fault_in_words::{cause_of, fault_in_words, unit_of};
 use super::gain::gain;
@@ -13,6 +14,7 @@ use super::result_file::{Baseline, Candidate, Mismatch, RepairedModel};
 use crate::candidate::variant::Variant;
 use crate::fit::step_error::StepError;
 use crate::hypothesis;
+use crate::hypothesis::changed_condition;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRange;
 use hysteron_identify::calibrate::Uncertainty;
@@ -53,6 +55,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) inventory: &'a ModelInventory,
     /// The verdict, its probability, and the other causes.
     pub(super) verdict: (&'a str, f64),
+    /// Causes of further effects: of a second one, and of parts of a law in the place of the user's.
+    pub(super) also: &'a [String],
     pub(super) also_possible: &'a [Candidate],
     /// Variant of the repair, its values, and their uncertainty.
     pub(super) variant: &'a Variant,
@@ -67,6 +71,8 @@ pub(super) struct SummaryContext<'a> {
     pub(super) structure: &'a str,
     /// Kind of memory of the device, in words; none where none stands out.
     pub(super) memory: Option<String>,
+    /// Effect that takes most of the error away without being likely, in words; none where none does, or it is the repair.
+    pub(super) nearest: Option<String>,
     /// Channels with unsteady noise.
     pub(super) unsteady_channels: &'a [String],
     /// Forces that the user's model lacks, the largest first; empty unless the cause is unknown.
@@ -156,6 +162,9 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
         let place = c.variant.proposal.as_ref().map_or("", |p| p.location.as_str());
         let _ = write!(tried, " The nearest, {} at {place}, leaves {} of the squared error.", h.cause, percent(share));
     }
+    if let Some(nearest) = &c.nearest {
+        let _ = write!(tried, " {nearest}.");
+    }
     let channel = c.mismatch.first().map_or_else(|| "the channel with the largest error".to_owned(), channel_in_words);
     let repetition = if c.is_building() {
         format!(
@@ -181,7 +190,12 @@ fn of_unknown(c: &SummaryContext<'_>) -> Summary {
 
 fn of_cause(c: &SummaryContext<'_>) -> Summary {
     let units = Units::of(c.study, c.script);
-    let places = places(c.variant, c.inventory);
+    let mut places = places(c.variant, c.inventory);
+    let condition = FittedCondition::of(c.variant, c.values);
+    let is_second = usize::from(c.variant.cause() != changed_condition::CAUSE);
+    if let Some((_, place)) = places.get_mut(is_second) {
+        place.span = condition.as_ref().and_then(FittedCondition::span);
+    }
     let described: Vec<String> = places.iter().map(|(location, p)| p.description(location, c.study, &units)).collect();
     let sizes = sizes(c, &units, &places);
     // What the recordings hardly determine is left to the list of sizes.
@@ -197,6 +211,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
         next.push(c.test.to_owned());
     }
     next.extend(measurement(c.verdict.0, location, place, c.is_building(), &c.recorded_quantities()));
+    next.extend(condition.as_ref().map(FittedCondition::needed));
     // A shorter step is for the script; what tells causes apart comes first.
     next.extend(steps(c));
     Summary {
@@ -219,7 +234,7 @@ fn of_cause(c: &SummaryContext<'_>) -> Summary {
 
 /// The effect in words with the names of its causes, and the form of its model.
 fn what(c: &SummaryContext<'_>) -> String {
-    let causes = std::iter::once(c.verdict.0).chain(c.variant.second_cause());
+    let causes = std::iter::once(c.verdict.0).chain(c.also.iter().map(String::as_str));
     let sentences: Vec<String> = causes
         .map(|cause| {
             let faults: Vec<String> = c
@@ -231,7 +246,12 @@ fn what(c: &SummaryContext<'_>) -> String {
                 .map(|f| fault_in_words(f, unit_of(c.study, &f.channel)))
                 .collect();
             let statement = hypothesis::of(cause).map_or(cause, |h| h.statement);
-            let words = if faults.is_empty() { statement.to_owned() } else { faults.join("; ") };
+            let condition = FittedCondition::of(c.variant, c.values).filter(|_| cause == changed_condition::CAUSE);
+            let words = match condition {
+                Some(condition) => format!("{statement}: {}", condition.description()),
+                None if faults.is_empty() => statement.to_owned(),
+                None => faults.join("; "),
+            };
             format!("{words} ({cause})")
         })
         .collect();
@@ -329,7 +349,9 @@ fn others(c: &SummaryContext<'_>) -> String {
             statement.split([':', '(', ';', ',']).next().unwrap_or_default().trim().to_owned()
         }
     };
-    let listed = c.also_possible.iter().filter(|o| o.confidence >= MIN_LISTED).take(MAX_OTHERS);
+    // What is named beside the first effect is no other answer.
+    let is_other = |o: &&Candidate| o.confidence >= MIN_LISTED && !c.also.contains(&o.cause);
+    let listed = c.also_possible.iter().filter(is_other).take(MAX_OTHERS);
     let listed: Vec<String> =
         listed.map(|o| format!("{} {} ({})", o.cause, percent(o.confidence), words(&o.cause))).collect();
     if listed.is_empty() { String::new() } else { format!("{}.", listed.join(", ")) }

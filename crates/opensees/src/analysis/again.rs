@@ -22,7 +22,10 @@ pub(crate) struct Checked {
 impl Session {
     /// The checks before an analysis with steps of `dt` have been made, and stand until the next command.
     pub(super) fn note_checked(&mut self, kind: Kind, dt: f64) {
-        let is_plain = self.mode == Mode::Run && !self.parts.variable_steps && self.output.recorders.journal.is_none();
+        let is_plain = self.mode == Mode::Run
+            && !self.parts.variable_steps
+            && self.output.recorders.journal.is_none()
+            && self.changes.is_empty();
         self.analysis_checks.again = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
     }
 }

@@ -7,6 +7,7 @@ use crate::args::Args;
 use crate::checkpoint;
 use crate::checks;
 use crate::host::Mode;
+use crate::model::parameter_change;
 use crate::output::collapse;
 use crate::session::{Parts, Session};
 use crate::slips;
@@ -138,6 +139,9 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         warn(interp, d.at(call.span(0), "expected a command \"analysis\" before: returns -1"))?;
         return Ok(Value::from(-1i64));
     };
+    if interp.host.ends_at_analysis {
+        return Err(Exception::Exit(0));
+    }
     let hook = if kind == Kind::Transient { interp.host.before_transient.take() } else { None };
     if let Some(hook) = hook {
         hook(interp)?;
@@ -160,7 +164,8 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let message = format!("the limit curve of element {spring} cannot watch element {column}");
         return Err(a.refuse_at(call.span(0), message, "expected a frame element with its nodes in the model"));
     }
-    let can_wait = kind == Kind::Static && lengths.is_none() && interp.host.mode == Mode::Run;
+    let can_wait =
+        kind == Kind::Static && lengths.is_none() && interp.host.mode == Mode::Run && interp.host.changes.is_empty();
     if interp.host.course.as_mut().is_some_and(|course| course.begin_analysis(steps as usize, can_wait)) {
         let session = &mut interp.host;
         session.output.recorders.start(&mut session.engine);
@@ -197,6 +202,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             session.output.recorders.isolator_damping.begin(engine);
             session.output.recorders.backbones.begin(engine);
             match lengths {
+                lengths if !session.changes.is_empty() => parameter_change::analyze(interp, call, steps, dt, lengths)?,
                 Some(lengths) => engine.analyze_variable(steps, dt, lengths, &mut session.output.recorders),
                 None if session.output.recorders.journal.is_some() => {
                     match checkpoint::analyze(engine, &mut session.output.recorders, steps, dt) {

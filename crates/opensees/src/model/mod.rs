@@ -5,6 +5,7 @@ pub(crate) mod constraint;
 pub(crate) mod database;
 pub(crate) mod nodes;
 pub(crate) mod parameter;
+pub(crate) mod parameter_change;
 pub(crate) mod remove;
 pub(crate) mod transform;
 pub(crate) mod units;

@@ -65,6 +65,10 @@ const UNTRANSLATED: &[(&str, &str)] = &[
     ("hinges", "a hinge within a beam"),
 ];
 
+/// The same for a parameter that has another value for a time.
+const CHANGED_IN_TIME: &str =
+    "OpenSees changes few numbers of its laws in an analysis, and makes no law anew with its state";
+
 /// Commands, and kinds of materials and elements, that OpenSees does not have.
 const OWN_COMMANDS: &[&str] = &["amend", "pset", "motionFile", "columns", "figure", "ladder"];
 const OWN_KINDS: &[&str] = &["HDR_mat", "HDRRheology", "HDRRheologyBearing", "Mullins"];
@@ -296,6 +300,8 @@ fn translated(
                 let factor = other.parse::<i32>().ok().and_then(|n| model.mass_damping.get(&n)).copied().unwrap_or(0.0);
                 placement.rest.push(format!("region {tag} -node {node} -rayleigh {factor:?} 0.0 0.0 0.0"));
             }
+            ["amend", "parameter", ..] => return Err(CHANGED_IN_TIME.to_owned()),
+            ["if", ..] if text.contains("{amend parameter ") => return Err(CHANGED_IN_TIME.to_owned()),
             ["amend", ..] => {
                 let amendment = Amendment::parse(&words, &values).ok_or_else(|| format!("{text} names no elements"))?;
                 for (amendment, forms) in standard_forms(&amendment, model, responses, placement.forms.len())? {

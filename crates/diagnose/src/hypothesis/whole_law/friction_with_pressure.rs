@@ -13,7 +13,11 @@ pub(super) const LAW: WholeLaw = WholeLaw {
     command: "VelNormalFrcDep {tag} [expr {({old})*pow({axial},1.0-$::hy_exponent)}] $::hy_exponent \
               [expr {({old})*pow({axial},1.0-$::hy_exponent)}] $::hy_exponent 0.0 0.0 0.0 3.0",
     parameters: &[LawParameter::linear("exponent", 0.8, [0.5, 1.0], LawUnit::One, BOWDEN)],
-    phenomena: &[Phenomenon { name: "fall of the coefficient with the axial force", neutral: &[("exponent", 1.0)] }],
+    phenomena: &[Phenomenon {
+        name: "fall of the coefficient with the axial force",
+        cause: Some("varying_axial_load"),
+        neutral: &[("exponent", 1.0)],
+    }],
     basis: "a constant coefficient",
     source: "OpenSees' manual, VelNormalFrcDep",
 };

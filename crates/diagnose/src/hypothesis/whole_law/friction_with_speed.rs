@@ -21,7 +21,11 @@ pub(super) const LAW: WholeLaw = WholeLaw {
             "20 to 100 s/m (Constantinou and others 1990)",
         ),
     ],
-    phenomena: &[Phenomenon { name: "growth with the speed", neutral: &[("slow", 1.0)] }],
+    phenomena: &[Phenomenon {
+        name: "growth with the speed",
+        cause: Some("rate_dependence"),
+        neutral: &[("slow", 1.0)],
+    }],
     basis: "a constant coefficient",
     source: "Constantinou, Mokha and Reinhorn (1990), Journal of Structural Engineering 116, 455-474",
 };

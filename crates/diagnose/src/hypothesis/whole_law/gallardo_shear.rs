@@ -29,10 +29,14 @@ pub(super) const LAW: WholeLaw = WholeLaw {
         LawParameter::linear("hardening", 0.1, [0.0, 0.45], LawUnit::One, EXAMPLE),
     ],
     phenomena: &[
-        Phenomenon { name: "softening by the largest strain", neutral: &[("softening", 0.0)] },
-        Phenomenon { name: "softening by cycles", neutral: &[("cycles", 0.0)] },
-        Phenomenon { name: "stiffening at large strain", neutral: &[("fifth", 0.0)] },
-        Phenomenon { name: "temporary hardening", neutral: &[("hardening", 0.0)] },
+        Phenomenon {
+            name: "softening by the largest strain",
+            cause: Some("mullins_softening"),
+            neutral: &[("softening", 0.0)],
+        },
+        Phenomenon { name: "softening by cycles", cause: Some("cyclic_degradation"), neutral: &[("cycles", 0.0)] },
+        Phenomenon { name: "stiffening at large strain", cause: Some("strain_stiffening"), neutral: &[("fifth", 0.0)] },
+        Phenomenon { name: "temporary hardening", cause: None, neutral: &[("hardening", 0.0)] },
     ],
     basis: "a linear spring beside a hysteretic one",
     source: "Gallardo, de la Llera, Restrepo, Chen, Engineering Structures 289 (2023) 116234",

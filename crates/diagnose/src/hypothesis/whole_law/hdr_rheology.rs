@@ -28,9 +28,13 @@ pub(super) const LAW: WholeLaw = WholeLaw {
         LawParameter::linear("stiffening", 1.0, [0.0, 5.0], LawUnit::One, COMPOUNDS),
     ],
     phenomena: &[
-        Phenomenon { name: "overstress", neutral: &[("overstress", ABSENT)] },
-        Phenomenon { name: "friction", neutral: &[("friction", ABSENT)] },
-        Phenomenon { name: "stiffening at large strain", neutral: &[("stiffening", 0.0)] },
+        Phenomenon { name: "overstress", cause: Some("rate_dependence"), neutral: &[("overstress", ABSENT)] },
+        Phenomenon { name: "friction", cause: Some("friction"), neutral: &[("friction", ABSENT)] },
+        Phenomenon {
+            name: "stiffening at large strain",
+            cause: Some("strain_stiffening"),
+            neutral: &[("stiffening", 0.0)],
+        },
     ],
     basis: "a linear spring",
     source: "Nguyen, A rheology model of high damping rubber bearings, dissertation, Eqs 3.1 to 3.13",

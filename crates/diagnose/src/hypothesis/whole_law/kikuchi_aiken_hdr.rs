@@ -53,7 +53,11 @@ pub(super) const STIFFENING: WholeLaw = WholeLaw {
     materials: RUBBERS,
     command: COMMAND,
     parameters: &[area(1.53e6), height(2.6, [STIFFENS, 4.0]), damping(), share()],
-    phenomena: &[Phenomenon { name: "stiffening at large strain", neutral: &[("height", 1.0 / STIFFENS)] }],
+    phenomena: &[Phenomenon {
+        name: "stiffening at large strain",
+        cause: Some("strain_stiffening"),
+        neutral: &[("height", 1.0 / STIFFENS)],
+    }],
     basis: "stiffness that falls with the largest strain so far, and loops whose damping depends on it",
     source: SOURCE,
 };

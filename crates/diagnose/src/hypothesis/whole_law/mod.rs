@@ -119,6 +119,8 @@ impl LawParameter {
 /// A phenomenon of a law, with the values of parameters that switch it off, in their units.
 struct Phenomenon {
     name: &'static str,
+    /// Cause that it is an effect of; none where the library has no name for it.
+    cause: Option<&'static str>,
     neutral: &'static [(&'static str, f64)],
 }
 
@@ -140,8 +142,10 @@ impl WholeLaw {
             let p = self.parameters.iter().find(|p| p.name == *name)?;
             Some((format!("hy_{name}"), x * p.unit.of(group)))
         };
-        let switch =
-            |p: &Phenomenon| Switch { phenomenon: p.name, neutral: p.neutral.iter().filter_map(value).collect() };
+        let switch = |p: &Phenomenon| {
+            let neutral = p.neutral.iter().filter_map(value).collect();
+            Switch { phenomenon: p.name, cause: p.cause, neutral }
+        };
         self.phenomena.iter().map(switch).collect()
     }
 

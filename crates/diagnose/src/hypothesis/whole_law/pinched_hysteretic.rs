@@ -41,9 +41,13 @@ pub(super) const LAW: WholeLaw = WholeLaw {
         ),
     ],
     phenomena: &[
-        Phenomenon { name: "pinching", neutral: &[("pinchX", 1.0), ("pinchY", 1.0)] },
-        Phenomenon { name: "damage by dissipated energy", neutral: &[("damage", 0.0)] },
-        Phenomenon { name: "softer unloading after large deformation", neutral: &[("unloading", 0.0)] },
+        Phenomenon { name: "pinching", cause: Some("pinching"), neutral: &[("pinchX", 1.0), ("pinchY", 1.0)] },
+        Phenomenon {
+            name: "damage by dissipated energy",
+            cause: Some("cyclic_degradation"),
+            neutral: &[("damage", 0.0)],
+        },
+        Phenomenon { name: "softer unloading after large deformation", cause: None, neutral: &[("unloading", 0.0)] },
     ],
     basis: "yielding with hardening, and reloading towards the largest deformation",
     source: MANUAL,

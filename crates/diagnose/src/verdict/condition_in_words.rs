@@ -1,0 +1,151 @@
+//! Another value of a user's parameter in words: its values, the run, and the times.
+
+use super::quantity::digits;
+use crate::candidate::proposal::ChangedCondition;
+use crate::candidate::variant::Variant;
+use serde::Serialize;
+
+/// Time for which the user's parameters have other values.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimeSpan {
+    /// The run; empty if there is one alone.
+    pub run: String,
+    /// Its beginning, s; none for that of the run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<f64>,
+    /// Its end, s; none for that of the run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to: Option<f64>,
+}
+
+/// A changed condition with its fitted values.
+pub(super) struct FittedCondition<'a> {
+    condition: &'a ChangedCondition,
+    variant: &'a Variant,
+    values: &'a [f64],
+}
+
+/// Digits of the values in a sentence.
+const DIGITS: i32 = 3;
+
+impl<'a> FittedCondition<'a> {
+    /// That of a variant at values of all its parameters; none for other effects.
+    pub(super) fn of(variant: &'a Variant, values: &'a [f64]) -> Option<Self> {
+        let condition = variant.proposal.as_ref()?.condition.as_ref()?;
+        Some(Self { condition, variant, values })
+    }
+
+    fn value(&self, name: &str) -> Option<f64> {
+        let index = self.variant.study.space.parameters.iter().position(|p| p.name == name)?;
+        self.values.get(index).copied()
+    }
+
+    /// The parameters with their other values and the usual ones.
+    fn changed(&self) -> Vec<(&'a str, f64, f64)> {
+        let of = |(name, factor): &'a (String, String)| {
+            let usual = self.value(name)?;
+            Some((name.as_str(), usual * self.value(factor)?, usual))
+        };
+        self.condition.factors.iter().filter_map(of).collect()
+    }
+
+    /// The time of the other values; none for a whole run.
+    pub(super) fn span(&self) -> Option<TimeSpan> {
+        let time = |name: &Option<String>| name.as_deref().and_then(|n| self.value(n));
+        let (from, to) = (time(&self.condition.from), time(&self.condition.to));
+        let run = self.condition.run.clone().unwrap_or_default();
+        (from.is_some() || to.is_some()).then_some(TimeSpan { run, from, to })
+    }
+
+    /// When the parameters have the other values, in words.
+    fn when(&self) -> String {
+        let seconds = |t: f64| digits(t, DIGITS);
+        let time = self.span().map(|s| match (s.from, s.to) {
+            (Some(from), Some(to)) => format!("from {} to {} s", seconds(from), seconds(to)),
+            (Some(from), None) => format!("from {} s on", seconds(from)),
+            (_, to) => format!("up to {} s", seconds(to.unwrap_or(0.0))),
+        });
+        let run = self.condition.run.as_ref().map(|run| format!("in the run {run}"));
+        time.into_iter().chain(run).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The values in words: `Fp is 13.9 from 3.6 to 9.7 s in the run A, and 10 otherwise`.
+    pub(super) fn description(&self) -> String {
+        let all = self.changed();
+        let other: Vec<String> = all.iter().map(|(name, x, _)| format!("{name} is {}", digits(*x, DIGITS))).collect();
+        let usual: Vec<String> = all.iter().map(|(.., x)| digits(*x, DIGITS)).collect();
+        format!("{} {}, and {} otherwise", other.join(" and "), self.when(), usual.join(" and "))
+    }
+
+    /// What has to be known of another run before it is predicted.
+    pub(super) fn needed(&self) -> String {
+        let all = self.changed();
+        let values = all.iter().map(|(name, x, usual)| {
+            let (x, usual) = (digits(*x, DIGITS), digits(*usual, DIGITS));
+            format!("{name} of it is {usual}, which corrected.tcl takes, or {x}")
+        });
+        format!(
+            "before another run is predicted, find out whether {}",
+            values.collect::<Vec<_>>().join(", and whether ")
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FittedCondition;
+    use crate::candidate::proposal::{ChangedCondition, Proposal};
+    use crate::candidate::variant::Variant;
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, script_edit};
+
+    /// The pad of the repository with a factor of 1.5 on its first parameter, from 2 s or up to 4 s, or both.
+    fn fitted(from: bool, to: bool) -> (Variant, Vec<f64>, String) {
+        let own = baseline();
+        let name = own.variant.study.space.parameters[0].name.clone();
+        let added = |n: &str| format!("hy_{n}");
+        let condition = ChangedCondition {
+            run: Some("A".into()),
+            factors: vec![(name.clone(), added("factor"))],
+            from: from.then(|| added("from")),
+            to: to.then(|| added("to")),
+        };
+        let proposal =
+            Proposal { condition: Some(condition), ..script_edit("changed_condition", &["factor", "from", "to"]) };
+        let variant = own.variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant");
+        let mut values = own.fitted.values.clone();
+        values[0] = 10.0;
+        values.extend([1.5, 2.0, 4.0]);
+        (variant, values, name)
+    }
+
+    #[test]
+    fn the_sentence_has_values_run_and_times() {
+        let told = |from, to| {
+            let (variant, values, name) = fitted(from, to);
+            let c = FittedCondition::of(&variant, &values).expect("a condition");
+            (c.description().replace(&name, "x"), c.span().map(|s| (s.from, s.to)))
+        };
+        assert_eq!(told(false, false), ("x is 15 in the run A, and 10 otherwise".into(), None));
+        let both = "x is 15 from 2 to 4 s in the run A, and 10 otherwise".to_owned();
+        assert_eq!(told(true, true), (both, Some((Some(2.0), Some(4.0)))));
+        assert_eq!(told(true, false).0, "x is 15 from 2 s on in the run A, and 10 otherwise");
+        assert_eq!(told(false, true).0, "x is 15 up to 4 s in the run A, and 10 otherwise");
+    }
+
+    #[test]
+    fn a_prediction_asks_for_the_condition() {
+        let (variant, values, name) = fitted(true, false);
+        let needed = FittedCondition::of(&variant, &values).expect("a condition").needed().replace(&name, "x");
+        let told = "before another run is predicted, find out whether x of it is 10, which corrected.tcl takes, or 15";
+        assert_eq!(needed, told);
+        assert!(FittedCondition::of(&baseline().variant, &values).is_none());
+    }
+
+    #[test]
+    fn a_time_of_change_is_paid_for() {
+        let parameters = |from, to| fitted(from, to).0.counted_parameters();
+        assert_eq!(parameters(true, false), parameters(false, false) + 1);
+        assert_eq!(parameters(true, true), parameters(false, false) + 2);
+    }
+}
