@@ -1,5 +1,7 @@
 //! Check of a script: each mistake is reported and the script goes on. Consequences of a mistake are not reported.
 
+mod stand_in;
+
 use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
 use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
@@ -147,22 +149,40 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     let noting = interp.host.index.is_some().then(|| call.noting());
     let call = noting.as_ref().unwrap_or(call);
-    let result = (command.run)(interp, call);
-    if let Some(index) = &mut interp.host.index {
-        index.note(command, call, result.is_ok());
-    }
-    match result {
+    let result = match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
-            let held_back = e.diagnostic.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a));
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
             let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
             interp.host.check.note(&words, true);
-            if !held_back {
-                report_at(interp, e.diagnostic, call);
-            }
-            Ok(Value::EMPTY)
+            let absent = e.diagnostic.absent.clone();
+            tell(interp, e.diagnostic, call);
+            let done = absent.is_some_and(|absent| stand_in::run_with(interp, command, call, absent));
+            if done { Ok(Value::EMPTY) } else { Err(None) }
         }
-        other => other,
+        other => other.map_err(Some),
+    };
+    if let Some(index) = &mut interp.host.index {
+        index.note(command, call, result.is_ok());
+    }
+    result.or_else(|e| e.map_or(Ok(Value::EMPTY), Err))
+}
+
+/// A mistake that a command can go on with: a check reports it, a run is refused.
+pub(crate) fn go_on(interp: &mut Tcl, e: Exception) -> Result<(), Exception> {
+    match e {
+        Exception::Error(e) if interp.host.mode == Mode::Check => {
+            interp.host.check.rejected = true;
+            report(interp, e.diagnostic);
+            Ok(())
+        }
+        e => Err(e),
+    }
+}
+
+/// Report a mistake, unless it only follows from one already reported.
+fn tell(interp: &mut Tcl, wrong: Diagnostic, call: &Call<'_>) {
+    if !wrong.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a)) {
+        report_at(interp, wrong, call);
     }
 }
 
