@@ -269,7 +269,7 @@ impl<'a> Args<'a> {
     ) -> Result<(), Exception> {
         if !interp.host.follows(&[slips::DOMAINS]) {
             let e = self.refuse_at(span, message, label).by(&words::OUT_OF_RANGE);
-            return check::go_on(interp, e);
+            return check::go_on(interp, Err(e));
         }
         warn(
             interp,

@@ -4,14 +4,14 @@
 //! told as well, and what it defines is there for the commands behind it. Nodes have no stand-in: their place matters.
 
 use super::tell;
-use crate::{Command, Tcl, things};
+use crate::{Command, Tcl, calls, things};
 use hysteron_engine::element::friction::Coulomb;
 use hysteron_engine::material::Elastic;
 use hysteron_engine::model::Tag;
 use hysteron_engine::series::Linear;
 use hysteron_engine::shared::Shared as _;
 use hysteron_tcl::diagnostic::Absent;
-use hysteron_tcl::{Call, Exception};
+use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 /// Stand-ins of one command.
@@ -52,6 +52,31 @@ fn define(interp: &mut Tcl, absent: &Absent) -> Option<Tag> {
         _ => false,
     };
     is_new.then_some(tag)
+}
+
+/// Define a stand-in for any kind that can have one, where the model is not known: also nodes, in places of their own, and what
+/// elements take beside materials.
+pub(crate) fn define_any(interp: &mut Tcl, absent: &Absent) -> bool {
+    let tag = absent.name.as_str();
+    let (ndm, ndf) = (interp.host.builder.ndm, interp.host.builder.ndf);
+    let number: f64 = tag.parse().unwrap_or(0.0);
+    let coordinates = [number, (0.7 * number).sin(), (1.3 * number).cos()].map(|x| x.to_string());
+    let mut words = match absent.kind {
+        things::NODE => vec!["node", tag],
+        things::ND_MATERIAL => vec!["nDMaterial", "ElasticIsotropic", tag, "1.0", "0.2"],
+        things::SECTION if ndm == 3 => vec!["section", "Elastic", tag, "1.0", "1.0", "1.0", "1.0", "1.0", "1.0"],
+        things::SECTION => vec!["section", "Elastic", tag, "1.0", "1.0", "1.0"],
+        things::TRANSFORM if ndm == 3 => vec!["geomTransf", "Linear", tag, "0.3", "0.5", "0.8"],
+        things::TRANSFORM => vec!["geomTransf", "Linear", tag],
+        _ => return define(interp, absent).is_some(),
+    };
+    if absent.kind == things::NODE {
+        words.extend(coordinates.iter().take(ndm).map(String::as_str));
+    }
+    let is_possible = ndm > 0 && ndf > 0 && number != 0.0;
+    let values: Vec<Value> = words.iter().map(|w| Value::from(*w)).collect();
+    let command = calls::command(words[0]).filter(|_| is_possible);
+    command.is_some_and(|c| (c.run)(interp, &Call::of(&values)).is_ok())
 }
 
 fn remove(interp: &mut Tcl, kind: &str, tag: Tag) {

@@ -1,0 +1,538 @@
+//! Calls of OpenSees in a text, with what is known of their arguments, and of the order in which they run.
+
+use crate::constants::bindings;
+use crate::literal::{Expression, Literal};
+use crate::token::{Kind, Line, Token, Tokens};
+use hysteron_opensees::{calls, opensees_names};
+use hysteron_tcl::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+/// The module that a file takes its commands from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Module {
+    /// `openseespy.opensees`.
+    OpenSeesPy,
+    /// `hysteron.opensees`.
+    Hysteron,
+}
+
+/// An argument of a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Argument {
+    /// Its place.
+    pub at: Range<usize>,
+    /// The words that it stands for, with their places; `None` where they are not known.
+    pub words: Option<Vec<(Value, Range<usize>)>>,
+}
+
+/// A call of a command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FoundCall {
+    /// Name of the command.
+    pub name: String,
+    /// Place of the name.
+    pub name_at: Range<usize>,
+    /// Place of the call, from the name to the closing bracket.
+    pub at: Range<usize>,
+    /// The arguments.
+    pub arguments: Vec<Argument>,
+    /// All calls before are known, and this one is made after them, once.
+    pub in_order: bool,
+    /// An error of the call may be meant: it stands in `try`.
+    pub may_fail: bool,
+}
+
+/// What is never closed.
+pub type Unclosed = Range<usize>;
+
+/// The calls of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// Where the commands come from.
+    pub module: Module,
+    /// The calls, in the order of the text.
+    pub calls: Vec<FoundCall>,
+    /// All calls of the file are known, in the order in which they are made.
+    pub is_complete: bool,
+    /// The bracket or quote that is never closed.
+    pub unclosed: Option<Unclosed>,
+}
+
+/// Keywords, behind which a bracket is no call.
+const KEYWORDS: [&str; 22] = [
+    "if", "elif", "else", "for", "while", "in", "not", "and", "or", "is", "return", "yield", "assert", "del", "lambda",
+    "with", "import", "from", "raise", "except", "await", "case",
+];
+
+/// Keywords that begin a block.
+const BLOCKS: [&str; 14] = [
+    "if", "elif", "else", "for", "while", "def", "class", "with", "try", "except", "finally", "async", "match", "case",
+];
+
+/// Functions of Python that call no command.
+const BUILTINS: [&str; 30] = [
+    "print",
+    "len",
+    "range",
+    "float",
+    "int",
+    "str",
+    "abs",
+    "min",
+    "max",
+    "sum",
+    "round",
+    "list",
+    "tuple",
+    "dict",
+    "set",
+    "zip",
+    "enumerate",
+    "open",
+    "sorted",
+    "isinstance",
+    "format",
+    "type",
+    "bool",
+    "reversed",
+    "any",
+    "all",
+    "map",
+    "pow",
+    "divmod",
+    "repr",
+];
+
+/// Modules whose functions call no command that changes a model.
+const MODULES: [&str; 33] = [
+    "numpy",
+    "math",
+    "matplotlib",
+    "os",
+    "sys",
+    "time",
+    "scipy",
+    "pandas",
+    "opsvis",
+    "vfo",
+    "json",
+    "csv",
+    "pathlib",
+    "datetime",
+    "random",
+    "copy",
+    "itertools",
+    "functools",
+    "re",
+    "warnings",
+    "cmath",
+    "collections",
+    "typing",
+    "string",
+    "shutil",
+    "glob",
+    "pickle",
+    "tqdm",
+    "seaborn",
+    "plotly",
+    "IPython",
+    "__future__",
+    "dataclasses",
+];
+
+/// Functions that end the program.
+const ENDS: [&str; 3] = ["exit", "quit", "_exit"];
+
+/// Kind of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Block {
+    /// `if __name__ == "__main__":` is run once, where it stands.
+    Main,
+    /// Its statements run later, several times or not at all.
+    Branch,
+    /// The same, and errors are caught.
+    Try,
+}
+
+/// Read the calls of a text; `None` where it imports neither module.
+pub fn read(text: &str) -> Option<Reading> {
+    let tokens = Tokens::of(text);
+    let imports = Imports::of(text, &tokens);
+    let module = imports.module?;
+    let counts = bindings(text, &tokens);
+    let mut walk = Walk {
+        text,
+        tokens: &tokens,
+        imports: &imports,
+        counts,
+        constants: BTreeMap::new(),
+        calls: vec![],
+        is_known: true,
+        is_complete: true,
+        is_ended: false,
+    };
+    walk.lines();
+    let (calls, is_complete) = (walk.calls, walk.is_complete);
+    Some(Reading { module, calls, is_complete, unclosed: tokens.unclosed })
+}
+
+/// What a file imports.
+#[derive(Debug, Default)]
+struct Imports {
+    module: Option<Module>,
+    /// Names of the module of commands, with dots.
+    aliases: Vec<String>,
+    /// Commands that are imported by name: what the file calls them, and their name.
+    commands: BTreeMap<String, String>,
+    /// All commands are imported by their names.
+    is_star: bool,
+    /// Names of modules that call no command, and of what comes from them.
+    harmless: Vec<String>,
+    /// Names that the file defines.
+    own: BTreeSet<String>,
+    /// Lines, by their first token, that import a module which may call commands.
+    unknown: BTreeSet<usize>,
+    has_classes: bool,
+}
+
+fn module_of(path: &str) -> Option<Module> {
+    match path {
+        "openseespy.opensees" => Some(Module::OpenSeesPy),
+        "hysteron.opensees" => Some(Module::Hysteron),
+        _ => None,
+    }
+}
+
+impl Imports {
+    fn of(text: &str, tokens: &Tokens) -> Self {
+        let mut out = Self::default();
+        for line in &tokens.lines {
+            let all = &tokens.all[line.tokens.clone()];
+            for statement in all.split(|t| &text[t.at.clone()] == ";") {
+                let words: Vec<&str> = statement.iter().map(|t| &text[t.at.clone()]).collect();
+                match words[..] {
+                    ["import", ..] => out.modules(&words[1..], line),
+                    ["from", ..] => out.names(&words[1..], line),
+                    ["def" | "class", name, ..] | ["async", "def", name, ..] => {
+                        out.has_classes |= words[0] == "class";
+                        out.own.insert(name.to_owned());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        out
+    }
+
+    /// `import a.b as c, d`.
+    fn modules(&mut self, words: &[&str], line: &Line) {
+        for one in words.split(|w| *w == ",") {
+            let end = one.iter().position(|w| *w == "as").unwrap_or(one.len());
+            let path = one[..end].concat();
+            let name = one.get(end + 1).map_or(path.as_str(), |n| n).to_owned();
+            if let Some(module) = module_of(&path) {
+                self.module.get_or_insert(module);
+                self.aliases.push(name);
+            } else if is_harmless(&path) {
+                self.harmless.push(name.split('.').next().unwrap_or_default().to_owned());
+            } else {
+                self.unknown.insert(line.tokens.start);
+            }
+        }
+    }
+
+    /// `from a.b import c as d, e` or `from a.b import *`.
+    fn names(&mut self, words: &[&str], line: &Line) {
+        let Some(at) = words.iter().position(|w| *w == "import") else { return };
+        let path = words[..at].concat();
+        let names = words[at + 1..].iter().filter(|w| !matches!(**w, "(" | ")")).copied().collect::<Vec<_>>();
+        for one in names.split(|w| *w == ",").filter(|one| !one.is_empty()) {
+            let (name, own) = (one[0], one.get(2).copied().unwrap_or(one[0]));
+            let inner = module_of(&format!("{path}.{name}"));
+            if let Some(module) = inner {
+                self.module.get_or_insert(module);
+                self.aliases.push(own.to_owned());
+            } else if let Some(module) = module_of(&path) {
+                self.module.get_or_insert(module);
+                match name {
+                    "*" => self.is_star = true,
+                    _ => _ = self.commands.insert(own.to_owned(), name.to_owned()),
+                }
+            } else if is_harmless(&path) {
+                self.harmless.push(own.to_owned());
+            } else {
+                self.unknown.insert(line.tokens.start);
+            }
+        }
+    }
+}
+
+fn is_harmless(path: &str) -> bool {
+    let first = path.split('.').next().unwrap_or_default();
+    MODULES.contains(&first) || path.starts_with("openseespy.post") || path == "openseespy" || path == "hysteron"
+}
+
+struct Walk<'a> {
+    text: &'a str,
+    tokens: &'a Tokens,
+    imports: &'a Imports,
+    counts: BTreeMap<String, usize>,
+    constants: BTreeMap<String, Literal>,
+    calls: Vec<FoundCall>,
+    /// All calls up to here are known.
+    is_known: bool,
+    is_complete: bool,
+    /// The program has ended.
+    is_ended: bool,
+}
+
+impl<'a> Walk<'a> {
+    fn word(&self, t: &Token) -> &'a str {
+        &self.text[t.at.clone()]
+    }
+
+    fn lines(&mut self) {
+        let mut blocks: Vec<(usize, Block)> = vec![];
+        let tokens = self.tokens;
+        for line in &tokens.lines {
+            blocks.retain(|(indent, _)| *indent < line.indent);
+            let all = &tokens.all[line.tokens.clone()];
+            if self.imports.unknown.contains(&line.tokens.start) {
+                self.lose();
+            }
+            let first = self.word(&all[0]);
+            let mut body = 0;
+            if BLOCKS.contains(&first) && !(matches!(first, "match" | "case") && !self.ends_with_colon(all)) {
+                let block = self.block(all);
+                body = self.head_end(all);
+                blocks.push((line.indent, block));
+                // The head runs where the block stands, but for that of a definition; loops run it again.
+                let head = if matches!(first, "def" | "class" | "async") { body } else { 0 };
+                let outer = &blocks[..blocks.len() - 1];
+                let outer: Vec<Block> = outer.iter().map(|(_, b)| *b).chain([Block::Branch]).collect();
+                self.statement(&all[head..body], &outer);
+            }
+            let kinds: Vec<Block> = blocks.iter().map(|(_, b)| *b).collect();
+            let mut depth = 0_usize;
+            let statements = all[body..].split(|t| {
+                match self.text.get(t.at.clone()) {
+                    Some("(" | "[" | "{") => depth += 1,
+                    Some(")" | "]" | "}") => depth = depth.saturating_sub(1),
+                    Some(";") => return depth == 0,
+                    _ => {}
+                }
+                false
+            });
+            let statements: Vec<&[Token]> = statements.collect();
+            statements.into_iter().for_each(|s| self.statement(s, &kinds));
+        }
+    }
+
+    fn ends_with_colon(&self, all: &[Token]) -> bool {
+        all.last().is_some_and(|t| self.word(t) == ":")
+    }
+
+    /// Number of tokens up to the colon of the head.
+    fn head_end(&self, all: &[Token]) -> usize {
+        let mut depth = 0_usize;
+        for (i, t) in all.iter().enumerate() {
+            match self.word(t) {
+                "(" | "[" | "{" => depth += 1,
+                ")" | "]" | "}" => depth = depth.saturating_sub(1),
+                ":" if depth == 0 && !all[..i].iter().any(|t| self.word(t) == "lambda") => return i + 1,
+                _ => {}
+            }
+        }
+        all.len()
+    }
+
+    fn block(&self, all: &[Token]) -> Block {
+        let words: Vec<&str> = all.iter().take(5).map(|t| self.word(t)).collect();
+        match words[..] {
+            ["if", "__name__", "==", _, ":"] => Block::Main,
+            ["try", ..] => Block::Try,
+            _ => Block::Branch,
+        }
+    }
+
+    /// The state of the model is not known from here.
+    fn lose(&mut self) {
+        (self.is_known, self.is_complete) = (false, false);
+    }
+
+    fn statement(&mut self, all: &[Token], blocks: &[Block]) {
+        let is_straight = blocks.iter().all(|b| *b == Block::Main);
+        let may_fail = blocks.contains(&Block::Try);
+        let mut i = 0;
+        while i < all.len() && !self.is_ended {
+            if all[i].kind == Kind::Name && all.get(i + 1).is_some_and(|t| self.word(t) == "(") {
+                self.call(all, i, is_straight, may_fail);
+            }
+            i += 1;
+        }
+        if is_straight {
+            self.assignment(all);
+        }
+    }
+
+    /// `name = value` or `name: type = value`, for a name that the file binds once.
+    fn assignment(&mut self, all: &[Token]) {
+        let Some(first) = all.first().filter(|t| t.kind == Kind::Name) else { return };
+        let equals = match all.get(1).map(|t| self.word(t)) {
+            Some("=") => 1,
+            Some(":") => all.iter().position(|t| self.word(t) == "=").unwrap_or(all.len()),
+            _ => return,
+        };
+        let name = self.word(first);
+        if self.counts.get(name) != Some(&1) || self.imports.own.contains(name) {
+            return;
+        }
+        if let Some(value) = self.value(all.get(equals + 1..).unwrap_or_default()) {
+            let is_mutable = all.get(equals + 1).is_some_and(|t| self.word(t) == "[");
+            if !(is_mutable && matches!(value, Literal::List(_))) {
+                self.constants.insert(name.to_owned(), value);
+            }
+        }
+    }
+
+    fn value(&self, tokens: &[Token]) -> Option<Literal> {
+        let modules = &self.imports.harmless;
+        Expression { text: self.text, tokens, at: 0, constants: &self.constants, modules }.whole()
+    }
+
+    /// The call whose last name is a token.
+    fn call(&mut self, all: &[Token], i: usize, is_straight: bool, may_fail: bool) {
+        let name = self.word(&all[i]);
+        let before = i.checked_sub(1).map_or("", |j| self.word(&all[j]));
+        if KEYWORDS.contains(&name) || matches!(before, "def" | "class") {
+            return;
+        }
+        let Some(command) = self.command(all, i) else {
+            if !self.is_harmless_call(all, i) {
+                if is_straight && ENDS.contains(&name) {
+                    self.is_ended = true;
+                }
+                self.lose();
+            }
+            return;
+        };
+        let Some(close) = self.closing(all, i + 1) else { return self.lose() };
+        let arguments = self.arguments(&all[i + 2..close]);
+        let is_literal = arguments.iter().all(|a| a.words.is_some());
+        let known = calls::command(&command);
+        // A model that is begun anew is known again.
+        if is_straight && command == "wipe" && is_literal {
+            self.is_known = true;
+        }
+        let in_order = self.is_known && is_straight && is_literal && !may_fail;
+        let looks = command == "analyze" || known.is_some_and(calls::only_looks);
+        let is_block = command.starts_with("block");
+        if !in_order && !looks || known.is_none() || is_block {
+            self.lose();
+        }
+        let at = all[i].at.start..all[close].at.end;
+        let in_order = in_order && !is_block;
+        self.calls.push(FoundCall { name: command, name_at: all[i].at.clone(), at, arguments, in_order, may_fail });
+    }
+
+    /// The command that is called by the name at a token, where it is one.
+    fn command(&self, all: &[Token], i: usize) -> Option<String> {
+        let name = self.word(&all[i]);
+        if i > 0 && self.word(&all[i - 1]) == "." {
+            let path = self.path(all, i)?;
+            let (module, _) = path.rsplit_once('.')?;
+            let is_name = !name.starts_with(|c: char| c.is_uppercase() || c == '_') || calls::command(name).is_some();
+            return (is_name && self.imports.aliases.iter().any(|a| a == module)).then(|| name.to_owned());
+        }
+        if self.imports.own.contains(name) {
+            return None;
+        }
+        if let Some(command) = self.imports.commands.get(name) {
+            return Some(command.clone());
+        }
+        let is_command = self.imports.is_star && !BUILTINS.contains(&name);
+        let is_known = calls::command(name).is_some() || opensees_names::has_command(name);
+        (is_command && is_known).then(|| name.to_owned())
+    }
+
+    /// Names with dots that end at a token; none where they begin with another expression.
+    fn path(&self, all: &[Token], i: usize) -> Option<String> {
+        let mut at = i;
+        while at >= 2 && self.word(&all[at - 1]) == "." && all[at - 2].kind == Kind::Name {
+            at -= 2;
+        }
+        if at > 0 && self.word(&all[at - 1]) == "." {
+            return None;
+        }
+        Some(all[at..=i].iter().map(|t| self.word(t)).collect())
+    }
+
+    /// Returns true if a call of something else calls no command that changes a model.
+    fn is_harmless_call(&self, all: &[Token], i: usize) -> bool {
+        let name = self.word(&all[i]);
+        if ENDS.contains(&name) {
+            return false;
+        }
+        if i == 0 || self.word(&all[i - 1]) != "." {
+            let is_own = self.imports.own.contains(name);
+            return !is_own && (BUILTINS.contains(&name) || self.imports.harmless.iter().any(|m| m == name));
+        }
+        let Some(path) = self.path(all, i) else { return !self.imports.has_classes };
+        let base = path.split('.').next().unwrap_or_default();
+        if self.imports.harmless.iter().any(|m| m == base) {
+            return true;
+        }
+        // A method of a variable: of a list, a file, a figure.
+        let is_module = self.imports.aliases.iter().any(|a| a.split('.').next() == Some(base));
+        !is_module && !self.imports.has_classes && self.counts.contains_key(base)
+    }
+
+    /// The bracket that closes the one at a token.
+    fn closing(&self, all: &[Token], open: usize) -> Option<usize> {
+        let mut depth = 0_usize;
+        for (i, t) in all.iter().enumerate().skip(open) {
+            match self.word(t) {
+                "(" | "[" | "{" => depth += 1,
+                ")" | "]" | "}" => {
+                    depth = depth.checked_sub(1)?;
+                    if depth == 0 {
+                        return Some(i);
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    fn arguments(&self, all: &[Token]) -> Vec<Argument> {
+        let mut depth = 0_usize;
+        let parts = all.split(|t| {
+            match self.text.get(t.at.clone()) {
+                Some("(" | "[" | "{") => depth += 1,
+                Some(")" | "]" | "}") => depth = depth.saturating_sub(1),
+                Some(",") => return depth == 0,
+                _ => {}
+            }
+            false
+        });
+        parts.filter(|p| !p.is_empty()).map(|p| self.argument(p)).collect()
+    }
+
+    fn argument(&self, tokens: &[Token]) -> Argument {
+        let at = tokens[0].at.start..tokens[tokens.len() - 1].at.end;
+        let is_named = tokens.len() > 1 && self.word(&tokens[1]) == "=";
+        let is_spread = self.word(&tokens[0]) == "*";
+        let value = if is_named { None } else { self.value(&tokens[usize::from(is_spread)..]) };
+        let value = value.filter(|v| !is_spread || matches!(v, Literal::List(_)));
+        let words = value.map(|value| {
+            let mut words = vec![];
+            // Items that stand elsewhere have the place of the name.
+            value.words(&at, &mut words);
+            words.iter_mut().filter(|(_, w)| w.start < at.start || at.end < w.end).for_each(|(_, w)| *w = at.clone());
+            words
+        });
+        Argument { at, words }
+    }
+}
