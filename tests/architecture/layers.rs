@@ -214,6 +214,7 @@ pub const LAYERS: &[Layers] = &[
         ],
         upward: &[],
     },
+    Layers { krate: "calls", modules: &["token", "literal", "constants", "reader", "writing", "check"], upward: &[] },
     Layers {
         krate: "lsp",
         modules: &[
@@ -221,6 +222,8 @@ pub const LAYERS: &[Layers] = &[
             "settings",
             "text",
             "uri",
+            "line",
+            "python",
             "script",
             "finding",
             "check",

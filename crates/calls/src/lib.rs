@@ -11,6 +11,8 @@ mod constants;
 mod literal;
 mod reader;
 mod token;
+mod writing;
 
 pub use check::{Checked, Settings, check};
 pub use reader::{Argument, FoundCall, Module, Reading, Unclosed, read};
+pub use writing::{OpenCall, bare, open_call};

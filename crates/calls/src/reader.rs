@@ -141,6 +141,9 @@ const MODULES: [&str; 33] = [
     "dataclasses",
 ];
 
+/// Words within an expression after which a call need not be made once.
+const CONDITIONS: [&str; 5] = ["lambda", "for", "if", "and", "or"];
+
 /// Functions that end the program.
 const ENDS: [&str; 3] = ["exit", "quit", "_exit"];
 
@@ -149,8 +152,10 @@ const ENDS: [&str; 3] = ["exit", "quit", "_exit"];
 enum Block {
     /// `if __name__ == "__main__":` is run once, where it stands.
     Main,
-    /// Its statements run later, several times or not at all.
+    /// Its statements run several times or not at all.
     Branch,
+    /// The body of a function: it runs where the function is called.
+    Function,
     /// The same, and errors are caught.
     Try,
 }
@@ -179,7 +184,7 @@ pub fn read(text: &str) -> Option<Reading> {
 
 /// What a file imports.
 #[derive(Debug, Default)]
-struct Imports {
+pub(crate) struct Imports {
     module: Option<Module>,
     /// Names of the module of commands, with dots.
     aliases: Vec<String>,
@@ -205,7 +210,7 @@ fn module_of(path: &str) -> Option<Module> {
 }
 
 impl Imports {
-    fn of(text: &str, tokens: &Tokens) -> Self {
+    pub(crate) fn of(text: &str, tokens: &Tokens) -> Self {
         let mut out = Self::default();
         for line in &tokens.lines {
             let all = &tokens.all[line.tokens.clone()];
@@ -265,6 +270,50 @@ impl Imports {
                 self.unknown.insert(line.tokens.start);
             }
         }
+    }
+}
+
+/// Names with dots that end at a token; none where they begin with another expression.
+fn path(text: &str, all: &[Token], i: usize) -> Option<String> {
+    let word = |t: &Token| text[t.at.clone()].to_owned();
+    let mut at = i;
+    while at >= 2 && word(&all[at - 1]) == "." && all[at - 2].kind == Kind::Name {
+        at -= 2;
+    }
+    if at > 0 && word(&all[at - 1]) == "." {
+        return None;
+    }
+    Some(all[at..=i].iter().map(word).collect())
+}
+
+impl Imports {
+    /// The command that is called by the name at a token, where it is one.
+    pub(crate) fn called<'a>(&'a self, text: &'a str, all: &[Token], i: usize) -> Option<&'a str> {
+        let name = all.get(i).filter(|t| t.kind == Kind::Name).map(|t| &text[t.at.clone()])?;
+        if let Some(name) = self.written(text, all, i) {
+            let is_name = !name.starts_with(|c: char| c.is_uppercase() || c == '_') || calls::command(name).is_some();
+            return is_name.then_some(name);
+        }
+        if i > 0 && &text[all[i - 1].at.clone()] == "." || self.own.contains(name) {
+            return None;
+        }
+        if let Some(command) = self.commands.get(name) {
+            return Some(command);
+        }
+        let is_known = || calls::command(name).is_some() || opensees_names::has_command(name);
+        (self.is_star && !BUILTINS.contains(&name) && is_known()).then_some(name)
+    }
+
+    /// The name at a token behind the name of the module.
+    pub(crate) fn written<'a>(&self, text: &'a str, all: &[Token], i: usize) -> Option<&'a str> {
+        let dot = i.checked_sub(1).filter(|j| &text[all[*j].at.clone()] == ".")?;
+        self.is_alias(text, &all[..dot]).then(|| &text[all[i].at.clone()])
+    }
+
+    /// Returns true if tokens end with a name of the module.
+    pub(crate) fn is_alias(&self, text: &str, all: &[Token]) -> bool {
+        let last = all.len().checked_sub(1).and_then(|i| path(text, all, i));
+        last.is_some_and(|path| self.aliases.contains(&path))
     }
 }
 
@@ -352,6 +401,7 @@ impl<'a> Walk<'a> {
         match words[..] {
             ["if", "__name__", "==", _, ":"] => Block::Main,
             ["try", ..] => Block::Try,
+            ["def", ..] | ["async", "def", ..] => Block::Function,
             _ => Block::Branch,
         }
     }
@@ -362,8 +412,11 @@ impl<'a> Walk<'a> {
     }
 
     fn statement(&mut self, all: &[Token], blocks: &[Block]) {
-        let is_straight = blocks.iter().all(|b| *b == Block::Main);
+        // A part of an expression may run later, several times or not at all.
+        let is_plain = !all.iter().any(|t| CONDITIONS.contains(&self.word(t)));
+        let is_straight = is_plain && blocks.iter().all(|b| *b == Block::Main);
         let may_fail = blocks.contains(&Block::Try);
+        let before = (self.is_known, self.is_complete);
         let mut i = 0;
         while i < all.len() && !self.is_ended {
             if all[i].kind == Kind::Name && all.get(i + 1).is_some_and(|t| self.word(t) == "(") {
@@ -373,6 +426,10 @@ impl<'a> Walk<'a> {
         }
         if is_straight {
             self.assignment(all);
+        }
+        // A function that is called loses the state at its call.
+        if blocks.contains(&Block::Function) {
+            (self.is_known, self.is_complete) = before;
         }
     }
 
@@ -408,7 +465,7 @@ impl<'a> Walk<'a> {
         if KEYWORDS.contains(&name) || matches!(before, "def" | "class") {
             return;
         }
-        let Some(command) = self.command(all, i) else {
+        let Some(command) = self.imports.called(self.text, all, i).map(str::to_owned) else {
             if !self.is_harmless_call(all, i) {
                 if is_straight && ENDS.contains(&name) {
                     self.is_ended = true;
@@ -436,38 +493,6 @@ impl<'a> Walk<'a> {
         self.calls.push(FoundCall { name: command, name_at: all[i].at.clone(), at, arguments, in_order, may_fail });
     }
 
-    /// The command that is called by the name at a token, where it is one.
-    fn command(&self, all: &[Token], i: usize) -> Option<String> {
-        let name = self.word(&all[i]);
-        if i > 0 && self.word(&all[i - 1]) == "." {
-            let path = self.path(all, i)?;
-            let (module, _) = path.rsplit_once('.')?;
-            let is_name = !name.starts_with(|c: char| c.is_uppercase() || c == '_') || calls::command(name).is_some();
-            return (is_name && self.imports.aliases.iter().any(|a| a == module)).then(|| name.to_owned());
-        }
-        if self.imports.own.contains(name) {
-            return None;
-        }
-        if let Some(command) = self.imports.commands.get(name) {
-            return Some(command.clone());
-        }
-        let is_command = self.imports.is_star && !BUILTINS.contains(&name);
-        let is_known = calls::command(name).is_some() || opensees_names::has_command(name);
-        (is_command && is_known).then(|| name.to_owned())
-    }
-
-    /// Names with dots that end at a token; none where they begin with another expression.
-    fn path(&self, all: &[Token], i: usize) -> Option<String> {
-        let mut at = i;
-        while at >= 2 && self.word(&all[at - 1]) == "." && all[at - 2].kind == Kind::Name {
-            at -= 2;
-        }
-        if at > 0 && self.word(&all[at - 1]) == "." {
-            return None;
-        }
-        Some(all[at..=i].iter().map(|t| self.word(t)).collect())
-    }
-
     /// Returns true if a call of something else calls no command that changes a model.
     fn is_harmless_call(&self, all: &[Token], i: usize) -> bool {
         let name = self.word(&all[i]);
@@ -478,7 +503,7 @@ impl<'a> Walk<'a> {
             let is_own = self.imports.own.contains(name);
             return !is_own && (BUILTINS.contains(&name) || self.imports.harmless.iter().any(|m| m == name));
         }
-        let Some(path) = self.path(all, i) else { return !self.imports.has_classes };
+        let Some(path) = path(self.text, all, i) else { return !self.imports.has_classes };
         let base = path.split('.').next().unwrap_or_default();
         if self.imports.harmless.iter().any(|m| m == base) {
             return true;

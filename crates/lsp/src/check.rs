@@ -69,6 +69,8 @@ impl Checked {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FileKind {
     Script,
+    /// A file of Python, whose calls are those of a script where it imports OpenSees.
+    Python,
     Study,
     Isolation,
     Plan,
@@ -79,6 +81,9 @@ pub(crate) enum FileKind {
 impl FileKind {
     /// Of a file with this name and text.
     pub(crate) fn of(path: &str, text: &str) -> Self {
+        if path.ends_with(".py") {
+            return Self::Python;
+        }
         if !path.ends_with(".toml") {
             return Self::Script;
         }
@@ -117,6 +122,7 @@ impl Job<'_> {
         }
         match FileKind::of(self.root, &text) {
             FileKind::Script => self.script(&mut checked),
+            FileKind::Python => self.python(&text, &mut checked),
             FileKind::Study => self.study(&text, &mut checked, first),
             FileKind::Isolation => self.isolation(&text, &mut checked),
             FileKind::Plan => {
@@ -128,11 +134,37 @@ impl Job<'_> {
         checked
     }
 
-    fn script(&self, checked: &mut Checked) {
+    /// The files of the disk under those of the editor.
+    fn files(&self) -> OverlayFiles {
         let files = OverlayFiles::new(Box::new(OsFiles)).starting_in(folder(self.root));
-        let files = self.buffers.iter().fold(files, |files, (path, text)| files.with_text(path, text));
+        self.buffers.iter().fold(files, |files, (path, text)| files.with_text(path, text))
+    }
+
+    fn settings(&self) -> Settings {
         let options = Options { compat: self.compat, ..Options::default() };
-        let settings = Settings { mode: Mode::Check, strict: false, options };
+        Settings { mode: Mode::Check, strict: false, options }
+    }
+
+    /// Check the calls of a file of Python.
+    fn python(&self, text: &str, checked: &mut Checked) {
+        let (files, stop) = (Box::new(self.files()), self.stop.clone());
+        let settings = hysteron_calls::Settings { run: self.settings(), files, stop, index: true };
+        let Some(found) = hysteron_calls::check(file_name(self.root), text, settings) else { return };
+        let hysteron_calls::Checked { mut run, is_cut, .. } = found;
+        checked.is_cut = is_cut;
+        checked.is_stopped = self.stop.load(Ordering::Relaxed);
+        let (interp, mut paths) = (&mut run.interp, Paths::default());
+        let finding = |d: &Diagnostic| Finding::new(d, &interp.sources, &mut paths, folder(self.root), self.root);
+        checked.findings.extend(interp.warnings.iter().map(finding));
+        let index = interp.host.index.take().unwrap_or_default();
+        let script = Script::new(*index, BTreeMap::new(), &interp.sources, folder(self.root));
+        self.keep_texts(checked, &interp.sources);
+        checked.script = Some(Arc::new(script));
+    }
+
+    fn script(&self, checked: &mut Checked) {
+        let files = self.files();
+        let settings = self.settings();
         let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles));
         run.interp.interrupt = self.stop.clone();
         run.interp.host.stop_on(self.stop.clone());
