@@ -131,6 +131,7 @@ pub const LAYERS: &[Layers] = &[
     Layers {
         krate: "opensees",
         modules: &[
+            "python_usage",
             "host",
             "index",
             "checks",
@@ -194,6 +195,7 @@ pub const LAYERS: &[Layers] = &[
     Layers {
         krate: "design",
         modules: &[
+            "mistake",
             "codes",
             "check",
             "motion",
@@ -214,7 +216,11 @@ pub const LAYERS: &[Layers] = &[
         ],
         upward: &[],
     },
-    Layers { krate: "calls", modules: &["token", "literal", "constants", "reader", "writing", "check"], upward: &[] },
+    Layers {
+        krate: "calls",
+        modules: &["token", "literal", "constants", "imports", "reader", "writing", "check"],
+        upward: &[],
+    },
     Layers {
         krate: "lsp",
         modules: &[

@@ -1,6 +1,7 @@
 //! Checks of the calls of a file.
 
-use crate::reader::{FoundCall, Module, Reading, read};
+use crate::imports::Module;
+use crate::reader::{FoundCall, Reading, read};
 use hysteron_opensees::calls::{self, PlacedCall};
 use hysteron_opensees::checks::words;
 use hysteron_opensees::run::{self, Run};
@@ -96,10 +97,9 @@ fn is_of_openseespy_alone(reading: &Reading, source: SourceId, d: &Diagnostic) -
     let is_kind = reading.module == Module::OpenSeesPy && d.code() == words::UNKNOWN_KIND.code;
     is_kind
         && reading.calls.iter().any(|c| {
-            let kind = c.arguments.first().and_then(|a| a.words.as_ref()?.first());
-            kind.is_some_and(|(word, at)| {
-                d.span == Some(span(source, at)) && opensees_names::has_kind(&c.name, &word.as_str())
-            })
+            let mut words = c.arguments.iter().filter_map(|a| a.words.as_ref()).flatten();
+            words
+                .any(|(word, at)| d.span == Some(span(source, at)) && opensees_names::has_kind(&c.name, &word.as_str()))
         })
 }
 

@@ -8,11 +8,13 @@
 
 mod check;
 mod constants;
+mod imports;
 mod literal;
 mod reader;
 mod token;
 mod writing;
 
 pub use check::{Checked, Settings, check};
-pub use reader::{Argument, FoundCall, Module, Reading, Unclosed, read};
+pub use imports::Module;
+pub use reader::{Argument, FoundCall, Reading, Unclosed, read};
 pub use writing::{OpenCall, bare, open_call};

@@ -1,6 +1,6 @@
 //! The call that is being written before a place, which need not be complete.
 
-use crate::reader::Imports;
+use crate::imports::Imports;
 use crate::token::{Kind, Token, Tokens};
 use hysteron_opensees::calls;
 

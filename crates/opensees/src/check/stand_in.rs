@@ -4,7 +4,7 @@
 //! told as well, and what it defines is there for the commands behind it. Nodes have no stand-in: their place matters.
 
 use super::tell;
-use crate::{Command, Tcl, calls, things};
+use crate::{Command, Tcl, commands, things};
 use hysteron_engine::element::friction::Coulomb;
 use hysteron_engine::material::Elastic;
 use hysteron_engine::model::Tag;
@@ -75,7 +75,7 @@ pub(crate) fn define_any(interp: &mut Tcl, absent: &Absent) -> bool {
     }
     let is_possible = ndm > 0 && ndf > 0 && number != 0.0;
     let values: Vec<Value> = words.iter().map(|w| Value::from(*w)).collect();
-    let command = calls::command(words[0]).filter(|_| is_possible);
+    let command = commands().find(|c| c.name == words[0]).filter(|_| is_possible);
     command.is_some_and(|c| (c.run)(interp, &Call::of(&values)).is_ok())
 }
 
