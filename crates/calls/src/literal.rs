@@ -112,7 +112,7 @@ impl<'a> Expression<'a> {
         if self.take("-") {
             return computed("-", &Literal::Int(0), &self.signed(depth + 1)?).map(|v| match v {
                 // 0 - 0.0 has no sign.
-                Literal::Float(x) if x == 0.0 => Literal::Float(-0.0),
+                Literal::Float(0.0) => Literal::Float(-0.0),
                 v => v,
             });
         }

@@ -133,7 +133,8 @@ impl<'a> Walk<'a> {
             }
             let first = self.word(&all[0]);
             let mut body = 0;
-            if BLOCKS.contains(&first) && !(matches!(first, "match" | "case") && !self.ends_with_colon(all)) {
+            let is_soft = matches!(first, "match" | "case");
+            if BLOCKS.contains(&first) && (!is_soft || self.ends_with_colon(all)) {
                 let block = self.block(all);
                 body = self.head_end(all);
                 blocks.push((line.indent, block));

@@ -155,8 +155,7 @@ impl Scanner<'_> {
         let triple = mark.repeat(3);
         let (end_mark, is_long) = if rest.starts_with(&triple) { (triple.as_str(), true) } else { (mark, false) };
         let mut i = end_mark.len();
-        loop {
-            let Some(c) = rest[i..].chars().next() else { break };
+        while let Some(c) = rest[i..].chars().next() {
             if rest[i..].starts_with(end_mark) {
                 return self.push(Kind::Text, quote + i + end_mark.len());
             }

@@ -339,7 +339,7 @@ mod tests {
             limit_states: vec![state("collapse", 0.0)],
             ..Performance::default()
         };
-        assert!(p.check(&[], &[]).expect_err("none").contains("[collapse]"));
+        assert!(p.check(&[], &[]).expect_err("none").message.contains("[collapse]"));
         let collapse = Collapse { drift: Some(0.1), displacement: None };
         assert!(Performance { collapse, ..p }.check(&[], &[]).is_ok());
         let hunt = Hunt { first: 1.0, step: 0.1, growth: 0.0, highest: 0.5, runs: 8, resolution: 0.1 };

@@ -398,14 +398,14 @@ fn calls_in_files_of_python_are_commands() {
     assert!(e.hover("m.py", 3, 5).contains("node $tag"));
     assert!(e.hover("m.py", 7, 20).contains("Elastic beam, Euler-Bernoulli"));
     assert!(
-        e.hover("m.py", 7, 38).contains("**element 11**") && e.hover("m.py", 7, 41).contains("**node 1** at (0, 0)")
+        e.hover("m.py", 7, 34).contains("**element 11**") && e.hover("m.py", 7, 37).contains("**node 1** at (0, 0)")
     );
     let mut ask = |method: &str, line, character| {
         let more = json!({ "context": { "includeDeclaration": true } });
         places(&e.at(&format!("textDocument/{method}"), "m.py", line, character, more))
     };
-    assert_eq!(ask("definition", 7, 44), ["6:10-11"]);
-    assert_eq!(ask("references", 5, 10), ["6:10-11", "8:45-46"]);
+    assert_eq!(ask("definition", 7, 40), ["6:10-11"]);
+    assert_eq!(ask("references", 5, 10), ["6:10-11", "8:41-42"]);
     assert_eq!(ask("references", 6, 26), ["7:26-27", "8:60-61"]);
     let answer = e.at("textDocument/rename", "m.py", 6, 26, json!({ "newName": "9" }));
     assert_eq!(places(&answer["changes"][e.uri("m.py")]), ["7:26-27", "8:60-61"]);

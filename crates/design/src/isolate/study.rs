@@ -4,7 +4,7 @@ use super::Properties;
 use super::agreement::{Agreement, StatedValues, settle};
 use super::study_file::{BearingEntry, Causes, LiveLoad, Stiffness, StudyFile, Transition};
 use crate::codes::{Code, Structure};
-use crate::mistake::{About as _, Mistake, key};
+use crate::mistake::{About as _, Mistake, Step, key};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
@@ -254,7 +254,7 @@ fn source_of(path: &Path, text: &str, sources: &mut SourceMap) -> SourceId {
 /// A mistake at its place. One of the whole stands at the script, which the study does not fit.
 fn placed(m: &Mistake, path: &Path, text: &str, sources: &mut SourceMap) -> Box<Diagnostic> {
     let source = source_of(path, text, sources);
-    Box::new(m.diagnostic(text, source, &key!["script"]))
+    Box::new(m.diagnostic(text, source, &[Step::from("script")]))
 }
 
 /// A study that has been settled with its script.
