@@ -60,6 +60,7 @@ pub use hysteron_engine::{
     analysis, element, material, model, probe, record, rules, section, series, state_struct, watches_columns,
 };
 // Parts of the engine that no program needs.
+pub use hysteron_calls as calls;
 #[doc(hidden)]
 pub use hysteron_engine::{assembly, bytes, number_format, numeric, parameter, solve};
 pub use hysteron_identify::{calibrate, measure, preflight, protocol, report, study};

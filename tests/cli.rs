@@ -9,6 +9,8 @@ mod amend;
 mod batch;
 #[path = "cli/bearing.rs"]
 mod bearing;
+#[path = "cli/check_recovery.rs"]
+mod check_recovery;
 #[path = "cli/checks.rs"]
 mod checks;
 #[path = "cli/editor.rs"]

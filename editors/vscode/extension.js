@@ -30,9 +30,9 @@ async function start(context) {
     "hysteron",
     { command: program(context), args: ["lsp", "--stdio"] },
     {
-      documentSelector: [{ language: "tcl" }, toml("**/study.toml"), toml("**/plan.toml")],
+      documentSelector: [{ language: "tcl" }, { language: "python", scheme: "file" }, toml("**/study.toml"), toml("**/plan.toml")],
       initializationOptions: options,
-      synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{tcl,toml}") },
+      synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{tcl,toml,py}") },
     },
   );
   try {

@@ -2,7 +2,7 @@
 
 use super::files::write_atomically;
 use super::run::print;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
+use super::study_jobs::{Outcome, StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::fragility::{Fit, Observation};
 use hysteron::design::incremental::{Ending, Summary, Trace, bounds, hunt, intensities, report, stripe, summary};
@@ -87,7 +87,7 @@ fn tasks(study: &Study) -> Vec<(&'static str, usize)> {
     bounds(study).into_iter().flat_map(|b| (0..study.motions.len()).map(move |m| (b, m))).collect()
 }
 
-fn written(study: &Study, s: &Summary, out: &Path, as_json: bool) -> Result<(String, i32), String> {
+fn written(study: &Study, s: &Summary, out: &Path, as_json: bool) -> Outcome {
     let (fits, json) = (s.fit_table(study), report::json(study, s));
     let mut files = vec![
         ("fits.csv", fits.csv()),

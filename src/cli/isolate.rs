@@ -3,8 +3,9 @@
 use super::args::CheckArgs;
 use super::calibrate::FAILURE;
 use super::files::{make_folder, write_atomically};
+use super::script_check::MessageTable;
 use super::signals::on_interrupt;
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
+use super::study_jobs::{Outcome, Refusal, StudyJobs, StudyJobsArgs, finish, load_agreed};
 use clap::Args;
 use hysteron::design::check::check_table;
 use hysteron::design::isolate::{self, Job, JobOutcome, Properties, Study, script_text};
@@ -48,7 +49,7 @@ pub(super) fn isolate(a: &IsolateArgs) -> i32 {
 }
 
 /// The difference of two results.
-fn compared(first: &Path, second: &Path, as_json: bool) -> Result<(String, i32), String> {
+fn compared(first: &Path, second: &Path, as_json: bool) -> Outcome {
     let read = |path: &Path| -> Result<serde_json::Value, String> {
         let file = if path.is_dir() { path.join("isolation.json") } else { path.to_owned() };
         let text = hysteron_files::read_text(&file).map_err(|e| format!("cannot read \"{}\": {e}", file.display()))?;
@@ -67,12 +68,12 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
     let stop = Arc::new(AtomicBool::new(false));
     on_interrupt(&stop);
     args.limits.enforce(&stop);
-    let checked = load(Path::new(&args.model), &stop).and_then(|study| {
-        review::periods(&study).agree(&study)?;
-        review::suite(&study).agree(&study)?;
-        Ok(study)
-    });
-    let result = checked.map(|study| {
+    let checked = load_agreed(Path::new(&args.model), &stop);
+    if let (Err(Refusal::Mistake(d, sources)), true) = (&checked, args.json) {
+        let messages = [MessageTable::new(d, sources)];
+        println!("{}", serde_json::json!({ "study": args.model, "messages": messages }));
+    }
+    let result = checked.map(|(study, _)| {
         let table = study.agreement.table();
         if args.json {
             return (format!("{}\n", table.json()), 0);
@@ -113,7 +114,7 @@ fn write_scripts(a: &IsolateArgs, study: &Study, all: &[Job]) -> Result<(), Stri
 }
 
 /// Analyses of draws of the properties.
-fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
+fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Outcome {
     let properties = a.posterior.iter().map(|text| properties(text)).collect::<Result<Vec<_>, _>>()?;
     study.draw(&properties, a.draws as usize)?;
     let jobs = StudyJobs::new(&a.jobs, study, &a.out, stop)?;
@@ -131,11 +132,8 @@ fn drawn(a: &IsolateArgs, study: &mut Study, stop: &Arc<AtomicBool>) -> Result<(
     Ok((format!("{}\n{} draws, {failed} without convergence\n", percentiles.text(), outcomes.len()), status))
 }
 
-fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
-    let mut study = load(&a.jobs.study, stop)?;
-    let periods = review::periods(&study);
-    periods.agree(&study)?;
-    review::suite(&study).agree(&study)?;
+fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Outcome {
+    let (mut study, periods) = load_agreed(&a.jobs.study, stop)?;
     if !a.posterior.is_empty() {
         return drawn(a, &mut study, stop);
     }

@@ -30,6 +30,7 @@ mod pace;
 mod preflight;
 mod progress;
 mod prototype;
+mod python_check;
 mod recording;
 mod response_spectrum;
 mod review;

@@ -1,7 +1,7 @@
 //! `hysteron response-spectrum`: the multimode method beside the time histories of an isolation study.
 
 use super::files::{make_folder, write_atomically};
-use super::study_jobs::{StudyJobs, StudyJobsArgs, finish, load};
+use super::study_jobs::{Outcome, StudyJobs, StudyJobsArgs, finish, load};
 use clap::Args;
 use hysteron::design::isolate;
 use hysteron::design::multimode::{report, respond_at_bounds};
@@ -30,7 +30,7 @@ pub(super) fn response_spectrum(a: &ResponseSpectrumArgs) -> i32 {
     finish(multimode(a, &stop), &stop)
 }
 
-fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Result<(String, i32), String> {
+fn multimode(a: &ResponseSpectrumArgs, stop: &Arc<AtomicBool>) -> Outcome {
     let study = load(&a.jobs.study, stop)?;
     let responses = respond_at_bounds(&study, a.modes as usize)?;
     let mut outcomes = vec![];

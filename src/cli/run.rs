@@ -46,6 +46,9 @@ pub(crate) fn main() -> i32 {
         Command::View(args) => super::view::view(&args),
         Command::Check(args) if is_isolation_study(Path::new(&args.model)) => super::isolate::check(&args),
         Command::Check(args) if args.model.ends_with(".toml") => super::study::check(&args),
+        Command::Check(args) if args.model.ends_with(".py") => {
+            super::python_check::check(&args).unwrap_or_else(|| check(&args))
+        }
         Command::Check(args) => check(&args),
         Command::Bearing(args) => bearing(&args),
         Command::Init(args) => super::init::init(&args),
@@ -281,7 +284,7 @@ fn print_partial(files: &[String]) {
 }
 
 /// Messages that are shown in full; more of them help nobody, and each takes the length of its line.
-const MAX_SHOWN: usize = 200;
+pub(super) const MAX_SHOWN: usize = 200;
 
 /// Print the end of a script that did not just succeed.
 pub(super) fn print_end(end: &End, interp: &Tcl) {

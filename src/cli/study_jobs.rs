@@ -1,11 +1,15 @@
 //! Analyses of an isolation study on all cores: kept in a folder, resumable, with progress.
 
+use super::calibrate::print_diagnostic;
 use super::files::{lock_folder, make_inner_folder, write_atomically};
 use super::limits::LimitArgs;
 use super::pace::Pace;
 use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::design::isolate::{self, Job, JobOutcome, Study, is_current, run_job};
+use hysteron::design::mistake::Mistake;
+use hysteron::design::review::{self, Periods};
+use hysteron::diagnostic::{Diagnostic, SourceMap};
 use hysteron::study::WorkerPool;
 use hysteron_files::FolderLock;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -33,11 +37,48 @@ pub(super) struct StudyJobsArgs {
     pub(super) json: bool,
 }
 
+/// Reason for which a command on a study ends.
+pub(super) enum Refusal {
+    /// Described in one sentence.
+    Message(String),
+    /// A mistake of the study, with the texts that it points into.
+    Mistake(Box<Diagnostic>, SourceMap),
+}
+
+impl From<String> for Refusal {
+    fn from(message: String) -> Self {
+        Self::Message(message)
+    }
+}
+
+impl From<&str> for Refusal {
+    fn from(message: &str) -> Self {
+        message.to_owned().into()
+    }
+}
+
+/// Text and exit status of a command, or the reason for which it ends.
+pub(super) type Outcome = Result<(String, i32), Refusal>;
+
 /// Read a study and settle it with its script, and say what is to be said about its motions.
-pub(super) fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
-    let study = isolate::load(path, stop)?;
+pub(super) fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, Refusal> {
+    let mut sources = SourceMap::default();
+    let study = isolate::load(path, stop, &mut sources).map_err(|d| Refusal::Mistake(d, sources))?;
     study.notes.iter().chain(&study.agreement.remarks).for_each(|note| eprintln!("warning: {note}"));
     Ok(study)
+}
+
+/// The same, and compare its periods and its suite with its model.
+pub(super) fn load_agreed(path: &Path, stop: &Arc<AtomicBool>) -> Result<(Study, Periods), Refusal> {
+    let study = load(path, stop)?;
+    let periods = review::periods(&study);
+    let agreed = periods.agree(&study).and_then(|()| review::suite(&study).agree(&study));
+    let placed = |m: Mistake| {
+        let mut sources = SourceMap::default();
+        Refusal::Mistake(study.placed(&m, &mut sources), sources)
+    };
+    agreed.map_err(placed)?;
+    Ok((study, periods))
 }
 
 impl StudyJobsArgs {
@@ -186,12 +227,11 @@ impl<'a> StudyJobs<'a> {
 }
 
 /// Write results and print their text; the exit status.
-pub(super) fn finish(result: Result<(String, i32), String>, stop: &AtomicBool) -> i32 {
+pub(super) fn finish(result: Outcome, stop: &AtomicBool) -> i32 {
     match result {
-        Ok((text, status)) => super::run::print(Ok(text)).max(status),
-        Err(message) => {
-            eprintln!("error: {message}");
-            stopped_status(stop).unwrap_or(super::calibrate::INPUT_ERROR)
-        }
+        Ok((text, status)) => return super::run::print(Ok(text)).max(status),
+        Err(Refusal::Message(message)) => eprintln!("error: {message}"),
+        Err(Refusal::Mistake(d, sources)) => print_diagnostic(&d, &sources),
     }
+    stopped_status(stop).unwrap_or(super::calibrate::INPUT_ERROR)
 }

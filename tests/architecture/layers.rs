@@ -132,6 +132,7 @@ pub const LAYERS: &[Layers] = &[
     Layers {
         krate: "opensees",
         modules: &[
+            "python_usage",
             "host",
             "index",
             "checks",
@@ -196,6 +197,7 @@ pub const LAYERS: &[Layers] = &[
     Layers {
         krate: "design",
         modules: &[
+            "mistake",
             "codes",
             "check",
             "motion",
@@ -217,12 +219,19 @@ pub const LAYERS: &[Layers] = &[
         upward: &[],
     },
     Layers {
+        krate: "calls",
+        modules: &["token", "literal", "constants", "imports", "reader", "writing", "check"],
+        upward: &[],
+    },
+    Layers {
         krate: "lsp",
         modules: &[
             "reference",
             "settings",
             "text",
             "uri",
+            "line",
+            "python",
             "script",
             "finding",
             "check",

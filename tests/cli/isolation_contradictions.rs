@@ -72,6 +72,8 @@ fn values_of_a_study_that_its_script_cannot_have() {
         (("plan = [12.0, 12.0]", "plan = [12.0, 1200.0]"), ["far larger than the grid", "ratio 100.0000"]),
         (("plan =", "substructure_weight = 500.0\nplan ="), ["substructure_weight = 500", "is 0.000000"]),
         (("plan =", "members = [100, 999]\nplan ="), ["members: 999", "is no element"]),
+        (("plan =", "members = [100, 999]\nplan ="), ["--> study.toml:", ":17\n"]),
+        (("gravity = 9.81", "gravity = 981.0"), ["--> study.toml:", ":11\n"]),
     ] {
         Case { in_study: &[change], ..BUILDING }.refused("check", &named);
     }

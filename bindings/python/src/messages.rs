@@ -2,6 +2,7 @@
 
 use hysteron_opensees::calls::CallNumbers;
 use hysteron_opensees::commands;
+use hysteron_opensees::python_usage::{help_in_python, usage_in_python};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 use hysteron_tcl::{Form, Value};
 use pyo3::prelude::*;
@@ -28,7 +29,7 @@ pub(crate) fn render(d: &Diagnostic, words: &[Value], numbers: CallNumbers, sour
     }
     for help in &d.help {
         text.push_str("\n  ");
-        text.push_str(&in_python(help));
+        text.push_str(&help_in_python(help));
     }
     text
 }
@@ -84,62 +85,6 @@ fn literal(word: &Value, is_name: bool) -> String {
     }
 }
 
-/// A line of help in Python's notation.
-fn in_python(help: &str) -> String {
-    if let Some(usage) = help.strip_prefix("usage: ") {
-        return format!("usage: {}", usage_in_python(usage));
-    }
-    let Some((before, after)) = help.split_once("\"hysteron commands ") else { return help.to_owned() };
-    let Some((name, rest)) = after.split_once('"') else { return help.to_owned() };
-    format!("{before}hysteron.commands('{name}'){rest}")
-}
-
-/// A usage of a command in Python's notation: `node $tag $x` becomes `node(tag, x)`.
-pub(crate) fn usage_in_python(usage: &str) -> String {
-    // What a command gives may be told behind its call, or by a call around it: `lassign [motionFile $series] dt: a series`.
-    let call = usage.split_once(": ").map_or(usage, |(call, _)| call);
-    let call = call.strip_prefix("lassign [").and_then(|c| c.split_once(']')).map_or(call, |(inner, _)| inner);
-    call.split(" or ").map(call_in_python).collect::<Vec<_>>().join(" or ")
-}
-
-fn call_in_python(usage: &str) -> String {
-    let Some((name, rest)) = usage.split_once(' ') else {
-        return if usage.starts_with('$') { word_in_python(usage) } else { format!("{usage}()") };
-    };
-    let is_name = |w: &str| w.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    // A body in braces is made of calls of their own in Python.
-    let rest = rest.split('{').next().unwrap_or_default().trim_end();
-    let (head, tail) = if is_name(name) { (Some(name), rest) } else { (None, usage) };
-    let mut out = String::new();
-    for word in tail.split(' ').filter(|w| !w.is_empty()) {
-        let glued = out.is_empty() || out.ends_with("| ") || matches!(word, "|" | "or");
-        out.push_str(match (glued, out.ends_with(' ') || out.is_empty()) {
-            (true, true) => "",
-            (true, false) => " ",
-            (false, _) => ", ",
-        });
-        match word {
-            "|" | "or" => out.push_str("| "),
-            _ => out.push_str(&word_in_python(word)),
-        }
-    }
-    match head {
-        Some(head) => format!("{head}({})", out.trim_end()),
-        None => out.trim_end().to_owned(),
-    }
-}
-
-fn word_in_python(word: &str) -> String {
-    let core = word.trim_start_matches(['<', '(']).trim_end_matches(['>', ')', '.']);
-    let Some(at) = word.find(core).filter(|_| !core.is_empty()) else { return word.to_owned() };
-    let (before, after) = (&word[..at], &word[at + core.len()..]);
-    let part = |p: &str| match p.strip_prefix('$') {
-        Some(name) => name.to_owned(),
-        None => format!("'{p}'"),
-    };
-    format!("{before}{}{after}", core.split('|').map(part).collect::<Vec<_>>().join("|"))
-}
-
 /// Names of all commands with their usages, and those of the kinds that each makes: `(name, usage, [(names, usage)])`.
 #[pyfunction]
 #[allow(clippy::type_complexity)]
@@ -150,21 +95,4 @@ pub(crate) fn usages() -> Vec<(&'static str, String, Vec<(Vec<&'static str>, Str
             (c.name, usage_in_python(&c.usage_line()), kinds.collect())
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::usage_in_python;
-
-    #[test]
-    fn usages_are_written_as_calls() {
-        assert_eq!(usage_in_python("nodeDisp $node <$dof>"), "nodeDisp(node, <dof>)");
-        assert_eq!(
-            usage_in_python("section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}"),
-            "section('Fiber', tag, <'-GJ', GJ | '-torsion', material>, <'-noCentroid'>)"
-        );
-        assert_eq!(usage_in_python("getTime"), "getTime()");
-        let lassign = "lassign [motionFile $series $file <-dt $dt>] dt npts: a measured file, or a series";
-        assert_eq!(usage_in_python(lassign), "motionFile(series, file, <'-dt', dt>)");
-    }
 }

@@ -11,6 +11,7 @@ pub mod fragility;
 pub mod incremental;
 pub mod isolate;
 pub mod lateral_force;
+pub mod mistake;
 pub mod motion;
 pub mod multimode;
 pub mod performance;

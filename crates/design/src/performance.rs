@@ -1,5 +1,6 @@
 //! Limit states and levels of intensity, as a study names them.
 
+use crate::mistake::{About as _, Mistake, key};
 use crate::motion::{G, Pair};
 use crate::spectrum::{Combination, PairSpectrum};
 use hysteron_tcl::diagnostic::nearest;
@@ -258,29 +259,32 @@ impl Performance {
     ///
     /// # Errors
     /// A part has no meaning.
-    pub fn check(&self, types: &[&str], bounds: &[&str]) -> Result<(), String> {
+    pub fn check(&self, types: &[&str], bounds: &[&str]) -> Result<(), Mistake> {
         if self.limit_states.is_empty() && self.hunt.is_none() && self.stripes.is_none() {
             return Ok(());
         }
-        self.intensity.check()?;
-        self.hunt.as_ref().map_or(Ok(()), Hunt::check)?;
-        self.stripes.as_ref().map_or(Ok(()), Stripes::check)?;
-        for limit in [self.collapse.drift, self.collapse.displacement].into_iter().flatten() {
-            if !(limit > 0.0 && limit.is_finite()) {
-                return Err(format!("[collapse]: a limit of {limit}: expected more than 0"));
+        self.intensity.check().about(|| key!["intensity"])?;
+        self.hunt.as_ref().map_or(Ok(()), Hunt::check).about(|| key!["ida"])?;
+        self.stripes.as_ref().map_or(Ok(()), Stripes::check).about(|| key!["stripes", "levels"])?;
+        for (name, limit) in [("drift", self.collapse.drift), ("displacement", self.collapse.displacement)] {
+            if let Some(limit) = limit.filter(|l| !(*l > 0.0 && l.is_finite())) {
+                let message = format!("[collapse]: a limit of {limit}: expected more than 0");
+                return Err(Mistake::new(key!["collapse", name], message));
             }
         }
         for (i, l) in self.limit_states.iter().enumerate() {
-            l.check(types)?;
+            l.check(types).about(|| key!["limit_state", i])?;
             if self.limit_states[..i].iter().any(|other| other.name == l.name) {
-                return Err(format!("the limit state \"{}\" is listed twice", l.name));
+                let message = format!("the limit state \"{}\" is listed twice", l.name);
+                return Err(Mistake::new(key!["limit_state", i, "name"], message));
             }
             if l.quantity == "collapse" && self.collapse == Collapse::default() {
-                return Err("the limit state collapse needs [collapse] with drift or displacement".into());
+                let message = "the limit state collapse needs [collapse] with drift or displacement";
+                return Err(Mistake::new(key!["limit_state", i, "quantity"], message));
             }
         }
-        if let Some(b) = self.bounds.iter().find(|b| !bounds.contains(&b.as_str())) {
-            return Err(unknown("bound", b, bounds));
+        if let Some((i, b)) = self.bounds.iter().enumerate().find(|(_, b)| !bounds.contains(&b.as_str())) {
+            return Err(Mistake::new(key!["fragility_bounds", i], unknown("bound", b, bounds)));
         }
         Ok(())
     }
@@ -335,7 +339,7 @@ mod tests {
             limit_states: vec![state("collapse", 0.0)],
             ..Performance::default()
         };
-        assert!(p.check(&[], &[]).expect_err("none").contains("[collapse]"));
+        assert!(p.check(&[], &[]).expect_err("none").message.contains("[collapse]"));
         let collapse = Collapse { drift: Some(0.1), displacement: None };
         assert!(Performance { collapse, ..p }.check(&[], &[]).is_ok());
         let hunt = Hunt { first: 1.0, step: 0.1, growth: 0.0, highest: 0.5, runs: 8, resolution: 0.1 };

@@ -117,7 +117,7 @@ impl Folder {
     }
 
     fn study(&self) -> Study {
-        load(&self.0.join("study.toml"), &Arc::default()).unwrap()
+        load(&self.0.join("study.toml"), &Arc::default(), &mut Default::default()).unwrap()
     }
 }
 
@@ -252,7 +252,9 @@ fn multimode_of_one_mass_is_the_equivalent_lateral_force_procedure() {
 #[test]
 fn multimode_of_the_shipped_building_keeps_its_mass() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    let study = load(&root.join("tcl-like-inputs/isolation_study/study.toml"), &Arc::default()).unwrap();
+    let study =
+        load(&root.join("tcl-like-inputs/isolation_study/study.toml"), &Arc::default(), &mut Default::default())
+            .unwrap();
     let r = respond(&study, "nominal", 12).unwrap();
     for d in &r.directions {
         assert!((d.modes.iter().map(|m| m.mass).sum::<f64>() - 1.0).abs() < 1e-6);
@@ -269,7 +271,9 @@ fn multimode_of_the_shipped_building_keeps_its_mass() {
 fn larger_examples_run_and_their_scripts_are_complete() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     for name in ["eight_storey_study", "bridge_study"] {
-        let mut study = load(&root.join(format!("tcl-like-inputs/{name}/study.toml")), &Arc::default()).unwrap();
+        let mut study =
+            load(&root.join(format!("tcl-like-inputs/{name}/study.toml")), &Arc::default(), &mut Default::default())
+                .unwrap();
         study.motions.truncate(1);
         for m in &mut study.motions[0].components {
             m.acceleration.truncate(700);

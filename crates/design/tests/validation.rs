@@ -38,7 +38,9 @@ fn spectra_are_those_of_scipy() {
 
 #[test]
 fn shipped_study_runs_at_its_bounds() {
-    let mut study = load(&root().join("tcl-like-inputs/isolation_study/study.toml"), &Arc::default()).unwrap();
+    let mut study =
+        load(&root().join("tcl-like-inputs/isolation_study/study.toml"), &Arc::default(), &mut Default::default())
+            .unwrap();
     assert_eq!((study.motions.len(), study.bearings[0].tags.len()), (2, 9));
     // λ of Q_d: (1 + 0.75 (1.0 - 1)) 1.3 · 1.15, of K_d: (1 + 0.75 · 0.1) 1.05 · 1.15.
     let kind = study.bearings[0].clone();

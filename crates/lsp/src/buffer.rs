@@ -1,6 +1,8 @@
 //! The open files, and what is known of them.
 
 use crate::check::{Checked, FileKind};
+use crate::line::{self, LineBefore};
+use crate::python;
 use crate::script::{Place, Script};
 use crate::text::{Shift, Text};
 use crate::uri;
@@ -24,7 +26,15 @@ impl Buffer {
 
     /// Its commands and variables as they are written.
     pub(crate) fn syntax(&self) -> &Syntax {
-        self.syntax.get_or_init(|| Syntax::of(self.text.as_str()))
+        self.syntax.get_or_init(|| match self.is_python() {
+            true => python::syntax(self.text.as_str()),
+            false => Syntax::of(self.text.as_str()),
+        })
+    }
+
+    /// Returns true if the file is one of Python.
+    pub(crate) fn is_python(&self) -> bool {
+        self.uri.as_str().ends_with(".py")
     }
 }
 
@@ -82,6 +92,19 @@ impl<'a> View<'a> {
         FileKind::of(self.path, self.text()) == FileKind::Script
     }
 
+    /// Returns true if the file has commands: it is a script, or one of Python.
+    pub(crate) fn has_commands(&self) -> bool {
+        self.is_script() || self.buffer.is_python()
+    }
+
+    /// The command that is being written before a byte; in a file of Python there may be none.
+    pub(crate) fn line_before(&self, at: usize) -> Option<LineBefore<'a>> {
+        match self.buffer.is_python() {
+            true => python::before(self.text(), at),
+            false => Some(line::before(self.text(), at)),
+        }
+    }
+
     /// Byte of the checked text that is at a byte of this one.
     pub(crate) fn checked(&self, at: usize) -> Option<usize> {
         self.shift.back(at)
@@ -115,7 +138,9 @@ impl<'a> View<'a> {
     pub(crate) fn written(&self, command: usize) -> Vec<&'a str> {
         let text = self.text();
         let words = self.buffer.syntax().commands.get(command).map(|c| c.words.as_slice()).unwrap_or_default();
-        words.iter().map(|(a, b)| text.get(*a..*b).unwrap_or_default()).collect()
+        let word = |(a, b): &(usize, usize)| text.get(*a..*b).unwrap_or_default();
+        let bare = |w| if self.buffer.is_python() { python::bare(word(w)) } else { word(w) };
+        words.iter().map(bare).collect()
     }
 
     /// Range of a place in the editor.

@@ -69,6 +69,8 @@ impl Checked {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FileKind {
     Script,
+    /// A file of Python, whose calls are those of a script where it imports OpenSees.
+    Python,
     Study,
     Isolation,
     Plan,
@@ -79,6 +81,9 @@ pub(crate) enum FileKind {
 impl FileKind {
     /// Of a file with this name and text.
     pub(crate) fn of(path: &str, text: &str) -> Self {
+        if path.ends_with(".py") {
+            return Self::Python;
+        }
         if !path.ends_with(".toml") {
             return Self::Script;
         }
@@ -117,16 +122,9 @@ impl Job<'_> {
         }
         match FileKind::of(self.root, &text) {
             FileKind::Script => self.script(&mut checked),
+            FileKind::Python => self.python(&text, &mut checked),
             FileKind::Study => self.study(&text, &mut checked, first),
-            FileKind::Isolation => {
-                let form = isolate::mistake_of_form(&text);
-                self.table(form, &mut checked, |path| {
-                    let study = isolate::load(path, self.stop)?;
-                    review::periods(&study).agree(&study)?;
-                    review::suite(&study).agree(&study)?;
-                    Ok(study.notes.iter().chain(&study.agreement.remarks).cloned().collect())
-                });
-            }
+            FileKind::Isolation => self.isolation(&text, &mut checked),
             FileKind::Plan => {
                 let form = batch::mistake_of_form(&text);
                 self.table(form, &mut checked, |path| batch::load(path).map(|plan| plan.notes));
@@ -136,11 +134,37 @@ impl Job<'_> {
         checked
     }
 
-    fn script(&self, checked: &mut Checked) {
+    /// The files of the disk under those of the editor.
+    fn files(&self) -> OverlayFiles {
         let files = OverlayFiles::new(Box::new(OsFiles)).starting_in(folder(self.root));
-        let files = self.buffers.iter().fold(files, |files, (path, text)| files.with_text(path, text));
+        self.buffers.iter().fold(files, |files, (path, text)| files.with_text(path, text))
+    }
+
+    fn settings(&self) -> Settings {
         let options = Options { compat: self.compat, ..Options::default() };
-        let settings = Settings { mode: Mode::Check, strict: false, options };
+        Settings { mode: Mode::Check, strict: false, options }
+    }
+
+    /// Check the calls of a file of Python.
+    fn python(&self, text: &str, checked: &mut Checked) {
+        let (files, stop) = (Box::new(self.files()), self.stop.clone());
+        let settings = hysteron_calls::Settings { run: self.settings(), files, stop, index: true };
+        let Some(found) = hysteron_calls::check(file_name(self.root), text, settings) else { return };
+        let hysteron_calls::Checked { mut run, is_cut, .. } = found;
+        checked.is_cut = is_cut;
+        checked.is_stopped = self.stop.load(Ordering::Relaxed);
+        let (interp, mut paths) = (&mut run.interp, Paths::default());
+        let finding = |d: &Diagnostic| Finding::new(d, &interp.sources, &mut paths, folder(self.root), self.root);
+        checked.findings.extend(interp.warnings.iter().map(finding));
+        let index = interp.host.index.take().unwrap_or_default();
+        let script = Script::new(*index, BTreeMap::new(), &interp.sources, folder(self.root));
+        self.keep_texts(checked, &interp.sources);
+        checked.script = Some(Arc::new(script));
+    }
+
+    fn script(&self, checked: &mut Checked) {
+        let files = self.files();
+        let settings = self.settings();
         let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles));
         run.interp.interrupt = self.stop.clone();
         run.interp.host.stop_on(self.stop.clone());
@@ -221,6 +245,46 @@ impl Job<'_> {
         self.keep_texts(checked, &sources);
     }
 
+    /// Check an isolation study. Its script runs where the study is what the disk has: what is not saved has its own numbers
+    /// checked alone.
+    fn isolation(&self, text: &str, checked: &mut Checked) {
+        let (path, mut sources) = (Path::new(self.root), SourceMap::default());
+        let result = match isolate::mistake_of_text(path, text, &mut sources) {
+            Some(d) => Err(d),
+            None if !self.is_saved() => return,
+            None => isolate::load(path, self.stop, &mut sources).and_then(|study| {
+                let agreed = review::periods(&study).agree(&study);
+                let agreed = agreed.and_then(|()| review::suite(&study).agree(&study));
+                agreed.map_err(|m| study.placed(&m, &mut sources))?;
+                Ok(study.notes.iter().chain(&study.agreement.remarks).cloned().collect())
+            }),
+        };
+        checked.is_stopped |= self.stop.load(Ordering::Relaxed);
+        let mut paths = Paths::default();
+        match result {
+            Ok(notes) => self.warn(checked, notes),
+            Err(_) if checked.is_stopped => {}
+            Err(d) => {
+                checked.findings.push(Finding::new(&d, &sources, &mut paths, folder(self.root), self.root));
+            }
+        }
+    }
+
+    /// Returns true if the root is what the disk has.
+    fn is_saved(&self) -> bool {
+        let saved = hysteron_files::read_text(self.root).unwrap_or_default();
+        self.buffers.get(self.root).is_none_or(|open| **open == *saved.replace("\r\n", "\n"))
+    }
+
+    /// Warnings without places.
+    fn warn(&self, checked: &mut Checked, notes: Vec<String>) {
+        let warning = |n: String| Finding {
+            severity: hysteron_tcl::diagnostic::Severity::Warning,
+            ..Finding::note(self.root, n)
+        };
+        checked.findings.extend(notes.into_iter().map(warning));
+    }
+
     /// Check a file whose mistakes have no places but those of its form. It is read from the disk: what is not saved has its
     /// form checked alone.
     fn table(
@@ -236,18 +300,11 @@ impl Job<'_> {
             checked.findings.push(finding);
             return;
         }
-        let saved = hysteron_files::read_text(self.root).unwrap_or_default();
-        if self.buffers.get(self.root).is_some_and(|open| **open != *saved.replace("\r\n", "\n")) {
+        if !self.is_saved() {
             return;
         }
         match load(Path::new(self.root)) {
-            Ok(notes) => {
-                let warning = |n: String| Finding {
-                    severity: hysteron_tcl::diagnostic::Severity::Warning,
-                    ..Finding::note(self.root, n)
-                };
-                checked.findings.extend(notes.into_iter().map(warning));
-            }
+            Ok(notes) => self.warn(checked, notes),
             Err(message) => checked.findings.push(Finding::error(self.root, message)),
         }
     }

@@ -27,7 +27,7 @@ const INPUTS: [&str; 5] = [
 ];
 
 /// What is put into a text.
-const PIECES: [&str; 24] = [
+const PIECES: [&str; 30] = [
     "{",
     "}",
     "[",
@@ -52,6 +52,12 @@ const PIECES: [&str; 24] = [
     "source x.tcl\n",
     "proc p {a} {",
     "wipe\n",
+    "(",
+    ")",
+    "'",
+    "ops.",
+    ", *[",
+    "    ",
 ];
 
 const METHODS: [&str; 8] = [
@@ -91,20 +97,54 @@ fn line_lengths(text: &str) -> Vec<usize> {
     text.split('\n').map(|l| l.encode_utf16().count()).collect()
 }
 
+/// A file of Python with what a file may have.
+const PYTHON: &str = "\
+import openseespy.opensees as ops
+import numpy as np
+L, H = 6.0, 3.0
+ops.wipe()
+ops.model('basic', '-ndm', 2, '-ndf', 3)
+def bay(i, x):
+    ops.node(i, x, 0.0)  # of the ground
+for i in range(1, 3):
+    bay(i, L*i)
+ops.node(11, *[0.0, H]); ops.fix(11, 1, 1, 1)
+ops.uniaxialMaterial('Steel01', 1, 250e3, 2e8, 0.01)
+ops.section('Fiber', 1)
+ops.patch('rect', 1, 4, 4, -0.1, -0.1, 0.1, 0.1)
+ops.element('truss', 1, 1, 11, 0.1, 1)
+if __name__ == '__main__':
+    ops.timeSeries('Path', 1, '-dt', 0.01, '-values', *[0.0, 1.0])
+    ops.pattern('Plain', 1, 1)
+    ops.load(11, 1.0, 0.0, 0.0)
+    print(\"\"\"done
+\"\"\", ops.nodeDisp(11, 1))
+";
+
 #[test]
 fn no_edit_breaks_the_server() {
-    let edits = std::env::var("HYSTERON_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or(EDITS);
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let texts: Vec<String> = INPUTS.iter().map(|p| std::fs::read_to_string(root.join(p)).unwrap()).collect();
+    edited("m.tcl", &texts);
+}
+
+#[test]
+fn no_edit_of_python_breaks_the_server() {
+    edited("m.py", &[PYTHON.to_owned()]);
+}
+
+/// Edit texts at random in an editor.
+fn edited(name: &str, texts: &[String]) {
+    let edits = std::env::var("HYSTERON_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or(EDITS);
     let mut random = Random(20_261_127);
     let mut e = Editor::with(json!({ "timeLimit": 2 }));
-    e.open("m.tcl", &texts[0]);
+    e.open(name, &texts[0]);
     let (mut version, mut lengths) = (1, line_lengths(&texts[0]));
     for n in 0..edits {
         version += 1;
         if n % RESTART == 0 {
             let text = &texts[(n / RESTART) % texts.len()];
-            e.replace("m.tcl", version, text);
+            e.replace(name, version, text);
             lengths = line_lengths(text);
         } else {
             // Positions are those of the input: behind later edits they are anywhere, as an editor's never are.
@@ -114,23 +154,23 @@ fn no_edit_breaks_the_server() {
             let lines = random.below(8) / 7;
             let range = [line as u32, character as u32, (line + lines) as u32, (character + removed) as u32];
             let piece = if removed > 0 && random.below(2) == 0 { "" } else { random.of(&PIECES) };
-            e.edit("m.tcl", version, range, piece);
+            e.edit(name, version, range, piece);
         }
         let (line, character) = (random.below(lengths.len()) as u32, random.below(60) as u32);
         let answer = match random.below(4) {
             0 => {
                 let options = json!({ "tabSize": 4, "insertSpaces": true });
                 let method = random.of(&WHOLE);
-                e.request(method, json!({ "textDocument": { "uri": e.uri("m.tcl") }, "options": options }))
+                e.request(method, json!({ "textDocument": { "uri": e.uri(name) }, "options": options }))
             }
             _ => {
                 let more = json!({ "newName": "9", "context": { "includeDeclaration": true } });
-                e.at(random.of(&METHODS), "m.tcl", line, character, more)
+                e.at(random.of(&METHODS), name, line, character, more)
             }
         };
         assert!(answer["error"].as_str().is_none_or(|m| !m.ends_with(" failed")), "edit {n}: {answer}");
         if n % BURST == 0 || n + 1 == edits {
-            let told = e.diagnostics("m.tcl", version);
+            let told = e.diagnostics(name, version);
             let fault = |d: &Json| d["message"].as_str().unwrap().contains("fault of hysteron");
             assert!(!told.iter().any(fault), "edit {n}: {told:?}");
         }

@@ -2,10 +2,11 @@
 
 mod number_names;
 mod number_words;
+mod switches;
 mod unknown_words;
 
 use crate::checks::words;
-use crate::{Tcl, slips, warn};
+use crate::{Tcl, check, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
@@ -256,6 +257,7 @@ impl<'a> Args<'a> {
     }
 
     /// The last word taken has no meaning, though OpenSees computes with it: an error, and a warning under `--compat opensees`.
+    /// A check reports the error and goes on with the command.
     pub(crate) fn doubt(
         &self,
         interp: &mut Tcl,
@@ -274,7 +276,8 @@ impl<'a> Args<'a> {
         label: impl Into<String>,
     ) -> Result<(), Exception> {
         if !interp.host.follows(&[slips::DOMAINS]) {
-            return Err(self.refuse_at(span, message, label).by(&words::OUT_OF_RANGE));
+            let e = self.refuse_at(span, message, label).by(&words::OUT_OF_RANGE);
+            return check::go_on(interp, Err(e));
         }
         warn(
             interp,
@@ -331,11 +334,6 @@ impl<'a> Args<'a> {
     /// A whole number. OpenSees takes `2.0` for 2; so do we.
     pub(crate) fn int(&mut self, what: &str) -> Result<i32, Exception> {
         self.int_as(&what)
-    }
-
-    /// The same for one of several, counted from 1: the message of an error names it.
-    pub(crate) fn nth_int(&mut self, what: &str, i: usize) -> Result<i32, Exception> {
-        self.int_as(&format_args!("{what} {i}"))
     }
 
     fn int_as(&mut self, what: &dyn Display) -> Result<i32, Exception> {

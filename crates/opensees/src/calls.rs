@@ -23,18 +23,35 @@
 //! assert_eq!(call(&["nodeCoord", "1", "1"]).unwrap().to_f64().unwrap(), 0.5);
 //! ```
 
+use crate::check;
 use crate::files::live::RecordedFiles;
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
 use crate::slips;
-use crate::{Command, Mode, Outcome, Outputs, Session, Tcl, commands, opensees_names};
+use crate::{Command, Outcome, Outputs, Session, Tcl, commands, opensees_names};
 use hysteron_engine::analysis::Failure;
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
-use hysteron_tcl::diagnostic::{SourceId, Span};
+use hysteron_tcl::diagnostic::{Absent, SourceId, Span};
 use hysteron_tcl::{Call, Console, Files, Interp, Value};
 use std::collections::HashMap;
 use std::sync::OnceLock;
+
+/// A call whose words stand in a text.
+#[derive(Clone, Copy, Debug)]
+pub struct PlacedCall<'a> {
+    /// The words, the first of which is the name of the command.
+    pub words: &'a [Value],
+    /// Place of each word.
+    pub spans: &'a [Span],
+    /// Place of the whole call.
+    pub whole: Span,
+}
+
+/// Returns true if a command only looks at the model and its results.
+pub fn only_looks(command: &Command) -> bool {
+    check::LOOKING.into_iter().flatten().any(|c| c.name == command.name)
+}
 
 /// The command of a name.
 pub fn command(name: &str) -> Option<&'static Command> {
@@ -88,7 +105,7 @@ impl Run {
         files: Box<dyn Files>,
         outputs: Box<dyn Outputs>,
     ) -> Self {
-        let session = Session::new(settings.options, Mode::Run, settings.strict, outputs);
+        let session = Session::new(settings.options, settings.mode, settings.strict, outputs);
         let files = RecordedFiles::new(files, session.output.recorders.live.clone());
         let mut interp = Interp::new(session, console, Box::new(files));
         crate::install(&mut interp);
@@ -115,6 +132,38 @@ impl Run {
             open::settle(&mut self.interp)?;
         }
         (command.run)(&mut self.interp, &Call::numbered(words, source, number))
+    }
+
+    /// Check a call whose words stand in a text: its mistakes are added to the warnings. The run has been prepared by
+    /// [`Run::for_calls`] in the mode of a check.
+    ///
+    /// # Errors
+    /// The check was interrupted, or the command ends it.
+    pub fn check(&mut self, command: &'static Command, call: &PlacedCall<'_>) -> Outcome {
+        let interp = &mut self.interp;
+        interp.host.analysis_checks.again = None;
+        let is_open = interp.host.builder.open_section.is_some();
+        if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
+            let settled = open::settle(interp);
+            check::go_on(interp, settled)?;
+        }
+        let first = interp.warnings.len();
+        let result = check::run_known(interp, command, &Call::placed(call.words, call.spans, call.whole));
+        for found in self.interp.warnings.iter_mut().skip(first).filter(|w| w.span.is_none()) {
+            found.span = Some(call.whole);
+        }
+        result
+    }
+
+    /// Define what a call missed in the last check, so that the same call can be checked further. Returns false where nothing
+    /// stands in for it.
+    pub fn stand_in(&mut self, absent: &Absent) -> bool {
+        check::stand_in::define_any(&mut self.interp, absent)
+    }
+
+    /// End a check of calls without looking at what the model would do: more may be called than is known.
+    pub fn leave(&mut self) {
+        self.interp.host.close_index();
     }
 }
 

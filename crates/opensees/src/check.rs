@@ -1,15 +1,21 @@
 //! Check of a script: each mistake is reported and the script goes on. Consequences of a mistake are not reported.
 
+pub(crate) mod stand_in;
+
 use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
 use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
 use crate::host::Mode;
 use crate::output::{display, figure, print, query, recorder};
 use crate::session::Session;
-use crate::{Outcome, Tcl, calls, commands, report, things, warn};
+use crate::{Command, Outcome, Tcl, calls, commands, report, things, warn};
 use hysteron_tcl::diagnostic::{Absent, COMMAND, Diagnostic, VARIABLE, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
+
+/// Commands that only look at the model and its results.
+pub(crate) const LOOKING: [&[Command]; 5] =
+    [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
 
 /// Mistakes that a check has found, and their consequences.
 #[derive(Debug, Default)]
@@ -50,8 +56,7 @@ impl CheckState {
     /// A command that is not known would have defined what the nearest one does.
     fn note(&mut self, words: &[&str], is_known: bool) {
         let name = words.first().copied().unwrap_or_default();
-        let looks = [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
-        self.rejected |= !looks.into_iter().flatten().any(|c| c.name == name);
+        self.rejected |= !LOOKING.into_iter().flatten().any(|c| c.name == name);
         if name == "set" {
             self.consequences.insert(Absent::new(VARIABLE, words.get(1).unwrap_or(&"")));
             return;
@@ -145,24 +150,47 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(command) = calls::command(name) else {
         return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
     };
+    run_known(interp, command, call)
+}
+
+/// The same for a command that has been looked up.
+pub(crate) fn run_known(interp: &mut Tcl, command: &'static Command, call: &Call<'_>) -> Outcome {
     let noting = interp.host.index.is_some().then(|| call.noting());
     let call = noting.as_ref().unwrap_or(call);
-    let result = (command.run)(interp, call);
+    let result = match (command.run)(interp, call) {
+        Err(Exception::Error(e)) => {
+            let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
+            let words: Vec<&str> = [command.name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
+            interp.host.check.note(&words, true);
+            let absent = e.diagnostic.absent.clone();
+            tell(interp, e.diagnostic, call);
+            let done = absent.is_some_and(|absent| stand_in::run_with(interp, command, call, absent));
+            if done { Ok(Value::EMPTY) } else { Err(None) }
+        }
+        other => other.map_err(Some),
+    };
     if let Some(index) = &mut interp.host.index {
         index.note(command, call, result.is_ok());
     }
+    result.or_else(|e| e.map_or(Ok(Value::EMPTY), Err))
+}
+
+/// A mistake that a command can go on with: a check reports it, a run is refused.
+pub(crate) fn go_on(interp: &mut Tcl, result: Result<(), Exception>) -> Result<(), Exception> {
     match result {
-        Err(Exception::Error(e)) => {
-            let held_back = e.diagnostic.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a));
-            let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
-            let words: Vec<&str> = [name].into_iter().chain(words.iter().map(AsRef::as_ref)).collect();
-            interp.host.check.note(&words, true);
-            if !held_back {
-                report_at(interp, e.diagnostic, call);
-            }
-            Ok(Value::EMPTY)
+        Err(Exception::Error(e)) if interp.host.mode == Mode::Check => {
+            interp.host.check.rejected = true;
+            report(interp, e.diagnostic);
+            Ok(())
         }
-        other => other,
+        result => result,
+    }
+}
+
+/// Report a mistake, unless it only follows from one already reported.
+fn tell(interp: &mut Tcl, wrong: Diagnostic, call: &Call<'_>) {
+    if !wrong.absent.as_ref().is_some_and(|a| interp.host.check.holds_back(a)) {
+        report_at(interp, wrong, call);
     }
 }
 

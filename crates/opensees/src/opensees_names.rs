@@ -12,6 +12,16 @@ fn has(family: &str, name: &str) -> bool {
     of.is_some_and(|names| names.split(' ').any(|n| n == name))
 }
 
+/// Returns true if OpenSees has a kind of a command that is not known here.
+pub fn has_kind(command: &str, name: &str) -> bool {
+    has(command, name)
+}
+
+/// Returns true if OpenSees, or its module for Python, has a command that is not known here.
+pub fn has_command(name: &str) -> bool {
+    has("command", name) || has("python", name)
+}
+
 /// The label for a kind of a family, named by its command, that OpenSees alone has.
 pub(crate) fn kind_label(command: &str, name: &str) -> Option<&'static str> {
     has(command, name).then_some(LABEL)
@@ -29,13 +39,14 @@ mod tests {
         assert!(super::kind_label("uniaxialMaterial", "Masonryt").is_some());
         assert!(super::kind_label("uniaxialMaterial", "Concrete").is_none());
         assert!(super::kind_label("section", "Masonryt").is_none());
+        assert!(super::has_command("findCurvatures") && !super::has_command("node"));
         assert!(super::command_label("ShallowFoundationGen").is_some() && super::command_label("analyse").is_none());
     }
 
     #[test]
     fn every_name_is_missing_here() {
         let families = super::NAMES.lines().filter_map(|line| line.split_once(": "));
-        for (family, names) in families.filter(|(family, _)| *family != "command") {
+        for (family, names) in families.filter(|(family, _)| !matches!(*family, "command" | "python" | "parameter")) {
             let known: Vec<&str> = crate::kinds(family).iter().flat_map(|k| k.names.iter().copied()).collect();
             let both: Vec<&str> = names.split(' ').filter(|n| known.contains(n)).collect();
             assert!(!known.is_empty() && both.is_empty(), "{both:?}");

@@ -122,6 +122,8 @@ pub struct Call<'a> {
     notes: Option<Box<RefCell<CallNotes>>>,
     /// Of a call by the host: the source that stands for it, and the number of the call.
     number: Option<(SourceId, u32)>,
+    /// Of a call by the host whose words stand in a text of another language: the place of each word, and that of the call.
+    spans: Option<(&'a [Span], Span)>,
     blank: Value,
 }
 
@@ -132,13 +134,20 @@ impl<'a> Call<'a> {
     }
 
     pub(crate) fn new(words: &'a [Value], place: Option<Place<'a>>) -> Self {
-        Call { words, place, notes: None, number: None, blank: Value::EMPTY }
+        Call { words, place, notes: None, number: None, spans: None, blank: Value::EMPTY }
     }
 
     /// The same call, whose command takes notes.
     pub fn noting(&self) -> Self {
         let notes = Some(Box::default());
-        Call { words: self.words, place: self.place, notes, number: self.number, blank: Value::EMPTY }
+        Call {
+            words: self.words,
+            place: self.place,
+            notes,
+            number: self.number,
+            spans: self.spans,
+            blank: Value::EMPTY,
+        }
     }
 
     /// Note what a word means.
@@ -172,7 +181,12 @@ impl<'a> Call<'a> {
     /// The span of word `i` starts at `number` and ends at `i`; that of the whole call ends at `u32::MAX`. The host
     /// finds the word by them.
     pub fn numbered(words: &'a [Value], source: SourceId, number: u32) -> Self {
-        Call { words, place: None, notes: None, number: Some((source, number)), blank: Value::EMPTY }
+        Call { number: Some((source, number)), ..Self::of(words) }
+    }
+
+    /// A call by the host whose words stand in a text of another language; the first word is the name of the command.
+    pub fn placed(words: &'a [Value], spans: &'a [Span], whole: Span) -> Self {
+        Call { spans: Some((spans, whole)), ..Self::of(words) }
     }
 
     fn numbered_span(&self, end: u32) -> Option<Span> {
@@ -212,16 +226,21 @@ impl<'a> Call<'a> {
 
     /// Place of a word in the script; none for a text that was built at run time.
     pub fn span(&self, i: usize) -> Option<Span> {
-        match &self.place {
-            Some(place) => place.word(i),
-            None if i < self.words.len() => self.numbered_span(i as u32),
-            None => None,
+        match (&self.place, self.spans) {
+            (Some(place), _) => place.word(i),
+            (None, Some((spans, _))) => spans.get(i).copied(),
+            (None, None) if i < self.words.len() => self.numbered_span(i as u32),
+            (None, None) => None,
         }
     }
 
     /// Place of the whole command.
     pub fn whole_span(&self) -> Option<Span> {
-        self.place.as_ref().map_or_else(|| self.numbered_span(u32::MAX), Place::whole)
+        match (&self.place, self.spans) {
+            (Some(place), _) => place.whole(),
+            (None, Some((_, whole))) => Some(whole),
+            (None, None) => self.numbered_span(u32::MAX),
+        }
     }
 
     /// The text of the whole command as it stands in the script.

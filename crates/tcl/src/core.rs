@@ -82,6 +82,8 @@ pub struct Core {
     pub sources: SourceMap,
     /// Warnings in the order in which they came up first.
     pub warnings: Vec<Diagnostic>,
+    /// A command runs once more: its warnings of before are not counted again.
+    pub is_repeat: bool,
     /// Index of the warning of each kind and place.
     warned: HashMap<WarningKind, usize>,
     /// Returns the label of the message about an unknown command that another program knows.
@@ -239,6 +241,7 @@ impl Core {
             sources: SourceMap::default(),
             warnings: vec![],
             on_pause: None,
+            is_repeat: false,
             warned: HashMap::new(),
             unknown_command_label: |_| None,
             is_foreign: |_, _| None,
@@ -337,7 +340,7 @@ impl Core {
             warning.span = self.calls.site;
         }
         if let Some(at) = self.warned.get(&warning.kind()).copied().filter(|at| *at < self.warnings.len()) {
-            self.warnings[at].count += 1;
+            self.warnings[at].count += usize::from(!self.is_repeat);
             return None;
         }
         if warning.callers.is_empty() {

@@ -8,10 +8,11 @@ use super::plausibility;
 use super::script_model::{ScriptBearing, ScriptModel};
 use super::shear_test::BilinearLoop;
 use super::study::{BearingType, Study};
-use super::study_file::{Stated, Transition};
+use super::study_file::Transition;
 use super::unit_labels;
 use super::variants;
 use crate::lateral_force::System;
+use crate::mistake::{Mistake, key};
 use hysteron_identify::report::{Cell, Table};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -32,18 +33,16 @@ const PLAN: f64 = 4.0;
 /// Relative change of the design displacement at which its iteration ends, and iterations at most.
 const ITERATION: (f64, usize) = (0.01, 30);
 
-/// Values that the file states, with their lines.
+/// Values that the file states.
 pub(super) struct StatedValues {
-    pub(super) file: String,
-    pub(super) gravity: Stated,
     /// Q_d, K_d and D_y of each type.
-    pub(super) bearings: Vec<[Option<Stated>; 3]>,
+    pub(super) bearings: Vec<[Option<f64>; 3]>,
     /// The shape of the loops is stated.
     pub(super) transitions: Vec<bool>,
     /// Weights of the floors.
-    pub(super) floors: Vec<Option<Stated>>,
+    pub(super) floors: Vec<Option<f64>>,
     /// Heights of the floors.
-    pub(super) heights: Vec<Option<Stated>>,
+    pub(super) heights: Vec<Option<f64>>,
 }
 
 /// A value of the study beside the script's.
@@ -101,15 +100,15 @@ struct TypeLoops {
 ///
 /// # Errors
 /// The script fails, or study and script contradict each other. The message has both places and the ratio.
-pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), String> {
+pub(super) fn settle(study: &mut Study, stated: &StatedValues, stop: &Arc<AtomicBool>) -> Result<(), Mistake> {
     let mut model = ScriptModel::new(study, "nominal", 0, stop)?;
     heights(study, stated, &model)?;
-    plan(study, stated, &model)?;
-    plausibility::upside_down(study, stated, &model)?;
+    plan(study, &model)?;
+    plausibility::upside_down(study, &model)?;
     weights(study, stated, &model)?;
     plausibility::compare(study, stated, &model)?;
-    unit_labels::compare(study, &stated.file, &mut model)?;
-    excitation::compare(study, stated, &model, stop)?;
+    unit_labels::compare(study, &mut model)?;
+    excitation::compare(study, &model, stop)?;
     let design = design_loops(study, &model)?;
     let [amplitude, period] = design;
     for kind in 0..study.bearings.len() {
@@ -129,12 +128,13 @@ pub(super) fn place(study: &Study, bearing: &ScriptBearing) -> String {
 }
 
 /// Heights of the floors are differences of the elevations of their nodes.
-fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), Mistake> {
     let script = study.script.display().to_string();
     let length = study.units[1].clone();
     let mut below: Option<f64> = None;
     for (k, floor) in study.floors.iter_mut().enumerate() {
-        let missing = || format!("\"{script}\" has no node {} of a floor", floor.node);
+        let missing =
+            || Mistake::new(key!["floor", k, "node"], format!("\"{script}\" has no node {} of a floor", floor.node));
         let elevation = model.elevation(floor.node).ok_or_else(missing)?;
         let Some(lower) = below.replace(elevation) else {
             floor.height = 0.0;
@@ -142,113 +142,106 @@ fn heights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Res
         };
         let found = elevation - lower;
         if found.is_nan() || found <= 0.0 {
-            return Err(format!(
-                "{}: the floor at node {} is {found:.6} above the floor before it (\"{script}\"): expected floors from the base upwards",
-                stated.file, floor.node
-            ));
+            let message = format!(
+                "the floor at node {} is {found:.6} above the floor before it (\"{script}\"): expected floors from the base upwards",
+                floor.node
+            );
+            return Err(Mistake::new(key!["floor", k, "node"], message));
         }
-        if let Some(s) = stated.heights[k].filter(|s| (s.value / found - 1.0).abs() > HEIGHT) {
-            return Err(format!(
-                "{}:{}: height = {} of the floor at node {}, but the nodes of \"{script}\" are {found:.6} apart: ratio {:.4}. \
-                 Without the key the script's value is taken",
-                stated.file,
-                s.line,
-                s.value,
+        if let Some(s) = stated.heights[k].filter(|s| (s / found - 1.0).abs() > HEIGHT) {
+            let message = format!(
+                "height = {s} of the floor at node {}, but the nodes of \"{script}\" are {found:.6} apart: ratio {:.4}. Without \
+                 the key the script's value is taken",
                 floor.node,
-                s.value / found
-            ));
+                s / found
+            );
+            return Err(Mistake::new(key!["floor", k, "height"], message));
         }
         let subject = format!("height of the floor at node {}", floor.node);
-        study.agreement.add(subject, &length, stated.heights[k].map(|s| s.value), found);
+        study.agreement.add(subject, &length, stated.heights[k], found);
         floor.height = found;
     }
     Ok(())
 }
 
 /// The plan is no smaller than the grid of its bearings, and not many times as large.
-fn plan(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+fn plan(study: &Study, model: &ScriptModel) -> Result<(), Mistake> {
     let (Some(plan), Some(grid)) = (study.plan, model.grid()) else { return Ok(()) };
-    for (k, axis) in ["x", "y"].into_iter().enumerate() {
-        if plan[k] < (1.0 - HEIGHT) * grid[k] {
-            return Err(format!(
-                "{}: plan = {plan:?} is smaller than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}",
-                stated.file,
-                grid[k],
-                study.script.display(),
-                plan[k] / grid[k]
-            ));
-        }
+    let wrong = |k: usize, than: &str, expected: String| {
+        let message = format!(
+            "plan = {plan:?} is {than} the grid of the bearings in {}, {:.6} (\"{}\"): ratio {:.4}{expected}",
+            ["x", "y"][k],
+            grid[k],
+            study.script.display(),
+            plan[k] / grid[k]
+        );
+        Err(Mistake::new(key!["plan", k], message))
+    };
+    if let Some(k) = (0..2).find(|k| plan[*k] < (1.0 - HEIGHT) * grid[*k]) {
+        return wrong(k, "smaller than", String::new());
     }
-    for (k, axis) in ["x", "y"].into_iter().enumerate() {
-        if grid[k] > 0.0 && plan[k] > PLAN * grid[k] {
-            return Err(format!(
-                "{}: plan = {plan:?} is far larger than the grid of the bearings in {axis}, {:.6} (\"{}\"): ratio {:.4}, expected \
-                 {PLAN} at most. Is it in another unit of length?",
-                stated.file,
-                grid[k],
-                study.script.display(),
-                plan[k] / grid[k]
-            ));
-        }
+    if let Some(k) = (0..2).find(|k| grid[*k] > 0.0 && plan[*k] > PLAN * grid[*k]) {
+        return wrong(k, "far larger than", format!(", expected {PLAN} at most. Is it in another unit of length?"));
     }
     Ok(())
 }
 
-fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+fn weights(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), Mistake> {
     let carried = model.gravity();
     let first = &model.bearings[0];
     if carried.is_nan() || carried <= 0.0 {
-        return Err(format!(
+        let message = format!(
             "the bearings carry {carried:.6} under gravity before the first transient analysis ({}): expected compression",
             place(study, first)
-        ));
+        );
+        return Err(Mistake::new(key!["bearing", first.kind, "tags"], message));
     }
     let script = study.script.display();
-    for (k, weight) in stated.floors.iter().enumerate().filter(|(_, w)| w.is_none()) {
-        debug_assert!(weight.is_none());
+    for (k, _) in stated.floors.iter().enumerate().filter(|(_, w)| w.is_none()) {
         let node = study.floors[k].node;
-        let mass = model.mass_at(node).ok_or_else(|| format!("\"{script}\" has no node {node} of a floor"))?;
+        let missing = || Mistake::new(key!["floor", k, "node"], format!("\"{script}\" has no node {node} of a floor"));
+        let mass = model.mass_at(node).ok_or_else(missing)?;
         if mass <= 0.0 {
-            return Err(format!(
-                "{}: the floor at node {node} has no weight, and the script no mass at its elevation: expected weight = ...",
-                stated.file
-            ));
+            let message = format!(
+                "the floor at node {node} has no weight, and the script no mass at its elevation: expected weight = ..."
+            );
+            return Err(Mistake::new(key!["floor", k, "node"], message));
         }
         study.floors[k].weight = mass * study.gravity;
     }
     let of_floors: f64 = study.floors.iter().map(|f| f.weight).sum();
-    let all_stated = !study.floors.is_empty() && stated.floors.iter().any(Option::is_some);
+    let first_stated = stated.floors.iter().position(Option::is_some);
     study.weight = if study.floors.is_empty() { carried } else { of_floors };
     let force = study.units[0].clone();
-    study.agreement.add("weight on the bearings".into(), &force, all_stated.then_some(of_floors), carried);
+    study.agreement.add("weight on the bearings".into(), &force, first_stated.map(|_| of_floors), carried);
     if (study.weight / carried - 1.0).abs() > WEIGHT {
-        let line = stated.floors.iter().flatten().next().map_or(String::new(), |w| format!(":{}", w.line));
-        return Err(format!(
-            "{}{line}: the floors weigh {:.6}, but the bearings of \"{script}\" carry {carried:.6} under gravity: ratio {:.4}. \
-             Expected the same within {} %: weights, the list of bearings or the script's loads are wrong",
-            stated.file,
+        let message = format!(
+            "the floors weigh {:.6}, but the bearings of \"{script}\" carry {carried:.6} under gravity: ratio {:.4}. Expected the \
+             same within {} %: weights, the list of bearings or the script's loads are wrong",
             study.weight,
             study.weight / carried,
             100.0 * WEIGHT,
-        ));
+        );
+        return Err(Mistake::new(key!["floor", first_stated.unwrap_or(0), "weight"], message));
     }
     let by_mass = model.mass_above() * study.gravity;
     study.agreement.add("mass above the bearings times gravity".into(), &force, Some(study.weight), by_mass);
     study.mass_over_weight = by_mass / study.weight;
     let ratio = by_mass / carried;
     if !(MASS[0]..=MASS[1]).contains(&ratio) {
-        return Err(format!(
-            "{}:{}: gravity = {} times the mass of \"{script}\" above its bearings is {by_mass:.6}, but the bearings carry \
-             {carried:.6}: ratio {ratio:.4}. Gravity, the masses or the loads are in another unit, or masses are missing",
-            stated.file, stated.gravity.line, stated.gravity.value,
-        ));
+        let message = format!(
+            "gravity = {} times the mass of \"{script}\" above its bearings is {by_mass:.6}, but the bearings carry {carried:.6}: \
+             ratio {ratio:.4}. Gravity, the masses or the loads are in another unit, or masses are missing",
+            study.gravity,
+        );
+        return Err(Mistake::new(key!["gravity"], message));
     }
     Ok(())
 }
 
 /// Amplitude and period at which bearings are tested: displacement and period of the equivalent lateral force procedure on
 /// the tested loops themselves.
-fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], String> {
+fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], Mistake> {
     let meter = study.meter();
     let spectrum = |t: f64| meter * study.target.at(t);
     let (mut amplitude, mut period) = (spectrum(2.0) / (TAU / 2.0).powi(2), 2.0);
@@ -289,8 +282,9 @@ fn design_loops(study: &Study, model: &ScriptModel) -> Result<[f64; 2], String> 
     if amplitude.is_finite() && amplitude > 0.0 && period.is_finite() {
         return Ok([amplitude, period]);
     }
-    Err("the target spectrum has no value at a period of 2 s: bearings cannot be tested at a design displacement"
-        .into())
+    let message =
+        "the target spectrum has no value at a period of 2 s: bearings cannot be tested at a design displacement";
+    Err(Mistake::new(key!["target"], message))
 }
 
 /// Mean of the loops of all bearings of a type, which may differ by their axial forces.
@@ -311,9 +305,10 @@ fn type_loops(model: &ScriptModel, kind: usize, amplitude: f64, period: f64) -> 
 }
 
 /// Refusal of a value of a type that contradicts the script's.
-fn contradiction(study: &Study, stated: &StatedValues, model: &ScriptModel, kind: usize, what: &str) -> String {
+fn contradiction(study: &Study, model: &ScriptModel, kind: usize, name: &str, what: &str) -> Mistake {
     let bearing = model.typical(kind).map_or(String::new(), |b| place(study, b));
-    format!("{}:{what} ({bearing}). Without the key the script's value is taken", stated.file)
+    let message = format!("{what} ({bearing}). Without the key the script's value is taken");
+    Mistake::new(key!["bearing", kind, name], message)
 }
 
 fn settle_bearings(
@@ -322,7 +317,7 @@ fn settle_bearings(
     model: &ScriptModel,
     kind: usize,
     loops: &TypeLoops,
-) -> Result<(), String> {
+) -> Result<(), Mistake> {
     let found = &loops.mean;
     let d = found.amplitude;
     let [q, k, y] = stated.bearings[kind];
@@ -335,29 +330,26 @@ fn settle_bearings(
     let parts = [("q_d", q, found.q_d, limits[0], &force), ("k_d", k, found.k_d, limits[1], &per_length)];
     for (key, stated_value, script, limit, unit) in parts {
         let subject = format!("{name}: {key} at {d:.4}");
-        study.agreement.add(subject, unit, stated_value.map(|s| s.value), script);
-        if let Some(s) = stated_value.filter(|s| (s.value - script).abs() > limit) {
+        study.agreement.add(subject, unit, stated_value, script);
+        if let Some(s) = stated_value.filter(|s| (s - script).abs() > limit) {
             let what = format!(
-                "{}: {key} = {} of {name}, but the script's bearings have {script:.6} at the design displacement {d:.6}: \
-                 ratio {:.4}",
-                s.line,
-                s.value,
-                s.value / script
+                "{key} = {s} of {name}, but the script's bearings have {script:.6} at the design displacement {d:.6}: ratio {:.4}",
+                s / script
             );
-            return Err(contradiction(study, stated, model, kind, &what));
+            return Err(contradiction(study, model, kind, key, &what));
         }
     }
     let (damping, subject) = (found.damping(d), format!("{name}: yield_displacement"));
-    study.agreement.add(subject, &length, y.map(|y| y.value), found.yield_displacement);
+    study.agreement.add(subject, &length, y, found.yield_displacement);
     if let Some(y) = y {
-        let own = BilinearLoop { yield_displacement: y.value, ..*found }.damping(d);
+        let own = BilinearLoop { yield_displacement: y, ..*found }.damping(d);
         if (own - damping).abs() > LOOP * damping {
             let what = format!(
-                "{}: yield_displacement = {} of {name} gives a damping of {own:.4} at the design displacement {d:.6}, but the \
-                 loop of the script's bearings has {damping:.4}, as of {:.6}",
-                y.line, y.value, found.yield_displacement
+                "yield_displacement = {y} of {name} gives a damping of {own:.4} at the design displacement {d:.6}, but the loop of \
+                 the script's bearings has {damping:.4}, as of {:.6}",
+                found.yield_displacement
             );
-            return Err(contradiction(study, stated, model, kind, &what));
+            return Err(contradiction(study, model, kind, "yield_displacement", &what));
         }
     }
     let transition = if loops.abrupt { Transition::Abrupt } else { Transition::Smooth };
@@ -368,9 +360,9 @@ fn settle_bearings(
         ));
     }
     let own = &mut study.bearings[kind];
-    own.q_d = q.map_or(found.q_d, |s| s.value);
-    own.k_d = k.map_or(found.k_d, |s| s.value);
-    own.yield_displacement = y.map_or(found.yield_displacement, |s| s.value);
+    own.q_d = q.unwrap_or(found.q_d);
+    own.k_d = k.unwrap_or(found.k_d);
+    own.yield_displacement = y.unwrap_or(found.yield_displacement);
     if !stated.transitions[kind] {
         own.transition = transition;
     }
@@ -378,10 +370,10 @@ fn settle_bearings(
 }
 
 /// A type whose bearings cannot be tested has what the study states.
-fn untested(study: &mut Study, stated: &StatedValues, kind: usize, reason: &str) -> Result<(), String> {
+fn untested(study: &mut Study, stated: &StatedValues, kind: usize, reason: &str) -> Result<(), Mistake> {
     let BearingType { name, yield_displacement, .. } = &mut study.bearings[kind];
     if let Some(key) = ["q_d", "k_d"].iter().zip(&stated.bearings[kind]).find(|(_, s)| s.is_none()).map(|(k, _)| k) {
-        return Err(format!("{}: {name} has no {key}, and {reason}", stated.file));
+        return Err(Mistake::new(key!["bearing", kind, *key], format!("{name} has no {key}, and {reason}")));
     }
     if yield_displacement.is_nan() {
         *yield_displacement = 0.0;

@@ -1,10 +1,10 @@
 //! The excitation of a script beside the motions of a study.
 
-use super::agreement::StatedValues;
 use super::before_transient::run_job_to_transient;
 use super::job::Job;
 use super::script_model::ScriptModel;
 use super::study::Study;
+use crate::mistake::{Mistake, key};
 use hysteron_engine::model::{Model, Pattern, PatternKind};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -25,28 +25,23 @@ const TIMES: usize = 2000;
 ///
 /// # Errors
 /// It moves otherwise, or nothing in the script depends on the motion. The message has both, or what is missing.
-pub(super) fn compare(
-    study: &mut Study,
-    stated: &StatedValues,
-    model: &ScriptModel,
-    stop: &Arc<AtomicBool>,
-) -> Result<(), String> {
+pub(super) fn compare(study: &mut Study, model: &ScriptModel, stop: &Arc<AtomicBool>) -> Result<(), Mistake> {
     let patterns = || model.model().patterns.values().filter(|p| p.held.is_none());
     if patterns().any(|p| matches!(p.kind, PatternKind::Uniform(_))) {
-        return uniform(study, stated, model);
+        return uniform(study, model);
     }
     if patterns().any(|p| p.motions.iter().any(|m| m.ground.is_some())) {
-        return supports(study, stated, model);
+        return supports(study, model);
     }
     if !follows_the_motion(study, model, stop)? {
-        return Err(format!(
-            "{}: the motions cannot be applied, since nothing in \"{}\" depends on isolate(ax) before its first transient analysis: \
+        let message = format!(
+            "the motions cannot be applied, since nothing in \"{}\" depends on isolate(ax) before its first transient analysis: \
              it has no pattern UniformExcitation, no MultipleSupport, and no load or displacement that changes with the motion. \
              Expected, for each direction: timeSeries Path 2 -dt $isolate(dt) -values $isolate(ax); \
              pattern UniformExcitation 2 1 -accel 2",
-            stated.file,
             study.script.display()
-        ));
+        );
+        return Err(Mistake::new(key!["script"], message));
     }
     study.agreement.remarks.push(
         "the script applies the motions by loads or displacements of a pattern Plain: what it does with them was not compared"
@@ -56,7 +51,7 @@ pub(super) fn compare(
 }
 
 /// Each component is applied once by the patterns UniformExcitation.
-fn uniform(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+fn uniform(study: &Study, model: &ScriptModel) -> Result<(), Mistake> {
     let pair = &study.motions[0];
     let [x, y] = &pair.components;
     // A path may end before its last point.
@@ -89,15 +84,15 @@ fn uniform(study: &Study, stated: &StatedValues, model: &ScriptModel) -> Result<
         if differs > MOTION * whole {
             let axis = ["x", "y", "z"][if direction < horizontal { direction } else { 2 }];
             let [stated_peak, applied_peak] = [peak(&expected), peak(&applied)];
-            return Err(format!(
-                "{}: the motion \"{}\" has a peak of {stated_peak:.6} in {axis} (isolate(a{axis}), isolate(dt)), but the ground of \
+            let message = format!(
+                "the motion \"{}\" has a peak of {stated_peak:.6} in {axis} (isolate(a{axis}), isolate(dt)), but the ground of \
                  \"{}\" has {applied_peak:.6} there, and differs by up to {differs:.6}: ratio {:.4}. Each component is to be \
                  applied once, in its direction, with its step and without a factor",
-                stated.file,
                 x.name,
                 study.script.display(),
                 applied_peak / stated_peak
-            ));
+            );
+            return Err(Mistake::new(key!["motion", 0], message));
         }
     }
     Ok(())
@@ -139,7 +134,7 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// A support in each direction follows the motion, which may arrive later there. Supports that move otherwise are said.
-fn supports(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Result<(), String> {
+fn supports(study: &mut Study, model: &ScriptModel) -> Result<(), Mistake> {
     let pair = &study.motions[0];
     let dt = pair.components[0].dt;
     let horizontal = model.dimensions().saturating_sub(1);
@@ -164,10 +159,11 @@ fn supports(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Re
         let asked = strength(&expected);
         let axis = ["x", "y", "z"][if direction < horizontal { direction } else { 2 }];
         if asked > MOTION * whole && grounds(direction).next().is_none() {
-            return Err(format!(
-                "{}: the motion \"{}\" has a component in {axis} (isolate(a{axis})), but no support of \"{script}\" moves there",
-                stated.file, pair.components[0].name
-            ));
+            let message = format!(
+                "the motion \"{}\" has a component in {axis} (isolate(a{axis})), but no support of \"{script}\" moves there",
+                pair.components[0].name
+            );
+            return Err(Mistake::new(key!["motion", 0], message));
         }
         let (mut follows, mut others) = (0, vec![]);
         for (node, ground) in grounds(direction) {
@@ -195,10 +191,10 @@ fn supports(study: &mut Study, stated: &StatedValues, model: &ScriptModel) -> Re
         }
         let Some(first) = others.first() else { continue };
         if follows == 0 {
-            return Err(format!(
-                "{}: {first}. Each component is to be applied in its direction, with its step and without a factor",
-                stated.file
-            ));
+            let message = format!(
+                "{first}. Each component is to be applied in its direction, with its step and without a factor"
+            );
+            return Err(Mistake::new(key!["motion", 0], message));
         }
         // Motions may differ from support to support, but one of them is that of the study.
         remarks.push(format!("{first}; {} of {} supports differ so", others.len(), follows + others.len()));

@@ -34,7 +34,7 @@ pub use outcome::{BearingOutcome, JobOutcome, MemberOutcome};
 pub use procedures::{isolator_displacements, procedure_along, procedures, system};
 pub use properties::Properties;
 pub use runaway::{cut_short, runaway};
-pub use study::{BearingType, Floor, Study, is_isolation_study, load, mistake_of_form};
+pub use study::{BearingType, Floor, Study, is_isolation_study, load, mistake_of_text};
 pub use study_file::{Causes, LiveLoad, Transition};
 
 /// Names of the bounds, in the order in which they are run.

@@ -3,6 +3,7 @@
 use super::before_transient::run_to_transient;
 use super::shear_test::{BilinearLoop, shear_test};
 use super::study::Study;
+use crate::mistake::{Mistake, key};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::Mass;
 use hysteron_engine::model::{ElementId, Model};
@@ -54,14 +55,15 @@ impl ScriptModel {
         bound: &'static str,
         eccentricity: usize,
         stop: &Arc<AtomicBool>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Mistake> {
         let run = run_to_transient(study, bound, eccentricity, stop)?;
         let engine = &run.interp.host.engine;
         let model = engine.model();
         let mut bearings = vec![];
         for (kind, b) in study.bearings.iter().enumerate() {
-            for &tag in &b.tags {
-                let mut found = bearing(engine, kind, tag).map_err(|e| format!("{} {tag} {e}", b.name))?;
+            for (i, &tag) in b.tags.iter().enumerate() {
+                let wrong = |e| Mistake::new(key!["bearing", kind, "tags", i], format!("{} {tag} {e}", b.name));
+                let mut found = bearing(engine, kind, tag).map_err(wrong)?;
                 let made_at = i32::try_from(tag).ok().and_then(|t| run.interp.host.builder.made_at.get(&t));
                 found.line = made_at.map_or(String::new(), |span| {
                     let at = run.interp.sources.location(*span);

@@ -2,14 +2,15 @@
 
 use super::Properties;
 use super::agreement::{Agreement, StatedValues, settle};
-use super::study_file::{BearingEntry, Causes, LiveLoad, Stated, Stiffness, StudyFile, Transition};
+use super::study_file::{BearingEntry, Causes, LiveLoad, Stiffness, StudyFile, Transition};
 use crate::codes::{Code, Structure};
+use crate::mistake::{About as _, Mistake, Step, key};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 use crate::target::Target;
-use hysteron_tcl::diagnostic::nearest;
+use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use rand::SeedableRng as _;
 use rand_pcg::Pcg32;
 use std::cell::RefCell;
@@ -51,11 +52,11 @@ pub struct BearingType {
 impl BearingType {
     /// As the file names it; what the script has to say is not a number.
     fn new(entry: BearingEntry) -> Self {
-        let number = |v: &Option<toml::Spanned<f64>>| v.as_ref().map_or(f64::NAN, |v| *v.get_ref());
+        let number = |v: Option<f64>| v.unwrap_or(f64::NAN);
         Self {
-            q_d: number(&entry.q_d),
-            k_d: number(&entry.k_d),
-            yield_displacement: number(&entry.yield_displacement),
+            q_d: number(entry.q_d),
+            k_d: number(entry.k_d),
+            yield_displacement: number(entry.yield_displacement),
             transition: entry.transition.unwrap_or(Transition::Smooth),
             substructure: entry.substructure.map(Stiffness::by_direction),
             name: entry.name,
@@ -88,6 +89,8 @@ pub struct Study {
     pub title: String,
     /// Path of the script.
     pub script: PathBuf,
+    /// Path of the study, and its text.
+    file: (PathBuf, Arc<str>),
     /// Hash of the script, the records and all that an analysis gets from the study.
     pub fingerprint: u64,
     /// Code of the checks.
@@ -214,29 +217,56 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
 }
 
 /// Read a study and its motions, and settle it with its script, which runs up to its first transient analysis at each bound
-/// and eccentricity. Paths are relative to the study's folder. `stop` interrupts.
+/// and eccentricity. Paths are relative to the study's folder. `stop` interrupts. The text of the study becomes one of `sources`.
 ///
 /// # Errors
 /// A file cannot be read or understood, a value is out of its range, the script fails, or study and script contradict each
-/// other. The message names it.
-pub fn load(path: &Path, stop: &Arc<AtomicBool>) -> Result<Study, String> {
-    let text = text_of(path)?;
-    let file: StudyFile = toml::from_str(&text).map_err(|e| format!("\"{}\": {e}", path.display()))?;
-    file.check()?;
+/// other. The message points at the value.
+pub fn load(path: &Path, stop: &Arc<AtomicBool>, sources: &mut SourceMap) -> Result<Study, Box<Diagnostic>> {
+    let text = text_of(path).map_err(|e| Box::new(Diagnostic::error(e)))?;
+    let file = parsed(path, &text, sources)?;
+    settled(file, path, &text, stop).map_err(|m| placed(&m, path, &text, sources))
+}
+
+/// The keys of a study, whose numbers and tags have a meaning by themselves.
+fn parsed(path: &Path, text: &str, sources: &mut SourceMap) -> Result<StudyFile, Box<Diagnostic>> {
+    let file: StudyFile = toml::from_str(text).map_err(|e| {
+        let source = source_of(path, text, sources);
+        let at = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
+        Box::new(Diagnostic::error(e.message()).place(at))
+    })?;
+    match file.check() {
+        Ok(()) => Ok(file),
+        Err(m) => Err(placed(&m, path, text, sources)),
+    }
+}
+
+/// The mistake of a study's text that shows without its files and its script, if it has one.
+pub fn mistake_of_text(path: &Path, text: &str, sources: &mut SourceMap) -> Option<Box<Diagnostic>> {
+    parsed(path, text, sources).err()
+}
+
+fn source_of(path: &Path, text: &str, sources: &mut SourceMap) -> SourceId {
+    let name = path.display().to_string();
+    sources.find(&name, text).unwrap_or_else(|| sources.add(&name, text))
+}
+
+/// A mistake at its place. One of the whole stands at the script, which the study does not fit.
+fn placed(m: &Mistake, path: &Path, text: &str, sources: &mut SourceMap) -> Box<Diagnostic> {
+    let source = source_of(path, text, sources);
+    Box::new(m.diagnostic(text, source, &[Step::from("script")]))
+}
+
+/// A study that has been settled with its script.
+fn settled(file: StudyFile, path: &Path, text: &str, stop: &Arc<AtomicBool>) -> Result<Study, Mistake> {
     let stated = StatedValues {
-        file: path.display().to_string(),
-        gravity: Stated::of(&file.gravity, &text),
-        bearings: file
-            .bearing
-            .iter()
-            .map(|b| [&b.q_d, &b.k_d, &b.yield_displacement].map(|v| v.as_ref().map(|v| Stated::of(v, &text))))
-            .collect(),
+        bearings: file.bearing.iter().map(|b| [b.q_d, b.k_d, b.yield_displacement]).collect(),
         transitions: file.bearing.iter().map(|b| b.transition.is_some()).collect(),
-        floors: file.floor.iter().map(|f| f.weight.as_ref().map(|w| Stated::of(w, &text))).collect(),
-        heights: file.floor.iter().map(|f| f.height.as_ref().map(|h| Stated::of(h, &text))).collect(),
+        floors: file.floor.iter().map(|f| f.weight).collect(),
+        heights: file.floor.iter().map(|f| f.height).collect(),
     };
     let mut texts = vec![FORMAT.to_owned()];
-    let mut study = unsettled(file, path, &mut texts)?;
+    let mut study = unsettled(file, path, text, &mut texts)?;
     settle(&mut study, &stated, stop)?;
     let share = study.code.value("system_adjustment", "share");
     let contacts: Vec<i64> = study.contacts().collect();
@@ -255,22 +285,18 @@ pub fn is_isolation_study(path: &Path) -> bool {
     table.is_some_and(|t| t.contains_key("bearing"))
 }
 
-/// The mistake in the form of a study's text, if it has one: its place in bytes, and what is wrong.
-pub fn mistake_of_form(text: &str) -> Option<(Option<std::ops::Range<usize>>, String)> {
-    toml::from_str::<StudyFile>(text).err().map(|e| (e.span(), e.message().to_owned()))
-}
-
 /// A study before its script has run.
-fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<Study, String> {
+fn unsettled(file: StudyFile, path: &Path, text: &str, texts: &mut Vec<String>) -> Result<Study, Mistake> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let script = folder.join(&file.script);
-    let script_text = text_of(&script)?;
+    let script_text = text_of(&script).about(|| key!["script"])?;
     let target = Target::parse(&file.target, |name| {
         hysteron_files::read_input(folder.join(name)).map_err(|e| format!("cannot read \"{name}\": {e}"))
-    })?;
+    });
+    let target = target.about(|| key!["target"])?;
     let mut notes = vec![];
-    let read = |m| pair(m, folder, texts, &mut notes);
-    let mut motions = file.motion.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    let read = |(i, m): (usize, &MotionEntry)| pair(m, folder, texts, &mut notes).about(|| key!["motion", i]);
+    let mut motions = file.motion.iter().enumerate().map(read).collect::<Result<Vec<_>, _>>()?;
     if motions.iter().any(|p| p.vertical.is_some()) && !script_text.contains("isolate(az)") {
         notes.push(format!(
             "the motions have vertical components, but \"{}\" does not name isolate(az): are they applied?",
@@ -281,7 +307,7 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     texts.push(script_text);
     texts.extend(file.motion.iter().map(MotionEntry::identity));
     let factors = match file.scale {
-        Some([from, to]) => factors(&motions, &target, [from, to])?,
+        Some([from, to]) => factors(&motions, &target, [from, to]).about(|| key!["scale"])?,
         None => vec![1.0; motions.len()],
     };
     for (pair, f) in motions.iter_mut().zip(&factors) {
@@ -297,12 +323,12 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
     };
     let types: Vec<&str> = file.bearing.iter().map(|b| b.name.as_str()).collect();
     performance.check(&types, &super::BOUNDS)?;
-    let floor = |f: &super::study_file::FloorEntry| {
-        let weight = f.weight.as_ref().map_or(f64::NAN, |w| *w.get_ref());
-        let height = f.height.as_ref().map_or(f64::NAN, |h| *h.get_ref());
-        Floor { node: f.node, weight, height }
+    let floor = |f: &super::study_file::FloorEntry| Floor {
+        node: f.node,
+        weight: f.weight.unwrap_or(f64::NAN),
+        height: f.height.unwrap_or(f64::NAN),
     };
-    let code = Code::named(&file.code)?;
+    let code = Code::named(&file.code).about(|| key!["code"])?;
     let short = match target {
         Target::TwoPeriod { short, .. } => Some(short),
         _ => None,
@@ -317,9 +343,10 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
         scale: file.scale,
         title: if file.title.is_empty() { file.script.clone() } else { file.title },
         script,
+        file: (path.to_owned(), text.into()),
         fingerprint: 0,
         code,
-        gravity: *file.gravity.get_ref(),
+        gravity: file.gravity,
         units: file.units,
         plan: file.plan,
         eccentricities: mirrored(&file.eccentricities),
@@ -342,12 +369,14 @@ fn unsettled(file: StudyFile, path: &Path, texts: &mut Vec<String>) -> Result<St
 }
 
 /// Motions of a suite are different ones.
-fn different(motions: &[Pair]) -> Result<(), String> {
+fn different(motions: &[Pair]) -> Result<(), Mistake> {
     let accelerations = |p: &Pair| p.components.iter().map(|c| c.acceleration.clone()).collect::<Vec<_>>();
     for (k, a) in motions.iter().enumerate() {
         if let Some(other) = motions[..k].iter().position(|b| accelerations(a) == accelerations(b)) {
             let [first, second] = [other, k].map(|i| format!("{} \"{}\"", i + 1, motions[i].name()));
-            return Err(format!("the motions {first} and {second} are one record: expected different ones in a suite"));
+            let message =
+                format!("the motions {first} and {second} are one record: expected different ones in a suite");
+            return Err(Mistake::new(key!["motion", k], message));
         }
     }
     Ok(())
@@ -365,6 +394,11 @@ fn factors(motions: &[Pair], target: &Target, [from, to]: [f64; 2]) -> Result<Ve
 }
 
 impl Study {
+    /// A mistake of the study at its place in the text.
+    pub fn placed(&self, m: &Mistake, sources: &mut SourceMap) -> Box<Diagnostic> {
+        placed(m, &self.file.0, &self.file.1, sources)
+    }
+
     /// Draw factors on Q_d and K_d of types of bearings from posteriors of their tests, times the mean of the bounds' factors
     /// of aging and environment. Bearings of one type share a draw. The seed is that of the study.
     ///

@@ -1,10 +1,11 @@
 //! The file of an isolation study: its keys, and what can be said of them without the script.
 
 use crate::codes::Structure;
+use crate::mistake::{Mistake, Step, key};
 use crate::motion::MotionEntry;
 use crate::performance::{Collapse, Hunt, Intensity, LimitState, Stripes};
 use serde::Deserialize;
-use toml::Spanned;
+use std::collections::BTreeSet;
 
 /// Factors of one bound on Q_d and K_d, by their causes. They are multiplied.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
@@ -59,9 +60,19 @@ impl Causes {
         1.0 + share * (product - 1.0)
     }
 
-    pub(super) fn all(&self) -> [[f64; 2]; 8] {
-        let Self { aging, temperature, velocity, travel, contamination, scragging, test, specification } = self;
-        [*aging, *temperature, *velocity, *travel, *contamination, *scragging, *test, *specification]
+    /// The factors with the names of their causes.
+    pub(super) fn all(&self) -> [(&'static str, [f64; 2]); 8] {
+        let Self { aging, temperature, velocity, travel, contamination, scragging, test, specification } = *self;
+        [
+            ("aging", aging),
+            ("temperature", temperature),
+            ("velocity", velocity),
+            ("travel", travel),
+            ("contamination", contamination),
+            ("scragging", scragging),
+            ("test", test),
+            ("specification", specification),
+        ]
     }
 }
 
@@ -113,11 +124,11 @@ pub(super) struct BearingEntry {
     /// Tags of the elements.
     pub(super) tags: Vec<i64>,
     /// Nominal characteristic strength of one bearing; the script's without it.
-    pub(super) q_d: Option<Spanned<f64>>,
+    pub(super) q_d: Option<f64>,
     /// Nominal post-elastic stiffness of one bearing; the script's without it.
-    pub(super) k_d: Option<Spanned<f64>>,
+    pub(super) k_d: Option<f64>,
     /// Yield displacement; the script's without it.
-    pub(super) yield_displacement: Option<Spanned<f64>>,
+    pub(super) yield_displacement: Option<f64>,
     /// Shape of the loops, `abrupt` or `smooth`; as tested without it.
     pub(super) transition: Option<Transition>,
     /// Lateral stiffness of the substructure below one bearing, for the simplified method of bridges: one number, or those along x
@@ -162,9 +173,9 @@ pub(super) struct FloorEntry {
     /// Node whose motion stands for the floor.
     pub(super) node: i64,
     /// Weight; without it the mass of the script at its elevation times `gravity`.
-    pub(super) weight: Option<Spanned<f64>>,
+    pub(super) weight: Option<f64>,
     /// Height above the floor below, which the base level has not; without it that of the script's nodes.
-    pub(super) height: Option<Spanned<f64>>,
+    pub(super) height: Option<f64>,
 }
 
 fn one() -> f64 {
@@ -194,7 +205,7 @@ pub(super) struct StudyFile {
     /// Kind of structure, `building` or `bridge`; that of the code without it.
     pub(super) structure: Option<Structure>,
     /// Acceleration of gravity in the units of the script.
-    pub(super) gravity: Spanned<f64>,
+    pub(super) gravity: f64,
     /// Names of the units of force and length.
     #[serde(default)]
     pub(super) units: [String; 2],
@@ -267,27 +278,14 @@ fn default_code() -> String {
     "asce7-16".into()
 }
 
-/// A number that a file states, with its line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stated {
-    pub(super) value: f64,
-    pub(super) line: usize,
+fn positive(key: Vec<Step>, what: &str, x: f64) -> Result<(), Mistake> {
+    let wrong = || Mistake::new(key, format!("{what} is {x}: expected more than 0"));
+    if x > 0.0 && x.is_finite() { Ok(()) } else { Err(wrong()) }
 }
 
-impl Stated {
-    /// Of a value in a text.
-    pub(super) fn of(value: &Spanned<f64>, text: &str) -> Self {
-        let before = &text.as_bytes()[..value.span().start.min(text.len())];
-        Self { value: *value.get_ref(), line: 1 + before.iter().filter(|b| **b == b'\n').count() }
-    }
-}
-
-fn positive(what: &str, x: f64) -> Result<(), String> {
-    if x > 0.0 && x.is_finite() { Ok(()) } else { Err(format!("{what} is {x}: expected more than 0")) }
-}
-
-fn not_negative(what: &str, x: f64) -> Result<(), String> {
-    if x >= 0.0 && x.is_finite() { Ok(()) } else { Err(format!("{what} is {x}: expected 0 or more")) }
+fn not_negative(key: Vec<Step>, what: &str, x: f64) -> Result<(), Mistake> {
+    let wrong = || Mistake::new(key, format!("{what} is {x}: expected 0 or more"));
+    if x >= 0.0 && x.is_finite() { Ok(()) } else { Err(wrong()) }
 }
 
 impl StudyFile {
@@ -295,53 +293,69 @@ impl StudyFile {
     ///
     /// # Errors
     /// One of them has no meaning. The message names it.
-    pub(super) fn check(&self) -> Result<(), String> {
-        positive("gravity", *self.gravity.get_ref())?;
-        positive("response_modification", self.response_modification)?;
-        not_negative("live.over_dead", self.live.over_dead)?;
-        not_negative("substructure_weight", self.substructure_weight)?;
-        not_negative("live.in_script", self.live.in_script)?;
-        self.sms.map_or(Ok(()), |s| not_negative("sms", s))?;
+    pub(super) fn check(&self) -> Result<(), Mistake> {
+        positive(key!["gravity"], "gravity", self.gravity)?;
+        positive(key!["response_modification"], "response_modification", self.response_modification)?;
+        not_negative(key!["live", "over_dead"], "live.over_dead", self.live.over_dead)?;
+        not_negative(key!["substructure_weight"], "substructure_weight", self.substructure_weight)?;
+        not_negative(key!["live", "in_script"], "live.in_script", self.live.in_script)?;
+        self.sms.map_or(Ok(()), |s| not_negative(key!["sms"], "sms", s))?;
         if !(0.0..1.0).contains(&self.structure_damping) {
-            return Err(format!("structure_damping is {}: expected 0 to less than 1", self.structure_damping));
+            let message = format!("structure_damping is {}: expected 0 to less than 1", self.structure_damping);
+            return Err(Mistake::new(key!["structure_damping"], message));
         }
         if self.bearing.is_empty() || self.motion.is_empty() || self.eccentricities.is_empty() {
             return Err("expected at least one [[bearing]], one [[motion]] and one eccentricity".into());
         }
-        if let Some(e) = self.eccentricities.iter().find(|e| e.iter().any(|x| x.is_nan() || x.abs() > 0.5)) {
-            return Err(format!(
-                "the eccentricity {e:?} is outside of the plan: expected shares of the plan, at most 0.5"
-            ));
+        let outside = |e: &[f64; 2]| e.iter().any(|x| x.is_nan() || x.abs() > 0.5);
+        if let Some((i, e)) = self.eccentricities.iter().enumerate().find(|(_, e)| outside(e)) {
+            let message =
+                format!("the eccentricity {e:?} is outside of the plan: expected shares of the plan, at most 0.5");
+            return Err(Mistake::new(key!["eccentricities", i], message));
         }
-        let mut tags: Vec<i64> = self.bearing.iter().flat_map(|b| b.tags.iter().copied()).collect();
-        tags.sort_unstable();
-        if let Some(w) = tags.windows(2).find(|w| w[0] == w[1]) {
-            return Err(format!("the bearing {} is listed twice", w[0]));
-        }
-        for b in &self.bearing {
-            let stated = [("q_d", &b.q_d), ("k_d", &b.k_d), ("yield_displacement", &b.yield_displacement)];
-            for (name, value) in stated {
-                // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
-                value.as_ref().map_or(Ok(()), |v| not_negative(&format!("{name} of {}", b.name), *v.get_ref()))?;
-            }
-            for k in b.substructure.iter().flat_map(|k| k.by_direction()) {
-                positive(&format!("substructure of {}", b.name), k)?;
-            }
-            if b.tags.is_empty() {
-                return Err(format!("the bearings {} have no tags", b.name));
-            }
-            for f in b.lower.all().iter().chain(&b.upper.all()).flatten() {
-                positive(&format!("a factor of {}", b.name), *f)?;
+        let mut tags = BTreeSet::new();
+        for (kind, b) in self.bearing.iter().enumerate() {
+            for (i, tag) in b.tags.iter().enumerate() {
+                if !tags.insert(*tag) {
+                    let message = format!("the bearing {tag} is listed twice");
+                    return Err(Mistake::new(key!["bearing", kind, "tags", i], message));
+                }
             }
         }
-        for f in &self.floor {
-            if let Some(weight) = &f.weight {
-                positive(&format!("the weight of the floor at node {}", f.node), *weight.get_ref())?;
+        self.bearing.iter().enumerate().try_for_each(|(kind, b)| b.check(kind))?;
+        for (i, f) in self.floor.iter().enumerate() {
+            if let Some(weight) = f.weight {
+                positive(key!["floor", i, "weight"], &format!("the weight of the floor at node {}", f.node), weight)?;
             }
         }
-        for f in self.floor.iter().skip(1) {
+        for (i, f) in self.floor.iter().enumerate().skip(1) {
             let what = format!("the height of the floor at node {}", f.node);
-            f.height.as_ref().map_or(Ok(()), |h| positive(&what, *h.get_ref()))?;
+            f.height.map_or(Ok(()), |h| positive(key!["floor", i, "height"], &what, h))?;
+        }
+        Ok(())
+    }
+}
+
+impl BearingEntry {
+    /// Check the numbers of a type, the one with this number from 0.
+    fn check(&self, kind: usize) -> Result<(), Mistake> {
+        let stated = [("q_d", self.q_d), ("k_d", self.k_d), ("yield_displacement", self.yield_displacement)];
+        for (name, value) in stated {
+            // A flat slider has no post-elastic stiffness, a rubber bearing without lead no strength.
+            let what = format!("{name} of {}", self.name);
+            value.map_or(Ok(()), |v| not_negative(key!["bearing", kind, name], &what, v))?;
+        }
+        for k in self.substructure.iter().flat_map(|k| k.by_direction()) {
+            positive(key!["bearing", kind, "substructure"], &format!("substructure of {}", self.name), k)?;
+        }
+        if self.tags.is_empty() {
+            let message = format!("the bearings {} have no tags", self.name);
+            return Err(Mistake::new(key!["bearing", kind, "tags"], message));
+        }
+        for (bound, causes) in [("lower", &self.lower), ("upper", &self.upper)] {
+            for (cause, f) in causes.all().iter().flat_map(|(cause, f)| f.map(|f| (cause, f))) {
+                positive(key!["bearing", kind, bound, *cause], &format!("a factor of {}", self.name), f)?;
+            }
         }
         Ok(())
     }

@@ -5,6 +5,7 @@
 
 use super::script_model::ScriptModel;
 use super::study::Study;
+use crate::mistake::{Mistake, key};
 use hysteron_identify::study::unit::{Quantity, Unit, all, unit};
 use std::f64::consts::PI;
 
@@ -23,15 +24,15 @@ const FLOOR: [f64; 2] = [1.0e3, 4.0e4];
 ///
 /// # Errors
 /// The script names other units. The message has both places.
-pub(super) fn compare(study: &mut Study, file: &str, model: &mut ScriptModel) -> Result<(), String> {
+pub(super) fn compare(study: &mut Study, model: &mut ScriptModel) -> Result<(), Mistake> {
     let [force, length] = [(0, Quantity::Force), (1, Quantity::Length)]
         .map(|(k, quantity)| unit(&study.units[k]).filter(|u| u.quantity == quantity));
     let script = hysteron_files::read_lossy(&study.script).unwrap_or_default();
     for label in [force, length].into_iter().flatten() {
-        comments(study, file, &script, label)?;
+        comments(study, &script, label)?;
     }
     if let Some(force) = force {
-        variables(study, file, model, force)?;
+        variables(study, model, force)?;
     }
     if let (Some(force), Some(length)) = (force, length) {
         let found =
@@ -53,14 +54,14 @@ fn stated(line: &str, quantity: Quantity) -> Vec<Unit> {
 }
 
 /// A comment of the script names its units.
-fn comments(study: &Study, file: &str, script: &str, label: Unit) -> Result<(), String> {
+fn comments(study: &Study, script: &str, label: Unit) -> Result<(), Mistake> {
     for (k, line) in script.lines().enumerate() {
         let found = stated(line, label.quantity);
         // A comment with several units of a quantity is about a conversion.
         let [first] = found[..] else { continue };
         if (first.factor / label.factor - 1.0).abs() > VARIABLE {
-            return Err(format!(
-                "{file}: units = {:?}, but \"{}\":{} says \"{}\": a value is {:.6} times as large in the study. Expected {} \
+            let message = format!(
+                "units = {:?}, but \"{}\":{} says \"{}\": a value is {:.6} times as large in the study. Expected {} \
                  in the place of {}, or another comment",
                 study.units,
                 study.script.display(),
@@ -69,27 +70,29 @@ fn comments(study: &Study, file: &str, script: &str, label: Unit) -> Result<(), 
                 label.factor / first.factor,
                 first.name,
                 label.name
-            ));
+            );
+            return Err(Mistake::new(key!["units"], message));
         }
     }
     Ok(())
 }
 
 /// A variable of the script that is named as a unit has the value of that unit.
-fn variables(study: &Study, file: &str, model: &mut ScriptModel, label: Unit) -> Result<(), String> {
+fn variables(study: &Study, model: &mut ScriptModel, label: Unit) -> Result<(), Mistake> {
     for other in all().iter().filter(|u| VARIABLES.contains(&u.name)) {
         let Some(found) = model.variable(other.name) else { continue };
         let expected = other.factor / label.factor;
         if (found / expected - 1.0).abs() > VARIABLE {
-            return Err(format!(
-                "{file}: units = {:?}, in which 1 {} is {expected:.6}, but the variable {} of \"{}\" is {found:.6}: ratio {:.4}. \
+            let message = format!(
+                "units = {:?}, in which 1 {} is {expected:.6}, but the variable {} of \"{}\" is {found:.6}: ratio {:.4}. \
                  The script computes in another unit of force",
                 study.units,
                 other.name,
                 other.name,
                 study.script.display(),
                 found / expected
-            ));
+            );
+            return Err(Mistake::new(key!["units"], message));
         }
     }
     Ok(())

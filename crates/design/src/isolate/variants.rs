@@ -3,6 +3,7 @@
 use super::agreement::{NEGLIGIBLE, place};
 use super::script_model::ScriptModel;
 use super::study::Study;
+use crate::mistake::{Mistake, key};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -24,7 +25,7 @@ pub(super) fn compare_bounds(
     nominal: &ScriptModel,
     [amplitude, period]: [f64; 2],
     stop: &Arc<AtomicBool>,
-) -> Result<(), String> {
+) -> Result<(), Mistake> {
     for bound in ["lower", "upper"] {
         let model = ScriptModel::new(study, bound, 0, stop)?;
         let parts = [
@@ -33,11 +34,12 @@ pub(super) fn compare_bounds(
         ];
         for (what, before, after) in parts {
             if (after / before - 1.0).abs() > UNCHANGED {
-                return Err(format!(
+                let message = format!(
                     "the {bound} bound of \"{}\" changes the {what} from {before:.6} to {after:.6}: expected the same. A bound changes \
                      properties of bearings alone",
                     study.script.display()
-                ));
+                );
+                return Err(Mistake::new(key!["script"], message));
             }
         }
         for (kind, b) in study.bearings.iter().enumerate() {
@@ -51,13 +53,14 @@ pub(super) fn compare_bounds(
             for (of, (letter, before, after, least)) in parts.into_iter().enumerate() {
                 let (asked, found) = (study.factor(b, bound, of), after / before);
                 if before > least && (found / asked - 1.0).abs() > FACTOR {
-                    return Err(format!(
+                    let message = format!(
                         "the {bound} bound asks for {asked:.4} times the nominal {letter}_d of {}, but the bearings of the \
                          script have {found:.4} times ({}): does it use isolate({letter},{})?",
                         b.name,
                         model.typical(kind).map_or(String::new(), |t| place(study, t)),
                         b.name
-                    ));
+                    );
+                    return Err(Mistake::new(key!["bearing", kind, bound], message));
                 }
             }
         }
@@ -69,20 +72,25 @@ pub(super) fn compare_bounds(
 ///
 /// # Errors
 /// It moves gravity, or mass by another distance.
-pub(super) fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &Arc<AtomicBool>) -> Result<(), String> {
+pub(super) fn compare_eccentricities(
+    study: &Study,
+    first: &ScriptModel,
+    stop: &Arc<AtomicBool>,
+) -> Result<(), Mistake> {
     let mean = first.gravity() / first.bearings.len() as f64;
     for (k, [x, y]) in study.eccentricities.iter().enumerate().skip(1) {
         let model = ScriptModel::new(study, "nominal", k, stop)?;
         moved_mass(study, first, &model, [*x, *y])?;
         for (before, after) in first.bearings.iter().zip(&model.bearings) {
             if (after.gravity - before.gravity).abs() > MOVED_GRAVITY * mean {
-                return Err(format!(
+                let message = format!(
                     "the eccentricity {x} {y} changes the load of gravity on a bearing from {:.6} to {:.6} ({}): expected the \
                      same. An accidental eccentricity moves mass, never gravity: keep the loads where they are without it",
                     before.gravity,
                     after.gravity,
                     place(study, after)
-                ));
+                );
+                return Err(Mistake::new(key!["eccentricities"], message));
             }
         }
     }
@@ -90,20 +98,21 @@ pub(super) fn compare_eccentricities(study: &Study, first: &ScriptModel, stop: &
 }
 
 /// The center of mass moves by the change of the eccentricity times the plan. Without a plan the grid of the bearings stands for it.
-fn moved_mass(study: &Study, first: &ScriptModel, model: &ScriptModel, to: [f64; 2]) -> Result<(), String> {
+fn moved_mass(study: &Study, first: &ScriptModel, model: &ScriptModel, to: [f64; 2]) -> Result<(), Mistake> {
     let (Some(before), Some(after)) = (first.center_of_mass(), model.center_of_mass()) else { return Ok(()) };
     let Some(plan) = study.plan.or_else(|| first.grid()) else { return Ok(()) };
     for (axis, name) in ["x", "y"].into_iter().enumerate() {
         let asked = (to[axis] - study.eccentricities[0][axis]) * plan[axis];
         let found = after[axis] - before[axis];
         if asked != 0.0 && !(MOVED_MASS[0]..=MOVED_MASS[1]).contains(&(found / asked)) {
-            return Err(format!(
+            let message = format!(
                 "the eccentricity {} {} asks for the center of mass to move by {asked:.6} in {name}, but in \"{}\" it moves by \
                  {found:.6}: does it use isolate(e{name})?",
                 to[0],
                 to[1],
                 study.script.display()
-            ));
+            );
+            return Err(Mistake::new(key!["eccentricities"], message));
         }
     }
     Ok(())

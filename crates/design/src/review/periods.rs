@@ -2,6 +2,7 @@
 
 use crate::isolate::{BOUNDS, Study, isolator_displacements, procedure_along};
 use crate::lateral_force::LateralForce;
+use crate::mistake::{Mistake, key};
 use crate::multimode::{ModalModel, PeriodMode};
 
 /// Modes by direction of motion, for the fixed base and for each bound.
@@ -81,7 +82,7 @@ impl Periods {
     ///
     /// # Errors
     /// A period lies outside. The message has both.
-    pub fn agree(&self, study: &Study) -> Result<(), String> {
+    pub fn agree(&self, study: &Study) -> Result<(), Mistake> {
         let fixed = self.fixed_base();
         if fixed.is_nan() {
             return Ok(());
@@ -94,7 +95,7 @@ impl Periods {
                 let t = period * (study.mass_over_weight / whole).sqrt();
                 let [from, to] = [(1.0 - DEVIATION) * t, (1.0 + DEVIATION) * t.hypot(fixed)];
                 if !(from..=to).contains(&mode.period) {
-                    return Err(format!(
+                    let message = format!(
                         "\"{}\": the period of the model in {} with its bearings at K_eff ({bound} bound) is {:.4} s, but the \
                          equivalent lateral force procedure has {t:.4} s with the same mass: expected {from:.4} to {to:.4} s, \
                          since the structure on a fixed base has {fixed:.4} s. Members or springs bridge the isolation plane, \
@@ -102,7 +103,8 @@ impl Periods {
                         study.script.display(),
                         ["x", "y"][direction.min(1)],
                         mode.period,
-                    ));
+                    );
+                    return Err(Mistake::new(key!["script"], message));
                 }
             }
         }

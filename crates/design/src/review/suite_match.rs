@@ -2,6 +2,7 @@
 
 use crate::isolate::Study;
 use crate::lateral_force::LateralForce;
+use crate::mistake::{Mistake, key};
 use crate::motion::G;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
 
@@ -34,16 +35,17 @@ impl SuiteMatch {
     ///
     /// # Errors
     /// Its mean is another. The message has both and the ratio.
-    pub fn agree(&self, study: &Study) -> Result<(), String> {
+    pub fn agree(&self, study: &Study) -> Result<(), Mistake> {
         let mean_of_logs = |values: &[f64]| (values.iter().map(|x| x.ln()).sum::<f64>() / values.len() as f64).exp();
         let [mean, target] = [mean_of_logs(&self.mean), mean_of_logs(&self.target)];
         let ratio = mean / target;
         if ratio.is_finite() && !(1.0 / OTHER_UNIT..=OTHER_UNIT).contains(&ratio) {
-            return Err(format!(
+            let message = format!(
                 "the mean spectrum of the motions is {mean:.4e} g in the mean of its range, the target ({}) {target:.4e} g: ratio \
                  {ratio:.4e}. Look at unit and factor of the motions, and at the target",
                 study.target_words
-            ));
+            );
+            return Err(Mistake::new(key!["target"], message));
         }
         Ok(())
     }

@@ -1,10 +1,10 @@
 //! What may be written at the cursor.
 
-use super::line::{self, LineBefore};
 use super::snippet::{Dimensions, of_usage};
 use super::thing;
 use super::words::{self, Called};
 use crate::buffer::View;
+use crate::line::LineBefore;
 use crate::script::Script;
 use hysteron_opensees::index::CalledCommand;
 use hysteron_opensees::things;
@@ -21,10 +21,11 @@ const FILE_OPTIONS: [&str; 4] = ["-file", "-filePath", "-fileTime", "-source"];
 
 /// The items at a byte.
 pub(crate) fn items(view: &View<'_>, at: usize) -> Vec<CompletionItem> {
-    if !view.is_script() {
+    if !view.has_commands() {
         return vec![];
     }
-    let line = line::before(view.text(), at);
+    // A point belongs to a number of Tcl, and stands before a command of Python.
+    let Some(line) = view.line_before(at).filter(|l| !l.partial.ends_with('.')) else { return vec![] };
     let range = view.buffer.text.range(line.start, at);
     let offer = Offer { view, line: &line, range };
     let mut items = offer.all();
@@ -68,17 +69,20 @@ impl Offer<'_> {
 
     /// An item that takes the place of the word that is being written.
     fn item(&self, label: &str, kind: CompletionItemKind, detail: String) -> CompletionItem {
+        let is_text = !matches!(kind, CompletionItemKind::FUNCTION | CompletionItemKind::REFERENCE);
+        let is_bare = !(self.view.buffer.is_python() && is_text) || self.line.is_quoted;
+        let new_text = if is_bare { label.to_owned() } else { format!("'{label}'") };
         CompletionItem {
             label: label.to_owned(),
             kind: Some(kind),
             detail: (!detail.is_empty()).then_some(detail),
-            text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: self.range, new_text: label.to_owned() })),
+            text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: self.range, new_text })),
             ..CompletionItem::default()
         }
     }
 
     fn with_snippet(&self, item: CompletionItem, snippet: &str) -> CompletionItem {
-        if snippet.is_empty() {
+        if snippet.is_empty() || self.view.buffer.is_python() {
             return item;
         }
         let new_text = format!("{} {snippet}", super::snippet::escaped(&item.label));
@@ -125,6 +129,9 @@ impl Offer<'_> {
             self.with_snippet(item, &snippet)
         });
         let mut items: Vec<CompletionItem> = own.collect();
+        if self.view.buffer.is_python() {
+            return items;
+        }
         for name in words::tcl_commands() {
             items.push(self.item(name, CompletionItemKind::KEYWORD, "Tcl".into()));
         }
@@ -170,7 +177,7 @@ impl Offer<'_> {
 
     /// Tags of the things that other commands of the kind name at this place; those of all things where there are none.
     fn tags(&self) -> Vec<CompletionItem> {
-        let Some(script) = self.view.script() else { return vec![] };
+        let Some(script) = self.view.script().filter(|_| !self.line.is_quoted) else { return vec![] };
         let kinds = self.kinds_named_here(script);
         let mut known: BTreeSet<(&str, i64)> = BTreeSet::new();
         for m in script.index.mentions.iter().filter(|m| m.defines && (kinds.is_empty() || kinds.contains(m.kind))) {

@@ -14,7 +14,7 @@ const MAX_SECTION: usize = 6000;
 
 /// What is known of the word around a byte.
 pub(crate) fn hover(view: &View<'_>, at: usize) -> Option<Hover> {
-    if !view.is_script() {
+    if !view.has_commands() {
         return None;
     }
     let mut word = view.word_at(at)?;

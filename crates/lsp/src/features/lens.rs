@@ -11,7 +11,8 @@ pub(crate) fn lenses(view: &View<'_>) -> Vec<CodeLens> {
         FileKind::Study => &[("Check", "check"), ("Calibrate", "calibrate"), ("Diagnose", "diagnose")],
         FileKind::Isolation => &[("Check", "check"), ("Run all analyses", "isolate")],
         FileKind::Plan => &[("Run all cases", "batch")],
-        FileKind::Other => &[],
+        FileKind::Python if view.script().is_some() => &[("Check", "check")],
+        FileKind::Python | FileKind::Other => &[],
     };
     let lens = |(title, word): &(&str, &str)| {
         let arguments = Some(vec![serde_json::json!(word), serde_json::json!(view.path)]);

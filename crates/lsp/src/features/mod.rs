@@ -5,7 +5,6 @@ pub(crate) mod completion;
 mod format;
 mod hover;
 mod lens;
-mod line;
 mod navigation;
 mod outline;
 mod signature;
@@ -45,11 +44,11 @@ pub(crate) fn capabilities(lenses: bool) -> ServerCapabilities {
         })),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         completion_provider: Some(CompletionOptions {
-            trigger_characters: characters(&[" ", "$", "-"]),
+            trigger_characters: characters(&[" ", "$", "-", ".", "'"]),
             ..CompletionOptions::default()
         }),
         signature_help_provider: Some(SignatureHelpOptions {
-            trigger_characters: characters(&[" "]),
+            trigger_characters: characters(&[" ", "(", ","]),
             ..SignatureHelpOptions::default()
         }),
         definition_provider: Some(OneOf::Left(true)),

@@ -106,6 +106,10 @@ fn procedures(view: &View<'_>) -> Vec<DocumentSymbol> {
 
 /// Bodies and comments of several lines.
 pub(crate) fn foldings(view: &View<'_>) -> Vec<FoldingRange> {
+    // Blocks of Python are the editor's own.
+    if view.buffer.is_python() {
+        return vec![];
+    }
     let text = &view.buffer.text;
     let mut all: BTreeMap<u32, FoldingRange> = BTreeMap::new();
     let mut fold = |first: usize, last: usize, kind: FoldingRangeKind| {

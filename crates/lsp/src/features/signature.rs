@@ -1,18 +1,18 @@
 //! The usage of the command that is being written, and the argument at the cursor.
 
 use super::completion::dimensions;
-use super::line;
 use super::snippet;
 use super::words::Called;
 use crate::buffer::View;
+use crate::line::LineBefore;
 use lsp_types::{Documentation, ParameterInformation, ParameterLabel, SignatureHelp, SignatureInformation};
 
 /// The usage of the command before a byte.
 pub(crate) fn help(view: &View<'_>, at: usize) -> Option<SignatureHelp> {
-    if !view.is_script() {
+    if !view.has_commands() {
         return None;
     }
-    let line = line::before(view.text(), at);
+    let line = view.line_before(at)?;
     let called = Called::of(&line.words)?;
     let usage = called.usage();
     let arguments = called.arguments();
@@ -46,7 +46,7 @@ pub(crate) fn help(view: &View<'_>, at: usize) -> Option<SignatureHelp> {
 }
 
 /// The word of the usage at the cursor: the option that is being written, or the one at its position.
-fn active(line: &line::LineBefore<'_>, usage: &[snippet::UsageWord<'_>]) -> Option<usize> {
+fn active(line: &LineBefore<'_>, usage: &[snippet::UsageWord<'_>]) -> Option<usize> {
     let option = |word: &str| {
         let is_it = |u: &snippet::UsageWord<'_>| {
             let bare = u.text.trim_matches(['<', '>']);

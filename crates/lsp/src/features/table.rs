@@ -46,7 +46,7 @@ fn keys(view: &View<'_>, line: usize) -> Vec<Key> {
     match FileKind::of(view.path, view.text()) {
         FileKind::Study => keys_of_schema(table).unwrap_or_default(),
         FileKind::Isolation => keys_of_page(table),
-        FileKind::Script | FileKind::Plan | FileKind::Other => vec![],
+        FileKind::Script | FileKind::Python | FileKind::Plan | FileKind::Other => vec![],
     }
 }
 

@@ -78,6 +78,8 @@ const KINDS: &[kind::Kind<AnalysisKind>] = &[
 fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ANALYSIS);
     let AnalysisKind { kind, variable } = kind::take(&mut a, "kind of analysis", "analysis", KINDS.iter())?.make;
+    // It silences messages of OpenSees that are not made here.
+    a.flag("-noWarnings");
     // `-numSublevels` and the like: substepping is asked for with `ladder`.
     finish(interp, &a)?;
     set_up(&mut interp.host, kind, variable, Handler::Plain);

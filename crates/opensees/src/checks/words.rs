@@ -12,6 +12,9 @@ hysteron_tcl::checks! {
         "A number lies outside of the range in which it has a meaning.",
         "The label says the range. Where OpenSees computes with such a number, \"--compat opensees\" does too, and \
          warns.";
+    NO_FLAG "no-flag":
+        "A flag is neither 0 nor 1.",
+        "The message says what it counts as, which is OpenSees' answer. Another number often stands in a wrong place.";
     NOT_DEFINED "not-defined":
         "A command names a thing that no command before it has defined.",
         "The label lists the tags that are defined. Define the thing first, or correct the tag.";

@@ -159,7 +159,10 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
 }
 
 /// Section and transformation by their options.
-fn named_parts(interp: &Tcl, a: &mut Args<'_>) -> Result<(ElasticSection, transform::TransformSpec, Place), Exception> {
+fn named_parts(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+) -> Result<(ElasticSection, transform::TransformSpec, Place), Exception> {
     let (mut section, mut transform, mut shear) = (None, None, true);
     while let Some(option) = a.peek() {
         match option.as_ref() {
@@ -173,7 +176,7 @@ fn named_parts(interp: &Tcl, a: &mut Args<'_>) -> Result<(ElasticSection, transf
             }
             "-shear" => {
                 a.option();
-                shear = a.int("flag of the shear deformations, 0 or 1")? != 0;
+                shear = a.switch(interp, "flag of the shear deformations")?;
             }
             "-order" => {
                 a.option();

@@ -87,10 +87,10 @@ fn words(
     while let Some(option) = a.option() {
         match (option.as_ref(), &mut initial) {
             ("-rho", _) => options.rho = a.not_negative("mass per length rho")?,
-            ("-cMass", _) => options.consistent = a.int("flag")? != 0,
-            ("-doRayleigh", _) => options.rayleigh = a.int("flag")? != 0,
+            ("-cMass", _) => options.consistent = a.switch(interp, "flag")?,
+            ("-doRayleigh", _) => options.rayleigh = a.switch(interp, "flag")?,
             ("-useInitialDisp", Some(initial)) => {
-                if a.int("flag")? == 0 {
+                if !a.switch(interp, "flag")? {
                     initial.fill(0.0);
                 }
             }

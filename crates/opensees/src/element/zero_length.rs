@@ -57,7 +57,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-doRayleigh" => {
                 let at = a.last_span();
-                let flag = a.optional_int("flag")?;
+                let flag = a.optional_switch(interp, "flag")?;
                 if matches!(damping, RayleighDamping::Materials(_)) {
                     let d = Diagnostic::warning(
                         &checks::words::OVERRIDDEN,
@@ -66,7 +66,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     warn(interp, d.at(at, "expected it before -dampMats"))?;
                 }
                 damping = match flag {
-                    None | Some(1) => RayleighDamping::Model,
+                    None | Some(true) => RayleighDamping::Model,
                     _ => RayleighDamping::None,
                 };
             }
@@ -130,7 +130,7 @@ fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
         return Err(a.refuse("both directions are the same", "expected another direction"));
     }
     let material = a.of(&interp.host.builder.definitions.materials)?;
-    let rayleigh = a.optional_int("flag")?.is_some_and(|flag| flag == 1);
+    let rayleigh = a.optional_switch(interp, "flag")?.unwrap_or(false);
     let compat = interp.host.follows(&[slips::COUPLED_ZERO_LENGTH]);
     Ok(CoupledZeroLength::new(material, directions, ends.ndf, &ends.initial(), rayleigh, compat).shared())
 }

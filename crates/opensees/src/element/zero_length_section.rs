@@ -33,7 +33,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     y = vector(a, 3, "vector in the local x-y plane")?;
                 }
             }
-            "-doRayleigh" => rayleigh = a.int("flag")? != 0,
+            "-doRayleigh" => rayleigh = a.switch(interp, "flag")?,
             _ => ignore_option(interp, a, &["-orient", "-doRayleigh"])?,
         }
     }

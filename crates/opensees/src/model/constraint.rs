@@ -27,8 +27,8 @@ const EQUAL_MIXED: &str =
 const DIAPHRAGM: &str = "rigidDiaphragm $perpendicular $retained $constrained1 <$constrained2 ...>";
 const LINK: &str = "rigidLink beam|bar $retained $constrained";
 
-fn flags(a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {
-    (1..=n).map(|i| a.nth_int("flag of degree of freedom", i).map(|f| f != 0)).collect()
+fn flags(interp: &mut Tcl, a: &mut Args<'_>, n: usize) -> Result<Vec<bool>, Exception> {
+    (1..=n).map(|i| a.nth_switch(interp, "flag of degree of freedom", i)).collect()
 }
 
 fn hold(interp: &mut Tcl, node: NodeId, flags: &[bool]) {
@@ -46,7 +46,8 @@ fn hold(interp: &mut Tcl, node: NodeId, flags: &[bool]) {
 fn fix(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIX);
     let node = node_of(interp, &mut a, "tag of the node")?;
-    let flags = flags(&mut a, interp.host.engine.model().nodes[node.0].ndf)?;
+    let ndf = interp.host.engine.model().nodes[node.0].ndf;
+    let flags = flags(interp, &mut a, ndf)?;
     finish(interp, &a)?;
     hold(interp, node, &flags);
     Ok(Value::EMPTY)
@@ -59,7 +60,7 @@ fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     let words = a.ahead().map(|v| v.as_str().into_owned());
     let given = words.take_while(|w| w != "-tol").count();
     // Without a flag nothing would be held.
-    let flags = flags(&mut a, given.max(1))?;
+    let flags = flags(interp, &mut a, given.max(1))?;
     let tolerance = if a.flag("-tol") { a.not_negative("tolerance")? } else { 1e-10 };
     finish(interp, &a)?;
     let model = interp.host.engine.model();

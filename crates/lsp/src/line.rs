@@ -9,6 +9,8 @@ pub(crate) struct LineBefore<'a> {
     pub(crate) partial: &'a str,
     /// First byte of that word.
     pub(crate) start: usize,
+    /// The word stands in quotes, which are not part of it.
+    pub(crate) is_quoted: bool,
 }
 
 /// Bytes before the cursor that are looked at.
@@ -51,7 +53,7 @@ pub(crate) fn before(text: &str, at: usize) -> LineBefore<'_> {
     let mut words: Vec<&str> = command.split_whitespace().filter(|w| *w != "\\").collect();
     let is_open = command.chars().next_back().is_some_and(|c| !c.is_whitespace());
     let partial = if is_open { words.pop().unwrap_or_default() } else { "" };
-    LineBefore { words, partial, start: at - partial.len() }
+    LineBefore { words, partial, start: at - partial.len(), is_quoted: false }
 }
 
 #[cfg(test)]
