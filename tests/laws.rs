@@ -49,6 +49,8 @@ mod normal_springs;
 mod parts;
 #[path = "laws/plates.rs"]
 mod plates;
+#[path = "laws/python_cases.rs"]
+mod python_cases;
 #[path = "laws/quad.rs"]
 mod quad;
 #[path = "laws/rubber.rs"]
