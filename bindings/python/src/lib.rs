@@ -13,6 +13,7 @@ mod queries;
 mod recording;
 mod script;
 mod study;
+mod trace;
 mod words;
 
 use pyo3::prelude::*;
@@ -37,5 +38,9 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(script::run, m)?)?;
     m.add_function(wrap_pyfunction!(script::check, m)?)?;
     m.add_function(wrap_pyfunction!(messages::usages, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::script_usages, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::reference, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::usage_in_python, m)?)?;
+    m.add_function(wrap_pyfunction!(trace::record_calls, m)?)?;
     Ok(())
 }

@@ -15,6 +15,9 @@ pub struct Axial {
 }
 
 impl Axial {
+    /// Name of the law.
+    pub(crate) const NAME: &'static str = "Section";
+
     /// From a section with its tag; `None` if it has no axial force.
     pub fn new(section: SharedSection, tag: i32) -> Option<Self> {
         let at = section.resultants().iter().position(|r| *r == Resultant::P)?;
@@ -29,7 +32,7 @@ impl Uniaxial for Axial {
     plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
     as_any }
     fn name(&self) -> &'static str {
-        "Section"
+        Self::NAME
     }
     fn state_len(&self) -> usize {
         self.slot.len()
@@ -65,8 +68,9 @@ impl Uniaxial for Axial {
         let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
         Some((Arc::new(new), old))
     }
+    /// Its words stand behind `section`: the force of a bar is another one.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))
+        self.slot.probe(words.strip_prefix(&["section"])?)
     }
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         self.slot.read(path, state, out);
