@@ -68,7 +68,9 @@ pub(crate) struct Method {
 
 #[pymethods]
 impl Method {
+    // Without a text: it would stand in the place of that of the command.
     #[new]
+    #[pyo3(text_signature = None)]
     fn new(name: &str, doc: String) -> PyResult<Self> {
         Ok(Self { entry: Entry::of(name)?, doc })
     }

@@ -36,6 +36,8 @@ class _Form:
         self.places = []
         #: Option with its name in a usage, by the names that stand for it.
         self.options = {}
+        #: Words of which one is chosen stand among the places.
+        self.has_alternatives = "|" in words
         self._take(words, False)
         if kind is not None and self.places and self.places[0][0] is None:
             self.places.pop(0)
@@ -59,9 +61,17 @@ class _Form:
                 # A word that stands as it is, such as the kind.
                 self.places.append((None, optional))
 
+    def _named(self, name):
+        """The name in the usage that stands for a name: `E` for `E0`, and in small or large letters, where that is clear."""
+        names = self.names
+        if name in names:
+            return name
+        alike = [n for n in names if n.rstrip("0").lower() == name.lower()] or [n for n in names if n.lower() == name.lower()]
+        return alike[0] if len(set(alike)) == 1 else name
+
     def place(self, given, keywords):
         """Words behind the kind; None and the reason where a name has no place."""
-        words, left = list(given), dict(keywords)
+        words, left = list(given), {self._named(name): value for name, value in keywords.items()}
         for i, (name, optional) in enumerate(self.places):
             if i < len(given):
                 if name in left:
@@ -121,8 +131,8 @@ def place(name, args, keywords):
             return (*args[: len(args) - len(given)], *words)
         reasons.append((reason, form))
     # The form that the names fit best says what is wrong.
-    reason, form = min(reasons, key=lambda r: sum(n not in r[1].names for n in keywords))
-    wrong = next((n for n in keywords if n not in form.names), None)
+    reason, form = min(reasons, key=lambda r: sum(r[1]._named(n) not in r[1].names for n in keywords))
+    wrong = next((n for n in keywords if form._named(n) not in form.names), None)
     near = difflib.get_close_matches(wrong, form.names, 1, 0.4) if wrong else []
     hint = f"\n  did you mean {near[0]!r}?" if near else ""
     usage = _hysteron.usage_in_python(_usage(name, kind))
@@ -134,9 +144,9 @@ def signature(name, with_model):
     """Signature of a command for `inspect`, `help` and editors."""
     kind = inspect.Parameter
     parameters = [kind("model", kind.POSITIONAL_ONLY)] if with_model else []
-    usage, kinds = _USAGES[name]
+    kinds = _USAGES[name][1]
     forms = [] if kinds else _known_forms(name, None)
-    if len(forms) == 1 and "|" not in usage and "..." not in usage:
+    if len(forms) == 1 and not forms[0].has_alternatives:
         known = []
         for word, optional in forms[0].places:
             if word is None or not word.isidentifier() or word in known or word == "model":
@@ -162,6 +172,16 @@ def _plain(text):
     """Markdown as text: no marks of code, and the words of scripts as those of Python."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     return re.sub(r"\$(\w+)", r"\1", text.replace("`", ""))
+
+
+def summary(name):
+    """First sentences about a command."""
+    inside = False
+    for line in _sections().get(name, []):
+        inside = inside != line.startswith("```")
+        if line and not inside and line[0] not in "`|":
+            return _plain(line)
+    return ""
 
 
 def about(name, kind=None):

@@ -285,7 +285,8 @@ def check(first, again, parameters):
                 same = str(x) == str(y)
             if not same:
                 raise OpenSeesError(
-                    f"{a.name}: argument {i + 1} depends on {', '.join(parameters)} in a way that cannot be recorded ({a.place})\n"
+                    f"{a.name}: argument {i + 1} depends on {', '.join(parameters)} in a way that cannot be recorded ({a.place})"
+                    f"{_compared(first)}\n"
                     "  expected + - * / ** and functions of numpy such as numpy.sqrt: math.sqrt and int leave a plain number"
                 )
     if len(first.lines) != len(again.lines):
@@ -294,8 +295,12 @@ def check(first, again, parameters):
         _differs(line, line, first)
 
 
+def _compared(trace):
+    return f"; the function compares at {', '.join(trace.branches)}" if trace.branches else ""
+
+
 def _differs(a, b, trace):
-    where = f"; the function compares at {', '.join(trace.branches)}" if trace.branches else ""
+    where = _compared(trace)
     raise OpenSeesError(
         f"{a.name}: the calls depend on the values of the parameters ({a.place} beside {b.name} at {b.place}){where}\n"
         "  a script makes the same calls for all values"

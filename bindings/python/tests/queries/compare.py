@@ -39,10 +39,13 @@ def answers(data, case, skipped, **settings):
 
 
 def differences():
-    """Number of questions by kind of case, and the differences: case, question, openseespy's answer, hysteron's."""
+    """Number of questions by kind of case, those that only hysteron answers, and the differences.
+
+    A difference has the case, the question, openseespy's answer and hysteron's.
+    """
     warnings.simplefilter("ignore")
     data, theirs = stored()
-    asked, differ = collections.Counter(), []
+    asked, more, differ = collections.Counter(), collections.Counter(), []
     for case in data["cases"]:
         found = theirs[case["name"]]
         if "refused" in found:
@@ -58,8 +61,10 @@ def differences():
         # OpenSees' slips, which a default answer does not follow, are answers too.
         slips = answers(data, case, skipped, compat=True) if wrong else {}
         wrong = {n for n in wrong if "model" in slips or not q.same(found["answers"].get(n, []), slips[n])}
-        differ += [(case["name"], n, found["answers"].get(n, []), ours[n]) for n in names if n in wrong]
-    return asked, differ
+        only_ours = {n for n in wrong if n not in found["answers"] and isinstance(ours[n], list)}
+        more[q.kind(case)] += len(only_ours)
+        differ += [(case["name"], n, found["answers"].get(n, []), ours[n]) for n in names if n in wrong - only_ours]
+    return asked, more, differ
 
 
 def reasons():
@@ -86,11 +91,11 @@ def shown(answer):
 
 
 def main(words):
-    asked, differ = differences()
+    asked, more, differ = differences()
     by_kind = collections.Counter(case.split(" ", 1)[0] for case, *_ in differ)
     for kind, count in asked.items():
-        print(f"{kind:10} {count:6} questions {by_kind[kind]:5} differ")
-    print(f"{'all':10} {sum(asked.values()):6} questions {len(differ):5} differ")
+        print(f"{kind:10} {count:6} questions, {more[kind]:4} answered by hysteron alone, {by_kind[kind]:4} differ")
+    print(f"{'all':10} {sum(asked.values()):6} questions, {sum(more.values()):4} answered by hysteron alone, {len(differ):4} differ")
     for question, count in collections.Counter(d[1] for d in differ).most_common():
         print(f"{count:5} {question}")
     for case, question, theirs, ours in differ:

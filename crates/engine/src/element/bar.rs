@@ -115,6 +115,8 @@ impl Bar {
                 let rest = if rest.first().is_some_and(|w| w.parse::<i32>().is_ok()) { &rest[1..] } else { rest };
                 return Some(self.slot.probe(rest)?.inside(&[MATERIAL]));
             }
+            // The force of the bar, not the resultants of its section.
+            "force" | "forces" if self.has_section() => return None,
             _ => return self.slot.probe(words).map(|p| p.inside(&[MATERIAL])),
         })
     }

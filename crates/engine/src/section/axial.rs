@@ -68,9 +68,8 @@ impl Uniaxial for Axial {
         let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
         Some((Arc::new(new), old))
     }
-    /// Its words stand behind `section`: the force of a bar is another one.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.slot.probe(words.strip_prefix(&["section"])?)
+        self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))
     }
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
         self.slot.read(path, state, out);

@@ -470,10 +470,10 @@ impl Element for EnhancedShell {
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let read = |point: usize, path: &[u32], out: &mut [f64]| {
-            let (resultants, rest) = s.state[point * self.words..(point + 1) * self.words].split_at(PLATE_ORDER);
-            let (strains, own) = rest.split_at(PLATE_ORDER);
+            let (head, own) = s.state[point * self.words..(point + 1) * self.words].split_at(SECTION);
+            let resultants = &head[..PLATE_ORDER];
             let mut deformations = [0.0; PLATE_ORDER];
-            deformations.copy_from_slice(strains);
+            deformations.copy_from_slice(&head[PLATE_ORDER..2 * PLATE_ORDER]);
             PlateState { section: &*self.section, resultants, deformations, own }.read(path, out);
         };
         match path[0] {

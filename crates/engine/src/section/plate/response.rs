@@ -13,8 +13,8 @@ const FLEXIBILITY: u32 = 4;
 const LAYER_STRAIN: u32 = 5;
 const LAYER_STRESS: u32 = 6;
 
-const STRAINS: [&str; LAYER] = ["eps11", "eps22", "gamma12", "gamma23", "gamma13"];
-const STRESSES: [&str; LAYER] = ["sigma11", "sigma22", "sigma12", "sigma23", "sigma13"];
+const STRAINS: [&str; LAYER] = ["eps11", "eps22", "gamma12", "gamma13", "gamma23"];
+const STRESSES: [&str; LAYER] = ["sigma11", "sigma22", "sigma12", "sigma13", "sigma23"];
 
 /// A response by its words: those of the section, or `fiber` with the number of a layer from 1 and `stresses` or `strains`.
 pub(crate) fn probe(section: &dyn PlateSection, words: &[&str]) -> Option<Probe> {
@@ -72,7 +72,9 @@ impl PlateState<'_> {
             [kind, layer] => {
                 let found = self.section.layer(layer as usize, self.own, &self.deformations);
                 let [strain, stress] = found.unwrap_or_default();
-                out.copy_from_slice(if kind == LAYER_STRAIN { &strain } else { &stress });
+                let [s11, s22, s12, s23, s31] = if kind == LAYER_STRAIN { strain } else { stress };
+                // OpenSees has the shear across the plate in the order of the section.
+                out.copy_from_slice(&[s11, s22, s12, s31, s23]);
             }
             _ => {}
         }
