@@ -18,6 +18,11 @@ mod words;
 
 use pyo3::prelude::*;
 
+/// Memory of analyses comes in small pieces; that of Python's own objects is not touched.
+#[cfg(not(target_env = "musl"))]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 #[pymodule]
 fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = m.py();
