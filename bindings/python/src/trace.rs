@@ -17,7 +17,9 @@ static IS_SET: AtomicBool = AtomicBool::new(false);
 #[pyo3(signature = (hook))]
 pub(crate) fn record_calls(hook: Option<Py<PyAny>>) {
     IS_SET.store(hook.is_some(), Ordering::Relaxed);
-    *HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = hook.map(|h| (thread::current().id(), h));
+    let new = hook.map(|h| (thread::current().id(), h));
+    // The one before is let go without the lock: its end may be a call of Python's.
+    let _before = std::mem::replace(&mut *HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner), new);
 }
 
 /// The answer of the hook to a call; `None` where the model answers itself.
