@@ -51,6 +51,8 @@ mod parameters;
 mod parts;
 #[path = "laws/plates.rs"]
 mod plates;
+#[path = "laws/python_cases.rs"]
+mod python_cases;
 #[path = "laws/quad.rs"]
 mod quad;
 #[path = "laws/rubber.rs"]

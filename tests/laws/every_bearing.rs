@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
 /// Materials and friction models of the bearings. Units: kN, m, s.
-const PARTS: &str = "uniaxialMaterial Elastic 1 2e5\nuniaxialMaterial Elastic 2 300.\nuniaxialMaterial Elastic 3 500.
+pub const PARTS: &str = "uniaxialMaterial Elastic 1 2e5\nuniaxialMaterial Elastic 2 300.\nuniaxialMaterial Elastic 3 500.
 uniaxialMaterial Elastic 4 400.\nuniaxialMaterial ENT 5 2e5\nuniaxialMaterial Steel01 6 60. 4000. 0.1
 uniaxialMaterial KikuchiAikenHDR 7 X0.6 4e-4 0.15 -coGHU 2. 0.8 1.12
 uniaxialMaterial KikuchiAikenLRB 8 1 3e-4 0.15 0.392e6 1e-5 8.33e6 0.588e6 13.
@@ -114,13 +114,22 @@ pub fn commands() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|k| k.command)
 }
 
+/// Name, nodes and command of each bearing, turned about an oblique axis where it may be.
+pub fn turned_words() -> impl Iterator<Item = (&'static str, String, String)> {
+    let turn = Rotation3::from_euler_angles(0.3, -0.2, 0.5).into_inner();
+    KINDS.iter().map(move |k| {
+        let (nodes, command) = k.words(&if k.plane { Matrix3::identity() } else { turn });
+        (k.name, nodes, command)
+    })
+}
+
 impl Kind {
     fn dofs(&self) -> usize {
         if self.plane { 6 } else { 12 }
     }
 
-    /// The script of the vertical bearing, rotated by `turn`.
-    fn script(&self, turn: &Matrix3<f64>) -> String {
+    /// Nodes of the bearing, rotated by `turn`, and its command.
+    fn words(&self, turn: &Matrix3<f64>) -> (String, String) {
         let words = |v: Vector3<f64>| format!("{} {} {}", v.x, v.y, v.z);
         let up = if self.plane { Vector3::y() } else { Vector3::z() };
         let head = turn * up * HEIGHT;
@@ -130,8 +139,13 @@ impl Kind {
             _ => format!("model basic -ndm 3 -ndf 6\nnode 1 0 0 0\nnode 2 {}", words(head)),
         };
         let axes = format!("{} {}", words(turn * up), words(turn * Vector3::x()));
-        let command = self.command.replace('@', &axes);
-        format!("{nodes}\n{PARTS}element {command}\n")
+        (nodes, format!("element {}", self.command.replace('@', &axes)))
+    }
+
+    /// The script of the vertical bearing, rotated by `turn`.
+    fn script(&self, turn: &Matrix3<f64>) -> String {
+        let (nodes, command) = self.words(turn);
+        format!("{nodes}\n{PARTS}{command}\n")
     }
 
     /// The vertical bearing, rotated by `turn`; `more` is the rest of the script.

@@ -5,7 +5,7 @@ use super::driver::{SingleElement, difference, path};
 use super::every_bearing;
 use super::parts::{PARTS, parts};
 use super::script::run;
-use super::shapes::{Shape, nodes, rigid};
+use super::shapes::{Shape, element_words, node_words, nodes, rigid};
 use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
@@ -176,13 +176,19 @@ pub const MATERIALS: &[(&str, f64)] = &[
 /// Duration of a step, s.
 const DT: f64 = 0.01;
 
+/// Nodes of a spring with one material, and its commands.
+pub fn spring_words(words: &str) -> (String, String) {
+    let words = words.replacen('@', "1", 1);
+    let nodes = "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\n".to_owned();
+    (nodes, format!("uniaxialMaterial {words}\nelement zeroLength 1 1 2 -mat 1 -dir 1\n"))
+}
+
 /// A spring with one material.
 fn spring(words: &str) -> SingleElement {
-    let words = words.replacen('@', "1", 1);
-    let script = format!(
-        "model basic -ndm 1 -ndf 1\nnode 1 0\nnode 2 0\n{PARTS}uniaxialMaterial {words}\nelement zeroLength 1 1 2 -mat 1 -dir 1\n"
-    );
-    SingleElement::of(run(&script).done().interp.host.engine.model().elements[0].element.clone())
+    let (nodes, commands) = spring_words(words);
+    SingleElement::of(
+        run(&format!("{nodes}{PARTS}{commands}")).done().interp.host.engine.model().elements[0].element.clone(),
+    )
 }
 
 /// Force at the end of a step to `u`, and its derivative with respect to `u` at the rate of the step.
@@ -365,19 +371,13 @@ pub const ELEMENTS: &[(usize, usize, Shape, &str)] = &[
 ];
 
 pub fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
-    let mut out = format!("model basic -ndm {ndm} -ndf {ndf}\n");
-    for (i, x) in places.iter().enumerate() {
-        let words: Vec<String> = x.iter().take(ndm).map(ToString::to_string).collect();
-        out += &format!("node {} {}\n", i + 1, words.join(" "));
-    }
-    out + &parts(ndm)
+    node_words(ndm, ndf, places) + &parts(ndm)
 }
 
 fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
     let mut places = nodes(ndm, shape);
-    let tags: Vec<String> = (1..=places.len()).map(|i| i.to_string()).collect();
-    let made = words.replacen('@', &format!("1 {}", tags.join(" ")), 1);
-    let ran = run(&format!("{}element {made}\n", script(ndm, ndf, &places))).done();
+    let made = element_words(words, places.len());
+    let ran = run(&format!("{}{made}", script(ndm, ndf, &places))).done();
     if shape == Shape::SpaceWall {
         // The element takes its upper nodes from the left.
         places.swap(2, 3);

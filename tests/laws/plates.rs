@@ -81,3 +81,50 @@ fn bricks_in_uniform_extension() {
     let expected = [2.0 * strain, -0.25 * 3.0 * strain, -0.25 * strain, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert!(u.iter().zip(expected).all(|(u, e)| (u - e).abs() < 1e-9), "{u:?}");
 }
+
+/// The stresses of the layers times their thickness are the forces of the section, after yield too.
+#[test]
+fn layers_carry_the_forces_of_the_section() {
+    for kind in ["ShellMITC4", "ShellNLDKGQ", "ASDShellQ4"] {
+        let ran = run(&format!(
+            "model basic -ndm 3 -ndf 6
+            node 1 0 0 0\nnode 2 1 0 0\nnode 3 1 1 0\nnode 4 0 1 0
+            uniaxialMaterial Steel01 1 2. 200. 0.02
+            nDMaterial ElasticIsotropic 2 30. 0.2\nnDMaterial PlateFiber 3 2\nnDMaterial PlateRebar 4 1 0.
+            section LayeredShell 1 3 3 0.1 4 0.02 3 0.1
+            element {kind} 1 1 2 3 4 1
+            foreach n {{1 2 3 4}} {{ fix $n 0 0 1 1 1 1 }}
+            fix 1 1 1 0 0 0 0\nfix 4 1 0 0 0 0 0\nfix 2 0 1 0 0 0 0
+            timeSeries Linear 1\npattern Plain 1 1 {{ sp 2 1 0.03\nsp 3 1 0.03 }}
+            constraints Transformation\ntest NormUnbalance 1e-12 50\nintegrator LoadControl 0.1\nanalysis Static\nanalyze 10
+            foreach i {{1 2 3}} {{ puts [lindex [eleResponse 1 Material 1 fiber $i stresses] 0] }}
+            puts [lindex [eleResponse 1 Material 1 fiber 2 strains] 0]
+            puts [lindex [eleResponse 1 section 1 force] 0]"
+        ));
+        let n = ran.done().numbers();
+        // Its strains are the sum of those of the steps, each by the length at its start.
+        let of_steps: f64 = (0..10).map(|i| 0.003 / (1.0 + 0.003 * f64::from(i))).sum();
+        let strain = if kind == "ShellNLDKGQ" { of_steps } else { 0.03 };
+        assert!((n[3] - strain).abs() < 1e-9, "{kind}: {n:?}");
+        let bar = 2.0 + 0.02 * 200.0 * (n[3] - 0.01);
+        assert!((n[1] - bar).abs() < 1e-9, "{kind}: {n:?}, {bar}");
+        let sum = 0.1 * n[0] + 0.02 * n[1] + 0.1 * n[2];
+        assert!((sum - n[4]).abs() < 1e-9 * sum.abs(), "{kind}: {n:?}, {sum}");
+    }
+}
+
+/// `fiberData2` has the material of each fiber before its stress and strain.
+#[test]
+fn fibers_name_their_materials() {
+    let ran = run("model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 0\nfix 1 1 1 1\nfix 2 0 1 0
+        uniaxialMaterial Elastic 7 200.\nuniaxialMaterial Elastic 9 50.
+        section Fiber 1 {\nfiber 0.1 0 0.01 7\nfiber -0.1 0 0.02 9\n}
+        element zeroLengthSection 1 1 2 1
+        timeSeries Linear 1\npattern Plain 1 1 { sp 2 1 0.001\nsp 2 3 0.0 }
+        constraints Transformation\nintegrator LoadControl 1.\nanalysis Static\nanalyze 1
+        puts [eleResponse 1 section fiberData2]");
+    let n = ran.done().numbers();
+    assert_eq!((n[0], n[2], n[3]), (0.1, 0.01, 7.0));
+    assert_eq!((n[6], n[8], n[9]), (-0.1, 0.02, 9.0));
+    assert!((n[4] - 0.2).abs() < 1e-9 && (n[10] - 0.05).abs() < 1e-9 && (n[5] - 0.001).abs() < 1e-12, "{n:?}");
+}

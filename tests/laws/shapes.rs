@@ -79,6 +79,22 @@ pub fn nodes(ndm: usize, shape: Shape) -> Vec<Vector3<f64>> {
     }
 }
 
+/// The commands that make the nodes.
+pub fn node_words(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
+    let mut out = format!("model basic -ndm {ndm} -ndf {ndf}\n");
+    for (i, x) in places.iter().enumerate() {
+        let words: Vec<String> = x.iter().take(ndm).map(ToString::to_string).collect();
+        out += &format!("node {} {}\n", i + 1, words.join(" "));
+    }
+    out
+}
+
+/// The command that makes an element of a row, of so many nodes.
+pub fn element_words(words: &str, count: usize) -> String {
+    let tags: Vec<String> = (1..=count).map(|i| i.to_string()).collect();
+    format!("element {}\n", words.replacen('@', &format!("1 {}", tags.join(" ")), 1))
+}
+
 /// Displacements of a small rigid rotation `spin` about the origin, and a translation.
 pub fn rigid(places: &[Vector3<f64>], (ndm, ndf): (usize, usize), shift: Vector3<f64>, spin: Vector3<f64>) -> Vec<f64> {
     let spin = if ndm == 2 { Vector3::new(0.0, 0.0, spin.z) } else { spin };

@@ -12,7 +12,6 @@ const LISTS: &[&str] = &[
     "eigen",
     "eleForce",
     "eleNodes",
-    "eleResponse",
     "getConstrainedDOFs",
     "getConstrainedNodes",
     "getCrdTransfTags",
@@ -42,6 +41,9 @@ const LISTS: &[&str] = &[
     "testNorms",
 ];
 
+/// Command whose answer is a list also where an element has no such response.
+const LISTED_NOTHING: &str = "eleResponse";
+
 /// Commands whose whole number openseespy gives as a list.
 const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements"];
 
@@ -55,6 +57,8 @@ pub(crate) enum Answer {
     Plain,
     /// A list, even where it is empty.
     List,
+    /// The same, and where the element asked has no such response.
+    ListOrNothing,
     /// A list, even of one whole number.
     ListedNumber,
     /// Nothing.
@@ -71,6 +75,7 @@ impl Answer {
         match command {
             "modalProperties" => Self::Table,
             "sectionTag" => Self::Tags,
+            LISTED_NOTHING => Self::ListOrNothing,
             _ if LISTED_NUMBERS.contains(&command) => Self::ListedNumber,
             _ if SILENT.contains(&command) => Self::Silent,
             _ if LISTS.contains(&command) => Self::List,
@@ -78,10 +83,15 @@ impl Answer {
         }
     }
 
+    /// The answer of openseespy where an element does not have what is asked.
+    pub(crate) fn nothing(self, py: Python<'_>) -> Py<PyAny> {
+        if self == Self::ListOrNothing { PyList::empty(py).into_any().unbind() } else { py.None() }
+    }
+
     /// The answer as an object of Python.
     pub(crate) fn object(self, py: Python<'_>, value: &Value) -> PyResult<Py<PyAny>> {
         match (value.form(), self) {
-            (Form::Empty, Self::List | Self::Tags) => Ok(PyList::empty(py).into_any().unbind()),
+            (Form::Empty, Self::List | Self::ListOrNothing | Self::Tags) => Ok(PyList::empty(py).into_any().unbind()),
             (Form::Empty, _) | (_, Self::Silent) => Ok(py.None()),
             (Form::List(pairs), Self::Table) => {
                 let dict = PyDict::new(py);

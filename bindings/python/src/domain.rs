@@ -7,6 +7,7 @@ use crate::outputs::{self, Files, MEMORY, Shared, Signals, Text, hold};
 use crate::owned::Owned;
 use crate::words::words;
 use hysteron_engine::analysis::{Options, RecoveryStrategy};
+use hysteron_opensees::checks::output::NO_RESPONSE;
 use hysteron_opensees::run::{Run, Settings};
 use hysteron_opensees::{Again, Mode, Session};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -149,9 +150,14 @@ impl Domain {
         interp.core.clear_warnings();
         let numbers = interp.host.call_numbers();
         let render = |d: &Diagnostic| render(d, words, numbers, &interp.core.sources);
-        let warned: Vec<String> = warned.iter().map(&render).collect();
+        let mut warned: Vec<String> = warned.iter().map(&render).collect();
         let result = match outcome {
             Ok(value) => entry.answer.object(py, &value),
+            // openseespy has no message here, and programs that show models ask for what may not be there.
+            Err(Exception::Error(e)) if e.diagnostic.check.is_some_and(|c| c.code == NO_RESPONSE.code) => {
+                warned.push(render(&e.diagnostic));
+                Ok(entry.answer.nothing(py))
+            }
             Err(Exception::Error(e)) => {
                 let d = &e.diagnostic;
                 let place = match d.span {
@@ -164,7 +170,7 @@ impl Domain {
             Err(_) => Err(OpenSeesError::new_err(format!("{}: ended by a command of its body", entry.command.name))),
         };
         self.text.flush(py)?;
-        warned.iter().try_for_each(|w| outputs::warn(py, w, 2))?;
+        warned.iter().try_for_each(|w| outputs::warn(py, w))?;
         result
     }
 

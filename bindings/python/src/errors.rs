@@ -50,18 +50,7 @@ impl Place {
 
     /// Of a diagnostic about a call: the line of Python's program outside of this package.
     pub(crate) fn of_call(py: Python<'_>, d: &Diagnostic) -> Self {
-        let caller = || -> PyResult<(String, usize)> {
-            let package = py.import("hysteron")?.getattr("__path__")?.get_item(0)?.extract::<String>()?;
-            let mut frame = py.import("sys")?.call_method0("_getframe")?;
-            loop {
-                let file: String = frame.getattr("f_code")?.getattr("co_filename")?.extract()?;
-                if !file.starts_with(&package) {
-                    return Ok((file, frame.getattr("f_lineno")?.extract()?));
-                }
-                frame = frame.getattr("f_back")?;
-            }
-        };
-        let (file, line) = caller().ok().unzip();
+        let (file, line) = caller(py).map(|(file, line, _)| (file, line)).ok().unzip();
         Self { file, line, column: None, hint: hint(d) }
     }
 
@@ -75,6 +64,20 @@ impl Place {
         let _ = value.setattr("column", self.column);
         let _ = value.setattr("hint", self.hint);
         error
+    }
+}
+
+/// File and line of the first frame outside of this package, and its depth from 1.
+pub(crate) fn caller(py: Python<'_>) -> PyResult<(String, usize, usize)> {
+    let package = py.import("hysteron")?.getattr("__path__")?.get_item(0)?.extract::<String>()?;
+    let mut frame = py.import("sys")?.call_method0("_getframe")?;
+    let mut depth = 1;
+    loop {
+        let file: String = frame.getattr("f_code")?.getattr("co_filename")?.extract()?;
+        if !std::path::Path::new(&file).starts_with(&package) {
+            return Ok((file, frame.getattr("f_lineno")?.extract()?, depth));
+        }
+        (frame, depth) = (frame.getattr("f_back")?, depth + 1);
     }
 }
 

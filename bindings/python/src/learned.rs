@@ -38,7 +38,8 @@ impl LearnedLaw {
         let mut series = vec![];
         for c in &self.law.channels {
             let values = given.get(&c.name);
-            let values = values.ok_or_else(|| PyValueError::new_err(format!("the law needs the channel {}", c.name)))?;
+            let values =
+                values.ok_or_else(|| PyValueError::new_err(format!("the law needs the channel {}", c.name)))?;
             series.push(values.as_slice());
         }
         let own = own.unwrap_or_default();

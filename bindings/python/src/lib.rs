@@ -13,9 +13,15 @@ mod queries;
 mod recording;
 mod script;
 mod study;
+mod trace;
 mod words;
 
 use pyo3::prelude::*;
+
+/// Memory of analyses comes in small pieces; that of Python's own objects is not touched.
+#[cfg(not(target_env = "musl"))]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[pymodule]
 fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -37,5 +43,9 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(script::run, m)?)?;
     m.add_function(wrap_pyfunction!(script::check, m)?)?;
     m.add_function(wrap_pyfunction!(messages::usages, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::script_usages, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::reference, m)?)?;
+    m.add_function(wrap_pyfunction!(messages::usage_in_python, m)?)?;
+    m.add_function(wrap_pyfunction!(trace::record_calls, m)?)?;
     Ok(())
 }

@@ -1,8 +1,9 @@
 //! Messages as Python's users see them: the call with a mark under the word that is wrong.
 
+use crate::outputs::MEMORY;
 use hysteron_opensees::calls::CallNumbers;
-use hysteron_opensees::commands;
-use hysteron_opensees::python_usage::{help_in_python, usage_in_python};
+use hysteron_opensees::python_usage::{self, help_in_python};
+use hysteron_opensees::{Command, commands};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 use hysteron_tcl::{Form, Value};
 use pyo3::prelude::*;
@@ -37,6 +38,7 @@ pub(crate) fn render(d: &Diagnostic, words: &[Value], numbers: CallNumbers, sour
 /// The call with a mark under a word, or under the whole of it.
 fn marked(words: &[Value], word: Option<usize>, label: &str) -> String {
     let shown: Vec<String> = words.iter().enumerate().map(|(i, w)| literal(w, i == 0)).collect();
+    let is_hidden = hidden(words);
     let at = word.unwrap_or(0).min(shown.len().saturating_sub(1));
     // Words far from the one that is wrong are left out of long calls.
     let (mut from, mut to) = (at, at + 1);
@@ -58,8 +60,8 @@ fn marked(words: &[Value], word: Option<usize>, label: &str) -> String {
         line.push_str("..., ");
     }
     let mut mark = (0, shown[0].chars().count());
-    for i in from..to.max(from) {
-        if i > from {
+    for i in (from..to.max(from)).filter(|i| !is_hidden.contains(i)) {
+        if !line.ends_with(['(', ' ']) {
             line.push_str(", ");
         }
         let start = line.chars().count();
@@ -76,6 +78,12 @@ fn marked(words: &[Value], word: Option<usize>, label: &str) -> String {
     format!("\n    {line}\n    {}{carets} {label}", " ".repeat(mark.0)).trim_end().to_owned()
 }
 
+/// Words that the package itself has put into a call: the place in memory of a recorder, with its option and `-time`.
+fn hidden(words: &[Value]) -> std::ops::Range<usize> {
+    let at = words.iter().position(|w| w.as_str().starts_with(MEMORY));
+    at.map_or(0..0, |at| at.saturating_sub(1)..at + 2)
+}
+
 /// A word as Python writes it.
 fn literal(word: &Value, is_name: bool) -> String {
     match word.form() {
@@ -83,6 +91,12 @@ fn literal(word: &Value, is_name: bool) -> String {
         Form::Empty => "''".to_owned(),
         _ => word.as_str().into_owned(),
     }
+}
+
+/// A usage of a command in Python's notation: `node $tag $x` becomes `node(tag, x)`.
+#[pyfunction]
+pub(crate) fn usage_in_python(usage: &str) -> String {
+    python_usage::usage_in_python(usage)
 }
 
 /// Names of all commands with their usages, and those of the kinds that each makes: `(name, usage, [(names, usage)])`.
@@ -95,4 +109,18 @@ pub(crate) fn usages() -> Vec<(&'static str, String, Vec<(Vec<&'static str>, Str
             (c.name, usage_in_python(&c.usage_line()), kinds.collect())
         })
         .collect()
+}
+
+/// The same in the notation of scripts: `(name, usage, [(names, usage)])`.
+#[pyfunction]
+#[allow(clippy::type_complexity)]
+pub(crate) fn script_usages() -> Vec<(&'static str, String, Vec<(Vec<&'static str>, &'static str)>)> {
+    let kinds = |c: &Command| c.kinds().into_iter().map(|k| (k.names.to_vec(), k.usage)).collect();
+    commands().map(|c| (c.name, c.usage_line(), kinds(c))).collect()
+}
+
+/// Sections of the reference of commands: names of commands, or of commands with a kind, and lines in Markdown.
+#[pyfunction]
+pub(crate) fn reference() -> Vec<(Vec<&'static str>, Vec<&'static str>)> {
+    hysteron_lsp::reference::sections().map(|s| (s.names, s.lines)).collect()
 }

@@ -3,9 +3,10 @@
 use crate::answers::Answer;
 use crate::domain::Domain;
 use crate::errors::OpenSeesError;
+use crate::trace;
 use hysteron_opensees::{Command, calls, commands};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use pyo3::{PyTraverseError, PyVisit};
 use std::collections::HashMap;
 use std::sync::OnceLock;
@@ -57,7 +58,8 @@ impl Entry {
     }
 }
 
-/// A command as an attribute of the class of models.
+// A command as an attribute of the class of models. Its text is that of the command alone.
+#[allow(missing_docs)]
 #[pyclass(frozen, module = "hysteron._hysteron")]
 pub(crate) struct Method {
     entry: &'static Entry,
@@ -66,7 +68,9 @@ pub(crate) struct Method {
 
 #[pymethods]
 impl Method {
+    // Without a text: it would stand in the place of that of the command.
     #[new]
+    #[pyo3(text_signature = None)]
     fn new(name: &str, doc: String) -> PyResult<Self> {
         Ok(Self { entry: Entry::of(name)?, doc })
     }
@@ -81,9 +85,19 @@ impl Method {
         Ok(Py::new(slf.py(), bound)?.into_any())
     }
 
-    #[pyo3(signature = (model, *args))]
-    fn __call__(&self, py: Python<'_>, model: &Bound<'_, Domain>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        model.get().enter(py, self.entry, args)
+    #[pyo3(signature = (model, *args, **keywords))]
+    fn __call__(
+        &self,
+        model: &Bound<'_, Domain>,
+        args: &Bound<'_, PyTuple>,
+        keywords: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Py<PyAny>> {
+        call(self.entry, model, args, keywords)
+    }
+
+    #[getter]
+    fn __signature__(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        signature(py, self.entry, true)
     }
 
     #[getter]
@@ -102,7 +116,34 @@ impl Method {
     }
 }
 
-/// A command of one model.
+/// Call a command, whose words may be given by their names in its usage.
+fn call(
+    entry: &'static Entry,
+    model: &Bound<'_, Domain>,
+    args: &Bound<'_, PyTuple>,
+    keywords: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Py<PyAny>> {
+    let py = model.py();
+    let (name, mut placed) = (entry.command.name, None);
+    if let Some(keywords) = keywords.filter(|k| !k.is_empty()) {
+        let all = py.import("hysteron._keywords")?.call_method1("place", (name, args, keywords))?;
+        placed = Some(all.cast_into::<PyTuple>()?);
+    }
+    let args = placed.as_ref().unwrap_or(args);
+    match trace::taken(model, name, || Ok(args.clone().unbind())) {
+        Some(answer) => answer,
+        None => model.get().enter(py, entry, args),
+    }
+}
+
+/// Signature by the usage of a command.
+fn signature(py: Python<'_>, entry: &Entry, with_model: bool) -> PyResult<Py<PyAny>> {
+    let made = py.import("hysteron._keywords")?.call_method1("signature", (entry.command.name, with_model))?;
+    Ok(made.unbind())
+}
+
+// No text of its own: Python's help would take it for that of each command.
+#[allow(missing_docs)]
 #[pyclass(frozen, module = "hysteron._hysteron")]
 pub(crate) struct BoundMethod {
     entry: &'static Entry,
@@ -112,9 +153,24 @@ pub(crate) struct BoundMethod {
 
 #[pymethods]
 impl BoundMethod {
-    #[pyo3(signature = (*args))]
-    fn __call__(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
-        self.model.get().enter(py, self.entry, args)
+    #[pyo3(signature = (*args, **keywords))]
+    fn __call__(
+        &self,
+        py: Python<'_>,
+        args: &Bound<'_, PyTuple>,
+        keywords: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Py<PyAny>> {
+        call(self.entry, self.model.bind(py), args, keywords)
+    }
+
+    /// Python's help takes what has this for a routine.
+    fn __get__(slf: &Bound<'_, Self>, _model: &Bound<'_, PyAny>, _class: &Bound<'_, PyAny>) -> Py<PyAny> {
+        slf.clone().into_any().unbind()
+    }
+
+    #[getter]
+    fn __signature__(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        signature(py, self.entry, false)
     }
 
     fn __repr__(&self) -> String {

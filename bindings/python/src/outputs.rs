@@ -1,6 +1,6 @@
 //! Destination of what commands write: text for `sys.stderr`, recorders' files, and rows for numpy.
 
-use crate::errors::OpenSeesWarning;
+use crate::errors::{OpenSeesWarning, caller};
 use hysteron_engine::record::{Memory, Output, RecordError, RowFile};
 use hysteron_opensees::{DiskSeries, FileFormat, FileSeries, Outputs, Progress};
 use hysteron_tcl::Console;
@@ -116,9 +116,10 @@ impl Progress for Signals {
     }
 }
 
-/// Give a warning at the caller's line.
-pub(crate) fn warn(py: Python<'_>, text: &str, frames: i32) -> PyResult<()> {
+/// Give a warning at the line outside of this package that has led to it.
+pub(crate) fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
     let category = py.get_type::<OpenSeesWarning>();
-    py.import("warnings")?.call_method1("warn", (text, category, frames))?;
+    let depth = caller(py).map_or(1, |(_, _, depth)| depth);
+    py.import("warnings")?.call_method1("warn", (text, category, depth))?;
     Ok(())
 }

@@ -1,8 +1,8 @@
 //! Queries that loops make, without words: their arguments are numbers.
 
 use crate::domain::{Domain, Inner};
-use crate::errors::OpenSeesError;
 use crate::methods::Entry;
+use crate::trace;
 use crate::words::words;
 use hysteron_engine::analysis::State;
 use hysteron_engine::model::{ElementId, NodeId};
@@ -146,13 +146,16 @@ macro_rules! queries {
                 $(#[doc = $doc])*
                 #[pyo3(name = $name, signature = (tag = None, number = None, /, *more))]
                 fn $function<'py>(
-                    &self,
-                    py: Python<'py>,
+                    slf: &Bound<'py, Self>,
                     tag: Arg<'py>,
                     number: Arg<'py>,
                     more: &Bound<'py, PyTuple>,
                 ) -> PyResult<Py<PyAny>> {
-                    self.$by(py, &Asked { name: $name, given: Given { first: &tag, second: &number, more } }, $($how),*)
+                    let (py, given) = (slf.py(), Given { first: &tag, second: &number, more });
+                    if let Some(answer) = trace::taken(slf, $name, || Ok(given.all(py)?.unbind())) {
+                        return answer;
+                    }
+                    slf.get().$by(py, &Asked { name: $name, given }, $($how),*)
                 }
             )*
         }
@@ -202,6 +205,9 @@ impl Domain {
         record: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Py<PyAny>> {
         let (py, given) = (slf.py(), Given { first: &steps, second: &dt, more });
+        if let Some(answer) = trace::taken(slf, "analyze", || Ok(given.all(py)?.unbind())) {
+            return answer;
+        }
         match record {
             None => slf.get().analyze_given(py, &given),
             Some(record) => Ok(slf.call_method1("_analyze_recorded", (given.all(py)?, record))?.unbind()),
@@ -210,31 +216,68 @@ impl Domain {
 
     /// Time of the committed state, or the load factor of a static analysis.
     #[pyo3(name = "getTime")]
-    fn get_time(&self) -> PyResult<f64> {
-        Ok(self.hold()?.session().engine.state().time)
+    fn get_time<'py>(slf: &Bound<'py, Self>) -> PyResult<Py<PyAny>> {
+        let py = slf.py();
+        if let Some(answer) = trace::taken(slf, "getTime", || Ok(PyTuple::empty(py).unbind())) {
+            return answer;
+        }
+        let time = slf.get().hold()?.session().engine.state().time;
+        Ok(PyFloat::new(py, time).into_any().unbind())
     }
 
     /// Tags of the nodes, rising.
     #[pyo3(name = "getNodeTags", signature = (*args))]
-    fn get_node_tags(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+    fn get_node_tags<'py>(slf: &Bound<'py, Self>, args: &Bound<'py, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Some(answer) = trace::taken(slf, "getNodeTags", || Ok(args.clone().unbind())) {
+            return answer;
+        }
+        slf.get().get_node_tags_by_args(slf.py(), args)
+    }
+
+    /// Tags of the elements, rising.
+    #[pyo3(name = "getEleTags", signature = (*args))]
+    fn get_ele_tags<'py>(slf: &Bound<'py, Self>, args: &Bound<'py, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Some(answer) = trace::taken(slf, "getEleTags", || Ok(args.clone().unbind())) {
+            return answer;
+        }
+        slf.get().get_ele_tags_by_args(slf.py(), args)
+    }
+
+    /// Tags of the nodes of an element.
+    #[pyo3(name = "eleNodes", signature = (*args))]
+    fn ele_nodes<'py>(slf: &Bound<'py, Self>, args: &Bound<'py, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Some(answer) = trace::taken(slf, "eleNodes", || Ok(args.clone().unbind())) {
+            return answer;
+        }
+        slf.get().ele_nodes_by_args(slf.py(), args)
+    }
+
+    /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name.
+    #[pyo3(name = "eleResponse", signature = (*args))]
+    fn ele_response<'py>(slf: &Bound<'py, Self>, args: &Bound<'py, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Some(answer) = trace::taken(slf, "eleResponse", || Ok(args.clone().unbind())) {
+            return answer;
+        }
+        slf.get().ele_response_by_args(slf.py(), args)
+    }
+}
+
+impl Domain {
+    fn get_node_tags_by_args(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
         if args.is_empty() {
             return tags(py, self.hold()?.session().engine.model().node_tags());
         }
         self.enter(py, Entry::of("getNodeTags")?, args)
     }
 
-    /// Tags of the elements, rising.
-    #[pyo3(name = "getEleTags", signature = (*args))]
-    fn get_ele_tags(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+    fn get_ele_tags_by_args(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
         if args.is_empty() {
             return tags(py, self.hold()?.session().engine.model().element_tags());
         }
         self.enter(py, Entry::of("getEleTags")?, args)
     }
 
-    /// Tags of the nodes of an element.
-    #[pyo3(name = "eleNodes", signature = (*args))]
-    fn ele_nodes(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+    fn ele_nodes_by_args(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
         if args.len() == 1
             && let Ok(tag) = args.get_borrowed_item(0)?.extract::<i32>()
         {
@@ -247,9 +290,7 @@ impl Domain {
         self.enter(py, Entry::of("eleNodes")?, args)
     }
 
-    /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name.
-    #[pyo3(name = "eleResponse", signature = (*args))]
-    fn ele_response(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
+    fn ele_response_by_args(&self, py: Python<'_>, args: &Bound<'_, PyTuple>) -> PyResult<Py<PyAny>> {
         if let Ok((tag, word)) = args.extract::<(i32, Bound<'_, PyString>)>() {
             let mut inner = self.hold()?;
             if let Some(element) = self.element(&mut inner, tag)
@@ -273,18 +314,9 @@ impl Domain {
             let mut inner = self.hold()?;
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
             if let Some(element) = self.element(&mut inner, tag) {
-                match inner.session().element_response(element, &words) {
-                    Some(values) => return Ok(PyList::new(py, values)?.into_any().unbind()),
-                    None => drop(inner),
+                if let Some(values) = inner.session().element_response(element, &words) {
+                    return Ok(PyList::new(py, values)?.into_any().unbind());
                 }
-                // OpenSees has no message here, and programs that show models ask for what may not be there.
-                return match self.enter(py, entry, args) {
-                    Err(e) if e.is_instance_of::<OpenSeesError>(py) => {
-                        crate::outputs::warn(py, &e.value(py).to_string(), 1)?;
-                        Ok(PyList::empty(py).into_any().unbind())
-                    }
-                    other => other,
-                };
             }
         }
         self.enter(py, entry, args)

@@ -114,7 +114,8 @@ pub(crate) fn read_recording(
     let refused = |e: String| PyValueError::new_err(format!("{shown}: {e}"));
     let layout = layout.map(Layout::named).transpose().map_err(|e| refused(e.to_string()))?;
     let told = Told { unit, dt, quantity, layout, way: Way::Python };
-    let bytes = hysteron_files::read_input(&path).map_err(|e| PyOSError::new_err(format!("cannot read {shown}: {e}")))?;
+    let bytes =
+        hysteron_files::read_input(&path).map_err(|e| PyOSError::new_err(format!("cannot read {shown}: {e}")))?;
     let beside = hysteron_files::read_beside(&path);
     let read = py.detach(|| {
         let measured = Measured::read_beside(&shown, &bytes, &beside)?;

@@ -1,7 +1,7 @@
 //! Studies: calibration and diagnosis, and the objective for any optimiser.
 
-use crate::errors::{OpenSeesError, OpenSeesWarning, Place};
-use crate::outputs::{Shared, hold};
+use crate::errors::{OpenSeesError, Place};
+use crate::outputs::{Shared, hold, warn};
 use hysteron_diagnose::{CheckpointEntry, ProgressMonitor, Settings, diagnose};
 use hysteron_engine::analysis::Options;
 use hysteron_identify::calibrate::{
@@ -245,10 +245,7 @@ impl Study {
             })
         });
         let (study, factory, initial_run, warnings) = loaded.map_err(|(text, at)| at.error(py, text))?;
-        let category = py.get_type::<OpenSeesWarning>();
-        for w in warnings {
-            py.import("warnings")?.call_method1("warn", (w, &category, 2))?;
-        }
+        warnings.iter().try_for_each(|w| warn(py, w))?;
         Ok(Self {
             study,
             factory,
@@ -289,6 +286,12 @@ impl Study {
     #[getter]
     fn file(&self) -> PathBuf {
         std::path::absolute(&self.study.file).unwrap_or_else(|_| self.study.file.clone())
+    }
+
+    /// Path of the script, from the folder of the study.
+    #[getter]
+    fn _model(&self) -> &str {
+        &self.study.model
     }
 
     /// OpenSees' numbers are followed also where they depend on a slip.

@@ -40,7 +40,7 @@ impl Family {
     /// Family of an element by its class and its number of nodes.
     pub fn of(class: &str, nodes: usize) -> Self {
         match class {
-            "Truss" | "CorotTruss" => Self::Truss,
+            "Truss" | "CorotTruss" | "TrussSection" | "CorotTrussSection" => Self::Truss,
             "ZeroLength" | "ZeroLengthSection" | "CoupledZeroLength" | "TwoNodeLink" => Self::Link,
             c if c.starts_with("Shell") => Self::Shell,
             _ if nodes > 2 => Self::Solid,

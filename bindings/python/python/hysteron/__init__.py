@@ -13,9 +13,11 @@ from ._hysteron import (
     run,
 )
 from ._install import install
+from ._keywords import about
 from ._learned import Learned, LearnedLaw
 from ._model import Model, Recording, USAGES as _USAGES
 from ._study import Calibration, Diagnosis, Study
+from ._written import Run
 
 __all__ = [
     "Calibration",
@@ -28,9 +30,11 @@ __all__ = [
     "OpenSeesError",
     "OpenSeesWarning",
     "Recording",
+    "Run",
     "ScriptResult",
     "Study",
     "Table",
+    "about",
     "batch",
     "check",
     "commands",

@@ -19,8 +19,20 @@ def install(*, strict=False, compat=False, ladder=False):
     package.opensees = opensees
     sys.modules["openseespy"] = package
     sys.modules["openseespy.opensees"] = opensees
-    sys.modules["opensees"] = opensees
+    other = _Package("opensees", "hysteron in the place of the package opensees.")
+    other.__path__, other.__all__, other.openseespy = [], opensees.__all__, opensees
+    sys.modules["opensees"] = other
+    sys.modules["opensees.openseespy"] = opensees
     return opensees
+
+
+class _Package(types.ModuleType):
+    """A package whose own names are the commands: `import opensees as ops` and `import opensees.openseespy as ops`."""
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return getattr(self.openseespy, name)
 
 
 def _installed():

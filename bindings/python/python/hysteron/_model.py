@@ -6,6 +6,7 @@ import sys
 
 from . import _hysteron
 from ._hysteron import OpenSeesError
+from ._keywords import about
 from ._scope import REASONS
 from ._units import units
 
@@ -19,9 +20,35 @@ _NODE_QUANTITIES = {"disp", "vel", "accel", "incrDisp", "reaction", "rayleighFor
 
 
 class Recording(dict):
-    """Histories by name, with ``time`` and the code of the analysis in ``code``."""
+    """Histories by name, with ``time`` and the code of the analysis in ``code``.
+
+    A history of several columns is an array of shape (rows, columns).
+    """
 
     code: int = 0
+
+    def __init__(self):
+        super().__init__()
+        #: Names of the columns of each history that has several.
+        self.columns = {}
+
+    def _series(self):
+        for name, values in self.items():
+            if values.ndim == 1:
+                yield name, values
+            else:
+                yield from zip(self.columns[name], values.T, strict=True)
+
+    def to_pandas(self):
+        """A DataFrame with the time as its index; the columns of a history are named by node and degree of freedom, or numbered."""
+        import pandas
+
+        table = {name: values for name, values in self._series() if name != "time"}
+        return pandas.DataFrame(table, index=pandas.Index(self.get("time", []), name="time"))
+
+    def to_xarray(self):
+        """A Dataset over the time, with a variable for each column."""
+        return self.to_pandas().to_xarray()
 
 
 class Page:
@@ -39,13 +66,6 @@ class Page:
     def _repr_html_(self):
         frame = 'width="100%" height="640" style="border:0" sandbox="allow-scripts"'
         return f'<iframe {frame} srcdoc="{html.escape(self.html)}"></iframe>'
-
-
-def _documentation(name):
-    usage, kinds = USAGES[name]
-    lines = [usage]
-    lines += ["", "Kinds: " + ", ".join(sorted(k[0][0] for k in kinds))] if kinds else []
-    return "\n".join(lines)
 
 
 def _refusal(name):
@@ -72,7 +92,7 @@ class Model(_hysteron.Domain):
 
     def __init__(self, ndm=None, ndf=None, *, strict=False, compat=False, ladder=False):
         if ndm is not None:
-            self._call("model", "basic", "-ndm", ndm, *(() if ndf is None else ("-ndf", ndf)))
+            self.model("basic", "-ndm", ndm, *(() if ndf is None else ("-ndf", ndf)))
         elif ndf is not None:
             raise OpenSeesError("Model: ndf is given, and ndm is not")
 
@@ -89,17 +109,25 @@ class Model(_hysteron.Domain):
 
     def _analyze_recorded(self, args, record):
         """Histories of an analysis by name."""
-        made = {name: self._record(*_recorder_words(name, what)) for name, what in record.items()}
+        made = {name: (what, *self._record(*_recorder_words(name, what))) for name, what in record.items()}
         histories = Recording()
         try:
             histories.code = self.analyze(*args)
         finally:
-            for name, (tag, file) in made.items():
+            for name, (what, tag, file) in made.items():
                 rows = self._recorded(tag, file)
                 times, columns = rows[:, :1].ravel(), rows[:, 1:]
                 histories.setdefault("time", times)
                 histories[name] = columns[:, 0] if columns.shape[1] == 1 else columns
+                if columns.shape[1] > 1:
+                    histories.columns[name] = _column_names(name, what, columns.shape[1])
         return histories
+
+    def __repr__(self):
+        nodes, elements = len(self.getNodeTags()), len(self.getEleTags())
+        ndm, ndf = self.getNDM(), self.getNDF()
+        dofs = f"{ndm[0]}D, {ndf[0]} degrees of freedom at a node" if nodes else "empty"
+        return f"<Model: {dofs}, {nodes} nodes, {elements} elements, time {self.getTime():g}>"
 
     def watch(self):
         """Keep the motion of the analyses from here on for ``plot``."""
@@ -149,21 +177,43 @@ class Model(_hysteron.Domain):
         """Accepted: there is nothing to build."""
 
 
+def _listed(what):
+    return list(what) if isinstance(what, (list, tuple)) else [what]
+
+
 def _recorder_words(name, what):
-    words = list(what) if isinstance(what, (list, tuple)) else [what]
-    if words and words[0] in _NODE_QUANTITIES:
+    words = _listed(what)
+    if not words or not isinstance(words[0], str):
+        raise OpenSeesError(f"record {name!r}: {what!r} is no recorder\n  {_EXPECTED}")
+    if words[0] in _NODE_QUANTITIES:
+        if len(words) < 2:
+            raise OpenSeesError(f"record {name!r}: the node is missing behind {words[0]!r}\n  {_EXPECTED}")
         quantity, nodes, *dofs = words
         return ["Node", "-node", nodes, *(["-dof", *dofs] if dofs else []), quantity]
     if len(words) < 2:
-        raise OpenSeesError(
-            f"record {name!r}: {what!r} is no recorder\n  expected ('disp', node, dof) or the words of a recorder"
-        )
+        near = difflib.get_close_matches(words[0], _NODE_QUANTITIES, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise OpenSeesError(f"record {name!r}: {words[0]!r} is no recorder{hint}\n  {_EXPECTED}")
     return words
+
+
+_EXPECTED = "expected ('disp', node, dof) or the words of a recorder: ('Element', '-ele', 1, 'force')"
+
+
+def _column_names(name, what, count):
+    """Names of the columns of a history: by node and degree of freedom where they are given, else by numbers from 1."""
+    words = _listed(what)
+    if words[0] in _NODE_QUANTITIES and len(words) > 2:
+        nodes, dofs = _listed(words[1]), words[2:]
+        names = [f"{name}_{node}_{dof}" for node in nodes for dof in dofs]
+        if len(names) == count:
+            return names
+    return [f"{name}_{i + 1}" for i in range(count)]
 
 
 for _name in USAGES:
     if _name not in _TCL_ONLY and not hasattr(Model, _name) | (_name in Model.__dict__):
-        setattr(Model, _name, _hysteron.Method(_name, _documentation(_name)))
+        setattr(Model, _name, _hysteron.Method(_name, about(_name)))
 for _name in REASONS:
     if _name not in USAGES:
         setattr(Model, _name, _refusal(_name))

@@ -4,6 +4,8 @@ import pathlib
 import re
 import sys
 
+from . import _hysteron
+from ._keywords import summary
 from ._model import _TCL_ONLY, USAGES, Model
 from ._scope import REASONS
 
@@ -68,7 +70,7 @@ def _parameters(usage):
     given, optional = simple.groups()
     names = [f"{n}: _Word" for n in (given.split(", ") if given else [])]
     names += [f"{optional}: _Word = ..."] if optional else []
-    return ", ".join([*names, "/"]) if names else ""
+    return ", ".join(names)
 
 
 def _definition(name, indent, is_method):
@@ -82,10 +84,16 @@ def _definition(name, indent, is_method):
         return f"{indent}def {name}({signature}) -> NoReturn: ..."
     usage, kinds = USAGES[name]
     parameters = None if kinds else _parameters(usage)
-    parameters = "*args: _Word" if parameters is None else parameters
+    if parameters is None:
+        parameters = "*args: _Word, **options: _Word"
+    elif parameters and name in vars(_hysteron.Domain):
+        # Queries that loops make take no names.
+        parameters += ", /"
     signature = ", ".join(filter(None, [first, parameters]))
-    text = usage.replace("\\", "\\\\").replace('"""', "'''")
-    return f'{indent}def {name}({signature}) -> {_RETURNS.get(name, "None")}:\n{indent}    """{text}"""'
+    text = "\n\n".join(filter(None, [usage, summary(name)])).replace("\\", "\\\\").replace('"""', "'''")
+    text = text.replace("\n\n", f"\n\n{indent}    ")
+    end = f"\n{indent}    " if "\n" in text else ""
+    return f'{indent}def {name}({signature}) -> {_RETURNS.get(name, "None")}:\n{indent}    """{text}{end}"""'
 
 
 def names():

@@ -1,9 +1,13 @@
 """Studies: calibration, diagnosis, and the objective for any optimiser."""
 
 import json
+import tempfile
+from pathlib import Path
 
 from . import _hysteron
+from ._hysteron import OpenSeesError
 from ._learned import Learned
+from ._written import write
 
 
 class _Result:
@@ -85,7 +89,40 @@ class Study(_hysteron.Study):
 
     ``names``, ``bounds`` and ``initial`` describe the free parameters; ``x`` has their values in that order. With a ``client`` of
     Dask its workers evaluate, which see the files of the study under the same paths. They give the same bits.
+
+    ``Study(file)`` reads a study. ``Study(model=function, parameters=..., runs=..., observe=...)`` makes one of a function that builds
+    and analyses a model with ``hysteron.opensees`` or a ``Model``. What it calls is recorded as a script, in which the parameters stay
+    free; what a script cannot say is an error. The function has the ``parameters`` and the ``inputs`` of a run as arguments:
+
+    - ``parameters``: by name the bounds ``(lower, upper)`` or ``(lower, upper, 'log')``, a fixed number, or a dictionary with the keys of
+      ``[[parameter]]`` and ``initial``. They start at the default of the function's argument, or else in the middle.
+    - ``runs``: a list of ``Run``, or of its recordings alone.
+    - ``observe``: by the name of a channel what the model has for it, as in ``record`` of ``analyze``: ``('disp', node, dof)``.
+    - ``folder``: where the files are kept; by default a temporary folder. Other words are keys of the study, such as ``calibration``.
     """
+
+    def __new__(
+        cls, file=None, *, model=None, parameters=None, runs=None, observe=None, title=None, folder=None, compat=False, **keys
+    ):
+        if (file is None) == (model is None):
+            raise OpenSeesError("Study: expected either the file of a study or model=function")
+        kept = None
+        if model is not None:
+            if folder is None:
+                kept = tempfile.TemporaryDirectory(prefix="hysteron-")
+                folder = kept.name
+            file = write(folder, model, parameters or {}, runs or [], observe or {}, title, keys)
+        elif keys or parameters or runs or observe:
+            wrong = next(iter({**keys, **{k: v for k, v in (("parameters", parameters), ("runs", runs), ("observe", observe)) if v}}))
+            raise OpenSeesError(f"Study: {wrong} has no meaning beside the file of a study")
+        self = super().__new__(cls, file, compat=compat)
+        self._kept = kept
+        return self
+
+    @property
+    def script(self):
+        """Text of the script: of a function what it has called."""
+        return (Path(self.file).parent / self._model).read_text(encoding="utf-8")
 
     def __reduce__(self):
         return _study, (str(self.file), self.compat)

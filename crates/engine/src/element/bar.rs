@@ -4,6 +4,7 @@ use super::{ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
 use crate::parameter::{ParameterError, exchange, first};
 use crate::probe::Probe;
+use crate::section::Axial;
 
 /// Data of an axial bar with any kinematics.
 #[derive(Clone, Debug)]
@@ -36,6 +37,7 @@ const DEFORMATION: u32 = 3;
 const STIFFNESS: u32 = 4;
 const MATERIAL: u32 = 5;
 const LOCAL_FORCE: u32 = 6;
+const ENERGY: u32 = 7;
 
 impl Bar {
     pub(super) fn dofs(&self) -> usize {
@@ -69,6 +71,16 @@ impl Bar {
         Mass::Consistent(m)
     }
 
+    /// Returns true if a section stands for a material and an area.
+    fn has_section(&self) -> bool {
+        self.slot.material.name() == Axial::NAME
+    }
+
+    /// The name of the class with a material, or that with a section.
+    pub(super) fn class(&self, with_material: &'static str, with_section: &'static str) -> &'static str {
+        if self.has_section() { with_section } else { with_material }
+    }
+
     fn force(&self, state: &[f64]) -> f64 {
         self.options.area * self.slot.stress(state)
     }
@@ -92,12 +104,20 @@ impl Bar {
                 Probe::new(DEFORMATION, ["U"])
             }
             "basicStiffness" => Probe::new(STIFFNESS, ["K"]),
+            "energy" | "Energy" => Probe::new(ENERGY, ["energy"]),
+            "section" | "-section" if self.has_section() => {
+                let number = words.get(1).is_some_and(|w| w.parse::<i32>().is_ok());
+                let rest = &words[if number { 2 } else { 1 }..];
+                return Some(self.slot.probe(&[&["section"], rest].concat())?.inside(&[MATERIAL]));
+            }
             "material" | "-material" => {
                 // Accept `material stress` and `material 1 stress`.
                 let rest = &words[1..];
                 let rest = if rest.first().is_some_and(|w| w.parse::<i32>().is_ok()) { &rest[1..] } else { rest };
                 return Some(self.slot.probe(rest)?.inside(&[MATERIAL]));
             }
+            // The force of the bar, not the resultants of its section.
+            "force" | "forces" if self.has_section() => return None,
             _ => return self.slot.probe(words).map(|p| p.inside(&[MATERIAL])),
         })
     }
@@ -114,6 +134,7 @@ impl Bar {
                 out[self.per_node] = self.force(s.state);
             }
             DEFORMATION => out[0] = self.length * self.slot.shown_strain(s.state),
+            ENERGY => out[0] = self.options.area * self.length * self.slot.energy(s.state),
             STIFFNESS => out[0] = self.options.area / self.length * self.slot.tangent(s.state),
             _ => self.slot.read(&path[1..], s.state, out),
         }

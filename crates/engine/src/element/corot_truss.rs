@@ -90,7 +90,7 @@ crate::watches_columns!(CorotTruss => |s| in [&s.bar.slot]);
 
 impl Element for CorotTruss {
     fn class(&self) -> &'static str {
-        "CorotTruss"
+        self.bar.class("CorotTruss", "CorotTrussSection")
     }
     fn dofs(&self) -> usize {
         self.bar.dofs()

@@ -61,7 +61,7 @@ crate::watches_columns!(Truss => |s| in [&s.bar.slot]);
 
 impl Element for Truss {
     fn class(&self) -> &'static str {
-        "Truss"
+        self.bar.class("Truss", "TrussSection")
     }
     fn dofs(&self) -> usize {
         self.row.len()

@@ -16,6 +16,9 @@ pub struct Axial {
 }
 
 impl Axial {
+    /// Name of the law.
+    pub(crate) const NAME: &'static str = "Section";
+
     /// From a section with its tag; `None` if it has no axial force.
     pub fn new(section: SharedSection, tag: i32) -> Option<Self> {
         let at = section.resultants().iter().position(|r| *r == Resultant::P)?;
@@ -30,7 +33,7 @@ impl Uniaxial for Axial {
     plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
     as_any }
     fn name(&self) -> &'static str {
-        "Section"
+        Self::NAME
     }
     fn state_len(&self) -> usize {
         self.slot.len()

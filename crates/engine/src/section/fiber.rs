@@ -103,6 +103,7 @@ impl<'a> Parts<&'a mut [f64]> {
 
 const FIBER: u32 = 1;
 const FIBER_DATA: u32 = 2;
+const FIBER_DATA_2: u32 = 9;
 const CENTROID: u32 = 3;
 const TORSION: u32 = 4;
 const ENERGY: u32 = 5;
@@ -361,6 +362,11 @@ impl Section for FiberSection {
                 let columns = ["yCoord", "zCoord", "area", "stress", "strain"];
                 Some(Probe::new(FIBER_DATA, self.fibers.iter().flat_map(|_| columns)))
             }
+            // With the material of each fiber, as programs that draw sections ask for it.
+            "fiberData2" => {
+                let columns = ["yCoord", "zCoord", "area", "material", "stress", "strain"];
+                Some(Probe::new(FIBER_DATA_2, self.fibers.iter().flat_map(|_| columns)))
+            }
             "centroid" => Some(Probe::new(CENTROID, ["y", "z"])),
             "torsion" => Some(self.torsion.as_ref()?.probe(&words[1..])?.inside(&[TORSION])),
             "energy" | "Energy" => Some(Probe::new(ENERGY, ["energy"])),
@@ -375,6 +381,12 @@ impl Section for FiberSection {
                 for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(5)) {
                     let [strain, stress, ..] = self.header(f.point, state);
                     row.copy_from_slice(&[f.y, f.z, f.area, stress, strain]);
+                }
+            }
+            FIBER_DATA_2 => {
+                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(6)) {
+                    let [strain, stress, ..] = self.header(f.point, state);
+                    row.copy_from_slice(&[f.y, f.z, f.area, f64::from(self.runs[f.run].slot.tag), stress, strain]);
                 }
             }
             CENTROID => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),

@@ -53,6 +53,7 @@ const SPACE: [Resultant; MAX] =
 const FIBER: u32 = 1;
 const FIBER_DATA: u32 = 2;
 const CENTROID: u32 = 3;
+const FIBER_DATA_2: u32 = 4;
 const STRESS: u32 = 1;
 const STRAIN: u32 = 2;
 const BOTH: u32 = 3;
@@ -211,6 +212,11 @@ impl<const N: usize> Section for NdFiberSection<N> {
                 let columns: Vec<_> = place.into_iter().chain(Self::names("sigma")).chain(Self::names("eps")).collect();
                 Some(Probe::new(FIBER_DATA, self.fibers.iter().flat_map(|_| columns.clone())))
             }
+            "fiberData2" => {
+                let place = ["yCoord", "zCoord", "area", "material"].map(str::to_owned);
+                let columns: Vec<_> = place.into_iter().chain(Self::names("sigma")).chain(Self::names("eps")).collect();
+                Some(Probe::new(FIBER_DATA_2, self.fibers.iter().flat_map(|_| columns.clone())))
+            }
             "centroid" => Some(Probe::new(CENTROID, ["y", "z"])),
             _ => None,
         }
@@ -231,11 +237,14 @@ impl<const N: usize> Section for NdFiberSection<N> {
                     _ => f.fiber.law.0.read(&rest[1..], &own[2 * N..], out),
                 }
             }
-            [FIBER_DATA] => {
-                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(3 + 2 * N)) {
-                    row[..3].copy_from_slice(&[f.fiber.y, f.fiber.z, f.fiber.area]);
-                    row[3..3 + N].copy_from_slice(&state[f.at + N..f.at + 2 * N]);
-                    row[3 + N..].copy_from_slice(&state[f.at..f.at + N]);
+            [kind @ (FIBER_DATA | FIBER_DATA_2)] => {
+                let place = if kind == FIBER_DATA { 3 } else { 4 };
+                for (f, row) in self.fibers.iter().zip(out.chunks_exact_mut(place + 2 * N)) {
+                    let (of_fiber, law) = row.split_at_mut(place);
+                    let all = [f.fiber.y, f.fiber.z, f.fiber.area, f64::from(f.fiber.law.1)];
+                    of_fiber.copy_from_slice(&all[..place]);
+                    law[..N].copy_from_slice(&state[f.at + N..f.at + 2 * N]);
+                    law[N..].copy_from_slice(&state[f.at..f.at + N]);
                 }
             }
             _ => out.copy_from_slice(&[self.centroid.0, self.centroid.1]),

@@ -25,6 +25,9 @@ hysteron_tcl::checks! {
     ALL_VALUES "all-values":
         "A query names the degree of freedom 0, and gives all values, as in OpenSees.",
         "Degrees of freedom count from 1.";
+    NO_RESPONSE "no-response":
+        "A query asks an element for something that its kind does not have, such as the sections of a spring.",
+        "The help lists the responses that the element has. In Python the answer is empty, as in openseespy, with a warning.";
     NOTHING_COMPARED "nothing-compared":
         "The command verify has no tolerance, and compares nothing.",
         "Write the tolerance before the text.";

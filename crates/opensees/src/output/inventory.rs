@@ -16,7 +16,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied()))),
     Command::new("getFixedNodes", "getFixedNodes", |i, _| {
         let model = i.host.engine.model();
-        Ok(nodes(model, model.fixes.iter().map(|f| f.node)))
+        Ok(nodes(model, held(model).map(|(node, _)| node)))
     }),
     Command::new("getFixedDOFs", "getFixedDOFs $node", fixed_dofs),
     Command::new("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true)),
@@ -40,12 +40,18 @@ fn dofs(dofs: impl Iterator<Item = usize>) -> Value {
     Value::list(dofs.collect::<BTreeSet<_>>().into_iter().map(|d| Value::from(d as i64 + 1)))
 }
 
+/// Degrees of freedom with a support, or with a motion that a pattern imposes.
+fn held(model: &Model) -> impl Iterator<Item = (NodeId, usize)> {
+    let moved = model.patterns.values().flat_map(|p| p.motions.iter().map(|m| (m.node, m.dof)));
+    model.fixes.iter().map(|f| (f.node, f.dof)).chain(moved)
+}
+
 fn fixed_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getFixedDOFs $node");
     let node = node_of(interp, &mut a, "tag of the node")?;
     finish(interp, &a)?;
-    let fixes = interp.host.engine.model().fixes.iter();
-    Ok(dofs(fixes.filter(|f| f.node == node).map(|f| f.dof)))
+    let model = interp.host.engine.model();
+    Ok(dofs(held(model).filter(|(n, _)| *n == node).map(|(_, dof)| dof)))
 }
 
 /// Nodes that follow others, or those that lead; of all constraints, or of those with one node on the other side.

@@ -234,7 +234,7 @@ fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         Some(values) => Ok(list(&values)),
         None => {
             let (index, d) = unknown_response(&interp.host.engine, id, &words);
-            Err(Exception::diagnosed(d.at(call.span(index + 2), "not known here")))
+            Err(Exception::diagnosed(d.at(call.span(index + 2), "not known here").by(&checks::output::NO_RESPONSE)))
         }
     }
 }
@@ -249,7 +249,8 @@ fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let number = a.count("number of the section")?.to_string();
     let words = ["section", number.as_str(), what];
     let Some(values) = evaluate(interp, id, &words) else {
-        return Err(a.refuse(format!("the element has no section {number}"), "expected a number from 1 on"));
+        let refused = a.refuse(format!("the element has no section {number}"), "expected a number from 1 on");
+        return Err(refused.by(&checks::output::NO_RESPONSE));
     };
     pick(interp, &mut a, &values, "number of the value")
 }
@@ -259,7 +260,8 @@ fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let mut a = Args::new(call, ALONG);
     let id = element_of(interp, &mut a)?;
     let Some(values) = evaluate(interp, id, &[what]) else {
-        return Err(a.refuse("the element has no sections along its length", "expected a beam with sections"));
+        let refused = a.refuse("the element has no sections along its length", "expected a beam with sections");
+        return Err(refused.by(&checks::output::NO_RESPONSE));
     };
     pick(interp, &mut a, &values, "number of the section")
 }
@@ -272,7 +274,7 @@ fn named(interp: &mut Tcl, call: &Call<'_>, response: &str) -> Outcome {
         Some(values) => pick(interp, &mut a, &values, "number of the column"),
         None => {
             let (_, d) = unknown_response(&interp.host.engine, id, &[response]);
-            Err(Exception::diagnosed(d.at(call.span(0), "not known here")))
+            Err(Exception::diagnosed(d.at(call.span(0), "not known here").by(&checks::output::NO_RESPONSE)))
         }
     }
 }

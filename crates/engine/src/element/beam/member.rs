@@ -240,9 +240,10 @@ const PLASTIC: u32 = 6;
 const PLACES: u32 = 10;
 const WEIGHTS: u32 = 11;
 const TAGS: u32 = 12;
+const ENERGY: u32 = 13;
 const STIFFNESS: u32 = 19;
-const SECTION: u32 = 30;
-const ALL_SECTIONS: u32 = 31;
+pub(super) const SECTION: u32 = 30;
+pub(super) const ALL_SECTIONS: u32 = 31;
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for FiberBeam<F, N, B> {
     fn last_tangent(&self, history: &[f64], _: &SharedState, tangent: &mut [f64], _: MatrixMask) {
@@ -402,8 +403,9 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             "basicStiffness" => Probe::new(STIFFNESS, (1..=B * B).map(|i| format!("k{i}"))),
             "integrationPoints" => Probe::new(PLACES, numbered("x")),
             "integrationWeights" => Probe::new(WEIGHTS, numbered("w")),
+            "energy" | "Energy" if self.member.has_energy() => Probe::new(ENERGY, ["energy"]),
             "sectionTags" => Probe::new(TAGS, numbered("tag")),
-            "section" | "-section" => return self.section_probe(&words[1..]),
+            "section" | "-section" => return self.member.section_probe(&words[1..]),
             "sectionX" => {
                 let x = words.get(1)?.parse::<f64>().ok()? / self.member.length();
                 let distance = |i: &usize| (self.member.points.0[*i] - x).abs();
@@ -448,38 +450,11 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             STIFFNESS => out.copy_from_slice(basic.k.as_flattened()),
             PLACES => out.iter_mut().zip(&m.points.0).for_each(|(o, x)| *o = x * length),
             WEIGHTS => out.iter_mut().zip(&m.points.1).for_each(|(o, w)| *o = w * length),
+            ENERGY => out[0] = m.energy(s.state),
             TAGS => out.iter_mut().zip(&m.sections).for_each(|(o, s)| *o = f64::from(s.tag)),
             SECTION => m.sections[path[1] as usize].read(&path[2..], s.state, out),
-            _ => {
-                // Path of each section: number of columns, path length, path.
-                let (mut path, mut out) = (&path[1..], out);
-                for section in &m.sections {
-                    let (columns, end) = (path[0] as usize, 2 + path[1] as usize);
-                    let (own, rest) = out.split_at_mut(columns);
-                    section.read(&path[2..end], s.state, own);
-                    (path, out) = (&path[end..], rest);
-                }
-            }
+            _ => m.read_all_sections(&path[1..], s.state, out),
         }
-    }
-}
-
-impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
-    /// A response of one section, by its number, or of all sections.
-    fn section_probe(&self, words: &[&str]) -> Option<Probe> {
-        let sections = &self.member.sections;
-        if let Ok(number) = words.first()?.parse::<usize>() {
-            let i = number.checked_sub(1)?;
-            return Some(sections.get(i)?.probe(&words[1..])?.inside(&[SECTION, i as u32]));
-        }
-        let mut all = Probe { labels: vec![], path: vec![ALL_SECTIONS] };
-        for section in sections {
-            let probe = section.probe(words)?;
-            all.path.extend([probe.len() as u32, probe.path.len() as u32]);
-            all.path.extend(&probe.path);
-            all.labels.extend(probe.labels);
-        }
-        Some(all)
     }
 }
 

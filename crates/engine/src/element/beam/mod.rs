@@ -14,6 +14,7 @@ mod mixed;
 mod opensees;
 mod per_section;
 mod point;
+mod section_responses;
 mod shortfall;
 mod timoshenko;
 

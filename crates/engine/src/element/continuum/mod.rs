@@ -146,6 +146,14 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
         }
     }
 
+    /// Tangent of a law without a history.
+    fn tangent(&self) -> Option<[[f64; S]; S]> {
+        match &self.law {
+            PointLaw::Linear(elasticity) => Some(*elasticity),
+            PointLaw::General(law) => law.is_linear().then(|| law.initial_tangent()),
+        }
+    }
+
     fn stress_names() -> [&'static str; S] {
         let all = ["sigma11", "sigma22", "sigma33", "sigma12", "sigma23", "sigma13"];
         std::array::from_fn(|i| if S < SOLID && i + 1 == S { all[3] } else { all[i] })
@@ -166,6 +174,11 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
         let named = match *words.first()? {
             "stress" | "stresses" => Probe::new(STRESSES, Self::stress_names()),
             "strain" | "strains" => Probe::new(STRAINS, Self::strain_names(true)),
+            // That of a law with a history belongs to its last step, and is not kept.
+            "tangent" if self.tangent().is_some() => {
+                let entry = |i: usize| move |j: usize| format!("C{}{}", i + 1, j + 1);
+                Probe::new(TANGENT, (0..S).flat_map(|i| (0..S).map(entry(i))))
+            }
             _ => match &self.law {
                 PointLaw::Linear(_) => return None,
                 PointLaw::General(law) => law.probe(words)?.inside(&[OWN]),
@@ -177,6 +190,11 @@ impl<const S: usize, const D: usize> Continuum<S, D> {
     fn read_point(&self, point: usize, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match (path[0], &self.law) {
             (STRESSES, _) => out.copy_from_slice(&self.stress(point, s)),
+            (TANGENT, _) => {
+                if let Some(tangent) = self.tangent() {
+                    out.copy_from_slice(tangent.as_flattened());
+                }
+            }
             (OWN, PointLaw::General(law)) => {
                 let history = &s.state[point * self.point_len..(point + 1) * self.point_len];
                 law.read(&path[1..], &history[S..], out);
@@ -192,6 +210,7 @@ const AT_NODES: u32 = 11;
 /// First numbers of the paths of one point, and of a response of its law.
 const POINT: u32 = 20;
 const OWN: u32 = 5;
+const TANGENT: u32 = 6;
 
 crate::watches_columns!([const S: usize, const D: usize] Continuum<S, D> => |s| at s.laws());
 

@@ -12,7 +12,9 @@ use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, M
 use super::{MAX, NODE, Row, SINGLE_POINT, STRAINS, STRESSES, work};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateTangent, SharedPlateSection};
+use crate::section::plate::{
+    self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateState, PlateTangent, SharedPlateSection,
+};
 use crate::state_struct::StateStruct;
 use frame::{Following, Frame, NodalTurns};
 use nalgebra::{Matrix4, Vector3, Vector4};
@@ -450,13 +452,9 @@ impl Element for EnhancedShell {
         Some(match words {
             ["stresses", ..] => Probe::new(STRESSES, all(PLATE_RESULTANTS)),
             ["strains", ..] => Probe::new(STRAINS, all(PLATE_DEFORMATIONS)),
-            ["material" | "Material" | "section", point, what, ..] => {
+            ["material" | "Material" | "section", point, words @ ..] => {
                 let point = point.parse::<u32>().ok().filter(|p| (1..=self.fixed.len() as u32).contains(p))? - 1;
-                match *what {
-                    "force" | "forces" => Probe::new(SINGLE_POINT + 2 * point, PLATE_RESULTANTS),
-                    "deformation" | "deformations" => Probe::new(SINGLE_POINT + 2 * point + 1, PLATE_DEFORMATIONS),
-                    _ => return None,
-                }
+                return Some(plate::probe(&*self.section, words)?.inside(&[SINGLE_POINT, point]));
             }
             _ => return None,
         })
@@ -471,16 +469,20 @@ impl Element for EnhancedShell {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let read = |point: usize, forces: bool, out: &mut [f64]| {
-            let at = point * self.words + if forces { 0 } else { PLATE_ORDER };
-            out.copy_from_slice(&s.state[at..at + PLATE_ORDER]);
+        let read = |point: usize, path: &[u32], out: &mut [f64]| {
+            let (head, own) = s.state[point * self.words..(point + 1) * self.words].split_at(SECTION);
+            let resultants = &head[..PLATE_ORDER];
+            let mut deformations = [0.0; PLATE_ORDER];
+            deformations.copy_from_slice(&head[PLATE_ORDER..2 * PLATE_ORDER]);
+            PlateState { section: &*self.section, resultants, deformations, own }.read(path, out);
         };
         match path[0] {
             kind @ (STRESSES | STRAINS) => {
                 let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points.for_each(|(point, out)| read(point.min(self.fixed.len() - 1), kind == STRESSES, out));
+                points
+                    .for_each(|(point, out)| read(point.min(self.fixed.len() - 1), &[u32::from(kind == STRAINS)], out));
             }
-            kind => read(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2), out),
+            _ => read(path[1] as usize, &path[2..], out),
         }
     }
 }

@@ -14,7 +14,7 @@ use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::plate::{PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, SharedPlateSection};
+use crate::section::plate::{self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateState, SharedPlateSection};
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -200,7 +200,7 @@ fn work(resultant: usize) -> f64 {
 
 const STRESSES: u32 = 2;
 const STRAINS: u32 = 3;
-/// First response of a single Gauss point: forces and then deformations.
+/// A response of a single Gauss point; its number, and the path of the section follow.
 const SINGLE_POINT: u32 = 10;
 
 crate::watches_columns!(Shell => |s| at s.sections());
@@ -285,13 +285,9 @@ impl Element for Shell {
         Some(match words {
             ["stresses", ..] => Probe::new(STRESSES, all(PLATE_RESULTANTS)),
             ["strains", ..] => Probe::new(STRAINS, all(PLATE_DEFORMATIONS)),
-            ["material" | "Material" | "section", point, what, ..] => {
+            ["material" | "Material" | "section", point, words @ ..] => {
                 let point = point.parse::<u32>().ok().filter(|p| (1..=self.points.len() as u32).contains(p))? - 1;
-                match *what {
-                    "force" | "forces" => Probe::new(SINGLE_POINT + 2 * point, PLATE_RESULTANTS),
-                    "deformation" | "deformations" => Probe::new(SINGLE_POINT + 2 * point + 1, PLATE_DEFORMATIONS),
-                    _ => return None,
-                }
+                return Some(plate::probe(&*self.section, words)?.inside(&[SINGLE_POINT, point]));
             }
             _ => return None,
         })
@@ -306,20 +302,17 @@ impl Element for Shell {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let read = |point: usize, forces: bool, out: &mut [f64]| {
-            if forces {
-                let at = point * self.words;
-                out.copy_from_slice(&s.state[at..at + PLATE_ORDER]);
-            } else {
-                out.copy_from_slice(&Self::deformations(&self.points[point], &self.moved(s.disp)));
-            }
+        let read = |point: usize, path: &[u32], out: &mut [f64]| {
+            let (resultants, own) = s.state[point * self.words..(point + 1) * self.words].split_at(PLATE_ORDER);
+            let deformations = Self::deformations(&self.points[point], &self.moved(s.disp));
+            PlateState { section: &*self.section, resultants, deformations, own }.read(path, out);
         };
         match path[0] {
             kind @ (STRESSES | STRAINS) => {
                 let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points.for_each(|(point, out)| read(point, kind == STRESSES, out));
+                points.for_each(|(point, out)| read(point, &[u32::from(kind == STRAINS)], out));
             }
-            kind => read(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2), out),
+            _ => read(path[1] as usize, &path[2..], out),
         }
     }
 }

@@ -1,12 +1,10 @@
 //! Thin shell with large displacements: `ShellNLDKGQ`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use super::{
-    Formulation, Geometry, MAX, NODE, Point, Row, SINGLE_POINT, STRAINS, STRESSES, Shell, discrete_kirchhoff, work,
-};
+use super::{Formulation, Geometry, MAX, NODE, Point, Row, STRAINS, STRESSES, Shell, discrete_kirchhoff, work};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::plate::{PLATE_ORDER, PlateTangent, SharedPlateSection};
+use crate::section::plate::{PLATE_ORDER, PlateState, PlateTangent, SharedPlateSection};
 use nalgebra::Vector3;
 
 /// Number of nodes, and of Gauss points.
@@ -188,16 +186,19 @@ impl Element for UpdatedShell {
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let at = |point: usize, forces: bool| {
-            if forces { point * self.flat.words } else { self.strains() + point * PLATE_ORDER }
+        let read = |point: usize, path: &[u32], out: &mut [f64]| {
+            let (words, strains) = (self.flat.words, self.strains() + point * PLATE_ORDER);
+            let (resultants, own) = s.state[point * words..(point + 1) * words].split_at(PLATE_ORDER);
+            let mut deformations = [0.0; PLATE_ORDER];
+            deformations.copy_from_slice(&s.state[strains..strains + PLATE_ORDER]);
+            PlateState { section: &*self.flat.section, resultants, deformations, own }.read(path, out);
         };
-        let copy = |at: usize, out: &mut [f64]| out.copy_from_slice(&s.state[at..at + PLATE_ORDER]);
         match path[0] {
             kind @ (STRESSES | STRAINS) => {
                 let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points.for_each(|(point, out)| copy(at(point, kind == STRESSES), out));
+                points.for_each(|(point, out)| read(point, &[u32::from(kind == STRAINS)], out));
             }
-            kind => copy(at(((kind - SINGLE_POINT) / 2) as usize, (kind - SINGLE_POINT).is_multiple_of(2)), out),
+            _ => read(path[1] as usize, &path[2..], out),
         }
     }
 }

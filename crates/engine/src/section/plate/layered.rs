@@ -207,6 +207,12 @@ impl LayeredPlate {
         Self { layers, root: SHEAR_FACTOR.sqrt() }
     }
 
+    /// Strains 11, 22, 12, 23, 31 of a layer.
+    fn strain(&self, layer: &Layer, e: &[f64; PLATE_ORDER]) -> [f64; LAYER] {
+        let (z, root) = (layer.z, self.root);
+        [e[0] - z * e[3], e[1] - z * e[4], e[2] - z * e[5], root * e[7], root * e[6]]
+    }
+
     /// Materials of the layers with the ranges of their states.
     fn placed(&self) -> impl Iterator<Item = (Range<usize>, &SharedMultiaxial<LAYER>)> {
         let mut end = 0;
@@ -283,8 +289,7 @@ impl PlateSection for LayeredPlate {
     ) -> Result<(), MaterialError> {
         let (root, mut at) = (self.root, 0);
         for layer in &self.layers {
-            let z = layer.z;
-            let strain = [e[0] - z * e[3], e[1] - z * e[4], e[2] - z * e[5], root * e[7], root * e[6]];
+            let strain = self.strain(layer, e);
             let own = at..at + layer.material.state_len();
             let (stress, tangent) =
                 layer.material.update(&committed[own.clone()], &strain, dt, &mut next[own.clone()])?;
@@ -292,6 +297,19 @@ impl PlateSection for LayeredPlate {
             at = own.end;
         }
         Ok(())
+    }
+
+    fn layers(&self) -> usize {
+        self.layers.len()
+    }
+
+    /// A step of no length leaves a law where it is, with its stress.
+    fn layer(&self, layer: usize, state: &[f64], e: &[f64; PLATE_ORDER]) -> Option<[[f64; LAYER]; 2]> {
+        let strain = self.strain(self.layers.get(layer)?, e);
+        let (range, material) = self.placed().nth(layer)?;
+        let mut next = state[range.clone()].to_vec();
+        let (stress, _) = material.update(&state[range], &strain, 0.0, &mut next).ok()?;
+        Some([strain, material.shown_stress(&next, stress)])
     }
 
     fn initial_stiffness(&self) -> PlateTangent {

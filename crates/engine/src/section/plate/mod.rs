@@ -5,12 +5,14 @@
 //! m = ∫ z σ dz, and the shear forces q1, q2. The work per area is therefore p ε - m κ + q γ.
 
 mod layered;
+mod response;
 
-use crate::material::{MaterialError, WatchesColumns};
+use crate::material::{LAYER, MaterialError, WatchesColumns};
 use std::fmt;
 use std::sync::Arc;
 
 pub use layered::{Layer, LayeredPlate, PlateFromPlaneStress, PlateRebar};
+pub(crate) use response::{PlateState, probe};
 
 /// Number of resultants.
 pub const PLATE_ORDER: usize = 8;
@@ -56,6 +58,13 @@ pub trait PlateSection: WatchesColumns + fmt::Debug + Send + Sync {
 
     /// Tangent of the virgin section.
     fn initial_stiffness(&self) -> PlateTangent;
+
+    /// Number of layers, or of points across the thickness, that have a law of their own.
+    fn layers(&self) -> usize;
+
+    /// Strains and stresses 11, 22, 12, 23, 31 of a layer from 0 in a state that was reached with the deformations `e`;
+    /// `None` where there is no such layer, or its law has no response.
+    fn layer(&self, layer: usize, state: &[f64], e: &[f64; PLATE_ORDER]) -> Option<[[f64; LAYER]; 2]>;
 }
 
 /// A section as elements hold it.
@@ -111,6 +120,13 @@ impl PlateSection for ElasticPlate {
             k.iter_mut().zip(row).for_each(|(k, added)| *k += added);
         }
         Ok(())
+    }
+
+    fn layers(&self) -> usize {
+        0
+    }
+    fn layer(&self, _: usize, _: &[f64], _: &[f64; PLATE_ORDER]) -> Option<[[f64; LAYER]; 2]> {
+        None
     }
 
     fn initial_stiffness(&self) -> PlateTangent {
