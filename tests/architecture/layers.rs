@@ -157,6 +157,7 @@ pub const LAYERS: &[Layers] = &[
             "calls",
             "checkpoint",
             "element",
+            "parameter",
             "session",
             "analysis",
         ],

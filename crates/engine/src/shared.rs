@@ -18,26 +18,6 @@ pub trait Role {
     type Held: From<Arc<Self>>;
 }
 
-impl Role for dyn crate::element::Element {
-    type Held = Arc<Self>;
-}
-
-impl Role for dyn crate::section::Section {
-    type Held = Arc<Self>;
-}
-
-impl Role for dyn crate::section::plate::PlateSection {
-    type Held = Arc<Self>;
-}
-
-impl Role for dyn crate::material::Uniaxial {
-    type Held = crate::material::Material;
-}
-
-impl<const N: usize> Role for dyn crate::material::Multiaxial<N> {
-    type Held = Arc<Self>;
-}
-
 /// Implements [`Shared`] for the kinds of a role.
 macro_rules! shared {
     (dyn $role:path: $($kind:ty),* $(,)?) => { $(impl $crate::shared::Shared<dyn $role> for $kind {

@@ -28,6 +28,7 @@ mod material;
 mod model;
 pub mod opensees_names;
 mod output;
+mod parameter;
 pub mod python_usage;
 mod recipes;
 pub mod run;
@@ -155,7 +156,7 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
         analysis::matrix::COMMANDS,
         model::remove::COMMANDS,
         model::database::COMMANDS,
-        model::parameter::COMMANDS,
+        parameter::COMMANDS,
         model::units::COMMANDS,
         output::display::COMMANDS,
         output::figure::COMMANDS,

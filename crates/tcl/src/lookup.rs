@@ -316,10 +316,8 @@ impl Core {
 
     /// Scalars of the global namespace with their values, in any order.
     pub fn globals(&self) -> Vec<(String, Value)> {
-        let names =
-            self.ns(NsId::GLOBAL).vars.iter().filter(|(_, slot)| slot.exists()).map(|(name, _)| name.to_string());
-        let value = |name: String| self.peek(&VarName::of_host(&format!("::{name}")), None).ok().map(|v| (name, v));
-        names.filter_map(value).collect()
+        let vars = self.ns(NsId::GLOBAL).vars.iter();
+        vars.filter_map(|(name, slot)| Some((name.to_string(), slot.unwatched_scalar()?))).collect()
     }
 
     /// Note the first use of a scalar that is there: setting it before it is read becomes an error. `None` if there is no

@@ -224,6 +224,15 @@ impl Slot {
     pub(super) fn scalar(&self) -> Option<Value> {
         self.with(|s| if let Slot::Scalar(v) = s { Some(v.clone()) } else { None })
     }
+
+    /// The value of a scalar. A watch does not take notice.
+    pub(super) fn unwatched_scalar(&self) -> Option<Value> {
+        self.with(|s| match s {
+            Slot::Scalar(v) => Some(v.clone()),
+            Slot::Watched(watched) => watched.slot.scalar(),
+            _ => None,
+        })
+    }
 }
 
 /// Why a variable cannot be used as asked.

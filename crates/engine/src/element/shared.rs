@@ -20,12 +20,16 @@ use super::{
     TubularJoint, TwoNodeLink, ZeroLength, ZeroLengthSection,
 };
 use crate::rules::OpenSees;
-use crate::shared::shared;
+use crate::shared::{Role, shared};
 
 /// A beam of a formulation in the plane.
 type PlaneBeam<F> = FiberBeam<F, 6, 3>;
 /// A beam of a formulation in space.
 type SpaceBeam<F> = FiberBeam<F, 12, 6>;
+
+impl Role for dyn Element {
+    type Held = std::sync::Arc<Self>;
+}
 
 shared!(dyn Element:
     Amended, BeamColumnJoint, CatenaryCable, ComponentBeam, Contact, CorotTruss, CoupledZeroLength, Damped,

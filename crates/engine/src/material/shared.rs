@@ -2,7 +2,15 @@
 
 use super::*;
 use crate::rules::OpenSees;
-use crate::shared::shared;
+use crate::shared::{Role, shared};
+
+impl Role for dyn Uniaxial {
+    type Held = Material;
+}
+
+impl<const N: usize> Role for dyn Multiaxial<N> {
+    type Held = std::sync::Arc<Self>;
+}
 
 shared!(dyn Uniaxial:
     AsdConcrete1d, AxialSp, AxialSp<OpenSees>, AxialSpHD, AxialSpHD<OpenSees>, BackboneElastic, Bilin, Bilin<OpenSees>,

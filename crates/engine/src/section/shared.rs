@@ -5,7 +5,15 @@ use super::{
     Aggregator, Axial, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection, Section, TwoSpringIsolator,
 };
 use crate::material::{LAYER, Multiaxial, Uniaxial};
-use crate::shared::shared;
+use crate::shared::{Role, shared};
+
+impl Role for dyn Section {
+    type Held = std::sync::Arc<Self>;
+}
+
+impl Role for dyn PlateSection {
+    type Held = std::sync::Arc<Self>;
+}
 
 shared!(dyn Section:
     Aggregator, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection<2>, NdFiberSection<3>,
