@@ -38,11 +38,13 @@ pub(crate) fn existing<T>(thing: Option<T>) -> Result<T, ParameterError> {
 
 /// Of changes to several things: the value before of the last that has the parameter. A refusal by one refuses all.
 pub(crate) fn last_of(changes: impl Iterator<Item = Result<f64, ParameterError>>) -> Result<f64, ParameterError> {
-    changes.fold(Err(ParameterError::Unknown), |sum, one| match (sum, one) {
-        (Err(ParameterError::Refused(why)), _) | (_, Err(ParameterError::Refused(why))) => {
-            Err(ParameterError::Refused(why))
+    let mut last = Err(ParameterError::Unknown);
+    for change in changes {
+        match change {
+            Err(ParameterError::Unknown) => {}
+            Err(refused) => return Err(refused),
+            Ok(before) => last = Ok(before),
         }
-        (sum, Err(ParameterError::Unknown)) => sum,
-        (_, Ok(before)) => Ok(before),
-    })
+    }
+    last
 }

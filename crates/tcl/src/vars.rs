@@ -227,11 +227,12 @@ impl Slot {
 
     /// The value of a scalar. A watch does not take notice.
     pub(super) fn unwatched_scalar(&self) -> Option<Value> {
-        self.with(|s| match s {
+        match self {
             Slot::Scalar(v) => Some(v.clone()),
-            Slot::Watched(watched) => watched.slot.scalar(),
+            Slot::Shared(s) | Slot::Link(s) => s.borrow().unwatched_scalar(),
+            Slot::Watched(watched) => watched.slot.unwatched_scalar(),
             _ => None,
-        })
+        }
     }
 }
 
