@@ -1,4 +1,4 @@
-//! What a file imports, and the commands that its names call.
+//! Imports of a file, and the commands that its names call.
 
 use crate::token::{Kind, Line, Token, Tokens};
 use hysteron_opensees::{calls, opensees_names};
@@ -84,7 +84,7 @@ const MODULES: [&str; 33] = [
     "dataclasses",
 ];
 
-/// What a file imports.
+/// Imports of a file.
 #[derive(Debug, Default)]
 pub(crate) struct Imports {
     pub(crate) module: Option<Module>,

@@ -151,7 +151,7 @@ impl<'a> Expression<'a> {
         }
     }
 
-    /// What is in brackets: a value, or a list of them.
+    /// Content of brackets: a value, or a list of them.
     fn bracket(&mut self, close: &str, depth: usize) -> Option<Literal> {
         if depth > MAX_DEPTH {
             return None;

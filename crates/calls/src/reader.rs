@@ -35,13 +35,13 @@ pub struct FoundCall {
     pub may_fail: bool,
 }
 
-/// What is never closed.
+/// A bracket or a text that is never closed.
 pub type Unclosed = Range<usize>;
 
 /// The calls of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// Where the commands come from.
+    /// Module that the commands come from.
     pub module: Module,
     /// The calls, in the order of the text.
     pub calls: Vec<FoundCall>,

@@ -96,7 +96,7 @@ fn what_depends_on_the_model_is_told_of_straight_calls_alone() {
     }
 }
 
-/// What changes no model leaves it known.
+/// A call that changes no model leaves it known.
 #[test]
 fn plots_and_queries_leave_the_model_known() {
     let lines = "import numpy as np, matplotlib.pyplot as plt\nxs = []\nfor x in np.linspace(0, 1, 5):\n    xs.append(x)\n\

@@ -14,7 +14,7 @@ pub trait Shared<R: Role + ?Sized> {
 
 /// A role in a model, and how the model holds what plays it.
 pub trait Role {
-    /// What the model holds.
+    /// Type that the model holds.
     type Held: From<Arc<Self>>;
 }
 

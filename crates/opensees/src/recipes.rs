@@ -1,4 +1,4 @@
-//! What elements were made from, and sessions in which things are made again: their warnings are dropped.
+//! Words that elements were made from, and sessions in which things are made again: their warnings are dropped.
 
 use crate::{Mode, NoFiles, Session, Tcl};
 use hysteron_engine::analysis::Options;

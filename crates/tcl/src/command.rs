@@ -97,7 +97,7 @@ impl Place<'_> {
 pub struct NumberNote {
     /// Number of the word.
     pub word: usize,
-    /// What the number is.
+    /// Meaning of the number.
     pub what: String,
     /// A count, a switch or a tag.
     pub whole: bool,

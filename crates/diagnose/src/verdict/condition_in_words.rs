@@ -77,7 +77,7 @@ impl<'a> FittedCondition<'a> {
         format!("{} {}, and {} otherwise", other.join(" and "), self.when(), usual.join(" and "))
     }
 
-    /// What has to be known of another run before it is predicted.
+    /// The value that has to be known of another run before it is predicted.
     pub(super) fn needed(&self) -> String {
         let all = self.changed();
         let values = all.iter().map(|(name, x, usual)| {

@@ -24,7 +24,7 @@ pub trait Recipe: fmt::Debug + Send + Sync {
     fn with_number(&self, name: &str, value: f64) -> Result<(SharedUniaxial, Arc<dyn Recipe>), ParameterError>;
 }
 
-/// What a law was made from, and the changes of the law itself since.
+/// The recipe of a law, and the changes of the law itself since.
 #[derive(Clone, Debug)]
 struct Origin {
     recipe: Arc<dyn Recipe>,

@@ -13,6 +13,15 @@ use std::sync::Arc;
 /// Word of `element` that follows its tag.
 const FIRST: usize = 3;
 
+/// An element that has been made again.
+struct MadeAgain {
+    element: Arc<dyn Element>,
+    /// Value of the number before.
+    before: f64,
+    /// Words that it is made from now.
+    words: Vec<String>,
+}
+
 /// An element, and the places of its numbers among the words with their names.
 type Made = (Arc<dyn Element>, Vec<(usize, String)>);
 
@@ -55,7 +64,7 @@ pub(crate) fn with_parameter(
     let element = model.element(tag).map(|id| model.elements[id.0].element.clone()).ok_or(ParameterError::Unknown)?;
     match element.with_parameter(words, value) {
         Err(ParameterError::Unknown) => {
-            made_again(interp, tag, &element, words, value).map(|(made, before, _)| (made, before))
+            made_again(interp, tag, &element, words, value).map(|made| (made.element, made.before))
         }
         changed => changed,
     }
@@ -68,7 +77,7 @@ pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: f
     let element = model.elements[id.0].element.clone();
     let (new, words_now) = match element.with_parameter(words, Some(value)) {
         Err(ParameterError::Unknown) => match made_again(interp, tag, &element, words, Some(value)) {
-            Ok((new, _, words_now)) => (new, Some(words_now)),
+            Ok(made) => (made.element, Some(made.words)),
             Err(_) => return,
         },
         Ok((new, _)) => (new, None),
@@ -92,14 +101,14 @@ pub fn numbers_of_element(interp: &mut Tcl, tag: Tag) -> Vec<(usize, String)> {
     made.map_or_else(|_| vec![], |(_, names)| names)
 }
 
-/// The element made again, the value before, and the words that it is made from now.
+/// The element made again with another value of a number of its words.
 fn made_again(
     interp: &mut Tcl,
     tag: Tag,
     element: &Arc<dyn Element>,
     words: &[&str],
     value: Option<f64>,
-) -> Result<(Arc<dyn Element>, f64, Vec<String>), ParameterError> {
+) -> Result<MadeAgain, ParameterError> {
     let Some(recipe) = interp.host.builder.element_words.remove(&tag) else { return Err(ParameterError::Unknown) };
     let made = if Arc::ptr_eq(&recipe.made, element) {
         in_scratch(interp, |interp| of_recipe(&recipe, interp, &words.join(" "), value))
@@ -115,16 +124,16 @@ fn of_recipe(
     interp: &mut Tcl,
     name: &str,
     value: Option<f64>,
-) -> Result<(Arc<dyn Element>, f64, Vec<String>), ParameterError> {
+) -> Result<MadeAgain, ParameterError> {
     let (element, names) = make(recipe, interp, &recipe.words)?;
     let place = names.iter().find(|(_, n)| n == name).map(|(i, _)| *i).ok_or(ParameterError::Unknown)?;
     let before = Value::from(recipe.words[place].as_str()).as_f64().ok_or(ParameterError::Unknown)?;
-    let Some(value) = value else { return Ok((element, before, recipe.words.clone())) };
+    let Some(value) = value else { return Ok(MadeAgain { element, before, words: recipe.words.clone() }) };
     let mut words = recipe.words.clone();
     words[place] = format!("{value:e}");
     let (new, _) = make(recipe, interp, &words)?;
     if new.state_len() != element.state_len() || new.dofs() != element.dofs() {
         return Err(ParameterError::Refused(format!("it keeps another number of state variables with {name}")));
     }
-    Ok((new, before, words))
+    Ok(MadeAgain { element: new, before, words })
 }

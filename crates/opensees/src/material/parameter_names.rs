@@ -6,7 +6,10 @@
 type Numbers = &'static [(&'static str, f64)];
 
 /// Kinds of materials, and their names.
-const NAMES: &[(&[&str], &[(&str, Numbers)])] = &[
+type Names = (&'static [&'static str], &'static [(&'static str, Numbers)]);
+
+/// The names of all kinds that have some.
+const NAMES: &[Names] = &[
     (
         &["Steel03", "SteelFractureDI"],
         &[
