@@ -23,7 +23,7 @@ use hysteron::diagnostic::Severity;
 use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
 use hysteron::opensees::files::output_folder::OutputFolder;
 use hysteron::opensees::{Mode, NoFiles, Outputs, Tcl};
-use hysteron::run::{End, Run, Settings};
+use hysteron::run::{End, Run, Settings, budget_used};
 use hysteron::tcl::Silent;
 use hysteron::tcl::{Console, Files, OsFiles, OverlayFiles};
 use std::io::IsTerminal as _;
@@ -300,7 +300,10 @@ pub(super) fn print_end(end: &End, interp: &Tcl) {
                 None => eprintln!("interrupted{place}: what was recorded so far has been kept"),
             }
         }
-        End::Enough(None) => eprintln!("note: the check was ended: the script waits for results that only a run has"),
+        End::Enough(None) => {
+            let place = interp.stopped_at.map(|s| format!("{}: ", interp.sources.location(s))).unwrap_or_default();
+            eprintln!("note: {place}{}", budget_used());
+        }
         End::Enough(Some(d)) => {
             let place = messages.line(d, &interp.sources);
             eprintln!("note: the check ends where the script needs results of the analysis: {place}");

@@ -192,8 +192,8 @@ impl Job<'_> {
                 add(&note_of(Diagnostic::error(message).place(interp.stopped_at)), &interp.sources);
             }
             End::Enough(None) => {
-                let waits = "the check ends here: the script waits for results that only a run has";
-                add(&note_of(Diagnostic::error(waits).place(interp.stopped_at)), &interp.sources);
+                let used = hysteron_opensees::run::budget_used();
+                add(&note_of(Diagnostic::error(used).place(interp.stopped_at)), &interp.sources);
             }
             End::Done | End::Exit(_) => {}
         }

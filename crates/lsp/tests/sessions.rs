@@ -289,7 +289,8 @@ fn an_endless_script_and_a_missing_file_end() {
     let mut e = Editor::with(json!({ "timeLimit": 0.5 }));
     let told = short(&e.open("m.tcl", "model basic -ndm 1\nnode 1 x\nwhile 1 { set a 1 }\n"));
     assert!(told.iter().any(|t| t.starts_with("2:8-9 not-a-number")), "{told:?}");
-    assert!(told.iter().any(|t| t.contains("the check was stopped here")), "{told:?}");
+    // By the clock, or by the number of commands on a fast machine.
+    assert!(told.iter().any(|t| t.contains("the check was stopped here, after")), "{told:?}");
     // The thread goes on with the next text.
     e.replace("m.tcl", 2, "source nowhere.tcl\nexec rm -rf /\nset f [open out.txt w]; puts $f 1; close $f\n");
     let told = short(&e.diagnostics("m.tcl", 2));

@@ -41,7 +41,8 @@ pub enum End {
     Raised(Box<Diagnostic>),
     /// It was interrupted.
     Interrupted,
-    /// A check ended early: the script needs results that only a run has. With the error that stopped it, if any.
+    /// A check ended early. With the error of a command that needs results of a run, or after as many commands as a check
+    /// may run.
     Enough(Option<Box<Diagnostic>>),
 }
 
@@ -61,6 +62,12 @@ impl End {
 
 /// Commands after which a check stops looking: a script that waits for a result would never end.
 const CHECK_BUDGET: u64 = 20_000_000;
+
+/// The sentence for a check that ended after as many commands as it may run.
+pub fn budget_used() -> String {
+    let millions = CHECK_BUDGET / 1_000_000;
+    format!("the check was stopped here, after {millions} million commands: a loop needs results or has no end")
+}
 
 thread_local! {
     /// The commands that every run begins with.
