@@ -44,23 +44,44 @@ async function start(context) {
   }
 }
 
+/** The amplitudes of a test of a bearing; undefined if the user gives none. */
+function askAmplitudes(tag) {
+  return vscode.window.showInputBox({
+    title: `Test of bearing ${tag}`,
+    prompt: "Amplitudes of the displacement in the unit of length of the script, for instance 0.1,0.2",
+    validateInput: (text) =>
+      text.split(",").every((part) => Number(part) > 0) ? undefined : "Positive numbers, separated by commas",
+  });
+}
+
 /** Run hysteron on a file as a task, in the folder of the file: its terminal stays. */
-async function run(context, word, file) {
+async function run(context, word, file, tag) {
   const target = file || vscode.window.activeTextEditor?.document.uri.fsPath;
   const chosen = word || (await vscode.window.showQuickPick(["run", "view", "check"]));
   if (!target || !chosen) return;
+  const words = [chosen, path.basename(target)];
+  if (chosen === "bearing") {
+    const amplitudes = await askAmplitudes(tag);
+    if (!amplitudes) return;
+    words.push("--element", String(tag), "--amplitudes", amplitudes.replaceAll(" ", ""));
+  }
   await vscode.workspace.saveAll(false);
-  const execution = new vscode.ProcessExecution(program(context), [chosen, path.basename(target)], {
-    cwd: path.dirname(target),
+  const folder = path.dirname(target);
+  const execution = new vscode.ProcessExecution(program(context), words, { cwd: folder });
+  const task = new vscode.Task({ type: "hysteron" }, vscode.TaskScope.Workspace, words.join(" "), "hysteron", execution);
+  const running = await vscode.tasks.executeTask(task);
+  if (chosen !== "bearing") return;
+  const picture = path.join(folder, `${path.parse(target).name}_${tag}_test`, "loops.svg");
+  const ended = vscode.tasks.onDidEndTaskProcess((event) => {
+    if (event.execution !== running) return;
+    ended.dispose();
+    if (event.exitCode === 0) vscode.commands.executeCommand("vscode.open", vscode.Uri.file(picture), vscode.ViewColumn.Beside);
   });
-  const name = `${chosen} ${path.basename(target)}`;
-  const task = new vscode.Task({ type: "hysteron" }, vscode.TaskScope.Workspace, name, "hysteron", execution);
-  await vscode.tasks.executeTask(task);
 }
 
 exports.activate = async (context) => {
   context.subscriptions.push(
-    vscode.commands.registerCommand("hysteron.command", (word, file) => run(context, word, file)),
+    vscode.commands.registerCommand("hysteron.command", (word, file, tag) => run(context, word, file, tag)),
     vscode.commands.registerCommand("hysteron.restart", async () => {
       if (client) await client.stop();
       await start(context);

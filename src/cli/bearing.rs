@@ -2,6 +2,7 @@
 
 use super::args::{CheckpointArgs, EvidenceArgs, FolderArgs, ScriptArgs, StepArgs};
 use super::console::Terminal;
+use super::element_alone;
 use super::limits::LimitArgs;
 use super::loops::ReportArgs;
 use super::progress::ProgressLine;
@@ -32,6 +33,9 @@ pub(super) struct BearingArgs {
     /// A script that defines the bearing as element 1 (nodes and materials too, no supports, loads or analyses); or a file of
     /// models/, whose procedure of the same name makes it
     file: String,
+    /// Take this element, between two nodes, out of the script of a whole model, with what its words name
+    #[arg(long, value_name = "TAG", conflicts_with = "device")]
+    element: Option<i32>,
     /// The procedure that makes the bearing, and its words after tag and nodes (else the one named like the file)
     #[arg(long, value_name = "\"NAME ARG ...\"")]
     device: Option<String>,
@@ -178,18 +182,18 @@ impl BearingArgs {
     }
 
     /// Find the bearing: run its file alone, and inspect the model. True if its forces depend on velocity.
-    fn bearing(&self) -> Result<(Bearing, bool), TestError> {
+    fn bearing(&self, file: &str) -> Result<(Bearing, bool), TestError> {
         let settings = Settings { mode: Mode::Run, strict: self.script_args.strict, options: Options::default() };
         let files = OverlayFiles::new(Box::new(OsFiles));
         let mut run =
             Run::new(settings, Box::new(Terminal::new(ProgressLine::new())), Box::new(files), Box::new(NoFiles));
-        let end = run.script(&self.file, &[]);
+        let end = run.script(file, &[]);
         if !matches!(end, End::Done) {
             run::print_end(&end, &run.interp);
             return Err(TestError::Printed(end.status()));
         }
         let mut eval = |text: &str| eval_to_text(&mut run.interp, text);
-        let file = self.file.clone();
+        let file = file.to_owned();
         if eval("expr {1 in [getEleTags]}").as_deref() == Some("1") && self.device.is_none() {
             let nodes: Option<Vec<i32>> =
                 eval("eleNodes 1").map(|n| n.split_whitespace().filter_map(|n| n.parse().ok()).collect());
@@ -232,7 +236,8 @@ impl BearingArgs {
     /// Folder of the results.
     fn folder(&self) -> String {
         let stem = Path::new(&self.file).file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-        self.out.clone().unwrap_or_else(|| format!("{stem}_test"))
+        let tag = self.element.map(|tag| format!("_{tag}")).unwrap_or_default();
+        self.out.clone().unwrap_or_else(|| format!("{stem}{tag}_test"))
     }
 }
 
@@ -316,12 +321,19 @@ pub(super) fn bearing(args: &BearingArgs) -> i32 {
 }
 
 fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
-    let (bearing, depends_on_velocity) = args.bearing()?;
-    let protocol = args.protocol(depends_on_velocity)?;
-    protocol.check(bearing.ndm)?;
     let folder = args.folder();
     let in_folder = |name: &str| format!("{folder}/{name}");
     let cannot = |e: std::io::Error| format!("cannot write into \"{folder}\": {e}");
+    let mut file = args.file.clone();
+    if let Some(tag) = args.element {
+        let alone = element_alone::script_of(&file, tag)?;
+        hysteron_files::make_folders(&folder).map_err(cannot)?;
+        file = in_folder("bearing.tcl");
+        hysteron_files::write(&file, alone).map_err(cannot)?;
+    }
+    let (bearing, depends_on_velocity) = args.bearing(&file)?;
+    let protocol = args.protocol(depends_on_velocity)?;
+    protocol.check(bearing.ndm)?;
     hysteron_files::make_folders(&folder).map_err(cannot)?;
     let script = in_folder("test.tcl");
     hysteron_files::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;

@@ -37,7 +37,9 @@ const EXAMPLES: &[(&str, &str)] = &[
   A bearing of your own: nodes, materials and element 1, without supports.
     hysteron bearing bearing.tcl --amplitudes 0.05 --cycles 5 --units kN m
   Write the test as a script and do not run it.
-    hysteron bearing bearing.tcl --amplitudes 0.05 --script",
+    hysteron bearing bearing.tcl --amplitudes 0.05 --script
+  One bearing of a whole building, taken out of its script.
+    hysteron bearing building.tcl --element 12 --amplitudes 0.2",
     ),
     (
         "view",

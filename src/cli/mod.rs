@@ -14,6 +14,7 @@ mod commands;
 mod compare;
 mod console;
 mod diagnose;
+mod element_alone;
 mod explain;
 mod files;
 mod fragility;

@@ -137,6 +137,7 @@ pub const LAYERS: &[Layers] = &[
             "index",
             "checks",
             "things",
+            "alone",
             "check",
             "opensees_names",
             "foreign",

@@ -108,3 +108,33 @@ fn refused() {
     let (status, out, _) = place.run(&["bearing", "rubber.tcl", "-a", "0.1", "--script"]);
     assert!(status == Some(0) && out == "rubber_test/test.tcl\n");
 }
+
+/// Of a whole model one bearing is tested alone, with the materials that its words name.
+#[test]
+fn a_bearing_of_a_whole_model() {
+    let place = place();
+    place.write(
+        "building.tcl",
+        "model basic -ndm 3 -ndf 6\nset k 1000.0\nforeach {i x} {11 0 12 6} {\n    node $i $x 0 0\n    node [expr {$i+10}] $x 0 0\n    \
+         fix $i 1 1 1 1 1 1\n    uniaxialMaterial Elastic [expr {$i+50}] 1.0e6\n    uniaxialMaterial Elastic [expr {$i+80}] [expr {$i*1e6}]\n    \
+         element elastomericBearingBoucWen $i $i [expr {$i+10}] $k 10.0 0.1 0.0 2.0 2.0 0.5 0.5 -P [expr {$i+50}] -T [expr {$i+50}] \
+         -My [expr {$i+50}] -Mz [expr {$i+50}] -orient 0 0 1 1 0 0\n}\ngeomTransf Linear 1 0 1 0\n\
+         element elasticBeamColumn 1 21 22 0.1 2e8 8e7 1e-3 1e-3 1e-3 1\ntimeSeries Linear 1\npattern Plain 1 1 { load 21 0 0 -9 0 0 0 }\nwipe\n",
+    );
+    let test = |words: &[&str]| {
+        place.run(&[&["bearing", "building.tcl", "-a", "0.2", "-n", "1", "--table", "json"], words].concat())
+    };
+    let (status, out, err) = test(&["--element", "12"]);
+    assert_eq!(status, Some(0), "{err}");
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&out).unwrap();
+    assert!((rows[0]["F_max"].as_f64().unwrap() - 30.0).abs() < 0.1, "{rows:?}");
+    let alone = fs::read_to_string(place.0.join("building_12_test/bearing.tcl")).unwrap();
+    let commands: Vec<&str> = alone.lines().map(|l| l.split_whitespace().next().unwrap()).collect();
+    assert_eq!(commands, ["model", "node", "node", "uniaxialMaterial", "element"], "{alone}");
+    assert!(
+        alone.contains("uniaxialMaterial Elastic 62 1.0e6\nelement elastomericBearingBoucWen 1 1 2 1000.0 10.0"),
+        "{alone}"
+    );
+    let (status, _, err) = test(&["--element", "13"]);
+    assert!(status == Some(2) && err.contains("the script makes no element 13: its elements are 11, 12, 1"), "{err}");
+}

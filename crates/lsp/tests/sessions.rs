@@ -277,6 +277,23 @@ fn formatting_changes_blanks_alone() {
 }
 
 #[test]
+fn lenses_stand_over_a_script_and_its_bearings() {
+    let mut e = Editor::with(json!({ "lenses": true }));
+    let beam = "geomTransf Linear 1\nelement elasticBeamColumn 3 1 2 0.1 2e8 1e-3 1\n";
+    let bearing = "uniaxialMaterial Steel01 1 10 1000 0.1\nelement zeroLength 7 1 2 -mat 1 -dir 1\n";
+    e.open(
+        "m.tcl",
+        &format!("model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 0\n{bearing}{}", beam.replace("1 2 0.1", "1 4 0.1")),
+    );
+    let lenses = e.request("textDocument/codeLens", json!({ "textDocument": { "uri": e.uri("m.tcl") } }));
+    let titles: Vec<&str> =
+        lenses.as_array().unwrap().iter().map(|l| l["command"]["title"].as_str().unwrap()).collect();
+    assert_eq!(titles, ["Run", "View", "Check", "Plot the loop of bearing 7"]);
+    assert_eq!(lenses[3]["range"]["start"], json!({ "line": 4, "character": 0 }));
+    assert_eq!(lenses[3]["command"]["arguments"][2], 7);
+}
+
+#[test]
 fn tokens_have_their_kinds() {
     let mut e = Editor::new();
     e.open("m.tcl", "# a\nfix 1 $b\n");

@@ -57,6 +57,18 @@ pub struct CalledCommand {
     pub model: usize,
 }
 
+/// A call that defines things, with all its words.
+pub struct Definition {
+    /// The things: kinds and tags.
+    pub things: Vec<(&'static str, String)>,
+    /// The words of the call, the name of the command being the first.
+    pub words: Vec<String>,
+    /// Things that the words name.
+    pub names: Vec<(&'static str, String)>,
+    /// Number of the model.
+    pub model: usize,
+}
+
 /// A model at its end, with the definitions beside it.
 #[derive(Clone, Debug)]
 pub struct IndexedModel {
@@ -75,6 +87,10 @@ pub struct Index {
     pub mentions: Vec<Mention>,
     /// The models, the last of which may still be built.
     pub models: Vec<IndexedModel>,
+    /// Every call that defines things, in their order, where they are kept.
+    pub definitions: Vec<Definition>,
+    /// Keep [`Index::definitions`].
+    pub keeps_definitions: bool,
     by_place: HashMap<Span, usize>,
     known: HashSet<Mention>,
 }
@@ -90,6 +106,11 @@ impl Index {
         let Some(span) = call.whole_span() else { return };
         let model = self.models.len();
         let notes = call.notes();
+        if self.keeps_definitions && done && command.defines.1 > 0 {
+            let words = (0..call.len()).map(|i| call.arg(i).as_str().into_owned()).collect();
+            let names = notes.names.iter().map(|(_, kind, tag)| (*kind, tag.clone())).collect();
+            self.definitions.push(Definition { things: defined(command, call), words, names, model });
+        }
         let count = match self.by_place.get(&span) {
             Some(i) => {
                 self.commands[*i].count += 1;

@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod alone;
 mod analysis;
 mod args;
 pub mod calls;
