@@ -1,6 +1,7 @@
 //! Help texts with examples, completions of shells and manual pages.
 
 use super::args::Arguments;
+use super::examples;
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use std::path::Path;
@@ -28,6 +29,16 @@ const EXAMPLES: &[(&str, &str)] = &[
     hysteron check study.toml
   Fail if there is a warning, for instance before a long batch.
     hysteron check --strict model.tcl",
+    ),
+    (
+        "init",
+        "Examples:
+  A complete example to begin with, in a folder of its own: building, bearing, study or isolation.
+    hysteron init --new building --out first
+  A first study of your own script and two recordings.
+    hysteron init model.tcl test1.csv test2.csv
+  An isolation study of your own script.
+    hysteron init --isolation building.tcl",
     ),
     (
         "bearing",
@@ -108,8 +119,10 @@ const EXAMPLES: &[(&str, &str)] = &[
 
 /// The command line with its examples.
 pub(super) fn command() -> Command {
-    let command =
-        Arguments::command().after_help("\"hysteron COMMAND --help\" shows options and examples of a command.");
+    let begin = format!("To begin with a complete example:\n{}\n", examples::list());
+    let more = "\"hysteron COMMAND --help\" shows options and examples of a command.";
+    let command = Arguments::command().after_help(begin + more);
+    let command = command.mut_subcommand("init", |c| c.arg_required_else_help(true));
     EXAMPLES.iter().fold(command, |command, (name, text)| command.mut_subcommand(name, |c| c.after_help(*text)))
 }
 

@@ -1,6 +1,7 @@
 //! `hysteron init`.
 
 use super::calibrate::{FAILURE, INPUT_ERROR, print_diagnostic};
+use super::examples::Job;
 use super::files::write_atomically;
 use super::limits::LimitArgs;
 use super::signals::{on_interrupt, stopped_status};
@@ -20,22 +21,30 @@ pub(super) struct InitArgs {
     #[command(flatten)]
     limits: LimitArgs,
     /// The script
-    model: PathBuf,
+    #[arg(required_unless_present = "new")]
+    model: Option<PathBuf>,
     /// Recordings, each of one run
-    #[arg(required_unless_present = "isolation")]
+    #[arg(required_unless_present_any = ["isolation", "new"])]
     recordings: Vec<PathBuf>,
+    /// Write a complete example of a job into the folder --out, else the current one
+    #[arg(long, value_enum, value_name = "JOB", conflicts_with_all = ["model", "recordings", "isolation"])]
+    new: Option<Job>,
     /// Write an isolation study of the script instead: its bearings by type, floors and gravity
     #[arg(long, conflicts_with = "recordings")]
     isolation: bool,
-    /// File of the study; study.toml beside the script if it is not given
+    /// File of the study; study.toml beside the script if it is not given. With --new a folder
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
 /// Write a first study of a script and recordings; the exit status.
 pub(super) fn init(args: &InitArgs) -> i32 {
+    if let Some(job) = args.new {
+        return example(job, args.out.as_deref().unwrap_or(Path::new(".")));
+    }
+    let Some(model) = &args.model else { return INPUT_ERROR };
     let beside = |p: &Path| p.parent().filter(|f| !f.as_os_str().is_empty()).map_or(PathBuf::from("."), Path::to_owned);
-    let out = args.out.clone().unwrap_or_else(|| args.model.with_file_name(STUDY));
+    let out = args.out.clone().unwrap_or_else(|| model.with_file_name(STUDY));
     if out.exists() {
         eprintln!("error: {} exists already; give another file with --out", out.display());
         return INPUT_ERROR;
@@ -44,10 +53,10 @@ pub(super) fn init(args: &InitArgs) -> i32 {
     on_interrupt(&stop);
     args.limits.enforce(&stop);
     if args.isolation {
-        return isolation(args, &out, &beside(&out), &stop);
+        return isolation(model, &out, &beside(&out), &stop);
     }
     let mut sources = SourceMap::default();
-    let text = match draft_study(&args.model, &args.recordings, &beside(&out), &stop, &mut sources) {
+    let text = match draft_study(model, &args.recordings, &beside(&out), &stop, &mut sources) {
         Ok(text) => text,
         Err(d) => {
             print_diagnostic(&d, &sources);
@@ -62,15 +71,33 @@ pub(super) fn init(args: &InitArgs) -> i32 {
     0
 }
 
+/// Write an example of a job; the exit status.
+fn example(job: Job, folder: &Path) -> i32 {
+    match job.write(folder) {
+        Ok(files) => {
+            files.iter().for_each(|path| eprintln!("written to {}", path.display()));
+            if folder != Path::new(".") {
+                eprintln!("go on in the folder {}:", folder.display());
+            }
+            job.next().iter().for_each(|command| eprintln!("  {command}"));
+            0
+        }
+        Err(message) => {
+            eprintln!("error: {message}");
+            INPUT_ERROR
+        }
+    }
+}
+
 /// Write an isolation study of the script; the exit status.
-fn isolation(args: &InitArgs, out: &Path, folder: &Path, stop: &Arc<AtomicBool>) -> i32 {
+fn isolation(model: &Path, out: &Path, folder: &Path, stop: &Arc<AtomicBool>) -> i32 {
     let relative = || {
-        let (model, folder) = (args.model.canonicalize().ok()?, folder.canonicalize().ok()?);
+        let (model, folder) = (model.canonicalize().ok()?, folder.canonicalize().ok()?);
         let shown = model.strip_prefix(&folder).map(Path::to_owned).unwrap_or(model);
         Some(shown.to_string_lossy().replace('\\', "/"))
     };
-    let name = relative().unwrap_or_else(|| args.model.to_string_lossy().into_owned());
-    let text = match draft(&args.model, &name, stop) {
+    let name = relative().unwrap_or_else(|| model.to_string_lossy().into_owned());
+    let text = match draft(model, &name, stop) {
         Ok(text) => text,
         Err(message) => {
             eprintln!("error: {message}");

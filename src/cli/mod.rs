@@ -15,6 +15,7 @@ mod compare;
 mod console;
 mod diagnose;
 mod element_alone;
+mod examples;
 mod explain;
 mod files;
 mod fragility;

@@ -438,3 +438,31 @@ fn opposite_recordings_of_one_motion_are_a_mistake_of_the_motion() {
     let (_, said) = check(&place);
     assert!(said.contains("force in all runs") && !said.contains("one motion by mistake"), "{said}");
 }
+
+/// The examples of all jobs are written, and the commands that are told next run.
+#[test]
+fn examples_to_begin_with_run() {
+    for job in ["building", "bearing", "study", "isolation"] {
+        let place = Place::new();
+        let (status, _, err) = place.run(&["init", "--new", job]);
+        assert_eq!(status, Some(0), "{job}: {err}");
+        let next: Vec<Vec<String>> = err
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("hysteron "))
+            .map(|command| command.split(' ').map(str::to_owned).collect())
+            .collect();
+        assert!(!next.is_empty(), "{job}: {err}");
+        // The first command alone: the analyses themselves are run by the tests of what is shipped.
+        let words: Vec<&str> = next[0].iter().map(String::as_str).collect();
+        let (status, out, err) = place.run(&words);
+        assert_eq!(status, Some(0), "{job}: {words:?}: {out}{err}");
+        for command in &next {
+            let file = command.iter().skip(1).find(|w| w.contains('.') && !w.starts_with('0')).unwrap();
+            assert!(place.0.join(file).exists(), "{job}: {command:?}");
+        }
+        let (status, _, err) = place.run(&["init", "--new", job]);
+        assert!(status == Some(2) && err.contains("exists already"), "{job}: {err}");
+    }
+    let (status, out, err) = Place::new().run(&[]);
+    assert!(status == Some(2) && (out + &err).contains("hysteron init --new building"));
+}
