@@ -60,13 +60,20 @@ impl Job {
         }
     }
 
-    /// Write the files into a folder. Nothing is written if one of them is there.
+    /// Write the files into a folder. Nothing is written if one of them is there with another content.
     ///
     /// # Errors
-    /// A file exists, or cannot be written.
+    /// Another file is in the place of one, or it cannot be written.
     pub(super) fn write(self, folder: &Path) -> Result<Vec<PathBuf>, String> {
-        let place = |path: &str| path.split('/').fold(folder.to_owned(), |folder, part| folder.join(part));
-        if let Some((path, _)) = self.files().iter().find(|(path, _)| place(path).exists()) {
+        let place = |path: &str| match folder == Path::new(".") {
+            true => PathBuf::from(path),
+            false => folder.join(path),
+        };
+        let is_other = |(path, text): &&File| {
+            let path = place(path);
+            path.exists() && std::fs::read(&path).ok().as_deref() != Some(text.as_bytes())
+        };
+        if let Some((path, _)) = self.files().iter().find(is_other) {
             return Err(format!("{} exists already; give another folder with --out", place(path).display()));
         }
         let write = |(path, text): &File| {

@@ -460,6 +460,10 @@ fn examples_to_begin_with_run() {
             let file = command.iter().skip(1).find(|w| w.contains('.') && !w.starts_with('0')).unwrap();
             assert!(place.0.join(file).exists(), "{job}: {command:?}");
         }
+        // The same again changes nothing; a file of the user's own stays.
+        assert_eq!(place.run(&["init", "--new", job]).0, Some(0), "{job}");
+        let own = next[0].iter().find(|w| place.0.join(w).is_file()).unwrap();
+        place.write(own, "own");
         let (status, _, err) = place.run(&["init", "--new", job]);
         assert!(status == Some(2) && err.contains("exists already"), "{job}: {err}");
     }
