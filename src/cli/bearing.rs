@@ -201,7 +201,7 @@ impl BearingArgs {
             return match (nodes.as_deref(), ndm) {
                 (Some(&[lower, upper]), Some(ndm @ 2..=3)) => {
                     let depends = depends_on_velocity(&run);
-                    Ok((Bearing { file, call: None, nodes: [lower, upper], ndm }, depends))
+                    Ok((Bearing { file, call: None, nodes: [lower, upper], ndm, is_held: false }, depends))
                 }
                 _ => Err(TestError::Message(format!(
                     "element 1 of \"{file}\" does not join two nodes in plane or space"
@@ -219,16 +219,28 @@ impl BearingArgs {
             return Err(TestError::Message(format!("{problem}: {procedures} (see --device)")));
         }
         let call = format!("{name} 1 1 2 {words}").trim_end().to_owned();
-        let bearing = Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3 };
+        let bearing = Bearing { file, call: Some(call), nodes: [1, 2], ndm: 3, is_held: false };
         let depends = self.made_bearing_depends_on_velocity(&bearing);
         Ok((bearing, depends))
     }
 
+    /// Hold the upper node along the vertical where nothing else does, and no axial load asks for it.
+    fn hold(&self, bearing: &mut Bearing) {
+        let is_axial = self.axial_load.axial != 0.0 || self.axial_load.axial_amplitude != 0.0;
+        if is_axial || self.motion == MotionKind::Axial {
+            return;
+        }
+        let mut run = silent();
+        let step = eval_to_text(&mut run.interp, &bearing.vertical_step(0.0));
+        if step.is_some_and(|code| code != "0") {
+            bearing.is_held = true;
+            eprintln!("note: the bearing has no stiffness along the vertical: its upper node is held there");
+        }
+    }
+
     /// Returns true if the forces of a bearing that a procedure makes depend on velocity. An error in it is left to the test.
     fn made_bearing_depends_on_velocity(&self, bearing: &Bearing) -> bool {
-        let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
-        let files = OverlayFiles::new(Box::new(OsFiles));
-        let mut run = Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles));
+        let mut run = silent();
         eval_to_text(&mut run.interp, &bearing.definition());
         depends_on_velocity(&run)
     }
@@ -239,6 +251,13 @@ impl BearingArgs {
         let tag = self.element.map(|tag| format!("_{tag}")).unwrap_or_default();
         self.out.clone().unwrap_or_else(|| format!("{stem}{tag}_test"))
     }
+}
+
+/// A session without messages.
+fn silent() -> Run {
+    let settings = Settings { mode: Mode::Run, strict: false, options: Options::default() };
+    let files = OverlayFiles::new(Box::new(OsFiles));
+    Run::new(settings, Box::new(Silent), Box::new(files), Box::new(NoFiles))
 }
 
 /// The path along the channels of displacements, in a unit if one is asked for.
@@ -331,7 +350,8 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
         file = in_folder("bearing.tcl");
         hysteron_files::write(&file, alone).map_err(cannot)?;
     }
-    let (bearing, depends_on_velocity) = args.bearing(&file)?;
+    let (mut bearing, depends_on_velocity) = args.bearing(&file)?;
+    args.hold(&mut bearing);
     let protocol = args.protocol(depends_on_velocity)?;
     protocol.check(bearing.ndm)?;
     hysteron_files::make_folders(&folder).map_err(cannot)?;

@@ -138,3 +138,22 @@ fn a_bearing_of_a_whole_model() {
     let (status, _, err) = test(&["--element", "13"]);
     assert!(status == Some(2) && err.contains("the script makes no element 13: its elements are 11, 12, 1"), "{err}");
 }
+
+/// A spring of the shear alone is held along the vertical, and said to be; an axial load is refused as before.
+#[test]
+fn a_bearing_without_vertical_stiffness() {
+    let place = place();
+    place.write(
+        "shear.tcl",
+        "model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 0\nuniaxialMaterial Steel01 7 50 5000 0.1\nelement zeroLength 1 1 2 -mat 7 -dir 1\n",
+    );
+    let (status, out, err) = place.run(&["bearing", "shear.tcl", "-a", "0.11", "-n", "1", "--table", "json"]);
+    assert!(status == Some(0) && err.contains("is held there"), "{err}");
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&out).unwrap();
+    // Yield at 0.01, then a tenth of the stiffness.
+    assert!((rows[0]["F_max"].as_f64().unwrap() - 100.0).abs() < 0.1, "{rows:?}");
+    let (status, _, err) = place.run(&["bearing", "shear.tcl", "-a", "0.11", "-P", "5"]);
+    assert!(status == Some(1) && err.contains("does not carry the axial load"), "{err}");
+    let (status, _, err) = place.run(&["bearing", "rubber.tcl", "-a", "0.1"]);
+    assert!(status == Some(0) && !err.contains("is held there"), "{err}");
+}

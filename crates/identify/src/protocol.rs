@@ -92,9 +92,27 @@ pub struct Bearing {
     pub nodes: [i32; 2],
     /// Dimensions of space, 2 or 3.
     pub ndm: usize,
+    /// The upper node is held along the vertical: the bearing has no stiffness there.
+    pub is_held: bool,
 }
 
 impl Bearing {
+    /// Commands of a static step under an axial load with the shear held; the result of the last one is 0 if the bearing
+    /// carries it.
+    pub fn vertical_step(&self, axial: f64) -> String {
+        let ([lower, upper], ndf) = (self.nodes, if self.ndm == 2 { 3 } else { 6 });
+        let flags: Vec<&str> = (1..=ndf).map(|d| if d == self.ndm { "0" } else { "1" }).collect();
+        format!(
+            "{}fix {lower} {}\nfix {upper} {}\ntimeSeries Linear 901\npattern Plain 901 901 {{ load {upper} {} }}\n\
+             constraints Plain\nnumberer Plain\nsystem FullGeneral\ntest NormDispIncr 1e-9 50\nalgorithm Newton\n\
+             integrator LoadControl 1.0\nanalysis Static\nanalyze 1\n",
+            self.definition(),
+            vec!["1"; ndf].join(" "),
+            flags.join(" "),
+            vertical_load(-axial, self.ndm, ndf)
+        )
+    }
+
     /// The commands that make it.
     pub fn definition(&self) -> String {
         let source = format!("source {}\n", word(&self.file));
@@ -184,7 +202,8 @@ impl Protocol {
         t.push('\n');
         let plane = bearing.ndm == 2;
         let driven = self.imposed_directions(plane);
-        let held = |d: usize| if driven.contains(&d) || d == bearing.ndm { "0" } else { "1" };
+        let is_free = |d: usize| driven.contains(&d) || d == bearing.ndm && !bearing.is_held;
+        let held = |d: usize| if is_free(d) { "0" } else { "1" };
         let ndf = if plane { 3 } else { 6 };
         let flags: Vec<&str> = (1..=ndf).map(held).collect();
         let _ = writeln!(t, "# The testing machine: the lower plate is held, the upper one moves without turning.");

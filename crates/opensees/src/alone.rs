@@ -24,6 +24,10 @@ pub fn element_alone(index: &Index, tag: Tag) -> Result<String, String> {
     let nodes = entry.map(|e| e.nodes.as_slice()).unwrap_or_default();
     let &[i, j] = nodes else { return Err(format!("element {tag} does not join two nodes: a test moves one of two")) };
     let (i, j) = (&model.nodes[i.0], &model.nodes[j.0]);
+    let asked = if i.ndm() == 2 { 3 } else { 6 };
+    if i.ndf != asked {
+        return Err(format!("the nodes of element {tag} have {} degrees of freedom: a test needs {asked}", i.ndf));
+    }
     let mut words = element.words.clone();
     let named: Vec<Option<i64>> =
         (0..2).map(|k| words.get(FIRST_NODE + k).and_then(|w| Value::from(w.as_str()).as_i64())).collect();

@@ -40,9 +40,9 @@ fn with_session<T>(work: impl FnOnce(&mut Tcl) -> T) -> T {
 }
 
 /// Works in a session that knows some definitions alone.
-pub(crate) fn with_definitions<T>(compat: bool, definitions: Definitions, work: impl FnOnce(&mut Tcl) -> T) -> T {
+pub(crate) fn with_definitions<T>(options: &Options, definitions: Definitions, work: impl FnOnce(&mut Tcl) -> T) -> T {
     with_session(|session| {
-        session.host.engine.options.compat = compat;
+        session.host.engine.options = options.clone();
         session.host.builder.definitions = definitions;
         work(session)
     })

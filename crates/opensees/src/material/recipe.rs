@@ -4,6 +4,7 @@ use super::{Kind, parameter_names};
 use crate::Tcl;
 use crate::args::{Args, number_names};
 use crate::recipes::{as_refusal, with_definitions};
+use hysteron_engine::analysis::Options;
 use hysteron_engine::material::{Material, Recipe, SharedUniaxial};
 use hysteron_engine::model::Definitions;
 use hysteron_engine::parameter::ParameterError;
@@ -21,8 +22,8 @@ pub(super) struct WordsOfMaterial {
     words: Vec<String>,
     /// Definitions that the words name.
     definitions: Option<Box<Definitions>>,
-    /// The laws follow OpenSees where it errs.
-    compat: bool,
+    /// Options of the session: the law may follow OpenSees where it errs.
+    options: Options,
     /// Places of the numbers among the words, with their names, once they have been asked for.
     places: Arc<OnceLock<Vec<(usize, String)>>>,
 }
@@ -35,7 +36,7 @@ impl WordsOfMaterial {
             kind,
             words: (0..call.len()).map(|i| call.arg(i).as_str().into_owned()).collect(),
             definitions: (!args.taken.is_empty()).then(|| Box::new(definitions.only(&args.taken))),
-            compat: interp.host.engine.options.compat,
+            options: interp.host.engine.options.clone(),
             places: Arc::default(),
         }
     }
@@ -43,7 +44,7 @@ impl WordsOfMaterial {
     /// The material of some words, and the names of its numbers with their places.
     fn make(&self, words: &[String]) -> Result<(Material, Vec<(usize, String)>), Exception> {
         let definitions = self.definitions.as_deref().cloned().unwrap_or_default();
-        with_definitions(self.compat, definitions, |interp| self.make_in(interp, words))
+        with_definitions(&self.options, definitions, |interp| self.make_in(interp, words))
     }
 
     fn make_in(&self, interp: &mut Tcl, words: &[String]) -> Result<(Material, Vec<(usize, String)>), Exception> {
@@ -99,7 +100,7 @@ impl Recipe for WordsOfMaterial {
         places.into_iter().for_each(|(place, sign)| words[place] = format!("{:e}", sign * value));
         let (material, _) = self.make(&words).map_err(as_refusal)?;
         let (definitions, places) = (self.definitions.clone(), self.places.clone());
-        let recipe = Self { kind: self.kind, words, definitions, compat: self.compat, places };
+        let recipe = Self { kind: self.kind, words, definitions, options: self.options.clone(), places };
         Ok((material.law().clone(), Arc::new(recipe)))
     }
 }
