@@ -74,16 +74,22 @@ fn words(line: &str) -> Vec<String> {
 
 /// Follow a page in a folder of its own; the number of commands that were run.
 fn follow(name: &str) -> usize {
+    follow_page(&format!("docs/tutorial/{name}"))
+}
+
+/// The same for a page of any folder.
+fn follow_page(name: &str) -> usize {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = fs::read_to_string(root.join("docs/tutorial").join(name)).unwrap();
-    let dir: PathBuf = std::env::temp_dir().join(format!("hysteron-tutorial-{name}-{}", std::process::id()));
+    let page = fs::read_to_string(root.join(name)).unwrap();
+    let stem = name.replace('/', "-");
+    let dir: PathBuf = std::env::temp_dir().join(format!("hysteron-tutorial-{stem}-{}", std::process::id()));
     let _ = fs::remove_dir_all(&dir);
     fs::create_dir_all(&dir).unwrap();
     std::os::unix::fs::symlink(root.join("tcl-like-inputs"), dir.join("tcl-like-inputs")).unwrap();
     let (mut said, mut commands) = (String::new(), 0);
     for block in blocks(&page) {
         let (language, rest) = block.info.split_once(' ').unwrap_or((&block.info, ""));
-        let place = format!("docs/tutorial/{name}:{}", block.line);
+        let place = format!("{name}:{}", block.line);
         if let Some(file) = rest.strip_prefix("file=") {
             fs::write(dir.join(file), &block.text).unwrap();
         } else if let Some(file) = rest.strip_prefix("excerpt=") {
@@ -141,6 +147,11 @@ fn untold(value: &serde_json::Value, page: &str, out: &mut Vec<String>) {
         serde_json::Value::Array(list) => list.iter().for_each(|v| untold(v, page, out)),
         _ => {}
     }
+}
+
+#[test]
+fn the_front_page() {
+    assert_eq!(follow_page("README.md"), 10);
 }
 
 #[test]

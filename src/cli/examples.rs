@@ -71,7 +71,7 @@ impl Job {
         };
         let is_other = |(path, text): &&File| {
             let path = place(path);
-            path.exists() && std::fs::read(&path).ok().as_deref() != Some(text.as_bytes())
+            path.exists() && hysteron_files::read_text(&path).ok().as_deref() != Some(*text)
         };
         if let Some((path, _)) = self.files().iter().find(is_other) {
             return Err(format!("{} exists already; give another folder with --out", place(path).display()));

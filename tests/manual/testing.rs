@@ -50,7 +50,7 @@ fn count(folder: &str) -> Tests {
 }
 
 /// Rows of a table of counts after its header, and the sum of a column.
-fn counted(file: &str, column: &str) -> (usize, u64) {
+pub(crate) fn counted(file: &str, column: &str) -> (usize, u64) {
     let text = fs::read_to_string(root().join(file)).unwrap();
     let mut lines = text.lines();
     let place = lines.next().unwrap().split(',').position(|name| name == column).unwrap();
@@ -58,7 +58,12 @@ fn counted(file: &str, column: &str) -> (usize, u64) {
     (cells.len(), cells.iter().sum())
 }
 
-fn rows(file: &str) -> usize {
+/// Folders in a folder.
+pub(crate) fn folders(folder: &str) -> usize {
+    fs::read_dir(root().join(folder)).unwrap().filter(|e| e.as_ref().unwrap().path().is_dir()).count()
+}
+
+pub(crate) fn rows(file: &str) -> usize {
     fs::read_to_string(root().join(file)).unwrap().lines().count() - 1
 }
 
