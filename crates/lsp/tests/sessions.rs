@@ -378,6 +378,9 @@ fn forty_mistakes_are_told() {
     }
     wrong.extend(left.iter().map(|(n, at)| format!("line {}: {at} is no mistake", n + 1)));
     assert_eq!((marked, wrong), (40, vec![]), "{}", short(&told).join("\n"));
+    // Each has a page of its own: "hysteron explain CODE".
+    let without: Vec<_> = told.iter().filter(|d| !d["code"].is_string()).collect();
+    assert!(without.is_empty(), "without a code: {without:?}");
 }
 
 #[test]

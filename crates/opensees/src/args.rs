@@ -134,6 +134,23 @@ impl<'a> Args<'a> {
         self.refuse_at(span, format!("there is no {absent}"), label).by(&words::NOT_DEFINED).absent(absent)
     }
 
+    /// The error for a tag that a thing of the kind has already, the last word taken.
+    pub(crate) fn exists(&self, kind: &'static str, tag: impl Display) -> Exception {
+        self.exists_at(self.last_span(), kind, tag)
+    }
+
+    /// The same with the place of the tag.
+    pub(crate) fn exists_at(&self, span: Option<Span>, kind: &'static str, tag: impl Display) -> Exception {
+        let article = if kind.starts_with(['a', 'e', 'i', 'o']) { "an" } else { "a" };
+        self.refuse_at(span, format!("there is {article} {kind} {tag} already"), "expected a new tag")
+            .by(&words::TAG_IN_USE)
+    }
+
+    /// The error for a file that cannot be read.
+    pub(crate) fn unreadable(&self, span: Option<Span>, name: impl Display, error: &dyn Display) -> Exception {
+        self.refuse_at(span, format!("cannot read \"{name}\": {error}"), "expected a file").by(&words::UNREADABLE_FILE)
+    }
+
     /// Refuse the body of a command that a host calls: its text would be run as Tcl, with all that Tcl may do.
     ///
     /// # Errors

@@ -230,7 +230,7 @@ fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PARAMETER);
     let tag = a.int("tag of the parameter")?;
     if interp.host.builder.parameters.contains_key(&tag) {
-        return Err(a.refuse(format!("there is a parameter {tag} already"), "expected a new tag"));
+        return Err(a.exists(things::PARAMETER, tag));
     }
     let mut new = Parameter::default();
     if let Some(value) = a.optional_float("value")? {

@@ -1,6 +1,15 @@
 //! Checks of the elements and sections.
 
 hysteron_tcl::checks! {
+    SAME_NODE "same-node":
+        "An element joins a node with itself.",
+        "A zeroLength element too needs two nodes: both may have the same coordinates.";
+    ZERO_VECTOR "zero-vector":
+        "A vector that gives a direction has no length.",
+        "In space the vector of geomTransf lies in the local x-z plane and is not parallel to the element.";
+    MATERIALS_AND_DIRECTIONS "materials-and-directions":
+        "A link has another number of materials than of directions.",
+        "Each direction behind -dir has the material in the same place behind -mat; one material may stand twice.";
     THERMAL_UNITS "thermal-units" (once):
         "The thermal constants of lead do not go with the units of the bearing.",
         "The lead heats as no lead does. The message gives the constants in common units. The defaults hold for SI.";

@@ -18,6 +18,12 @@ hysteron_tcl::checks! {
     NOT_DEFINED "not-defined":
         "A command names a thing that no command before it has defined.",
         "The label lists the tags that are defined. Define the thing first, or correct the tag.";
+    TAG_IN_USE "tag-in-use":
+        "A tag is given to a thing although another one of its kind has it.",
+        "Take a new tag. In a loop the tag must change with the counter; \"wipe\" forgets the model of before.";
+    UNREADABLE_FILE "unreadable-file":
+        "A file that a command reads is not there, or may not be read.",
+        "A path without a leading slash begins in the current folder of the program, as in OpenSees, not in that of the script.";
     UNKNOWN_KIND "unknown-kind":
         "A command asks for a kind or a name that is not known.",
         "The nearest known name is shown. \"hysteron commands\" with the name of the command lists all kinds.";

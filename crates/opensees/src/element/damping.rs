@@ -53,7 +53,7 @@ fn damping(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.dampings.add(tag, Arc::new(made)) {
-        return Err(a.refuse_at(span, format!("there is a damping {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::DAMPING, tag));
     }
     Ok(Value::EMPTY)
 }

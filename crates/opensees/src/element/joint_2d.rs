@@ -5,6 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::constraint;
 use crate::model::nodes::node_of;
+use crate::things;
 use hysteron_engine::element::{Element, Joint};
 use hysteron_engine::material::Material;
 use hysteron_engine::model::NodeId;
@@ -47,7 +48,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     }
     let centre = a.int("new tag of the central node")?;
     if interp.host.engine.model().node(centre).is_some() {
-        return Err(a.refuse(format!("there is a node {centre} already"), "expected a new tag for the centre"));
+        return Err(a.exists(things::NODE, centre));
     }
     let springs = springs(interp, a)?;
     if a.optional_int("flag of large displacements")?.is_some_and(|flag| flag != 0) {

@@ -69,8 +69,7 @@ impl Words {
                 let message = format!("{} stands beside {FILE}", o.name);
                 return Err(a.refuse_at(self.spans[0][0], message, "the file has the whole law"));
             }
-            let text = read_text(interp, name)
-                .map_err(|e| a.refuse_at(*span, format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+            let text = read_text(interp, name).map_err(|e| a.unreadable(*span, name, &e))?;
             return law_of_json(&text)
                 .map_err(|e| a.refuse_at(*span, format!("\"{name}\": {e}"), "expected a learned law"));
         }

@@ -163,7 +163,8 @@ impl Ends {
         let engine = &interp.host.engine;
         let (ni, nj) = (&engine.model().nodes[i.0], &engine.model().nodes[j.0]);
         if i == j {
-            return Err(a.refuse("the element joins a node with itself", "expected another node"));
+            let e = a.refuse("the element joins a node with itself", "expected another node");
+            return Err(e.by(&crate::checks::elements::SAME_NODE));
         }
         if ni.ndf != nj.ndf {
             let message = format!("node {} has {} degrees of freedom, node {} has {}", ni.tag, ni.ndf, nj.tag, nj.ndf);
@@ -196,7 +197,7 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     interp.host.note_kind("element", kind.names[0]);
     let tag = a.int("tag of the element")?;
     if interp.host.engine.model().element(tag).is_some() {
-        return Err(a.refuse(format!("there is an element {tag} already"), "expected a new tag"));
+        return Err(a.exists(things::ELEMENT, tag));
     }
     let (nodes, made) = match &kind.make {
         Make::TwoNodes(make) => {

@@ -76,7 +76,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     if mats.len() != dirs.len() {
         let message = format!("twoNodeLink: {} materials but {} directions", mats.len(), dirs.len());
-        return Err(a.refuse_at(last, message, "expected a direction for each material"));
+        let e = a.refuse_at(last, message, "expected a direction for each material");
+        return Err(e.by(&checks::elements::MATERIALS_AND_DIRECTIONS));
     }
     let line = ends.place.1 - ends.place.0;
     let length = if line.norm() > f64::EPSILON { line.norm() } else { 0.0 };

@@ -107,7 +107,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     if mats.len() > dirs.len() {
         let message = format!("zeroLength: {} materials but {} directions", mats.len(), dirs.len());
-        return Err(a.refuse_at(dirs.last().map_or(span, |d| d.1), message, "expected a direction for each material"));
+        let e = a.refuse_at(dirs.last().map_or(span, |d| d.1), message, "expected a direction for each material");
+        return Err(e.by(&checks::elements::MATERIALS_AND_DIRECTIONS));
     }
     let gap = (ends.place.1 - ends.place.0).norm();
     if gap > 1e-6 * ends.place.0.norm().max(ends.place.1.norm()) {

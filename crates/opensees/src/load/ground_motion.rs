@@ -65,7 +65,7 @@ fn ground_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let tag = a.int("tag of the ground motion")?;
     let (pattern, all) = motions(interp, &a)?;
     if all.contains_key(&tag) {
-        return Err(a.refuse(format!("there is a ground motion {tag} already"), "expected a new tag"));
+        return Err(a.exists(things::GROUND_MOTION, tag));
     }
     let motion = match a.word("kind of ground motion")?.as_ref() {
         "Plain" | "Series" => plain(interp, &mut a)?,

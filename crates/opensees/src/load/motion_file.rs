@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::host::Mode;
+use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::series::{self, Path};
 use hysteron_recordings::series::{channel_names, find_channel};
@@ -102,7 +103,7 @@ pub(super) fn read(
         let m = Measured::read_beside(name, bytes, beside)?;
         Ok((m.series(&told)?, m))
     });
-    let read = read.map_err(|e| a.refuse_at(span, format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    let read = read.map_err(|e| a.unreadable(span, name, &e))?;
     let (all, measured) =
         read.map_err(|e: Fault| a.refuse_at(span, format!("\"{name}\": {e}"), "expected a measured file"))?;
     let refuse = |e: Fault| a.refuse_at(span, format!("\"{name}\": {e}"), "expected one channel");
@@ -167,7 +168,7 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let series: series::Series = Arc::new(Path { values, dt, factor, use_last, start: 0.0 });
     read.note(interp, &series, name);
     if !interp.host.builder.definitions.series.add(tag, series) {
-        return Err(a.refuse_at(tag_span, format!("there is a time series {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(tag_span, things::SERIES, tag));
     }
     Ok(Value::list([Value::from(dt), Value::from(count as i64)]))
 }

@@ -65,7 +65,7 @@ fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
     let tag = a.int("tag of the pattern")?;
     if interp.host.engine.model().patterns.contains_key(&tag) {
-        return Err(a.refuse(format!("there is a load pattern {tag} already"), "expected a new tag"));
+        return Err(a.exists(things::PATTERN, tag));
     }
     Ok(tag)
 }

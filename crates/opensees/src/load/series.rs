@@ -52,7 +52,7 @@ fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let span = a.last_span();
     let series = (kind.make)(interp, &mut a)?;
     if !interp.host.builder.definitions.series.add(tag, series) {
-        return Err(a.refuse_at(span, format!("there is a time series {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::SERIES, tag));
     }
     Ok(Value::EMPTY)
 }
@@ -348,8 +348,7 @@ fn forward(times: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
 fn file(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
     let name = a.word("name of a file")?.into_owned();
     let span = a.last_span();
-    let text = crate::read_text(interp, &name)
-        .map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    let text = crate::read_text(interp, &name).map_err(|e| a.unreadable(a.last_span(), &name, &e))?;
     if let Some(values) = interp.host.number_files.find(&name, &text) {
         return Ok(values);
     }

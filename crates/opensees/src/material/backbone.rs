@@ -103,7 +103,7 @@ fn hysteretic_backbone(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.backbones.add(tag, Arc::new(made)) {
-        return Err(a.refuse_at(span, format!("there is a backbone {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::BACKBONE, tag));
     }
     Ok(Value::EMPTY)
 }

@@ -55,7 +55,7 @@ fn friction_model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.frictions.add(tag, made) {
-        return Err(a.refuse_at(span, format!("there is a friction model {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::FRICTION, tag));
     }
     Ok(Value::EMPTY)
 }

@@ -64,7 +64,7 @@ fn limit_curve(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let made = (kind.make)(&mut a, element)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.limit_curves.add(tag, made) {
-        return Err(a.refuse_at(span, format!("there is a limit curve {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::LIMIT_CURVE, tag));
     }
     Ok(Value::EMPTY)
 }

@@ -94,7 +94,7 @@ fn uniaxial_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     finish(interp, &a)?;
     let material = material.made_by(Arc::new(WordsOfMaterial::of(interp, kind, call, &a)));
     if !interp.host.builder.definitions.materials.add(tag, material) {
-        return Err(a.refuse_at(span, format!("there is a uniaxial material {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::MATERIAL, tag));
     }
     Ok(Value::EMPTY)
 }

@@ -290,7 +290,7 @@ fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let material = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.nd_materials.add(tag, material) {
-        return Err(a.refuse_at(span, format!("there is a material {tag} of continua already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::ND_MATERIAL, tag));
     }
     Ok(Value::EMPTY)
 }

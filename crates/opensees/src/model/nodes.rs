@@ -106,7 +106,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
     let tag = a.int("tag of the node")?;
     if interp.host.engine.model().node(tag).is_some() {
-        return Err(a.refuse(format!("there is a node {tag} already"), "expected a new tag"));
+        return Err(a.exists(things::NODE, tag));
     }
     let ndm = interp.host.builder.ndm;
     let coords = (0..ndm).map(|i| a.float(["x coordinate", "y coordinate", "z coordinate"][i]));

@@ -49,7 +49,8 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         a.flag("-vecxz");
         xz = vector(&mut a, 3, "vector in the local x-z plane")?;
         if xz.norm() == 0.0 {
-            return Err(a.refuse("the vector in the local x-z plane is zero", "expected a direction"));
+            let e = a.refuse("the vector in the local x-z plane is zero", "expected a direction");
+            return Err(e.by(&checks::elements::ZERO_VECTOR));
         }
     }
     let mut offsets = (Vector3::zeros(), Vector3::zeros());
@@ -73,8 +74,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let transform =
         TransformSpec { kind: kind.make, xz, offsets, by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]) };
     if !interp.host.builder.definitions.transforms.add(tag, transform) {
-        let message = format!("there is a geometric transformation {tag} already");
-        return Err(a.refuse_at(span, message, "expected a new tag"));
+        return Err(a.exists_at(span, things::TRANSFORM, tag));
     }
     Ok(Value::EMPTY)
 }

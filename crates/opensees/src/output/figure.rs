@@ -19,7 +19,7 @@ fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, COLUMNS);
     let name = a.word("name of the file")?.into_owned();
     let read = measured(interp, &name, |bytes, beside| Table::read_beside(&name, bytes, beside));
-    let read = read.map_err(|e| a.refuse(format!("cannot read \"{name}\": {e}"), "expected a file"))?;
+    let read = read.map_err(|e| a.unreadable(a.last_span(), &name, &e))?;
     let table = read.map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
     let column = |c: Vec<f64>| Value::list(c.into_iter().map(Value::from));
     Ok(Value::list(table.columns.into_iter().map(column)))

@@ -340,7 +340,8 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
             let d = Diagnostic::error(format!("unknown response of a node \"{name}\""));
             let d =
                 d.at(*span, "expected a response").suggest(name, nearest(name, NodeQuantity::NAMES.iter().copied()));
-            Exception::diagnosed(d.help(format!("known: {}", NodeQuantity::NAMES.join(", "))))
+            let d = d.help(format!("known: {}", NodeQuantity::NAMES.join(", ")));
+            Exception::diagnosed(d.by(&checks::words::UNKNOWN_KIND))
         })?,
     };
     let source = NodeResponse::new(quantity, nodes, columns, series);

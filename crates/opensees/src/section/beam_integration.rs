@@ -110,7 +110,7 @@ fn beam_integration(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     finish(interp, &a)?;
     let made = integration(interp, &a, &name, &numbers)?;
     if !interp.host.builder.definitions.integrations.add(tag, made) {
-        return Err(a.refuse_at(span, format!("there is a beam integration {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::INTEGRATION, tag));
     }
     Ok(Value::EMPTY)
 }

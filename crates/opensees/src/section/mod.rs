@@ -105,7 +105,7 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
     };
     if !added {
-        return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::SECTION, tag));
     }
     Ok(Value::EMPTY)
 }

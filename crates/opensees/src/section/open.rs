@@ -4,6 +4,7 @@ use super::fiber::ContinuumFiber;
 use super::nd_fiber::NdFiberOptions;
 use super::{FiberOptions, fiber_options};
 use crate::args::Args;
+use crate::things;
 use crate::{Outcome, Tcl};
 use hysteron_engine::model::Tag;
 use hysteron_engine::section::Fiber;
@@ -50,7 +51,7 @@ pub(super) fn open(interp: &mut Tcl, a: &mut Args<'_>, tag: Tag, continua: bool)
     let span = a.last_span();
     let definitions = &interp.host.builder.definitions;
     if definitions.sections.get(tag).is_some() || definitions.plates.get(tag).is_some() {
-        return Err(a.refuse_at(span, format!("there is a section {tag} already"), "expected a new tag"));
+        return Err(a.exists_at(span, things::SECTION, tag));
     }
     let fibers = if continua {
         Fibers::Continuum(NdFiberOptions::take(interp, a, 0)?, vec![])
