@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds what is delivered: a static binary with models, examples and documents as an archive for each platform, a .deb,
-# and SHA256SUMS. The files go to target/delivery.
+# the notes of the release from CHANGELOG.md, and SHA256SUMS. The files go to target/delivery.
 #
 #   scripts/release.sh            all platforms below
 #   scripts/release.sh TARGET...  some of them, by the name of Rust's target
@@ -124,13 +124,21 @@ CONTROL
     rm -rf "$root"
 }
 
-# The archive is unpacked, and its program analyses a model in an empty folder.
+# The changes of this version, for the page of the release.
+notes() {
+    awk -v version="$version" '/^## \[/ { on = index($0, "[" version "]") } on' CHANGELOG.md > "$out/hysteron-$version-notes.md"
+    [ -s "$out/hysteron-$version-notes.md" ] || { echo "CHANGELOG.md has no version $version" >&2; exit 1; }
+}
+
+# The archive is unpacked. Its program analyses a model and calibrates an example of its own in an empty folder.
 try() {
     place=$out/trial
     mkdir -p "$place/unpacked" "$place/empty"
     tar -xzf "$out/hysteron-$version-$native.tar.gz" -C "$place/unpacked"
     home=$(cd "$place/unpacked/hysteron-$version-$native" && pwd)
-    (cd "$place/empty" && env -i PATH=/usr/bin:/bin "$home/hysteron" run "$home/tcl-like-inputs/isolated_building.tcl")
+    (cd "$place/empty" && env -i PATH=/usr/bin:/bin "$home/hysteron" run "$home/tcl-like-inputs/isolated_building.tcl" &&
+        env -i PATH=/usr/bin:/bin "$home/hysteron" init --new study &&
+        env -i PATH=/usr/bin:/bin "$home/hysteron" calibrate study.toml)
     case $(ldd "$home/hysteron" 2>&1 || true) in
     *"statically linked"* | *"not a dynamic executable"*) echo "the binary is static" ;;
     *)
@@ -162,6 +170,7 @@ for target in $targets; do
     fi
 done
 rm -rf "$out/helpers" "$out"/hysteron-"$version"-*/
+notes
 if has sha256sum; then sum="sha256sum"; else sum="shasum -a 256"; fi
 (cd "$out" && $sum hysteron* > SHA256SUMS)
 printf '\n%s' "$report"
