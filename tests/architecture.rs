@@ -5,6 +5,8 @@
 
 #[path = "architecture/layers.rs"]
 mod layers;
+#[path = "architecture/locks.rs"]
+mod locks;
 
 use layers::{LAYERS, Layers};
 use std::collections::{BTreeMap, BTreeSet};
