@@ -37,9 +37,20 @@ fn transformation(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
 }
 
 fn penalty(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
-    let single = a.usually_positive(interp, "penalty alphaS of single-point constraints")?;
-    let multi = a.usually_positive(interp, "penalty alphaM of multi-point constraints")?;
+    let single = penalty_of(interp, a, "penalty alphaS of single-point constraints")?;
+    let multi = penalty_of(interp, a, "penalty alphaM of multi-point constraints")?;
     Ok(Handler::Penalty { single, multi })
+}
+
+/// A penalty. One of 0 gives the matrices of the model without its constraints, which some programs ask for.
+fn penalty_of(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+    let x = a.usually_not_negative(interp, what)?;
+    if x == 0.0 {
+        let message = format!("{what} is 0: the analysis does without them");
+        let d = Diagnostic::warning(&checks::analysis::NO_PENALTY, message);
+        warn(interp, d.at(a.last_span(), "as in OpenSees"))?;
+    }
+    Ok(x)
 }
 
 fn lagrange(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {

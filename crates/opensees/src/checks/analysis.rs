@@ -4,6 +4,9 @@ hysteron_tcl::checks! {
     NO_ANALYSIS "no-analysis":
         "The command analyze stands before any command analysis.",
         "It returns -1 and does nothing, as in OpenSees.";
+    NO_PENALTY "no-penalty" (once):
+        "A handler of constraints has a penalty of zero, so that nothing is held.",
+        "The matrices are those without constraints. For an analysis take \"constraints Transformation\".";
     FAILED_STEP "failed-step":
         "A step of an analysis has failed.",
         "The command analyze returns a negative number, and the script decides. The message says where the largest \
