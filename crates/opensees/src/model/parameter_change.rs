@@ -2,7 +2,7 @@
 //!
 //! A parameter may stand behind any number of an element. The script is therefore run a second time, up to its first
 //! analysis, with the other value. The elements that it makes take the places of those that the model had there, and keep
-//! their state. An element that is in such a place since is not the script's own, and is refused.
+//! their state. An element that was made or changed since is not one of these, and is refused.
 
 use crate::args::Args;
 use crate::{Outcome, Tcl, finish};
@@ -56,6 +56,9 @@ impl Change {
 
 /// Elements by tag.
 pub(crate) type Elements = BTreeMap<Tag, Arc<dyn Element>>;
+
+/// Elements with their places in the model.
+type PlacedElements = Vec<(ElementId, Arc<dyn Element>)>;
 
 /// Changes of parameters in time.
 #[derive(Default)]
@@ -172,8 +175,7 @@ fn take_elements(interp: &mut Tcl, call: &Call<'_>, begin: f64, end: f64) -> Res
     if parts == changes.parts {
         return Ok(());
     }
-    let made = |changes: &ParameterChanges| changes.made.iter().position(|(known, _)| *known == parts);
-    let index = match made(changes) {
+    let index = match changes.made.iter().position(|(known, _)| *known == parts) {
         Some(index) => index,
         None => {
             let elements = elements_for(interp, call, &parts)?;
@@ -189,7 +191,7 @@ fn take_elements(interp: &mut Tcl, call: &Call<'_>, begin: f64, end: f64) -> Res
 }
 
 /// Elements of an index of [`ParameterChanges::made`], with their places in the model.
-fn replacements(interp: &Tcl, call: &Call<'_>, index: usize) -> Result<Vec<(ElementId, Arc<dyn Element>)>, Exception> {
+fn replacements(interp: &Tcl, call: &Call<'_>, index: usize) -> Result<PlacedElements, Exception> {
     let (model, changes) = (interp.host.engine.model(), &interp.host.changes);
     let (present, new) = (&changes.made[changes.present].1, &changes.made[index].1);
     let mut replaced = Vec::with_capacity(new.len());
