@@ -227,6 +227,8 @@ class Case:
         }
         if self.imperfections:
             truth["imperfections"] = self.imperfections.said
+            # The small effect is there. Its name is no invention.
+            truth["accept_as_arguable"] = [kind for kind, *_ in self.imperfections.shape]
         with open(os.path.join(folder, "truth.json"), "w") as f:
             json.dump(truth, f, indent=1)
             f.write("\n")
