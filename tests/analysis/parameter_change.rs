@@ -115,6 +115,47 @@ fn a_shaken_model_goes_on_from_its_motion() {
     assert!(!close(updated[79], shaken("", "")[79], 1e-3));
 }
 
+/// The variables of a large frame are placed once for each change, and not once for each of its elements.
+#[test]
+fn elements_of_a_large_frame_are_replaced_together() {
+    const SPRINGS: usize = 2000;
+    let frame =
+        format!("{MODEL}; for {{set i 2}} {{$i <= {SPRINGS}}} {{incr i}} {{element zeroLength $i 1 2 -mat 3 -dir 1}}");
+    let plain = pulled(&frame, "");
+    let changed = pulled(&frame, "amend parameter Fy -factor 2 -from 0.53 -to 1.4");
+    assert_same(&forces(&changed), &expected(|i| if i == 6 { 0.7 } else { within(7..=14)(i) }));
+    let revisions = |ran: &Ran| ran.interp.host.engine.model().revision();
+    // The frame gets other elements in steps 6, 7 and 15.
+    let added = revisions(&changed) - revisions(&plain);
+    assert!((3..=6).contains(&added), "{added} changes of the model");
+}
+
+/// The second run of the script knows nothing of what stands after the first analysis.
+#[test]
+fn elements_that_are_not_those_of_the_first_analysis_are_refused() {
+    let between = |between: &str| {
+        let ran = Script::default().run(&format!(
+            "wipe; model basic -ndm 1 -ndf 1; node 1 0; node 2 0 -mass 2.0; fix 1 1; pset k 80.
+            uniaxialMaterial Elastic 1 $k; element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 1 2 -mat 1 -dir 1
+            timeSeries Sine 1 0. 9. 1.3; pattern UniformExcitation 1 1 -accel 1
+            amend parameter k -factor 0.6 -from 2.0
+            constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-12 20; algorithm Newton
+            integrator Newmark 0.5 0.25; analysis Transient
+            analyze 10 0.05; {between}; puts [analyze 40 0.05]"
+        ));
+        let done = ran.out.ends_with("0\n");
+        if done { ran.out } else { ran.error().message.clone() }
+    };
+    assert_eq!(between(""), "0\n");
+    assert_eq!(between("remove element 2"), "0\n");
+    for (command, tag) in [
+        ("parameter 1 element 2 material 1 E; updateParameter 1 48.", 2),
+        ("element zeroLength 3 1 2 -mat 1 -dir 1", 3),
+    ] {
+        assert_eq!(between(command), format!("element {tag} was made or changed after the first analysis began"));
+    }
+}
+
 #[test]
 fn mistakes_are_refused() {
     for (change, message) in [

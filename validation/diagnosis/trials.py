@@ -16,10 +16,11 @@ from evaluation import checks, score
 from generator.plan import draw, plan
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+TABLE = os.path.join(HERE, "trials.csv")
 
 
 def make(args):
-    case = draw(args.seed, args.ratio, args.cause)
+    case = draw(args.seed, args.ratio, args.cause, args.imperfect)
     truth = case.write(args.out)
     print(f"{args.out}: {truth['cause']} {truth['also']} {truth['kinds']} in a {truth['family']}, effect over noise {truth['effect_over_noise']}")
 
@@ -41,7 +42,7 @@ def one(job):
     seed, args = job
     options = ["--threads", "1"] + (["--verbose"] if args.keep else []) + shlex.split(args.options)
     try:
-        return score.trial(seed, args.engine, options, args.limit, args.keep, args.ratio, args.cause, args.knock_out)
+        return score.trial(seed, args.engine, options, args.limit, args.keep, args.ratio, args.cause, args.knock_out, args.imperfect)
     except Exception as e:  # a case that cannot be made is a row too, not the end of the run
         return dict.fromkeys(score.FIELDS, "") | {"seed": seed, "status": f"case: {e!r}"[:120]}
 
@@ -94,14 +95,17 @@ def main():
     r.add_argument("--engine", default="hysteron")
     r.add_argument("--options", default="", help="more options of `hysteron diagnose`, as '--without friction'")
     r.add_argument("--knock-out", action="store_true", help="leave the truth of each case out of the library; cases without a listed one are left out")
-    r.add_argument("--csv", default=os.path.join(HERE, "trials.csv"))
+    r.add_argument("--csv", default=TABLE)
     r.add_argument("--keep", help="a folder in which studies and what was said stay")
     r.add_argument("--limit", type=float, default=1800.0, help="seconds a case may take")
     r.set_defaults(call=run)
     for sub in (p, q, r):
         sub.add_argument("--cause", help="instead of the cause of the seed's plan")
+        sub.add_argument("--imperfect", action="store_true", help="the model has other small errors too; the table needs a file of its own")
         sub.add_argument("--ratio", type=float, help="effect over noise, instead of the plan's")
     args = parser.parse_args()
+    if args.imperfect and getattr(args, "csv", None) == TABLE:
+        parser.error("--imperfect: give the table of these trials by --csv")
     args.call(args)
 
 

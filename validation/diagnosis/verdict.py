@@ -63,7 +63,7 @@ def of_batches(folder, left_out):
         yield line(f"{batch}/{name}{' left out' if left_out else ''}", batch, truth, read(path), left_out)
 
 
-def of_trials(folder, table, left_out):
+def of_trials(folder, table, left_out, imperfect):
     with open(table) as f:
         rows = [r for r in csv.DictReader(f) if r["status"] == "done" and float(r["self_check"] or 0.0) <= MAX_SELF_CHECK]
     for r in rows:
@@ -71,8 +71,8 @@ def of_trials(folder, table, left_out):
         if os.path.exists(path):
             truth = {"cause": r["cause"], "also": r["also"].split()}
             # All left out are of one author, so that every third seed is a group.
-            group = f"left out {int(r['seed']) % 3 + 1}" if left_out else f"trials {r['family']}"
-            yield line(f"trial {r['seed']}{' left out' if left_out else ''}", group, truth, read(path), left_out)
+            group = f"left out {int(r['seed']) % 3 + 1}" if left_out else f"{'imperfect' if imperfect else 'trials'} {r['family']}"
+            yield line(f"{'imperfect ' if imperfect else ''}trial {r['seed']}{' left out' if left_out else ''}", group, truth, read(path), left_out)
 
 
 def known():
@@ -86,7 +86,7 @@ def collect(args):
     cases = known()
     found = list(of_batches(args.batches, args.left_out)) if args.batches else []
     if args.trials:
-        found += of_trials(args.trials, args.csv or os.path.join(args.trials, "trials.csv"), args.left_out)
+        found += of_trials(args.trials, args.csv or os.path.join(args.trials, "trials.csv"), args.left_out, args.imperfect)
     cases.update((one["case"], one) for one in found)
     with lzma.open(EVIDENCE, "wt", preset=9 | lzma.PRESET_EXTREME) as f:
         for name in sorted(cases):
@@ -209,6 +209,7 @@ def main():
     p.add_argument("--trials", help="folder of `trials.py run --keep`")
     p.add_argument("--csv", help="table of these trials")
     p.add_argument("--left-out", action="store_true", help="the concealed cause was taken out of the library, so that `unknown` is right")
+    p.add_argument("--imperfect", action="store_true", help="the trials were made with `trials.py run --imperfect`: groups of their own")
     p.set_defaults(call=collect)
     commands.add_parser("fit", help="fit the weights and write the tables").set_defaults(call=fit)
     commands.add_parser("tables", help="write the tables from the predictions").set_defaults(call=tables)

@@ -26,10 +26,9 @@ type Hessian = SMatrix<f64, FEATURE_COUNT, FEATURE_COUNT>;
 /// Ridges that cross-validation chooses from.
 const RIDGES: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
 /// Features whose weight cannot be negative: more of them speaks for the candidate.
-const POSITIVE: [&str; 16] = [
+const POSITIVE: [&str; 15] = [
     "gain",
     "ln_gap_of_look_alike",
-    "visible",
     "auxiliary",
     "equal_gain",
     "predicted",

@@ -52,8 +52,8 @@ def located(truth, mismatch):
     return int(place), f"{overlap(where['windows'], same[0]['windows']):.3f}" if same else "0"
 
 
-def trial(seed, engine, options, limit, keep=None, ratio=None, cause=None, knock_out=False):
-    case = draw(seed, ratio, cause)
+def trial(seed, engine, options, limit, keep=None, ratio=None, cause=None, knock_out=False, imperfect=False):
+    case = draw(seed, ratio, cause, imperfect)
     if knock_out:
         options = options + [word for name in case.truth for word in ("--without", name)]
     with tempfile.TemporaryDirectory() as scratch:

@@ -23,6 +23,8 @@ class Case:
     """`effects` is a list of causes or of kinds of unknown; `ratio` is effect over noise: rms of what the analyst's parameters
     cannot take up (by their sensitivities) over rms of the noise, both over the standard deviation of the channel."""
 
+    imperfections = None
+
     def __init__(self, model, truth, effects, ratio, rng):
         self.model, self.truth, self.effects, self.ratio, self.rng = model, truth, effects, ratio, rng
         self.seeds = [rng.randrange(1 << 30) for _ in effects]
@@ -45,13 +47,25 @@ class Case:
 
     def response(self, run, strengths):
         """Channels of a run with the effects at these strengths."""
+        inside = self.concealed(strengths)
+        return self.faulty(run, self.model.respond(run, self.model.parameters, inside) if inside else self.clean[run.name], strengths)
+
+    def recorded(self, run):
+        """Channels of a run as they are recorded, without noise."""
+        if not self.imperfections:
+            return self.response(run, self.strengths)
+        return self.faulty(run, self.imperfections.respond(run, self.concealed(self.strengths)), self.strengths)
+
+    def concealed(self, strengths):
         m = self.model
-        inside = [m.conceal(e, s, k, p) for e, s, k, p in zip(self.effects, strengths, self.seeds, self.places) if e not in FAULT and s > 0.0]
-        out = m.respond(run, m.parameters, inside) if inside else self.clean[run.name]
+        return [m.conceal(e, s, k, p) for e, s, k, p in zip(self.effects, strengths, self.seeds, self.places) if e not in FAULT and s > 0.0]
+
+    def faulty(self, run, out, strengths):
+        """Channels with the faults of sensors at these strengths."""
         out = {c: list(v) for c, v in out.items()}
         for e, s, seed, place in zip(self.effects, strengths, self.seeds, self.places):
             if e in FAULT and s > 0.0:
-                fault = FAULT[e](seed, s, *place, run.seconds, m.slow)
+                fault = FAULT[e](seed, s, *place, run.seconds, self.model.slow)
                 for channel in out:
                     if fault.hits(run.name, channel):
                         out[channel] = fault.apply(out[channel], run.every, self.tops[channel])
@@ -88,7 +102,10 @@ class Case:
     def residual(self, strengths):
         """The part of the effects that no small change of the parameters gives, stacked."""
         r = self.stacked({r.name: self.response(r, strengths) for r in self.fit})
-        zero = self.stacked(self.clean)
+        return self.off_parameters(r, self.stacked(self.clean))
+
+    def off_parameters(self, r, zero):
+        """The part of a stacked response that no small change of the parameters gives from another one."""
         r = [a - b for a, b in zip(r, zero)]
         for b in self.basis:
             dot = sum(x * y for x, y in zip(r, b))
@@ -154,7 +171,7 @@ class Case:
         each = {c.name: rng.uniform(0.7, 1.4) for c in m.channels}
         floors = {"fit": [], "holdout": []}
         for run in m.runs:
-            response = self.response(run, self.strengths)
+            response = self.recorded(run)
             step = run.dt * rng.uniform(1.05, 1.6)
             if run.seconds / step > 1500:
                 step = run.seconds / 1500
@@ -168,7 +185,10 @@ class Case:
                 true = [sample(x, run.every, t) for t in times]
                 var = signals.variance(true)
                 size = self.level * each[c.name] * math.sqrt(var)
-                noise = [size * v for v in signals.noise(rng, kind, len(times), step)]
+                if self.imperfections:
+                    noise = self.imperfections.noise_of(kind, true, step, size)
+                else:
+                    noise = [size * v for v in signals.noise(rng, kind, len(times), step)]
                 floors[run.role].append(sum(v * v for v in noise) / len(noise) / var)
                 values = [f"{a + b:.6g}" for a, b in zip(true, noise)]
                 if rng.random() < 0.2:
@@ -205,6 +225,10 @@ class Case:
             "underlying_parameters": {k: float(number(v)) for k, v in m.parameters.items()},
             "family": m.family,
         }
+        if self.imperfections:
+            truth["imperfections"] = self.imperfections.said
+            # The small effect is there. Its name is no invention.
+            truth["accept_as_arguable"] = [kind for kind, *_ in self.imperfections.shape]
         with open(os.path.join(folder, "truth.json"), "w") as f:
             json.dump(truth, f, indent=1)
             f.write("\n")

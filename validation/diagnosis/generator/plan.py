@@ -4,6 +4,7 @@ import random
 
 from .case import Case
 from .chains import Chain
+from .imperfect import Imperfections
 from .pads import Pad
 from .platforms import Platform
 
@@ -77,8 +78,8 @@ def plan(seed):
 RATIOS = (1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0)
 
 
-def draw(seed, ratio=None, cause=None):
-    """The case of a seed. `cause` and `ratio` overrule its plan."""
+def draw(seed, ratio=None, cause=None, imperfect=False):
+    """The case of a seed. `cause` and `ratio` overrule its plan. An imperfect one has other small errors too."""
     family, truth, effects = plan(seed)
     rng = random.Random(f"case {seed}")
     if cause == "none":
@@ -91,4 +92,7 @@ def draw(seed, ratio=None, cause=None):
     if truth[0] == "unknown" or len(truth) > 1:
         drawn = max(drawn, 6.0)
     model = MAKERS[family](rng, effects or ["none"], family)
-    return Case(model, truth, effects, ratio or drawn, rng)
+    case = Case(model, truth, effects, ratio or drawn, rng)
+    if imperfect:
+        case.imperfections = Imperfections(seed, case)
+    return case

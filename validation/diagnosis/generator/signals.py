@@ -15,6 +15,14 @@ def interpolate(times, values, at):
     return values[i - 1] + (values[i] - values[i - 1]) * (at - t0) / (t1 - t0)
 
 
+def interpolate_even(x, at):
+    """Linear interpolation between samples, constant beyond the ends."""
+    if at <= 0.0:
+        return x[0]
+    i = min(int(at), len(x) - 2)
+    return x[i] + (x[i + 1] - x[i]) * min(1.0, at - i)
+
+
 def peak(x):
     return max(abs(v) for v in x)
 

@@ -71,10 +71,12 @@ impl ModalModel {
         let horizontal = self.horizontal();
         let engine = &mut self.run.interp.host.engine;
         let tags = study.bearings.iter().flat_map(|b| &b.tags);
+        let mut linear: Vec<(_, Arc<dyn Element>)> = Vec::with_capacity(self.bearings.len());
         for ((of, id, kind, _), tag) in self.bearings.iter().zip(tags) {
             let new = Linearized::new(of.as_ref(), horizontal, stiffnesses[*kind]);
-            engine.replace_element(*id, Arc::new(new.map_err(|e| format!("the bearing {tag} {e}"))?));
+            linear.push((*id, Arc::new(new.map_err(|e| format!("the bearing {tag} {e}"))?)));
         }
+        engine.replace_elements(linear);
         let mut count = self.wanted;
         self.modes = loop {
             match engine.find_modes(ModeRequest::smallest(count)) {

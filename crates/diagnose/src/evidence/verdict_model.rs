@@ -16,7 +16,7 @@ use crate::prior::{LAPSE_SHARE, MIN_HOLDOUT_SIGNAL_RATIO};
 use std::collections::BTreeMap;
 
 /// Number of features.
-pub const FEATURE_COUNT: usize = 28;
+pub const FEATURE_COUNT: usize = 26;
 
 /// Names of the features, in their order.
 pub const FEATURES: [&str; FEATURE_COUNT] = [
@@ -27,7 +27,6 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "ln_gap_of_look_alike",
     "pair",
     "at_bound",
-    "visible",
     "auxiliary",
     "equal_gain",
     "channel_fault",
@@ -50,7 +49,6 @@ pub const FEATURES: [&str; FEATURE_COUNT] = [
     "unknown_recurrence",
     "unknown_line",
     "unknown_common",
-    "unknown_visible",
 ];
 
 /// Names of what the log odds of a second effect depend on.
@@ -173,7 +171,6 @@ impl Case<'_> {
             ("ln_gap_of_look_alike", if h.looks_like_first { gap.ln_1p() } else { 0.0 }),
             ("pair", flag(pair)),
             ("at_bound", flag(h.parameters_at_bound > 0)),
-            ("visible", flag(visible)),
             ("auxiliary", if visible { 0.0 } else { h.direct_log_odds / AUXILIARY_SCALE }),
             ("equal_gain", if first { 0.0 } else { h.equal_gain.unwrap_or(0.0) }),
             ("channel_fault", flag(h.channel_fault)),
@@ -198,7 +195,6 @@ impl Case<'_> {
     fn unknown(&self) -> CandidateFeatures {
         let e = self.evidence;
         let named = e.hypotheses.first().is_some_and(|h| h.cause != "none");
-        let visible = e.hypotheses.first().is_some_and(|h| h.direct_log_odds > MIN_VISIBLE_LOG_ODDS);
         let after = structure(&e.structure_after);
         let unexplained = if named { 1.0 - e.explained_share } else { 1.0 };
         let remaining = e.hypotheses.first().map_or(1.0, |h| (h.nmse / e.nmse_before).clamp(0.0, 1.0));
@@ -215,7 +211,6 @@ impl Case<'_> {
             ("unknown_recurrence", kind("recurrence")),
             ("unknown_line", kind("line")),
             ("unknown_common", kind("common")),
-            ("unknown_visible", flag(visible)),
         ])
         .candidate("unknown")
     }

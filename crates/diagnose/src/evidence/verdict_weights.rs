@@ -10,7 +10,6 @@ pub(crate) const WEIGHTS: &[(&str, f64)] = &[
     ("ln_gap_of_look_alike", 0.9607),
     ("pair", -0.9549),
     ("at_bound", -1.3545),
-    ("visible", 0.0000),
     ("auxiliary", 0.4850),
     ("equal_gain", 0.5796),
     ("channel_fault", -0.3464),
@@ -31,7 +30,6 @@ pub(crate) const WEIGHTS: &[(&str, f64)] = &[
     ("unknown_recurrence", 0.8941),
     ("unknown_line", 0.7915),
     ("unknown_common", -0.0016),
-    ("unknown_visible", 0.0000),
 ];
 
 /// Constant and weight of ln(1 + gain) in the log odds that the second effect of a pair is present if the first is.

@@ -1,47 +1,33 @@
 //! From ranked hypotheses to the verdict and the repaired model.
 
-use super::all_runs::{displacements, fits_of_all_runs, script_steps};
-use super::device_loop::{BlamedParts, DeviceLoop, LoopSources, blamed_parts, repaired_responses};
-use super::diagnosis::{Diagnosis, RankedHypothesis};
-use super::discriminating_test::discriminating_test;
-use super::explanation::observation;
+use super::all_runs::fits_of_all_runs;
+use super::diagnosis::Diagnosis;
 use super::gates::GatedRepair;
-use super::learned::{LearnedContext, learned_repair};
-use super::mismatch::mismatches;
-use super::nearest::nearest_in_words;
-use super::quantity::Units;
-use super::residual_force::{FittedModelRuns, ResidualForce, residual_forces};
-use super::result_file::{Baseline, Mismatch, Outcome, RepairedModel, UnmovedChannel};
-use super::structure_drawing::StructureDrawing;
-use super::summary::{SummaryContext, summary};
-use super::unmoved::unmoved_in_words;
-use super::verdict_in_words::verdict_in_words;
+use super::learned::{LearnedContext, LearnedModel, learned_repair};
+use super::presentation::present;
 use crate::candidate::channel_fault::ChannelFault;
-use crate::candidate::opensees_form::{RepairedModelScript, opensees_script};
-use crate::candidate::repaired_script::repaired_script;
 use crate::candidate::variant::Variant;
-use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, holdout_nmse, judge};
+use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, judge};
 use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
-use crate::evidence::second_effect::{causes_within_law, has_second_effect};
+use crate::evidence::second_effect::has_second_effect;
 use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
-use crate::evidence::verdict_model::{self, CauseProbabilities, cause_probabilities};
+use crate::evidence::verdict_model::{CauseProbabilities, cause_probabilities};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
 use crate::fit::job::{FittedModel, Job};
-use crate::fit::phenomena::phenomenon_shares;
+use crate::fit::phenomena::{PhenomenonShares, phenomenon_shares};
 use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{self, COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE};
-use hysteron_identify::calibrate::{StudyProblem, Uncertainty, uncertainty};
+use crate::prior::{COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE};
+use crate::residual::unmodelled_structure::UnmodelledStructure;
 use hysteron_identify::study::{
-    InitialRun, ObservedChannel, ParameterSpace, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
+    InitialRun, ObservedChannel, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
 };
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Basis of the conclusion besides the ranking.
@@ -91,9 +77,9 @@ pub(super) struct Repair {
     /// Hypothesis of the repair.
     pub(super) hypothesis: FittedHypothesis,
     /// Its optimum with the steps of the script.
-    fitted: FittedModel,
+    pub(super) fitted: FittedModel,
     /// Channels of all runs; none for a run without a result.
-    fits: Vec<Option<ScoredRun>>,
+    pub(super) fits: Vec<Option<ScoredRun>>,
     pub(super) judgement: HoldoutJudgement,
     /// Errors of the runs held out.
     errors: Option<HeldOutErrors>,
@@ -133,21 +119,43 @@ pub(super) struct JudgedVerdict {
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     pub(super) refused: Option<&'static str>,
     /// Cause to leave out of a further search.
-    refuted: Option<&'static str>,
+    pub(super) refuted: Option<&'static str>,
     /// Causes, `none` and `unknown`, the most probable first.
     pub(super) probabilities: CauseProbabilities,
 }
 
+/// What the evidence decides, before it is put in words and files.
+pub(super) struct Decision {
+    pub(super) verdict: JudgedVerdict,
+    pub(super) evidence: VerdictEvidence,
+    /// Structure that the first hypothesis leaves.
+    pub(super) structure: UnmodelledStructure,
+    /// Channels of all runs by the user's fitted model; none for a run without a result.
+    pub(super) baseline_fits: Vec<Option<ScoredRun>>,
+    /// Learned law that is the repair.
+    pub(super) learned: Option<LearnedModel>,
+    /// Shares of the phenomena of a whole law in the repair.
+    pub(super) phenomena: Option<PhenomenonShares>,
+}
+
 /// Diagnosis from ranked hypotheses.
+///
+/// # Errors
+/// The user cancelled, or the repaired model has no result.
 pub(super) fn conclude(
     scheduler: &mut Scheduler<'_>,
     c: &ConclusionContext<'_>,
     ranking: &Ranking<'_>,
 ) -> Result<Diagnosis, String> {
+    let decision = decide(scheduler, c, ranking)?;
+    Ok(present(c, ranking, decision, scheduler.evaluations()))
+}
+
+/// Verdict and repair from ranked hypotheses.
+fn decide(scheduler: &mut Scheduler<'_>, c: &ConclusionContext<'_>, ranking: &Ranking<'_>) -> Result<Decision, String> {
     let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
-    let study = c.study;
     let (mut evidence, structure) = VerdictEvidence::of(&RankedStudy {
-        study,
+        study: c.study,
         responses: c.responses,
         baseline,
         ranked,
@@ -175,167 +183,10 @@ pub(super) fn conclude(
             l.told
         });
     let repair = &verdict.repair;
-    // The verdict and its strongest competitor, each as fitted.
-    let competitor = ranked.iter().find(|e| e.cause() != repair.hypothesis.cause() && e.cause() != "none");
-    let observation = observation(verdict.cause, competitor.map(FittedHypothesis::cause));
-    let next_test = competitor.filter(|_| repair.hypothesis.cause() != "none").and_then(|other| {
-        discriminating_test(&c.simulator.factory(), study, c.imposed_motion, [&repair.hypothesis, other])
-    });
-    let named_repair = Some(&repair.fits).filter(|_| !matches!(verdict.cause, "none" | "unknown"));
-    let values = &repair.fitted.values;
-    let script = repaired_script(c.text, &c.initial_run.value_spans, c.point, &repair.hypothesis.variant, values);
-    let opensees = opensees_script(&RepairedModelScript {
-        simulator: c.simulator,
-        text: c.text,
-        point: c.point,
-        repaired: &script,
-        values: repair.hypothesis.variant.split(values).0,
-        responses: c.responses,
-        fits: &repair.fits,
-    });
-    let baseline_result = Baseline {
-        fit_nmse: baseline.fitted.objective,
-        holdout_nmse: holdout_nmse(study, &baseline_fits),
-        parameters: values_by_name(&study.space, &baseline.fitted.values),
-    };
-    let mismatch = mismatches(study, c.responses, &baseline_fits, named_repair);
-    let columns: Vec<Vec<String>> =
-        (0..study.runs.len()).map(|r| c.simulator.column_names(r, &baseline.fitted.values)).collect();
-    let residual_forces = if verdict.cause == "unknown" { missing_forces(c, &baseline_fits, &columns) } else { vec![] };
-    let corrected = RepairedModel {
-        script: "corrected.tcl".into(),
-        opensees: opensees.is_ok().then(|| "corrected_opensees.tcl".into()),
-        opensees_reason: opensees.as_ref().err().cloned(),
-        parameters: values_by_name(&repair.hypothesis.variant.study.space, &repair.fitted.values),
-        unused: repair.hypothesis.variant.unread_names(),
-        fit_nmse: repair.fitted.objective,
-        holdout_nmse: holdout_nmse(study, &repair.fits),
-        channels: repair.hypothesis.variant.channel_faults(&repair.fitted.values),
-    };
-    let uncertainty = if verdict.cause == "unknown" { None } else { uncertainty_of(c, repair) };
-    let mut in_words = verdict_in_words(c, ranking, &structure, &evidence, &verdict, uncertainty.as_ref());
-    let repaired = FittedHypothesis { fitted: verdict.repair.fitted.clone(), ..repair.hypothesis.clone() };
-    if let Some(shares) = phenomenon_shares(scheduler, baseline, c.point, &repaired)? {
-        in_words.explanation += &shares.description();
-        let named = !matches!(verdict.cause, "none" | "unknown");
-        let within = causes_within_law(&shares.of_other_causes).into_iter().filter(|_| named);
-        in_words.also.extend(within.map(str::to_owned));
-    }
+    let repaired = FittedHypothesis { fitted: repair.fitted.clone(), ..repair.hypothesis.clone() };
+    let phenomena = phenomenon_shares(scheduler, baseline, c.point, &repaired)?;
     scheduler.check_cancelled()?;
-    in_words.summary = summary(&SummaryContext {
-        study,
-        script: c.text,
-        inventory: c.inventory,
-        verdict: (verdict.cause, in_words.confidence),
-        also: &in_words.also,
-        also_possible: &in_words.also_possible,
-        variant: &repair.hypothesis.variant,
-        values: &repair.fitted.values,
-        uncertainty: uncertainty.as_ref(),
-        baseline: &baseline_result,
-        corrected: &corrected,
-        mismatch: &mismatch,
-        tried: c.tried,
-        structure: &structure.description,
-        memory: evidence.memory_sentence(),
-        nearest: nearest_in_words(ranked, &evidence).filter(|_| verdict.repair.hypothesis.cause() == "none"),
-        unsteady_channels: &structure.unsteady_channels,
-        residual_forces: &residual_forces,
-        columns: &columns,
-        step_error: &c.step_error,
-        script_steps: script_steps(c, &baseline.fitted.values),
-        largest_work: c.responses.largest_work(),
-        test: next_test.as_ref().map_or("", |t| &t.description),
-    });
-    if let Some(l) = &learned {
-        l.tell(&mut in_words);
-    }
-    let unmoved_channels = unmoved_in_words(c.unmoved_channels, c.text);
-    in_words.summary.what_next.splice(0..0, unmoved_channels.iter().map(UnmovedChannel::advice));
-    let places = &in_words.summary.places;
-    let device_loop = device_loop(c, repair, &columns, &blamed_parts(places, &residual_forces), &mismatch);
-    let outcome = Outcome {
-        study: if study.title.is_empty() { study.model.clone() } else { study.title.clone() },
-        baseline: baseline_result,
-        mismatch,
-        residual_forces,
-        verdict: in_words,
-        corrected,
-        unexplained_share: remaining_share(baseline, repair).min(1.0),
-        bootstrap: bootstrap.clone(),
-        unmoved_channels,
-        evidence,
-        prior: prior::numbers(),
-        weights: verdict_model::weights(),
-        preflight: None,
-        learned,
-        next_test: match &next_test {
-            Some(t) => format!("{}; {observation}", t.description),
-            None => observation,
-        },
-    };
-    Ok(Diagnosis {
-        outcome,
-        repaired_script: script,
-        opensees_script: opensees.ok(),
-        ranking: ranked.iter().map(RankedHypothesis::of).collect(),
-        displacements: displacements(c, &baseline.fitted.values),
-        drawing: StructureDrawing::new(c.inventory, &columns),
-        device_loop,
-        repaired_fits: verdict.repair.fits,
-        baseline_fits,
-        next_test,
-        evaluations: scheduler.evaluations(),
-        structured_share: structure.share,
-        structure: structure.description,
-        refuted: verdict.refuted,
-    })
-}
-
-/// Forces that the user's fitted model lacks. `columns` are the names of the observed columns by run.
-fn missing_forces(
-    c: &ConclusionContext<'_>,
-    baseline_fits: &[Option<ScoredRun>],
-    columns: &[Vec<String>],
-) -> Vec<ResidualForce> {
-    residual_forces(&FittedModelRuns {
-        study: c.study,
-        inventory: c.inventory,
-        responses: c.fitted_responses,
-        fits: baseline_fits,
-        columns,
-        units: &Units::of(c.study, c.text),
-    })
-}
-
-/// Loop of the device that the verdict is about, before and after the repair.
-fn device_loop(
-    c: &ConclusionContext<'_>,
-    repair: &Repair,
-    columns: &[Vec<String>],
-    blamed: &BlamedParts,
-    mismatch: &[Mismatch],
-) -> Option<DeviceLoop> {
-    let (variant, values) = (&repair.hypothesis.variant, &repair.fitted.values);
-    let after = repaired_responses(&c.simulator.factory(), c.text, c.point, variant, values);
-    let sources = LoopSources {
-        study: c.study,
-        inventory: c.inventory,
-        before: c.fitted_responses,
-        after: after.as_ref(),
-        columns,
-        units: &Units::of(c.study, c.text),
-        imposed_motion: c.imposed_motion,
-    };
-    sources.of_parts(blamed, mismatch)
-}
-
-/// Intervals of the repaired model's parameters; `None` if points beside the optimum have no result.
-fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Option<Uncertainty> {
-    let (factory, variant) = (c.simulator.factory(), repair.hypothesis.variant.clone());
-    let study = variant.study.clone();
-    let problem = StudyProblem::new(study, c.threads.max(1), move || variant.simulator(&factory)).ok()?;
-    uncertainty(&problem, &repair.fitted.point).ok()
+    Ok(Decision { verdict, evidence, structure, baseline_fits, learned, phenomena })
 }
 
 /// Finds the verdict by repairing the most probable cause until its repair stands.
@@ -466,8 +317,4 @@ impl VerdictJudge<'_, '_> {
 pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
     let before = baseline.fitted.objective;
     if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
-}
-
-fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {
-    space.parameters.iter().map(|p| p.name.clone()).zip(values.iter().copied()).collect()
 }

@@ -12,6 +12,7 @@
 //! - `levels`: storeys, and the elements between them
 //! - `learned`, `learned_study`: a learned law where no effect of the library explains the recordings, and without a diagnosis
 //! - `plausibility`: balances and published ranges
+//! - `presentation`: words, files, loop and drawing of a decision
 //! - `recorded_quantities`: what needs no recording any more
 //! - `residual_force`: the force that an unknown cause adds, by place and time
 //! - [`mismatch`]: windows of time in which the model differs
@@ -41,6 +42,7 @@ pub(crate) mod mismatch;
 mod nearest;
 pub(crate) mod place;
 mod plausibility;
+mod presentation;
 pub(crate) mod quantity;
 mod recorded_quantities;
 pub(crate) mod report;

@@ -288,6 +288,11 @@ impl Engine {
         self.rearrange(|m| m.replace_element(id, element));
     }
 
+    /// Put other elements around or in the places of some, each between the same nodes. The state moves once for all.
+    pub fn replace_elements(&mut self, elements: impl IntoIterator<Item = (ElementId, Arc<dyn Element>)>) {
+        self.rearrange(|m| m.replace_elements(elements));
+    }
+
     /// Remove a node.
     ///
     /// # Errors

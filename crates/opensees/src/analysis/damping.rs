@@ -133,21 +133,23 @@ fn chosen(
 
 /// Give a damping to the elements of a region; those that take none stay as they are, as in OpenSees.
 fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDamping>) -> Result<(), Exception> {
+    let (mut undamped, mut damped) = (vec![], vec![]);
     for id in &region.elements {
         let entry = &interp.host.engine.model().elements[id.0];
         match Damped::new(entry.element.clone(), damping.clone()) {
             Ok(made) => {
-                // Without the damping in between the history of the former one would remain.
-                if let Some(undamped) = entry.element.undamped() {
-                    interp.host.engine.replace_element(*id, undamped);
-                }
-                interp.host.engine.replace_element(*id, made.shared());
+                undamped.extend(entry.element.undamped().map(|element| (*id, element)));
+                damped.push((*id, made.shared()));
             }
             Err(e) => {
                 let d = Diagnostic::warning(&checks::elements::DAMPING_LEFT_OUT, format!("element {}: {e}", entry.tag));
                 warn(interp, d.at(a.last_span(), "left without this damping"))?;
             }
         }
+    }
+    // Without the elements in between the history of a former damping would remain.
+    for elements in [undamped, damped].into_iter().filter(|e| !e.is_empty()) {
+        interp.host.engine.replace_elements(elements);
     }
     Ok(())
 }

@@ -1,14 +1,15 @@
 //! Parameters of `pset` that have another value for a time: `amend parameter`.
 //!
 //! A parameter may stand behind any number of an element. The script is therefore run a second time, up to its first
-//! analysis, with the other value. The elements that it makes take the places of those of the model, and keep their state.
+//! analysis, with the other value. The elements that it makes take the places of those that the model had there, and keep
+//! their state. An element that was made or changed since is not one of these, and is refused.
 
 use crate::args::Args;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::analysis::integrator::Adaptive;
 use hysteron_engine::analysis::{Failure, Kind};
 use hysteron_engine::element::Element;
-use hysteron_engine::model::Tag;
+use hysteron_engine::model::{ElementId, Tag};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -56,14 +57,19 @@ impl Change {
 /// Elements by tag.
 pub(crate) type Elements = BTreeMap<Tag, Arc<dyn Element>>;
 
+/// Elements with their places in the model.
+type PlacedElements = Vec<(ElementId, Arc<dyn Element>)>;
+
 /// Changes of parameters in time.
 #[derive(Default)]
 pub(crate) struct ParameterChanges {
     all: Vec<Change>,
     /// Part of each that the elements of the model have.
     parts: Vec<f64>,
-    /// Elements made for parts of the changes.
+    /// Elements made for parts of the changes. The first are those of the model at the first analysis.
     made: Vec<(Vec<f64>, Elements)>,
+    /// Index in `made` of the elements that the model has.
+    present: usize,
 }
 
 impl ParameterChanges {
@@ -160,35 +166,52 @@ pub(crate) fn analyze(
 
 /// Gives the model the elements that a step is to have.
 fn take_elements(interp: &mut Tcl, call: &Call<'_>, begin: f64, end: f64) -> Result<(), Exception> {
-    let changes = &interp.host.changes;
+    let changes = &mut interp.host.changes;
+    if changes.made.is_empty() {
+        let elements = interp.host.engine.model().elements.iter().map(|e| (e.tag, e.element.clone()));
+        changes.made.push((changes.parts.clone(), elements.collect()));
+    }
     let parts = changes.parts_of(begin, end);
     if parts == changes.parts {
         return Ok(());
     }
-    if !changes.made.iter().any(|(known, _)| *known == parts) {
-        let elements = elements_for(interp, call, &parts)?;
-        interp.host.changes.made.push((parts.clone(), elements));
-    }
+    let index = match changes.made.iter().position(|(known, _)| *known == parts) {
+        Some(index) => index,
+        None => {
+            let elements = elements_for(interp, call, &parts)?;
+            interp.host.changes.made.push((parts.clone(), elements));
+            interp.host.changes.made.len() - 1
+        }
+    };
+    let replaced = replacements(interp, call, index)?;
     let session = &mut interp.host;
-    let Some((_, elements)) = session.changes.made.iter().find(|(known, _)| *known == parts) else { return Ok(()) };
-    let model = session.engine.model();
-    let mut replaced = vec![];
-    for (tag, new) in elements {
-        let Some(id) = model.element(*tag) else { continue };
+    session.engine.change_model(|model| model.replace_elements(replaced));
+    (session.changes.parts, session.changes.present) = (parts, index);
+    Ok(())
+}
+
+/// Elements of an index of [`ParameterChanges::made`], with their places in the model.
+fn replacements(interp: &Tcl, call: &Call<'_>, index: usize) -> Result<PlacedElements, Exception> {
+    let (model, changes) = (interp.host.engine.model(), &interp.host.changes);
+    let (present, new) = (&changes.made[changes.present].1, &changes.made[index].1);
+    let mut replaced = Vec::with_capacity(new.len());
+    for tag in model.element_tags() {
+        let Some(id) = model.element(tag) else { continue };
         let old = &model.elements[id.0].element;
+        let own = present.get(&tag).is_some_and(|given| Arc::ptr_eq(old, given));
+        let Some(new) = new.get(&tag).filter(|_| own) else {
+            let message = format!("element {tag} was made or changed after the first analysis began");
+            let expected = "a parameter that changes in time makes elements as they were before the first analysis";
+            return Err(call.error_at(0, message, expected));
+        };
         let lengths = |e: &Arc<dyn Element>| (e.class(), e.dofs(), e.state_len(), e.load_len());
         if lengths(old) != lengths(new) {
             let message = format!("element {tag} has other parts with the other value of the parameter");
             return Err(call.error_at(0, message, "expected a parameter that changes numbers of its laws alone"));
         }
-        // Elements that do not depend on the parameter stay.
-        if format!("{old:?}") != format!("{new:?}") {
-            replaced.push((id, new.clone()));
-        }
+        replaced.push((id, new.clone()));
     }
-    session.engine.change_model(|model| replaced.into_iter().for_each(|(id, new)| model.replace_element(id, new)));
-    session.changes.parts = parts;
-    Ok(())
+    Ok(replaced)
 }
 
 /// Elements that the script makes with parts of the changes.
