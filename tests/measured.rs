@@ -102,7 +102,8 @@ fn answers() -> Vec<Answer> {
         of(&row["study"]).or_else(|| of(known)).or_else(|| of("*"))
     };
     let answer = |row: Row| {
-        let told = find(&row).unwrap_or_else(|| panic!("expected.csv has no row for {} {}", row["source"], row["study"]));
+        let told =
+            find(&row).unwrap_or_else(|| panic!("expected.csv has no row for {} {}", row["source"], row["study"]));
         let judged = Judged::of(&row["cause"], &told["names"]);
         Answer { row, names: told["names"].clone(), who: told["who"].clone(), judged }
     };
@@ -131,52 +132,65 @@ const COUNTED: [&str; 2] = ["rc_columns", "rig_faults"];
 
 fn rows(all: &[Answer]) -> String {
     let mut out = String::from(
-        "| source, study | answer | then | an engineer's name | who says so | judged | fitted NMSE | held out NMSE | build |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "| source, study | answer | then | an engineer's name | who says so | judged | fitted NMSE | held out NMSE | of a model made by hand | least peak over recorded, held out | build |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
+    let handmade = table("validation/recordings/handmade.csv");
     for a in all.iter().filter(|a| !COUNTED.contains(&a.is("source"))) {
         let also = if a.is("also").is_empty() { String::new() } else { format!(" + {}", a.is("also")) };
-        let second = a.number("second_probability").map_or_else(String::new, |p| format!("{} {}", a.is("second"), percent(p)));
-        let _ = writeln!(
-            out,
-            "| [{0}]({0}/outcome.md), {1} | {2}{also}, {3} | {second} | {4} | {5} | {6} | {7} | {8} | `{9}` |",
-            a.is("source"),
-            a.is("study"),
-            a.is("cause"),
-            percent(a.number("probability").unwrap()),
-            a.names,
-            a.who,
-            a.judged.word(),
+        let second = a.number("second_probability").map(|p| format!("{} {}", a.is("second"), percent(p)));
+        let by_hand = handmade.iter().find(|h| h["source"] == a.is("source") && h["study"] == a.is("study"));
+        let by_hand = by_hand.map(|h| format!("{} ({})", figures(h["held_out"].parse().unwrap()), h["model"]));
+        let cells = [
+            format!("[{0}]({0}/outcome.md), {1}", a.is("source"), a.is("study")),
+            format!("{}{also}, {}", a.is("cause"), percent(a.number("probability").unwrap())),
+            second.unwrap_or_default(),
+            a.names.clone(),
+            a.who.clone(),
+            a.judged.word().to_owned(),
             change(a, "fitted_before", "fitted_after"),
             change(a, "held_before", "held_after"),
-            a.is("build"),
-        );
+            by_hand.unwrap_or_default(),
+            change(a, "peak_before", "peak_after"),
+            format!("`{}`", a.is("build")),
+        ];
+        let _ = writeln!(out, "| {} |", cells.join(" | "));
     }
     out
 }
 
-/// Studies of a group by judgement.
-fn counts(title: &str, group: &[&Answer]) -> String {
+/// Answers of a group by judgement, and the wrong ones among those given 80 % and more.
+fn counts(title: &str, group: &[(Judged, f64)]) -> String {
     let mut out = format!("| {title} | {} |", group.len());
     for judged in Judged::ALL {
-        let _ = write!(out, " {} |", group.iter().filter(|a| a.judged == judged).count());
+        let _ = write!(out, " {} |", group.iter().filter(|a| a.0 == judged).count());
     }
-    let sure: Vec<_> = group.iter().filter(|a| a.number("probability").unwrap() >= 0.8).collect();
-    let wrong = sure.iter().filter(|a| matches!(a.judged, Judged::Other | Judged::Nothing)).count();
+    let sure: Vec<_> = group.iter().filter(|a| a.1 >= 0.8).collect();
+    let wrong = sure.iter().filter(|a| matches!(a.0, Judged::Other | Judged::Nothing)).count();
     let _ = writeln!(out, " {wrong} of {} |", sure.len());
     out
 }
 
-fn judged(all: &[Answer]) -> String {
-    let group = |test: &dyn Fn(&Answer) -> bool| all.iter().filter(|a| test(a)).collect::<Vec<_>>();
+const COUNTS: &str = "\
+| | answers | right | unknown, a cause of the library | none, something is missing | another name | wrong of those given 80 % and more |
+| --- | --- | --- | --- | --- | --- | --- |
+";
+
+fn measured(all: &[Answer]) -> String {
+    let group = |test: &dyn Fn(&Answer) -> bool| -> Vec<_> {
+        all.iter().filter(|a| test(a)).map(|a| (a.judged, a.number("probability").unwrap())).collect()
+    };
     let single = |a: &Answer| !COUNTED.contains(&a.is("source"));
-    let mut out = String::from(
-        "| measured recordings | answers | right | unknown, a cause of the library | none, something is missing | another name | wrong of those given 80 % and more |\n\
-         | --- | --- | --- | --- | --- | --- | --- |\n",
+    let mut out =
+        counts("measured: what is missing is a cause of the library", &group(&|a| single(a) && a.can_be_named()));
+    out += &counts(
+        "measured: nothing is missing, or no cause of the library is",
+        &group(&|a| single(a) && !a.can_be_named()),
     );
-    out += &counts("what is missing is a cause of the library", &group(&|a| single(a) && a.can_be_named()));
-    out += &counts("nothing is missing, or no cause of the library is", &group(&|a| single(a) && !a.can_be_named()));
-    for (source, title) in [("rc_columns", "columns of concrete"), ("rig_faults", "faults put into one channel, and two recordings as they are")] {
+    for (source, title) in [
+        ("rc_columns", "measured: columns of concrete"),
+        ("rig_faults", "measured: faults put into one channel, and two recordings as they are"),
+    ] {
         let of = group(&|a| a.is("source") == source);
         if !of.is_empty() {
             out += &counts(title, &of);
@@ -185,8 +199,30 @@ fn judged(all: &[Answer]) -> String {
     out
 }
 
+/// First answers to the sealed batch that was opened last.
+fn made() -> String {
+    let all = table("validation/diagnosis/outcomes.csv");
+    let last = all.iter().filter_map(|r| r["batch"].parse::<u32>().ok()).max().unwrap().to_string();
+    let of = |named: bool| -> Vec<_> {
+        let opened = all.iter().filter(|r| r["batch"] == last && r["state"] == "opened");
+        let kind = opened.filter(|r| ["none", "unknown"].contains(&r["concealed"].as_str()) != named);
+        let judged = |r: &Row| match (r["right"].as_str(), r["answer"].as_str()) {
+            ("yes", _) => Judged::Right,
+            (_, "unknown") => Judged::Unknown,
+            (_, "none") => Judged::Nothing,
+            _ => Judged::Other,
+        };
+        kind.map(|r| (judged(r), r["confidence"].parse::<f64>().unwrap() / 100.0)).collect()
+    };
+    counts(&format!("made, sealed batch {last}: an effect of the library"), &of(true))
+        + &counts(&format!("made, sealed batch {last}: nothing, or an effect that the library lacks"), &of(false))
+}
+
 /// Repairs and what they do to runs that were not fitted.
 fn repairs(all: &[Answer]) -> String {
+    let mut builds: BTreeMap<&str, usize> = BTreeMap::new();
+    all.iter().for_each(|a| *builds.entry(a.is("build")).or_default() += 1);
+    let builds: Vec<String> = builds.iter().map(|(build, n)| format!("{n} of the build `{build}`")).collect();
     let ratio = |a: &Answer| match [a.number("held_before"), a.number("held_after")] {
         [Some(b), Some(a)] if b != a => Some(a / b),
         _ => None,
@@ -197,9 +233,12 @@ fn repairs(all: &[Answer]) -> String {
         return String::new();
     }
     let fell = ratios.iter().filter(|r| **r < 1.0).count();
-    let accused = all.iter().filter(|a| !COUNTED.contains(&a.is("source")) && a.is("cause").starts_with("sensor")).count();
+    let accused =
+        all.iter().filter(|a| !COUNTED.contains(&a.is("source")) && a.is("cause").starts_with("sensor")).count();
+    let builds = builds.join(", ");
     format!(
-        "Of {} answers that changed the model and have runs held out, the error of these runs fell in {fell} and grew in {}. \
+        "Answers by build: {builds}.\n\
+         Of {} answers that changed the model and have runs held out, the error of these runs fell in {fell} and grew in {}. \
          The median of the NMSE after over before is {}, the extremes are {} and {}.\n\
          A sensor is named first in {accused} answers; none is known to be at fault but those of `rig_faults`.\n",
         ratios.len(),
@@ -233,7 +272,8 @@ fn parts() -> BTreeMap<&'static str, String> {
     let switched: Vec<Answer> = answers().into_iter().filter(|a| a.is("source") == "switched").collect();
     BTreeMap::from([
         ("answers", rows(&all)),
-        ("judged", judged(&all)),
+        ("judged", format!("{COUNTS}{}", measured(&all))),
+        ("side by side", format!("{COUNTS}{}{}", made(), measured(&all))),
         ("repairs", repairs(&all)),
         ("switched", rows(&switched).replace("](switched/", "](../../validation/recordings/switched/")),
     ])
@@ -253,19 +293,29 @@ fn hold(page: &Path, wanted: &[&str]) {
 #[test]
 fn the_pages_have_the_figures_of_the_table() {
     hold(&root().join("validation/recordings/README.md"), &["answers", "judged", "repairs"]);
-    hold(&root().join("docs/explanation/does-it-work.md"), &["judged", "repairs", "switched"]);
+    hold(&root().join("docs/explanation/does-it-work.md"), &["repairs", "side by side", "switched"]);
 }
 
-/// A percentage or an NMSE in a sentence about an answer would be a second copy of the table.
+/// A probability or an NMSE in a sentence about an answer would be a second copy of the table.
 #[test]
-fn sentences_of_the_page_repeat_no_figure_of_an_answer() {
-    let text = fs::read_to_string(root().join("validation/recordings/README.md")).unwrap();
-    let (page, _) = renewed(&text, &parts().into_keys().map(|k| (k, String::new())).collect());
-    let causes: BTreeSet<String> = answers().iter().flat_map(|a| [a.is("cause").to_owned(), a.is("second").to_owned()]).collect();
-    for line in page.lines() {
-        let answer = causes.iter().any(|c| !c.is_empty() && line.contains(&format!("`{c}`")));
-        assert!(!(answer && line.contains(" %")), "{line}");
-        assert!(!(line.contains('→') && !line.starts_with("*Mended.*")), "{line}");
+fn sentences_of_the_pages_repeat_no_figure_of_an_answer() {
+    let folder = root().join("validation/recordings");
+    let empty = parts().into_keys().map(|k| (k, String::new())).collect();
+    let is_cause = |word: &str| !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+    for page in
+        fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path().join("README.md")).chain([folder.join("README.md")])
+    {
+        let Ok(text) = fs::read_to_string(&page) else { continue };
+        for line in renewed(&text, &empty).0.lines() {
+            // A name in code with a percentage behind it, and a change of an error.
+            let mut named = line.split('`').skip(1).step_by(2).zip(line.split('`').skip(2).step_by(2));
+            let probability = |after: &str| {
+                let digits = after.trim_start_matches([',', ' ']);
+                digits.split_once(" %").is_some_and(|(n, _)| n.parse::<f64>().is_ok())
+            };
+            assert!(!named.any(|(word, after)| is_cause(word) && probability(after)), "{}: {line}", page.display());
+            assert!(!line.contains('→'), "{}: {line}", page.display());
+        }
     }
 }
 
@@ -274,7 +324,12 @@ fn each_study_has_one_answer_and_a_name_that_exists() {
     let causes = fs::read_to_string(root().join("docs/reference/causes.md")).unwrap();
     let mut seen = BTreeSet::new();
     for a in answers() {
-        assert!(seen.insert((a.is("source").to_owned(), a.is("study").to_owned())), "{} {} twice", a.is("source"), a.is("study"));
+        assert!(
+            seen.insert((a.is("source").to_owned(), a.is("study").to_owned())),
+            "{} {} twice",
+            a.is("source"),
+            a.is("study")
+        );
         for name in a.names.split(" or ").chain([a.is("cause")]) {
             assert!(causes.contains(&format!("| `{name}` |")), "{name} is no cause");
         }

@@ -12,6 +12,7 @@ import argparse
 import csv
 import importlib.util
 import json
+import math
 import os
 import re
 import shutil
@@ -42,24 +43,35 @@ def with_roles(study, holdout):
 
 
 COLUMNS = ["source", "study", "build", "known", "cause", "also", "probability", "second", "second_probability", "fitted_before", "fitted_after",
-           "held_before", "held_after", "most_evidence", "over_none", "unexplained"]
+           "held_before", "held_after", "peak_before", "peak_after", "most_evidence", "over_none", "unexplained"]
 ANSWERS = HERE / "answers.csv"
 
 
-def enter(args, name, variant, known, said, lead):
-    """Replaces the row of a study in the table of answers, whose rows are in order of source and study."""
+def peak_ratio(recorded, simulated):
+    """Largest value of a channel over the recorded one, of the samples that were recorded."""
+    if simulated is None:
+        return None
+    compared = [(abs(r), abs(y)) for r, y in zip(recorded, simulated) if math.isfinite(r)]
+    return max(y for _, y in compared) / max(r for r, _ in compared)
+
+
+def enter(args, name, variant, known, said, lead, peaks):
+    """Replaces the row of a study in the table of answers, whose rows are in order of source and study.
+
+    peaks: ratios of the peaks of the channels held out, before and after; the table has the smallest.
+    """
     verdict, base, after = said["verdict"], said["baseline"], said["corrected"] or said["baseline"]
     second = (verdict["also_possible"] or [{"cause": "", "confidence": None}])[0]
 
     def short(x):
         return "" if x is None else f"{x:.4g}"
     row = [name, variant, args.build, known, verdict["cause"], " + ".join(verdict["also"]), f"{verdict['confidence']:.3f}", second["cause"],
-           short(second["confidence"]), *(short(m[k]) for k in ("fit_nmse", "holdout_nmse") for m in (base, after)), lead[0], f"{lead[2]:.1f}",
+           short(second["confidence"]), *(short(m[k]) for k in ("fit_nmse", "holdout_nmse") for m in (base, after)), *(short(min(p, default=None)) for p in peaks), lead[0], f"{lead[2]:.1f}",
            short(said["unexplained_share"])]
     rows = {}
     if ANSWERS.exists():
         with ANSWERS.open() as f:
-            rows = {(r["source"], r["study"]): [r[c] for c in COLUMNS] for r in csv.DictReader(f)}
+            rows = {(r["source"], r["study"]): [r.get(c, "") for c in COLUMNS] for r in csv.DictReader(f)}
     rows[name, variant] = row
     unfinished = ANSWERS.with_suffix(".part")
     with unfinished.open("w") as f:
@@ -167,25 +179,31 @@ def prove(args, name, only):
         head = (f"Answer: **{' + '.join([verdict['cause'], *verdict['also']])}, {100 * verdict['confidence']:.0f} %** (then: {others or 'nothing'}); NMSE fitted "
                 f"{number(base['fit_nmse'])} → {number(after['fit_nmse'])}{held}")
         print(f"{name}, {variant}: {head}", flush=True)
-        enter(args, name, variant, proof.known(variant) if hasattr(proof, "known") else "", said, leading(out))
         if hasattr(proof, "known"):
+            enter(args, name, variant, proof.known(variant), said, leading(out), ([], []))
             judged.append((variant, said, leading(out)))
             continue
         where = "; ".join(f"{m['at']} in {m['run']} ({m['channel']}): {100 * m['share']:.0f} % of the squared error in {sum(b - a for a, b in m['windows']):.3g} s, {m['regime']}"
                           for m in said["mismatch"])
         cause, form, difference, nmse = leading(out)
         weighed = f"Most evidence: {cause} ({form}), {difference:.1f} in log evidence over none, NMSE {number(nmse)}." if cause != "none" else "Nothing had more evidence than none."
-        lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", weighed, "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after |", "| --- | --- | --- | --- | --- | --- | --- |"]
-        panels = []
+        lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", weighed, "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after | peak over recorded before | after |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+        panels, peaks = [], ([], [])
         for run, channels in errors(args, folder, study, said, out):
             for channel, (t, recorded, before, after) in channels.items():
                 e = [None if y is None else bench.nmse(recorded, y) for y in (before, after)]
                 r = ["" if x is None else f"{100 * x ** 0.5:.0f} %" for x in e]
-                lines.append(f"| {run['name']} | {run['role']} | {channel} | {number(e[0])} | {number(e[1])} | {r[0]} | {r[1]} |")
+                ratios = [peak_ratio(recorded, y) for y in (before, after)]
+                if run["role"] == "holdout":
+                    for kept, ratio in zip(peaks, ratios):
+                        kept += [] if ratio is None else [ratio]
+                tops = " | ".join("" if x is None else f"{x:.2f}" for x in ratios)
+                lines.append(f"| {run['name']} | {run['role']} | {channel} | {number(e[0])} | {number(e[1])} | {r[0]} | {r[1]} | {tops} |")
                 if t and hasattr(proof, "panel"):
                     curves = {k: y for k, y in (("recorded", recorded), ("before", before), ("after", after)) if y is not None}
                     if made := proof.panel(folder, run, channel, t, curves):
                         panels.append((f"{run['name']} ({run['role']})", *made))
+        enter(args, name, variant, "", said, leading(out), peaks)
         lines += [""]
         if panels and variant == next(iter(proof.VARIANTS)):
             bench.picture(HERE / name / "loops.svg", panels[:6])

@@ -80,6 +80,7 @@ impl LoopMeasure {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::{LoopMeasure, LoopQuantity};
     use std::f64::consts::{PI, TAU};
