@@ -104,6 +104,31 @@ fn a_law_is_fitted_to_a_table_of_loops() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
+/// Loops that soften with the amplitude in stiffness and energy alike: physics is weighed, and no instrument. Two cycles
+/// of an amplitude have equal measures, which is no saturation.
+#[test]
+fn a_table_of_loops_is_diagnosed_without_faults_of_instruments() {
+    let folder = folder("diagnosed", STUDY);
+    let mut table = String::from("time[s],K[kN/m],h[-],E[kNm]\n");
+    for (t, a) in [(0.5, 1.0), (1.5, 1.0), (2.5, 2.0), (3.5, 2.0), (4.5, 4.0), (5.5, 4.0f64)] {
+        let softer = 1.0 / (1.0 + 0.15 * a);
+        let (stiffness, energy) = ((2.0 + 3.0 / a) * softer, 12.0 * (a - 0.2) * softer);
+        writeln!(table, "{t},{stiffness:e},{:e},{energy:e}", energy / (TAU * stiffness * a * a)).unwrap();
+    }
+    fs::write(folder.join("table.csv"), table).unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_hysteron"))
+        .args(["diagnose", "study.toml", "--out", "found", "--json"])
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let verdict = &found["verdict"];
+    let named = |v: &serde_json::Value| v["cause"].as_str().unwrap().starts_with("sensor");
+    assert!(!named(verdict) && !verdict["also_possible"].as_array().unwrap().iter().any(named), "{verdict}");
+    fs::remove_dir_all(&folder).unwrap();
+}
+
 #[test]
 fn a_time_without_a_cycle_is_an_error() {
     let folder = folder("outside", STUDY);
