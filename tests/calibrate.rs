@@ -10,6 +10,8 @@ mod calibrate_study;
 mod command;
 #[path = "calibrate/interrupt.rs"]
 mod interrupt;
+#[path = "calibrate/loop_measures.rs"]
+mod loop_measures;
 #[path = "calibrate/methods.rs"]
 mod methods;
 #[path = "calibrate/simulation.rs"]

@@ -47,11 +47,12 @@ pub(super) const CLIPPING: Hypothesis = fault(
     clipping,
 );
 
-/// Channels of the fitted runs, each with one of its records.
+/// Channels of the fitted runs that an instrument reads, each with one of its records. A measure of loops is computed from
+/// two of them: what one of them does wrong is not the fault of the measure.
 fn channels<'a>(s: &'a ProposalContext<'_>) -> Vec<&'a ObservedChannel> {
     let mut all: Vec<&ObservedChannel> = vec![];
     for o in s.study.runs.iter().filter(|r| r.role == Role::Fit).flat_map(|r| &r.observe) {
-        if all.iter().all(|known| known.channel != o.channel) {
+        if o.measure.is_none() && all.iter().all(|known| known.channel != o.channel) {
             all.push(o);
         }
     }

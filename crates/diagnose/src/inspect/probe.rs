@@ -76,6 +76,7 @@ impl Recorders {
             unit: String::new(),
             output: file.to_owned(),
             column,
+            measure: None,
             at: String::new(),
             weight: 1.0,
             shift: 0.0,

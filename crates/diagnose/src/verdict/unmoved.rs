@@ -46,6 +46,7 @@ mod tests {
             unit: String::new(),
             output: output.into(),
             column: 1,
+            measure: None,
             at: String::new(),
             weight: 1.0,
             shift: 0.0,

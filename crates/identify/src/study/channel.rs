@@ -1,6 +1,7 @@
 //! Reading `[[run.observe]]`: a recorded channel, brought to the unit and the clock of the model.
 
 use super::load::StudyError;
+use super::loop_measure::{LoopMeasure, LoopQuantity};
 use super::run::ObservedChannel;
 use super::study_file::{ObserveTable, SourceSpans};
 use crate::checks;
@@ -39,8 +40,7 @@ pub(super) fn read_channel(
         Some(w) => spans.number("the weight", w, |x| x >= 0.0, "expected a number not less than 0")?,
         None => 1.0,
     };
-    let at = usize::try_from(*o.column.get_ref())
-        .map_err(|_| spans.error(&o.column, format!("the column is {}", o.column.get_ref()), "expected 0, 1, ..."))?;
+    let at = column_number(spans, &o.column)?;
     let shift = match &o.shift {
         Some(s) => spans.number("the shift", s, |_| true, "expected a number, in s")?,
         None => 0.0,
@@ -70,12 +70,37 @@ pub(super) fn read_channel(
         unit,
         output: o.output.get_ref().clone(),
         column: at,
+        measure: measure(spans, o)?,
         at: o.at.clone().unwrap_or_default(),
         weight,
         shift,
         values,
         variance,
     })
+}
+
+fn column_number(spans: &SourceSpans, column: &Spanned<i64>) -> Result<usize, StudyError> {
+    let number = *column.get_ref();
+    usize::try_from(number).map_err(|_| spans.error(column, format!("the column is {number}"), "expected 0, 1, ..."))
+}
+
+/// The measure of loops that a channel asks for.
+fn measure(spans: &SourceSpans, o: &ObserveTable) -> Result<Option<LoopMeasure>, StudyError> {
+    let Some(word) = &o.measure else {
+        let (message, label) = ("a deformation without a measure", "expected with measure");
+        if let Some(d) = &o.deformation {
+            return Err(spans.error(d, message, label));
+        }
+        return o.deformation_column.as_ref().map_or(Ok(None), |c| Err(spans.error(c, message, label)));
+    };
+    let known = spans.choice("measure", word, &LoopQuantity::words())?;
+    let (Some(quantity), Some(output), Some(column)) =
+        (LoopQuantity::from_word(known), &o.deformation, &o.deformation_column)
+    else {
+        let message = format!("{known} is a measure of loops over a deformation, which is not given");
+        return Err(spans.error(word, message, "expected deformation and deformation_column beside it"));
+    };
+    Ok(Some(LoopMeasure { quantity, output: output.get_ref().clone(), column: column_number(spans, column)? }))
 }
 
 /// The conversion that `factor`, `offset` and `unit` ask for: that of the unit first, then factor and offset.

@@ -1,5 +1,6 @@
 //! A recorded run of a study.
 
+use super::loop_measure::LoopMeasure;
 use hysteron_recordings::Recording;
 
 /// Use of a run in the study.
@@ -68,6 +69,8 @@ pub struct ObservedChannel {
     pub output: String,
     /// Column of that file, from 0.
     pub column: usize,
+    /// What is compared of the loops that the column makes over a deformation; `None` if the column itself is compared.
+    pub measure: Option<LoopMeasure>,
     /// Location of the sensor, in words; empty for none.
     pub at: String,
     /// Weight of the NMSE of this channel in the objective.
@@ -87,13 +90,14 @@ const FORCE_UNITS: [&str; 6] = ["N", "kN", "MN", "lbf", "kip", "kips"];
 const STRESS_UNITS: [&str; 4] = ["Pa", "kPa", "MPa", "ksi"];
 
 impl ObservedChannel {
-    /// Returns true if the unit of the channel is a unit of force.
+    /// Returns true if the channel has forces, by their unit.
     pub fn is_force(&self) -> bool {
-        FORCE_UNITS.contains(&self.unit.as_str())
+        self.measure.is_none() && FORCE_UNITS.contains(&self.unit.as_str())
     }
 
     /// Returns true if the channel is a resisting force or stress, by its unit or its name. Reports draw its loops.
     pub fn is_resistance(&self) -> bool {
-        self.is_force() || STRESS_UNITS.contains(&self.unit.as_str()) || self.channel.contains("force")
+        let by_name = STRESS_UNITS.contains(&self.unit.as_str()) || self.channel.contains("force");
+        self.is_force() || self.measure.is_none() && by_name
     }
 }

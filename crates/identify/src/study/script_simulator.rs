@@ -3,6 +3,7 @@
 use super::cached_files::{CachedFiles, FileContents};
 use super::initial_run::RunLimits;
 use super::load::Study;
+use super::loop_measure::LoopMeasure;
 use super::run::{ObservedChannel, Run, Setting};
 use super::simulator::{Channels, SimulationError, Simulator};
 use super::trace::{Trace, TraceOutput, Unobserved};
@@ -13,6 +14,7 @@ use hysteron_opensees::run::{End, Run as ScriptRun, Settings};
 use hysteron_opensees::{FileFormat, Mode, NumberFiles, Outputs, Progress};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, OverlayFiles, Silent, Value, Watch};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,7 +29,7 @@ pub struct ScriptSimulator {
     contents: FileContents,
     numbers: NumberFiles,
     pub(super) stop: Arc<AtomicBool>,
-    /// The outputs of the observed channels, by run: path and trace.
+    /// The outputs of the observed channels, by run: path and trace. Those of the deformations of measures follow.
     pub(super) outputs: Vec<Vec<(String, TraceOutput)>>,
     /// Simulators of candidates that are analysed side by side with those of this one.
     pub(super) beside: Vec<ScriptSimulator>,
@@ -176,12 +178,15 @@ pub(super) struct RunMode {
     pub(super) course: Option<Course>,
 }
 
-/// The output of each observed channel of a run, with its path. Channels of one file share it: `make` makes it for the
-/// columns that they observe, in rising order.
+/// The output of each observed channel of a run, with its path, and those of the deformations of its measures. Channels of
+/// one file share it: `make` makes it for the columns that they observe, in rising order.
 fn outputs(study: &Study, run: &Run, make: impl Fn(&[usize]) -> TraceOutput) -> Vec<(String, TraceOutput)> {
     let mut columns: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for o in &run.observe {
         columns.entry(study.absolute(&o.output)).or_default().push(o.column);
+        if let Some(m) = &o.measure {
+            columns.entry(study.absolute(&m.output)).or_default().push(m.column);
+        }
     }
     let made = columns.into_iter().map(|(path, mut columns)| {
         columns.sort_unstable();
@@ -189,8 +194,11 @@ fn outputs(study: &Study, run: &Run, make: impl Fn(&[usize]) -> TraceOutput) -> 
         (path, make(&columns))
     });
     let made: BTreeMap<String, TraceOutput> = made.collect();
-    let of = |o: &ObservedChannel| made.get_key_value(&study.absolute(&o.output));
-    run.observe.iter().filter_map(of).map(|(path, output)| (path.clone(), output.clone())).collect()
+    let channels = run.observe.iter().map(|o| &o.output);
+    let deformations = run.observe.iter().filter_map(|o| o.measure.as_ref()).map(|m| &m.output);
+    let of = |file: &String| made.get_key_value(&study.absolute(file));
+    let all = channels.chain(deformations).filter_map(of);
+    all.map(|(path, output)| (path.clone(), output.clone())).collect()
 }
 
 impl ScriptSimulator {
@@ -319,28 +327,39 @@ impl ScriptSimulator {
     pub(super) fn channels(&self, run: usize) -> Result<Vec<Vec<f64>>, SimulationError> {
         let spec = &self.study.runs[run];
         let channel = |(o, (_, output)): (&ObservedChannel, &(String, TraceOutput))| {
-            output.with(|trace| {
-                let missing = |why: String| Err(SimulationError::NoOutput(format!("{} {why}", o.output)));
-                if trace.times.is_empty() {
-                    return missing("has no rows".into());
-                }
-                if o.column >= trace.width {
-                    return missing(format!("has {} columns, and none of number {}", trace.width, o.column));
-                }
-                if trace.no_clock {
-                    return missing("has times that do not increase: the analysis has no clock".into());
-                }
-                if !trace.is_finite(o.column) {
-                    return Err(SimulationError::NotFinite(format!("{} column {}", o.output, o.column)));
-                }
-                let times = &spec.recording.times;
-                Ok(match o.shift == 0.0 {
-                    true => trace.sample(o.column, times),
-                    false => trace.sample(o.column, &times.iter().map(|t| t + o.shift).collect::<Vec<_>>()),
-                })
-            })
+            let times: Cow<'_, [f64]> = match o.shift == 0.0 {
+                true => Cow::Borrowed(&spec.recording.times),
+                false => spec.recording.times.iter().map(|t| t + o.shift).collect(),
+            };
+            match &o.measure {
+                None => output.with(|trace| sample(trace, &o.output, o.column, &times)),
+                Some(measure) => self.measured(run, o, measure, output, &times),
+            }
         };
         spec.observe.iter().zip(&self.outputs[run]).map(channel).collect()
+    }
+
+    /// A measure of the loops of an output over a deformation, at times of the recording.
+    fn measured(
+        &self,
+        run: usize,
+        o: &ObservedChannel,
+        measure: &LoopMeasure,
+        output: &TraceOutput,
+        times: &[f64],
+    ) -> Result<Vec<f64>, SimulationError> {
+        let path = self.study.absolute(&measure.output);
+        let Some((_, deformation)) = self.outputs[run].iter().find(|(p, _)| *p == path) else {
+            return Err(SimulationError::NoOutput(measure.output.clone()));
+        };
+        let rows = output.with(|trace| trace.times.clone());
+        let force = output.with(|trace| sample(trace, &o.output, o.column, &rows))?;
+        let deformation = deformation.with(|trace| sample(trace, &measure.output, measure.column, &rows))?;
+        measure.sample(&rows, &deformation, &force, times).map_err(|t| {
+            let Run { name, .. } = &self.study.runs[run];
+            let message = format!("{} of run \"{name}\": no complete cycle of {} at {t} s", o.channel, measure.output);
+            SimulationError::NoOutput(message)
+        })
     }
 
     /// The trace of an observed output in the last simulation of a run, by its name in the study.
@@ -378,6 +397,24 @@ impl ScriptSimulator {
         let column = |t: &Trace| (t.width > 1).then(|| t.sample(1, &recording.times));
         Some((format!("{name}, column 1, simulated"), trace.with(column)?))
     }
+}
+
+/// A column of a trace at some times, or why there is none.
+fn sample(trace: &Trace, output: &str, column: usize, times: &[f64]) -> Result<Vec<f64>, SimulationError> {
+    let missing = |why: String| Err(SimulationError::NoOutput(format!("{output} {why}")));
+    if trace.times.is_empty() {
+        return missing("has no rows".into());
+    }
+    if column >= trace.width {
+        return missing(format!("has {} columns, and none of number {column}", trace.width));
+    }
+    if trace.no_clock {
+        return missing("has times that do not increase: the analysis has no clock".into());
+    }
+    if !trace.is_finite(column) {
+        return Err(SimulationError::NotFinite(format!("{output} column {column}")));
+    }
+    Ok(trace.sample(column, times))
 }
 
 fn analysis_error(failure: &Failure) -> SimulationError {

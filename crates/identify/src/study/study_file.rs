@@ -60,6 +60,9 @@ pub(super) struct ObserveTable {
     pub(super) offset: Option<Spanned<f64>>,
     pub(super) shift: Option<Spanned<f64>>,
     pub(super) unit: Option<Spanned<String>>,
+    pub(super) measure: Option<Spanned<String>>,
+    pub(super) deformation: Option<Spanned<String>>,
+    pub(super) deformation_column: Option<Spanned<i64>>,
 }
 
 #[derive(Debug, Default, Deserialize)]

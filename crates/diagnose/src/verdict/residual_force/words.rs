@@ -116,6 +116,7 @@ mod tests {
             unit: (*unit).into(),
             output: "out".into(),
             column: 1,
+            measure: None,
             at: String::new(),
             weight: 1.0,
             shift: 0.0,
