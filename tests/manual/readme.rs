@@ -53,8 +53,11 @@ pub(crate) fn trust(sheets: &[&Sheet]) -> String {
         "| [concealed effects, sealed before the answer](validation/diagnosis/outcomes.md) | {right} of {asked} diagnoses right | {} |\n",
         measured("sealed")
     );
-    out + "| [published tests done again](validation/identification/README.md) | each equation, table and figure with its merit | every change |\n\
-           | [measured recordings](validation/recordings/README.md) | 188 diagnoses with every miss | its page |\n"
+    out += "| [published tests done again](validation/identification/README.md) | each equation, table and figure with its merit | every change |\n";
+    out + &format!(
+        "| [measured recordings](validation/recordings/README.md) | {} answers with every miss | each with its build |\n",
+        rows("validation/recordings/answers.csv")
+    )
 }
 
 #[test]

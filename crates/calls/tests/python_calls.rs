@@ -37,7 +37,7 @@ fn literal_calls_are_checked_at_the_argument() {
         after(lines),
         [
             "6:'x' not-a-number y coordinate is not a number: \"x\"",
-            "7:1  there is a node 1 already",
+            "7:1 tag-in-use there is a node 1 already",
             "8:9 not-defined there is no node 9",
             "9:'Stel01' unknown-kind unknown uniaxial material \"Stel01\"",
             "10:-L out-of-range elastic modulus E0 is -6",

@@ -296,6 +296,9 @@ prior! {
     /// Largest probability of a cause whose repair drives a user's parameter to a bound: the bound, not the recordings, then
     /// decides its size. A choice.
     BOUND_PROBABILITY: f64 = 0.5, "share";
+    /// Largest probability of a cause where loops of a table are fitted. Their rows share cycles and are no samples with the noise
+    /// of an instrument, which the evidence takes them for. A choice.
+    TABLE_PROBABILITY: f64 = 0.5, "share";
     /// Move of a unit coordinate away from its bound, and of one whose influence is sought. A choice.
     BOUND_STEP: f64 = 0.02, "share";
     /// Rise of the error by that move from which the bound matters. A choice.

@@ -16,7 +16,7 @@ use crate::hypothesis::changed_condition;
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
     BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
-    MIN_BOUND_EFFECT, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY,
+    MIN_BOUND_EFFECT, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY,
 };
 use hysteron_identify::study::{Role, Run, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
@@ -64,8 +64,16 @@ impl GatedRepair<'_> {
         out.extend(self.condition_above_noise().map(limit(0.0)));
         out.extend(self.condition_with_structure().map(limit(BOUND_PROBABILITY)));
         out.extend(self.parameters_at_bounds().map(limit(BOUND_PROBABILITY)));
+        out.extend(self.measures_of_loops().map(limit(TABLE_PROBABILITY)));
         out.extend(faults.iter().find_map(|f| self.single_sensor(f)).map(limit(SINGLE_SENSOR_PROBABILITY)));
         out
+    }
+
+    /// Measures of loops among the fitted channels: rows of a table, which the evidence takes for samples.
+    fn measures_of_loops(&self) -> Option<String> {
+        let fitted = self.study.runs.iter().filter(|r| r.role == Role::Fit);
+        let has = fitted.flat_map(|r| &r.observe).any(|o| o.measure.is_some());
+        has.then(|| "measures of loops are fitted, which do not tell how certain a cause is".to_owned())
     }
 
     /// A fault of a channel that is as large as the search allows.
