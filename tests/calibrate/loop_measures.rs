@@ -128,7 +128,7 @@ fn a_table_of_loops_is_diagnosed_without_faults_of_instruments() {
     assert!(!named(verdict) && !verdict["also_possible"].as_array().unwrap().iter().any(named), "{verdict}");
     // Rows of a table are no samples: no cause is sure.
     let is_cause = !["none", "unknown"].contains(&verdict["cause"].as_str().unwrap());
-    assert!(!is_cause || verdict["probability"].as_f64().unwrap() <= 0.5, "{verdict}");
+    assert!(!is_cause || verdict["confidence"].as_f64().unwrap() <= 0.5, "{verdict}");
     fs::remove_dir_all(&folder).unwrap();
 }
 
