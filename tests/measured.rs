@@ -38,7 +38,7 @@ fn table(file: &str) -> Vec<Row> {
     text.lines().skip(1).map(row).collect()
 }
 
-/// What an answer is beside the names that an engineer would give.
+/// An answer, judged by the names that an engineer would give.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Judged {
     Right,
@@ -87,7 +87,7 @@ impl Answer {
         self.is(column).parse().ok()
     }
 
-    /// Whether what is missing is known to be a cause of the library.
+    /// True if a cause of the library is known to be missing.
     fn can_be_named(&self) -> bool {
         !self.names.split(" or ").any(|n| n == "unknown" || n == "none")
     }

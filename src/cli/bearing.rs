@@ -231,7 +231,7 @@ impl BearingArgs {
             return;
         }
         let mut run = silent();
-        let step = eval_to_text(&mut run.interp, &bearing.vertical_step(0.0));
+        let step = eval_to_text(&mut run.interp, &bearing.vertical_step());
         if step.is_some_and(|code| code != "0") {
             bearing.is_held = true;
             eprintln!("note: the bearing has no stiffness along the vertical: its upper node is held there");

@@ -1,4 +1,4 @@
-//! What `hysteron init --new` writes: a shipped example of each job with all its files.
+//! The files of `hysteron init --new`: a shipped example of each job.
 
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};

@@ -42,6 +42,7 @@ pub(super) fn init(args: &InitArgs) -> i32 {
     if let Some(job) = args.new {
         return example(job, args.out.as_deref().unwrap_or(Path::new(".")));
     }
+    // The command line asks for the script.
     let Some(model) = &args.model else { return INPUT_ERROR };
     let beside = |p: &Path| p.parent().filter(|f| !f.as_os_str().is_empty()).map_or(PathBuf::from("."), Path::to_owned);
     let out = args.out.clone().unwrap_or_else(|| model.with_file_name(STUDY));

@@ -135,6 +135,14 @@ fn a_bearing_of_a_whole_model() {
         alone.contains("uniaxialMaterial Elastic 62 1.0e6\nelement elastomericBearingBoucWen 1 1 2 1000.0 10.0"),
         "{alone}"
     );
+    let script = fs::read_to_string(place.0.join("building.tcl")).unwrap();
+    place.write(
+        "building.tcl",
+        script.replace("wipe", "foreach i {1 12} { amend element $i gap -at 0.1 -stiffness 100 -dir 1 }\nwipe"),
+    );
+    let (status, _, err) = test(&["--element", "12"]);
+    assert!(status == Some(2) && err.contains("element 12 is amended"), "{err}");
+    assert_eq!(test(&["--element", "11"]).0, Some(0));
     let (status, _, err) = test(&["--element", "13"]);
     assert!(status == Some(2) && err.contains("the script makes no element 13: its elements are 11, 12, 1"), "{err}");
 }

@@ -97,19 +97,22 @@ pub struct Bearing {
 }
 
 impl Bearing {
-    /// Commands of a static step under an axial load with the shear held; the result of the last one is 0 if the bearing
-    /// carries it.
-    pub fn vertical_step(&self, axial: f64) -> String {
-        let ([lower, upper], ndf) = (self.nodes, if self.ndm == 2 { 3 } else { 6 });
+    /// Degrees of freedom of each node.
+    fn ndf(&self) -> usize {
+        if self.ndm == 2 { 3 } else { 6 }
+    }
+
+    /// Commands of a static step without loads in which the vertical alone is free; the result of the last one is 0 if the
+    /// bearing has a stiffness there.
+    pub fn vertical_step(&self) -> String {
+        let ([lower, upper], ndf) = (self.nodes, self.ndf());
         let flags: Vec<&str> = (1..=ndf).map(|d| if d == self.ndm { "0" } else { "1" }).collect();
         format!(
-            "{}fix {lower} {}\nfix {upper} {}\ntimeSeries Linear 901\npattern Plain 901 901 {{ load {upper} {} }}\n\
-             constraints Plain\nnumberer Plain\nsystem FullGeneral\ntest NormDispIncr 1e-9 50\nalgorithm Newton\n\
-             integrator LoadControl 1.0\nanalysis Static\nanalyze 1\n",
+            "{}fix {lower} {}\nfix {upper} {}\nconstraints Plain\nnumberer Plain\nsystem FullGeneral\n\
+             test NormDispIncr 1e-9 50\nalgorithm Newton\nintegrator LoadControl 1.0\nanalysis Static\nanalyze 1\n",
             self.definition(),
             vec!["1"; ndf].join(" "),
-            flags.join(" "),
-            vertical_load(-axial, self.ndm, ndf)
+            flags.join(" ")
         )
     }
 
@@ -204,7 +207,7 @@ impl Protocol {
         let driven = self.imposed_directions(plane);
         let is_free = |d: usize| driven.contains(&d) || d == bearing.ndm && !bearing.is_held;
         let held = |d: usize| if is_free(d) { "0" } else { "1" };
-        let ndf = if plane { 3 } else { 6 };
+        let ndf = bearing.ndf();
         let flags: Vec<&str> = (1..=ndf).map(held).collect();
         let _ = writeln!(t, "# The testing machine: the lower plate is held, the upper one moves without turning.");
         let _ = writeln!(t, "fix {lower} {}", vec!["1"; ndf].join(" "));

@@ -1,20 +1,23 @@
 //! An element between two nodes alone: the commands that make it, with what they name, taken out of a script.
 
-use crate::index::{Definition, Index, IndexedModel};
+use crate::index::{CalledCommand, Definition, Index, IndexedModel, Mention};
 use crate::things;
 use hysteron_engine::model::Tag;
 use hysteron_tcl::Value;
+use hysteron_tcl::diagnostic::Span;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Words of `element` before its first node.
 const FIRST_NODE: usize = 3;
+/// Tags that an error lists.
+const MAX_TAGS: usize = 8;
 
 /// A script that makes an element of another script alone, as element 1 between nodes 1 and 2: the nodes with their
 /// coordinates, and the definitions that the words of the element name. The index keeps definitions.
 ///
 /// # Errors
-/// No call makes an element of the tag, or it does not join two nodes.
+/// No call makes an element of the tag, it does not join two nodes, or it is amended afterwards.
 pub fn element_alone(index: &Index, tag: Tag) -> Result<String, String> {
     let is_it = |d: &&Definition| d.things.iter().any(|(kind, t)| *kind == things::ELEMENT && *t == tag.to_string());
     let found = index.definitions.iter().enumerate().rev().find(|(_, d)| is_it(d));
@@ -27,6 +30,9 @@ pub fn element_alone(index: &Index, tag: Tag) -> Result<String, String> {
     let asked = if i.ndm() == 2 { 3 } else { 6 };
     if i.ndf != asked {
         return Err(format!("the nodes of element {tag} have {} degrees of freedom: a test needs {asked}", i.ndf));
+    }
+    if is_amended(index, tag) {
+        return Err(format!("element {tag} is amended, which is not taken along: amend it in a script of its own"));
     }
     let mut words = element.words.clone();
     let named: Vec<Option<i64>> =
@@ -47,6 +53,15 @@ pub fn element_alone(index: &Index, tag: Tag) -> Result<String, String> {
     }
     let _ = writeln!(out, "{}", command(&words));
     Ok(out)
+}
+
+/// Returns true if a command amends an element: it names the element, and adds to what is there.
+fn is_amended(index: &Index, tag: Tag) -> bool {
+    let amends = |c: &&CalledCommand| c.command.name == "amend";
+    let spans: Vec<Span> = index.commands.iter().filter(amends).map(|c| c.span).collect();
+    let within = |m: &Mention, c: &Span| c.source == m.span.source && c.start <= m.span.start && m.span.end <= c.end;
+    let names_it = |m: &&Mention| m.kind == things::ELEMENT && m.tag == tag.to_string();
+    index.mentions.iter().filter(names_it).any(|m| spans.iter().any(|c| within(m, c)))
 }
 
 /// Definitions that one names, and those that these name, in the order of their calls.
@@ -77,11 +92,11 @@ fn command(words: &[String]) -> String {
 
 fn no_element(index: &Index, tag: Tag) -> String {
     let tags = |m: &IndexedModel| m.model.elements.iter().map(|e| e.tag.to_string()).collect::<Vec<_>>();
-    let known: Vec<String> = index.models.iter().rev().flat_map(tags).take(8).collect();
-    let known = if known.is_empty() {
-        "it has no elements".into()
-    } else {
-        format!("its elements are {}, ...", known.join(", "))
+    let all: Vec<String> = index.models.iter().rev().flat_map(tags).collect();
+    let more = if all.len() > MAX_TAGS { ", ..." } else { "" };
+    let known = match &all[..all.len().min(MAX_TAGS)] {
+        [] => "it has no elements".to_owned(),
+        some => format!("its elements are {}{more}", some.join(", ")),
     };
     format!("the script makes no element {tag}: {known}")
 }

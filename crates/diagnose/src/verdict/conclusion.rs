@@ -124,7 +124,7 @@ pub(super) struct JudgedVerdict {
     pub(super) probabilities: CauseProbabilities,
 }
 
-/// What the evidence decides, before it is put in words and files.
+/// The decision that the evidence gives, before it is put in words and files.
 pub(super) struct Decision {
     pub(super) verdict: JudgedVerdict,
     pub(super) evidence: VerdictEvidence,

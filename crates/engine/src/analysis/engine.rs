@@ -283,11 +283,6 @@ impl Engine {
         self.rearrange(|m| m.remove_element(id));
     }
 
-    /// Put another element around or in the place of one, between the same nodes.
-    pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
-        self.rearrange(|m| m.replace_element(id, element));
-    }
-
     /// Put other elements around or in the places of some, each between the same nodes. The state moves once for all.
     pub fn replace_elements(&mut self, elements: impl IntoIterator<Item = (ElementId, Arc<dyn Element>)>) {
         self.rearrange(|m| m.replace_elements(elements));

@@ -207,12 +207,7 @@ impl Model {
         self.element_of.values().copied()
     }
 
-    /// Put another element in the place of one, between the same nodes. The variables of the others move.
-    pub fn replace_element(&mut self, id: ElementId, element: Arc<dyn Element>) {
-        self.replace_elements([(id, element)]);
-    }
-
-    /// Put other elements in the places of some, each between the same nodes. Variables are placed once for all.
+    /// Put other elements in the places of some, each between the same nodes. The variables of the others move, once for all.
     pub fn replace_elements(&mut self, elements: impl IntoIterator<Item = (ElementId, Arc<dyn Element>)>) {
         for (id, element) in elements {
             debug_assert_eq!(self.elements[id.0].dofs.len(), element.dofs());

@@ -38,7 +38,7 @@ impl LoopQuantity {
     }
 }
 
-/// What an observed channel measures of the loops of its output, a force, over a deformation.
+/// The measure of an observed channel: of the loops of its output, a force, over a deformation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoopMeasure {
     /// The measure.

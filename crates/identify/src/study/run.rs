@@ -69,7 +69,7 @@ pub struct ObservedChannel {
     pub output: String,
     /// Column of that file, from 0.
     pub column: usize,
-    /// What is compared of the loops that the column makes over a deformation; `None` if the column itself is compared.
+    /// The measure of the loops of the column over a deformation; `None` if the column itself is compared.
     pub measure: Option<LoopMeasure>,
     /// Location of the sensor, in words; empty for none.
     pub at: String,

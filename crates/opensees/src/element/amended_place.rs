@@ -66,7 +66,7 @@ impl Place {
         // The stiffness that a law may need is that of the directions it will act in.
         let stiffness = around(make(1.0))?.initial_stiffness()[0];
         let made = around(make(stiffness))?;
-        interp.host.engine.replace_element(id, made.shared());
+        interp.host.engine.replace_elements([(id, made.shared())]);
         Ok(())
     }
 }

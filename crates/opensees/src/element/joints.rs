@@ -61,7 +61,7 @@ pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
         let chord = j.place() - i.place();
         let hinged = Hinged::new(entry.element.clone(), chord, ends, material.clone())
             .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
-        interp.host.engine.replace_element(*id, hinged.shared());
+        interp.host.engine.replace_elements([(*id, hinged.shared())]);
     }
     Ok(Value::EMPTY)
 }

@@ -90,7 +90,7 @@ pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: f
             None => recipe.changes.push((words.iter().map(|w| (*w).to_owned()).collect(), value)),
         }
     }
-    interp.host.engine.change_model(|model| model.replace_element(id, new));
+    interp.host.engine.change_model(|model| model.replace_elements([(id, new)]));
 }
 
 /// Numbers that an element between two nodes was made from: places among the words of its command, and names.
