@@ -308,6 +308,11 @@ prior! {
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";
+    /// Largest probability of a complete model whose error is many times the noise and follows the motion. A choice: the noise of
+    /// a record alone is known within a factor.
+    INCOMPLETE_PROBABILITY: f64 = 0.5, "share";
+    /// Error over the noise of the recordings from which that limit holds. The estimate of the noise is within a factor of two.
+    MAX_NOISE_OF_COMPLETE_MODEL: f64 = 4.0, "ratio";
     /// Error over the noise of the recordings from which another value of a parameter in one run is no answer. A choice.
     MAX_NOISE_OF_CONDITION: f64 = 10.0, "ratio";
     /// Structured share of the residual from which another value of a parameter in one run is not the whole of the matter. A

@@ -33,11 +33,15 @@ impl VerdictEvidence {
     /// Limits that a judged repair sets: to its own cause, or to `unknown`.
     pub(crate) fn limits_of_repair(&self, repair: &RepairEvidence) -> Vec<ProbabilityLimit> {
         let Some(h) = self.hypothesis(&repair.cause, repair.also.as_deref()) else { return vec![] };
+        if h.cause == "none" {
+            let better = self.memory_beyond_model(h, repair);
+            return better.map(|f| memory_limit(f, h, repair)).into_iter().collect();
+        }
         let mut out: Vec<ProbabilityLimit> = vec![];
         let limit = |cause: &str, most: f64, reason: String| ProbabilityLimit { cause: cause.into(), most, reason };
         let better = self.better_memory(h, repair);
         if let Some(f) = better {
-            out.push(limit(&repair.cause, MEMORY_PROBABILITY, memory_reason(f, h, repair)));
+            out.push(memory_limit(f, h, repair));
         }
         // A fault that the recording shows by itself may be short.
         let Some(taken) = self.taken_share(h, repair).filter(|_| !is_visible(h)) else { return out };
@@ -128,6 +132,21 @@ impl VerdictEvidence {
         beats.then_some(best)
     }
 
+    /// The kind of memory that clearly explains more than the user's model and than any law without memory, on what none has
+    /// seen: a complete model would leave it nothing.
+    fn memory_beyond_model(&self, none: &HypothesisEvidence, repair: &RepairEvidence) -> Option<&FamilyResult> {
+        let best = self.recorded.families.first()?;
+        let shape = self.recorded.families.iter().find(|f| f.family == Family::Shape.name())?;
+        let beats = |own: Option<f64>, law: Option<f64>| Some(own? > MEMORY_ERROR_RATIO * law?);
+        let on_blocks = beats(none.device_held_back, Some(best.blocks))?;
+        // Without runs held out the blocks alone say less.
+        let held = beats(repair.device_held_out, best.held_out);
+        let holds = held.unwrap_or_else(|| {
+            none.device_held_back.is_some_and(|b| b > MEMORY_ERROR_RATIO * MEMORY_ERROR_RATIO * best.blocks)
+        });
+        (shape.behind > MEMORY_ERROR_RATIO.ln() && on_blocks && holds).then_some(best)
+    }
+
     /// Log odds of a cause by the distance of its kinds of memory from the best, at most 0, nats.
     ///
     /// They count where the best kind explains the device as well as the best cause of the library does.
@@ -204,6 +223,12 @@ const VISIBLE: f64 = 10.0;
 
 fn is_visible(h: &HypothesisEvidence) -> bool {
     h.direct_log_odds > VISIBLE
+}
+
+/// Limit of a cause that leaves what a kind of memory explains.
+fn memory_limit(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> ProbabilityLimit {
+    let reason = memory_reason(f, h, repair);
+    ProbabilityLimit { cause: repair.cause.clone(), most: MEMORY_PROBABILITY, reason }
 }
 
 fn memory_reason(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> String {
@@ -292,6 +317,21 @@ mod tests {
         let of = |blocks| case("sensor_drift", 0.01, vec![family("set", blocks, 0.0), family("shape", 0.09, 2.2)]);
         assert!(limits(&of(0.012)).contains(&("sensor_drift".to_owned(), 0.1)));
         assert!(!limits(&of(0.03)).iter().any(|l| l.0 == "sensor_drift"));
+    }
+
+    /// A kind of memory that holds in other runs speaks against a complete model; noise has none.
+    #[test]
+    fn a_complete_model_leaves_no_memory() {
+        let of = |blocks, held_out| {
+            let shape = family("shape", 0.1, 1.0);
+            let (mut e, mut repair) = case("none", 0.1, vec![family("heat", blocks, 0.0), shape]);
+            e.recorded.families[0].held_out = Some(held_out);
+            e.hypotheses.retain(|h| h.cause == "none");
+            repair.device_held_out = Some(0.1);
+            limits(&(e, repair))
+        };
+        assert_eq!(of(0.03, 0.03), [("none".to_owned(), 0.1)]);
+        assert!(of(0.09, 0.03).is_empty() && of(0.03, 0.09).is_empty());
     }
 
     #[test]

@@ -4,7 +4,8 @@ use super::all_runs::fits_of_all_runs;
 use super::diagnosis::Diagnosis;
 use super::gates::GatedRepair;
 use super::learned::{LearnedContext, LearnedModel, learned_repair};
-use super::presentation::present;
+use super::limits_of_none::limit_by_judgement;
+use super::presentation::{present, uncertainty_of};
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, judge};
@@ -219,6 +220,10 @@ impl VerdictJudge<'_, '_> {
             evidence.limits.extend(of_repair.filter(|l| l.cause != "unknown" || stands));
             evidence.judged.push(judged);
             evidence.limits.extend(repair.limits.clone());
+            if cause == "none" {
+                let uncertainty = uncertainty_of(self.c, &repair);
+                evidence.limits.extend(uncertainty.and_then(|u| limit_by_judgement(&u.judgement)));
+            }
             repairs.push((cause, repair));
         };
         let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);

@@ -38,6 +38,7 @@ mod gates;
 pub(crate) mod learned;
 pub(crate) mod learned_study;
 mod levels;
+mod limits_of_none;
 pub(crate) mod mismatch;
 mod nearest;
 pub(crate) mod place;

@@ -267,7 +267,7 @@ fn device_loop(
 }
 
 /// Intervals of the repaired model's parameters; `None` if points beside the optimum have no result.
-fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Option<Uncertainty> {
+pub(super) fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Option<Uncertainty> {
     let (factory, variant) = (c.simulator.factory(), repair.hypothesis.variant.clone());
     let study = variant.study.clone();
     let problem = StudyProblem::new(study, c.threads.max(1), move || variant.simulator(&factory)).ok()?;

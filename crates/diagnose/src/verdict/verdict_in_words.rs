@@ -70,7 +70,12 @@ pub(super) fn verdict_in_words(
     }
     for l in &evidence.limits {
         let much = if l.most > 0.0 { format!(" has at most {:.0} %", 100.0 * l.most) } else { " is no answer".into() };
-        text += &format!(" The cause {}{much}: {}.", l.cause, l.reason);
+        let subject = match l.cause.as_str() {
+            "none" => "A complete model (none)".to_owned(),
+            "unknown" => "An effect outside the library (unknown)".to_owned(),
+            cause => format!("The cause {cause}"),
+        };
+        text += &format!(" {subject}{much}: {}.", l.reason);
     }
     let candidate = |(cause, p): &(&str, f64)| Candidate { cause: (*cause).into(), confidence: *p };
     let bayes = bayes_probabilities(evidence).first().map_or(("none", 1.0), |first| *first);
