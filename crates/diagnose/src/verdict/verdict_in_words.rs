@@ -5,7 +5,7 @@ use super::explanation::{explanation, unsteady_in_words};
 use super::result_file::{Candidate, Verdict};
 use super::summary::Summary;
 use crate::evidence::ranking::equal_forms;
-use crate::evidence::verdict_evidence::VerdictEvidence;
+use crate::evidence::verdict_evidence::{ProbabilityLimit, VerdictEvidence};
 use crate::evidence::verdict_model::{bayes_probabilities, effect_probabilities};
 use crate::fit::fitted::FittedHypothesis;
 use crate::prior::MIN_REPORTED_PROBABILITY;
@@ -68,7 +68,11 @@ pub(super) fn verdict_in_words(
     if let Some(nearest) = verdict.refused {
         text += &format!(" No repair is written: the nearest, {nearest}, is refused.");
     }
-    for l in &evidence.limits {
+    // A search that began again judges a cause a second time.
+    let said_before = |i: usize, l: &ProbabilityLimit| {
+        evidence.limits[..i].iter().any(|e| e.cause == l.cause && e.reason == l.reason)
+    };
+    for (_, l) in evidence.limits.iter().enumerate().filter(|(i, l)| !said_before(*i, l)) {
         let much = if l.most > 0.0 { format!(" has at most {:.0} %", 100.0 * l.most) } else { " is no answer".into() };
         let subject = match l.cause.as_str() {
             "none" => "A complete model (none)".to_owned(),
