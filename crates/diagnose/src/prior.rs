@@ -326,6 +326,10 @@ prior! {
     /// Share of the error above the noise that a repair must take away, on blocks held back and in runs held out, to have a
     /// name. A choice.
     MIN_TAKEN_SHARE: f64 = 0.5, "share";
+    /// The same of a fault of a sensor, which claims that the model is right but for it. A choice.
+    MIN_TAKEN_SHARE_OF_SENSOR: f64 = 0.75, "share";
+    /// Largest probability of a fault of a sensor that takes away less. A choice.
+    PARTIAL_SENSOR_PROBABILITY: f64 = 0.3, "share";
     /// Largest probability of `unknown` over the share that a repair leaves, where it takes away most. A choice.
     UNKNOWN_PER_SHARE_LEFT: f64 = 1.5, "ratio";
     /// Distance of log likelihoods up to which the fitted weights alone count it, nats. A choice.

@@ -2,12 +2,12 @@
 
 use super::memory_evidence::MIN_SIGNAL_RATIO;
 use super::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, RepairEvidence, VerdictEvidence};
-use crate::hypothesis;
+use crate::hypothesis::{self, is_sensor_fault};
 use crate::memory::competition::FamilyResult;
 use crate::memory::family::Family;
 use crate::prior::{
     FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE, MIN_TAKEN_SHARE,
-    NATS_PER_COST, UNKNOWN_PER_SHARE_LEFT,
+    MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST, PARTIAL_SENSOR_PROBABILITY, UNKNOWN_PER_SHARE_LEFT,
 };
 
 /// Share of the error above the noise that a repair takes away.
@@ -46,8 +46,10 @@ impl VerdictEvidence {
         // A fault that the recording shows by itself may be short.
         let Some(taken) = self.taken_share(h, repair).filter(|_| !is_visible(h)) else { return out };
         let percent = |x: f64| format!("{:.0} %", 100.0 * x.max(0.0));
-        if taken.mean() < MIN_TAKEN_SHARE {
+        let least = if is_sensor_fault(&repair.cause) { MIN_TAKEN_SHARE_OF_SENSOR } else { MIN_TAKEN_SHARE };
+        if taken.mean() < least {
             let most = taken.mean().clamp(0.0, 1.0);
+            let most = if is_sensor_fault(&repair.cause) { most.min(PARTIAL_SENSOR_PROBABILITY) } else { most };
             let reason = format!("it takes away {} of the error above the noise", percent(taken.mean()));
             out.push(limit(&repair.cause, most, reason));
         } else if better.is_none() && taken.least() >= MIN_TAKEN_SHARE {
@@ -102,8 +104,7 @@ impl VerdictEvidence {
         // The cause of a second effect has its own memory.
         let own: Vec<Family> =
             [Some(h.cause.as_str()), h.also.as_deref()].into_iter().flatten().flat_map(memory_of).collect();
-        let is_of_sensor = |cause: &str| cause.starts_with("sensor_");
-        let sensor = is_of_sensor(&h.cause) || h.also.as_deref().is_some_and(is_of_sensor);
+        let sensor = is_sensor_fault(&h.cause) || h.also.as_deref().is_some_and(is_sensor_fault);
         if (own.is_empty() && !sensor) || is_visible(h) {
             return None;
         }
@@ -309,6 +310,14 @@ mod tests {
         // A shape that explains as much has no memory.
         let plain = case("rate_dependence", 0.02, vec![family("rest", 0.002, 0.0), family("shape", 0.002, 0.05)]);
         assert_eq!((limits(&plain).iter().any(|l| l.0 == "rate_dependence"), plain.0.memory_sentence()), (false, None));
+    }
+
+    /// A faulty sensor of a model that is otherwise right leaves hardly more than noise; a cause may leave more.
+    #[test]
+    fn a_sensor_that_leaves_much_is_hardly_the_fault() {
+        let of = |cause: &str, after| limits(&case(cause, after, vec![])).into_iter().find(|l| l.0 == cause);
+        assert_eq!(of("sensor_lag", 0.045), Some(("sensor_lag".to_owned(), 0.3)));
+        assert_eq!((of("sensor_lag", 0.01), of("friction", 0.045)), (None, None));
     }
 
     /// A sensor gives way to a memory that explains about as much and holds in other runs.

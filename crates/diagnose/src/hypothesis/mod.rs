@@ -98,6 +98,11 @@ impl Hypothesis {
     }
 }
 
+/// Returns true if the cause is a fault of a channel, not of the model.
+pub(crate) fn is_sensor_fault(cause: &str) -> bool {
+    cause.starts_with("sensor_")
+}
+
 /// The hypothesis of a cause.
 pub fn of(cause: &str) -> Option<&'static Hypothesis> {
     ALL.iter().find(|h| h.cause == cause)

@@ -21,6 +21,7 @@ use crate::fit::phenomena::{PhenomenonShares, phenomenon_shares};
 use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
+use crate::hypothesis::is_sensor_fault;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
@@ -101,7 +102,7 @@ impl Repair {
 
     /// Its cause, or that of a faulty channel beside it, which bends to anything.
     fn most_flexible_cause(&self) -> &'static str {
-        let second = self.hypothesis.second_cause().filter(|c| c.starts_with("sensor_"));
+        let second = self.hypothesis.second_cause().filter(|c| is_sensor_fault(c));
         second.unwrap_or(self.hypothesis.cause())
     }
 

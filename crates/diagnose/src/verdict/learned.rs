@@ -10,6 +10,7 @@ use crate::evidence::memory_evidence::DeviceRuns;
 use crate::evidence::verdict_model::CauseProbabilities;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::job::FittedModel;
+use crate::hypothesis::is_sensor_fault;
 use crate::memory::family::Family;
 use crate::memory::learning::{Learned, learn};
 use crate::prior::{MAX_LEARNED_SENSOR_PROBABILITY, MEMORY_TIE, MIN_LEARNED_GAIN, NOISE_RATIO};
@@ -69,7 +70,7 @@ pub(super) struct LearnedContext<'a> {
 /// A sensor that may be at fault comes first, since a law absorbs its fault.
 pub(super) fn learned_repair(c: &ConclusionContext<'_>, of: &LearnedContext<'_>) -> Option<LearnedRepair> {
     let device = c.device.as_ref().filter(|_| of.cause == "unknown")?;
-    let of_sensors = of.probabilities.iter().filter(|(cause, _)| cause.starts_with("sensor_"));
+    let of_sensors = of.probabilities.iter().filter(|(cause, _)| is_sensor_fault(cause));
     if of_sensors.map(|(_, p)| *p).sum::<f64>() > MAX_LEARNED_SENSOR_PROBABILITY {
         return None;
     }
