@@ -121,6 +121,9 @@ impl WorsenedChannel {
 pub(crate) const NOISE_MARGIN: f64 = 2.0;
 /// Error after over that before from which a channel is worse. Smaller changes are those of the noise.
 const WORSE_CHANNEL_RATIO: f64 = 1.1;
+/// NMSE from which a model predicts nothing of a channel: the mean of the channel is a better prediction. The error is then that
+/// of a chance phase, and only one that is `WORSENED_RATIO` times as large is worse.
+const NOTHING_PREDICTED: f64 = 1.0;
 
 /// The first channel that gets worse in most of the runs held out, beyond the noise. The mean over channels must not hide it.
 pub(crate) fn worsened_channel(study: &Study, repair: &Repair<'_>) -> Option<WorsenedChannel> {
@@ -129,7 +132,8 @@ pub(crate) fn worsened_channel(study: &Study, repair: &Repair<'_>) -> Option<Wor
     for (i, run) in study.runs_of(Role::Holdout) {
         let (Some(before), Some(after)) = (&repair.before[i], &repair.after[i]) else { continue };
         for (o, (b, a)) in run.observe.iter().zip(before.scores.iter().zip(&after.scores)) {
-            let is_worse = a.nmse > WORSE_CHANNEL_RATIO * b.nmse && a.nmse > NOISE_MARGIN * noise(o);
+            let ratio = if b.nmse < NOTHING_PREDICTED { WORSE_CHANNEL_RATIO } else { WORSENED_RATIO };
+            let is_worse = a.nmse > ratio * b.nmse && a.nmse > NOISE_MARGIN * noise(o);
             match channels.iter_mut().find(|(name, ..)| *name == o.channel) {
                 Some((_, worse, all)) => (*worse, *all) = (*worse + usize::from(is_worse), *all + 1),
                 None => channels.push((&o.channel, usize::from(is_worse), 1)),
@@ -252,8 +256,8 @@ mod tests {
         let held = s.runs.iter().position(|r| r.role == Role::Holdout).expect("a run held out");
         let second = ObservedChannel { channel: "second".into(), ..s.runs[held].observe[0].clone() };
         s.runs.iter_mut().for_each(|r| r.observe.push(second.clone()));
-        let worsened = |after: f64| {
-            let before = with_nmse(&s, 0.5, Some(0.5));
+        let worsened_from = |before: f64, after: f64| {
+            let before = with_nmse(&s, 0.5, Some(before));
             let mut repaired = with_nmse(&s, 1e-3, Some(1e-3));
             repaired[held].as_mut().expect("a fit").scores[1].nmse = after;
             let repair = Repair {
@@ -265,11 +269,14 @@ mod tests {
             };
             (worsened_channel(&s, &repair), judge(&s, &repair))
         };
+        let worsened = |after| worsened_from(0.5, after);
         let (worse, judgement) = worsened(0.6);
         assert_eq!(worse.map(|w| w.description()), Some("second gets worse in 1 of 1 runs held out".into()));
         assert_ne!(judgement, HoldoutJudgement::Worsened, "the mean alone hides it");
         assert_eq!(worsened(0.52).0, None, "within ten per cent");
         assert_eq!(worsened(1.5e-3).0, None, "better");
+        assert_eq!(worsened_from(1.1, 1.3).0, None, "neither model predicts anything");
+        assert!(worsened_from(1.1, 1.8).0.is_some());
     }
 
     /// A fault of one run may not worsen others. A visible effect need not improve them. The noise hides small effects.
