@@ -104,6 +104,28 @@ fn a_law_is_fitted_to_a_table_of_loops() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
+/// A published test with one measured cycle is a run of its own: the error of a measure is relative.
+#[test]
+fn one_cycle_a_run_is_enough() {
+    let one = STUDY.split("[[run]]").nth(1).unwrap();
+    let run = |name: &str| format!("[[run]]{one}").replace("\"table", &format!("\"{name}"));
+    let study = STUDY.replace(&format!("[[run]]{one}"), &(run("small") + &run("large")));
+    let folder = folder("single", &study);
+    let table = fs::read_to_string(folder.join("table.csv")).unwrap();
+    let lines: Vec<&str> = table.lines().collect();
+    fs::write(folder.join("small.csv"), format!("{}\n{}\n", lines[0], lines[1])).unwrap();
+    fs::write(folder.join("large.csv"), format!("{}\n{}\n", lines[0], lines[3])).unwrap();
+    let (success, err) = calibrate(&folder);
+    assert!(success, "{err}");
+    let found: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.join("fit/calibration.json")).unwrap()).unwrap();
+    for (name, exact) in [("k", 2.0), ("Fy", 3.0)] {
+        let value = found["parameters"][name].as_f64().unwrap();
+        assert!((value / exact - 1.0).abs() < 2e-3, "{name}: {value}");
+    }
+    fs::remove_dir_all(&folder).unwrap();
+}
+
 /// Loops that soften with the amplitude in stiffness and energy alike: physics is weighed, and no instrument. Two cycles
 /// of an amplitude have equal measures, which is no saturation.
 #[test]

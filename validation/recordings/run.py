@@ -101,7 +101,8 @@ def errors(args, folder, study, said, out):
     for run in study["run"]:
         both = [bench.simulate(args.engine, folder, script, run) for script in (model, repaired)]
         channels = {}
-        for name in (c["channel"] for c in run["observe"]):
+        # A measure of loops is no time history.
+        for name in (c["channel"] for c in run["observe"] if "measure" not in c):
             t, recorded, before = both[0][name] if both[0] else (None, None, None)
             after = None
             if both[1]:

@@ -223,9 +223,9 @@ fn of_sheet(name: &str, sheet: Sheet, text: &str) -> Result<Recording, Fault> {
         }
         times.push(time);
     }
-    if times.len() < 2 {
-        let message = format!("{name} has {} rows of numbers", times.len());
-        return Err(Fault::new(message).expected("expected two or more").at((0, text.len().min(1))));
+    if times.is_empty() {
+        let message = format!("{name} has no rows of numbers");
+        return Err(Fault::new(message).expected("expected one or more").at((0, text.len().min(1))));
     }
     let infinite = |c: &SheetColumn| c.values.iter().position(|x| x.is_infinite());
     if let Some((i, row)) = sheet.columns.iter().enumerate().find_map(|(i, c)| Some((i, infinite(c)?))) {

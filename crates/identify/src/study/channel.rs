@@ -52,12 +52,17 @@ pub(super) fn read_channel(
         false => column.values.iter().map(|v| factor * v + offset).collect(),
     };
     let present: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
-    let n = present.len() as f64;
-    let mean = present.iter().sum::<f64>() / n;
-    let variance = present.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n;
-    if present.len() < 2 || variance == 0.0 {
-        let message = format!("{channel} of {path} never changes ({} samples)", present.len());
-        return Err(spans.error(&o.channel, message, "expected a channel with a variance"));
+    let measure = measure(spans, o)?;
+    let variance = if measure.is_some() { mean_square(&present) } else { population_variance(&present) };
+    if !(variance > 0.0) {
+        let (message, expected) = match measure {
+            Some(_) => (format!("{channel} of {path} is zero"), "expected measured cycles"),
+            None => {
+                let message = format!("{channel} of {path} never changes ({} samples)", present.len());
+                (message, "expected a channel with a variance")
+            }
+        };
+        return Err(spans.error(&o.channel, message, expected));
     }
     let missing = values.len() - present.len();
     if missing > 0 {
@@ -70,13 +75,25 @@ pub(super) fn read_channel(
         unit,
         output: o.output.get_ref().clone(),
         column: at,
-        measure: measure(spans, o)?,
+        measure,
         at: o.at.clone().unwrap_or_default(),
         weight,
         shift,
         values,
         variance,
     })
+}
+
+/// Variance about the mean; NaN without samples.
+fn population_variance(x: &[f64]) -> f64 {
+    let n = x.len() as f64;
+    let mean = x.iter().sum::<f64>() / n;
+    x.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / n
+}
+
+/// Mean square; NaN without samples.
+fn mean_square(x: &[f64]) -> f64 {
+    x.iter().map(|v| v * v).sum::<f64>() / x.len() as f64
 }
 
 fn column_number(spans: &SourceSpans, column: &Spanned<i64>) -> Result<usize, StudyError> {

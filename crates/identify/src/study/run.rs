@@ -80,7 +80,7 @@ pub struct ObservedChannel {
     /// Samples as they are compared with the model: converted to the unit of its output, times the factor, plus the
     /// offset. One for each time of the recording; NaN where one is missing.
     pub values: Vec<f64>,
-    /// Population variance of these samples.
+    /// Population variance of these samples; their mean square for measures of loops, whose error is relative.
     pub variance: f64,
 }
 

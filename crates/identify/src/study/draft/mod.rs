@@ -160,7 +160,7 @@ impl Draft {
             let mut steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
             steps.sort_by(f64::total_cmp);
             // Times with jitter are of a round step.
-            format!("{:?}", format!("{:.1e}", steps[steps.len() / 2]).parse::<f64>().ok()?)
+            format!("{:?}", format!("{:.1e}", steps.get(steps.len() / 2)?).parse::<f64>().ok()?)
         } else if ["npts", "nsteps", "nstep", "steps", "n"].contains(&lower.as_str()) {
             let numbers = motion.and_then(|m| hysteron_files::read_text(self.folder.join(m)).ok());
             numbers.map_or(times.len(), |text| text.split_whitespace().count()).to_string()
