@@ -293,6 +293,8 @@ prior! {
 
     // ---- gates ----
 
+    /// Share of the error of the user's model that a repair must take away to be an answer at all. A choice.
+    MIN_TAKEN_ERROR: f64 = 0.005, "share";
     /// Largest probability of a cause whose repair drives a user's parameter to a bound: the bound, not the recordings, then
     /// decides its size. A choice.
     BOUND_PROBABILITY: f64 = 0.5, "share";

@@ -19,6 +19,8 @@ pub(crate) fn saturated_levels(values: &[f64], model: &[f64]) -> [Option<f64>; 2
     if size.is_nan() || size <= 0.0 {
         return [None; 2];
     }
+    // Samples of a coarse recording are equal while the quantity moves by a step of it.
+    let moved = (MIN_MOTION_WHILE_SATURATED * size).max(COARSE_STEPS * step_of_recording(values, EQUAL_SAMPLES * size));
     [low, high].map(|end| {
         let distance = |v: f64| (v - end).abs();
         let at: Vec<usize> = (0..values.len()).filter(|i| distance(values[*i]) <= EQUAL_SAMPLES * size).collect();
@@ -28,8 +30,21 @@ pub(crate) fn saturated_levels(values: &[f64], model: &[f64]) -> [Option<f64>; 2
         let [least, most] = range(&mut at.iter().map(|i| model[*i]));
         let stays = at.len() >= MIN_SATURATED_SAMPLES.max(MIN_SATURATED_OVER_NEAR * near)
             && longest_row >= Some(MIN_SATURATED_IN_A_ROW);
-        (stays && most - least > MIN_MOTION_WHILE_SATURATED * size).then_some(end)
+        (stays && most - least > moved).then_some(end)
     })
+}
+
+/// Steps of a coarse recording within which the model may move while samples are equal: one of rounding at each end.
+const COARSE_STEPS: f64 = 2.0;
+
+/// Least difference between samples that differ by more than `equal`: the step of a coarse recording, hardly more than zero
+/// otherwise.
+fn step_of_recording(values: &[f64], equal: f64) -> f64 {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|x| x.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let differences = sorted.windows(2).map(|w| w[1] - w[0]).filter(|d| *d > equal);
+    let step = differences.fold(f64::INFINITY, f64::min);
+    if step.is_finite() { step } else { 0.0 }
 }
 
 /// Fitted runs in which a channel saturates, with its levels. `fits` are the fitted runs of the model, in their order.
@@ -78,6 +93,12 @@ mod tests {
         let (unclipped, model) = (wave(0, 0.0), wave(1, 0.0));
         let coarse: Vec<f64> = unclipped.iter().map(|x| (x * 50.0).round() / 50.0).collect();
         assert_eq!(saturated_levels(&coarse, &model), [None; 2]);
+        // Steady cycles of a coarse recording stay at its last step for a while.
+        let steady: Vec<f64> = (0..1000).map(|i| (0.13 * f64::from(i)).sin()).collect();
+        let coarse: Vec<f64> = steady.iter().map(|x| (x * 21.0).round() / 21.0).collect();
+        assert_eq!(saturated_levels(&coarse, &steady), [None; 2]);
+        let clipped: Vec<f64> = coarse.iter().map(|x| x.clamp(-9.0, 0.7)).collect();
+        assert!(saturated_levels(&clipped, &steady)[1].is_some());
         let held: Vec<f64> = unclipped.iter().map(|x| x.clamp(-1.2, 1.1)).collect();
         assert_eq!(saturated_levels(&held, &held), [None; 2]);
         assert_eq!(saturated_levels(&[1.0; 50], &[2.0; 50]), [None; 2]);

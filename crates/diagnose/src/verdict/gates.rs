@@ -16,7 +16,7 @@ use crate::hypothesis::changed_condition;
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
     BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
-    MIN_BOUND_EFFECT, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY,
+    MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY,
 };
 use hysteron_identify::study::{Role, Run, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
@@ -57,6 +57,7 @@ impl GatedRepair<'_> {
         out.extend(impossible_heat(self.variant, self.values, self.responses.largest_work()).map(limit(0.0)));
         out.extend(eccentricity(self.variant, self.values, self.extent).map(limit(0.0)));
         out.extend(worsened_channel(self.study, self.judged).map(|w| w.description()).map(limit(0.0)));
+        out.extend(self.nothing_taken().map(limit(0.0)));
         out.extend(self.fault_at_limit().map(limit(0.0)));
         out.extend(faults.iter().find_map(|f| self.run_that_does_not_improve(f)).map(limit(0.0)));
         out.extend(faults.iter().find_map(|f| self.change_of_parameters(f)).map(limit(0.0)));
@@ -74,6 +75,12 @@ impl GatedRepair<'_> {
         let fitted = self.study.runs.iter().filter(|r| r.role == Role::Fit);
         let has = fitted.flat_map(|r| &r.observe).any(|o| o.measure.is_some());
         has.then(|| "measures of loops are fitted, which do not tell how certain a cause is".to_owned())
+    }
+
+    /// A repair that leaves what the user's model leaves, whatever a recording shows by itself.
+    fn nothing_taken(&self) -> Option<String> {
+        let before = self.baseline.fitted.objective;
+        (self.left > (1.0 - MIN_TAKEN_ERROR) * before).then(|| "it takes nothing of the error away".to_owned())
     }
 
     /// A fault of a channel that is as large as the search allows.
