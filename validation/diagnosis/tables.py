@@ -44,6 +44,7 @@ def generated():
         "confusion.md": matrix,
         "confusion.svg": picture,
         "trials.md": trial_tables.markdown(trials, here("builds.csv")),
+        "imperfect.md": trial_tables.imperfect(trial_tables.Trials(here("imperfect.csv"))),
         "trials.svg": trial_tables.curves(trials),
         "trials_confusion.svg": trial_tables.confusion(trials),
     }

@@ -83,10 +83,14 @@ def by_kind(t):
     for kind in sorted({r["kinds"] for r in t.unknown}):
         rows = [r for r in t.unknown if r["kinds"] == kind]
         unknowns.append((kind, rate(rows), ", ".join(sorted({r["verdict"] for r in rows if r["verdict"] != "unknown"}))))
-    sure = [(f"{100 * a:.0f} to {100 * min(b, 1):.0f} %", rate([r for r in t.rows if a <= float(r["confidence"]) < b])) for a, b in zip(CONFIDENCES, CONFIDENCES[1:])]
     return ["", "## Nulls by noise", "", *table(["noise", "quiet"], noises),
             "", "## Unknowns by kind", "", *table(["kind", "left unknown", "called"], unknowns),
-            "", "## Confidence against frequency", "", *table(["confidence", "right"], sure)]
+            *by_confidence(t)]
+
+
+def by_confidence(t):
+    sure = [(f"{100 * a:.0f} to {100 * min(b, 1):.0f} %", rate([r for r in t.rows if a <= float(r["confidence"]) < b])) for a, b in zip(CONFIDENCES, CONFIDENCES[1:])]
+    return ["", "## Confidence against frequency", "", *table(["confidence", "right"], sure)]
 
 
 def by_build(t, path):
@@ -122,6 +126,16 @@ def markdown(t, builds):
            "Written by `tables.py` from `trials.csv` and `builds.csv`. Rates with the 95 % interval of Wilson.", "",
            f"{len(t.all)} trials; {len(t.failed)} without an answer, {len(t.untrusted)} left out because script and generator differ by more than {MAX_SELF_CHECK:g}."]
     return "\n".join([*out, *summary(t), *by_cause(t), *by_kind(t), *by_build(t, builds), *failures(t)]) + "\n"
+
+
+def imperfect(t):
+    """imperfect.md: trials of models that are only roughly right, none of which the weights were fitted to."""
+    wrong = [(r["seed"], r["family"], r["kinds"] or "nothing", r["effect_over_noise"] or "-", f"{r['verdict']} {r['verdict_also']}", r["confidence"]) for r in t.rows if r["right"] == "0"]
+    out = ["# Trials of models that are only roughly right", "",
+           "Written by `tables.py` from `imperfect.csv`. Rates with the 95 % interval of Wilson. The weights of the verdict were fitted to none of them.", "",
+           f"{len(t.all)} trials; {len(t.failed)} without an answer."]
+    heads = ["seed", "family", "concealed", "over noise", "answer", "confidence"]
+    return "\n".join([*out, *summary(t), *by_confidence(t), "", "## Wrong answers", "", *table(heads, wrong)]) + "\n"
 
 
 def curves(t):
