@@ -12,6 +12,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same run at the temperature of the model differs from it as much",
     look_alikes: &["rate_dependence", "mullins_softening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Temperature],
     propose,
 };

@@ -11,6 +11,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral stiffness is the same at another axial load",
     look_alikes: &["strain_stiffening", "mullins_softening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::AxialForce],
     propose,
 };

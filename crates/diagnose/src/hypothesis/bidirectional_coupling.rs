@@ -8,6 +8,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "a motion along one direction changes nothing in the other when both move",
     look_alikes: &["friction", "axial_shear_interaction"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
     propose,
 };

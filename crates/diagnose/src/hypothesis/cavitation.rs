@@ -10,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the second pull is as strong as the first",
     look_alikes: &[],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
     propose,
 };

@@ -10,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "after a rest, or at a small amplitude after a large one, the strength is back",
     look_alikes: &["self_heating", "mullins_softening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Work],
     propose,
 };

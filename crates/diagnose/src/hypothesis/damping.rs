@@ -14,6 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "free vibration decays as the model says",
     look_alikes: &["rate_dependence", "friction"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Rate],
     propose,
 };

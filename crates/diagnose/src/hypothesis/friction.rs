@@ -9,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
     look_alikes: &["rate_dependence", "damping", "sensor_gain"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::Rate],
     propose,
 };

@@ -13,6 +13,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
     look_alikes: &["strain_stiffening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::Side],
     propose,
 };

@@ -18,6 +18,7 @@ mod device_commands;
 mod foundation_flexibility;
 mod friction;
 mod gap_impact;
+pub(crate) mod isolation_layer;
 mod materials;
 mod mullins_softening;
 mod own_options;
@@ -27,6 +28,7 @@ mod self_heating;
 pub(crate) mod sensor;
 mod strain_stiffening;
 mod superstructure_yielding;
+mod support_springs;
 mod torsion;
 mod varying_axial_load;
 mod whole_law;
@@ -48,6 +50,9 @@ pub struct Hypothesis {
     pub look_alikes: &'static [&'static str],
     /// True if the effect depends on elapsed time. Recordings that only count samples cannot show it.
     pub needs_clock: bool,
+    /// True if the effect is a part of the structure, without which the model moves quite differently. Fits from the user's values
+    /// miss it.
+    pub(crate) is_missing_part: bool,
     /// Kinds of memory that a device shows under the effect; empty where the effect is none of a device's law.
     pub(crate) memory: &'static [Family],
     propose: fn(&ProposalContext<'_>) -> Vec<Proposal>,
@@ -68,6 +73,7 @@ pub const ALL: &[Hypothesis] = &[
     friction::HYPOTHESIS,
     gap_impact::HYPOTHESIS,
     foundation_flexibility::HYPOTHESIS,
+    isolation_layer::HYPOTHESIS,
     superstructure_yielding::HYPOTHESIS,
     damping::HYPOTHESIS,
     torsion::HYPOTHESIS,

@@ -9,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the second cycle at an amplitude that was never reached before is as stiff as the first",
     look_alikes: &["cyclic_degradation", "self_heating", "strain_stiffening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Largest],
     propose,
 };

@@ -10,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the force at zero deformation is as large as that of a fresh device",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Pinching, Family::Largest],
     propose,
 };

@@ -9,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     look_alikes: &["friction", "damping", "mullins_softening"],
     needs_clock: true,
+    is_missing_part: false,
     memory: &[Family::Rate],
     propose,
 };

@@ -10,6 +10,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
     needs_clock: true,
+    is_missing_part: false,
     memory: &[Family::Heat, Family::Temperature],
     propose,
 };

@@ -15,7 +15,16 @@ const fn fault(
     look_alikes: &'static [&'static str],
     propose: fn(&ProposalContext<'_>) -> Vec<Proposal>,
 ) -> Hypothesis {
-    Hypothesis { cause, statement, refuted_by, look_alikes, needs_clock: false, memory: &[], propose }
+    Hypothesis {
+        cause,
+        statement,
+        refuted_by,
+        look_alikes,
+        needs_clock: false,
+        is_missing_part: false,
+        memory: &[],
+        propose,
+    }
 }
 
 pub(super) const GAIN: Hypothesis = fault(

@@ -9,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the secant stiffness goes on falling beyond the largest strain tested",
     look_alikes: &["axial_shear_interaction", "gap_impact"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape],
     propose,
 };

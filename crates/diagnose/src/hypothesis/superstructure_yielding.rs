@@ -17,8 +17,9 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
     statement: "the structure above, taken as elastic, yields",
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
-    look_alikes: &["foundation_flexibility", "damping"],
+    look_alikes: &["foundation_flexibility", "isolation_layer", "damping"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
     propose,
 };

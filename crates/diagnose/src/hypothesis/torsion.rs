@@ -9,6 +9,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "opposite edges move alike",
     look_alikes: &["bidirectional_coupling", "sensor_gain"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
     propose,
 };

@@ -14,6 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the lateral strength does not follow the axial force",
     look_alikes: &["axial_shear_interaction", "friction"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Side, Family::AxialForce],
     propose,
 };

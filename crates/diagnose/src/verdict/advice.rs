@@ -123,6 +123,13 @@ const MEASUREMENTS: &[Measurement] = &[
     .unless_at_building(Recordable::Acceleration)
     .unless_in_rig(Recordable::Deformation),
     of(
+        "isolation_layer",
+        "look for bearings below {place}, and record the displacement across them",
+        "look for bearings below {place}, and record the displacement across them",
+    )
+    .unless_at_building(Recordable::Deformation)
+    .unless_in_rig(Recordable::Deformation),
+    of(
         "superstructure_yielding",
         "inspect {place} for cracks and a permanent drift, and record the drift there",
         "record the deformation at {place}: it must keep a permanent part",

@@ -44,6 +44,14 @@ const PUBLISHED: &[PublishedRange] = &[
         words: "bearings lose 0.2 to 3 % a degree (Constantinou et al. 2007, MCEER-07-0012)",
     },
     PublishedRange {
+        cause: "isolation_layer",
+        parameter: "period",
+        quantity: "the period after yielding, s",
+        lower: 1.0,
+        upper: 5.0,
+        words: "isolated structures swing at up to 5 s (ASCE/SEI 7-16, 17.4.1), rarely below 2 s, and models of quarter scale at half of that",
+    },
+    PublishedRange {
         cause: "mullins_softening",
         parameter: "virgin",
         quantity: "the excess of the virgin stiffness",

@@ -21,6 +21,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the run, repeated under one and the same condition, differs as much",
     look_alikes: &["sensor_gain", "ambient_temperature"],
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
     propose,
 };
