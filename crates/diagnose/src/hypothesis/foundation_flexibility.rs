@@ -1,5 +1,6 @@
 //! Flexible soil or supports below a fixed base.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::support_springs::{FreedSupports, SupportSpring, carrying_supports, horizontal_dofs, largest_stiffness};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::amplitudes_differ;
@@ -10,9 +11,29 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the soil or the support below the fixed base of the model gives way",
     refuted_by: "the base of the structure does not move against the free field",
     look_alikes: &["superstructure_yielding", "isolation_layer", "damping"],
+    shows: "a longer period than the model's; a base that moves or rocks against the free field",
+    parted_by: "the period is longer at small amplitudes too, which yielding does not explain",
+    place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
+    forms: "horizontal spring, rocking spring, or both, each with a dashpot; a spring that yields; a footing with mass",
     needs_clock: false,
     is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "put one accelerometer on the foundation at {place} and one on free ground: they must differ",
+        "record the displacement of the support at {place}",
+    )
+    .unless_at_building(Recordable::Acceleration)
+    .unless_in_rig(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("sway", "horizontal stiffness", Dimension::Stiffness),
+        Quantity::new("sway_dashpot", "horizontal damping", Dimension::Dashpot),
+        Quantity::new("rocking", "rocking stiffness", Dimension::RotationalStiffness),
+        Quantity::new("rocking_dashpot", "rocking damping", Dimension::RotationalDashpot),
+        Quantity::new("sway_yield", "yield force", Dimension::Force),
+        Quantity::new("sway_hardening", "hardening ratio", Dimension::Ratio),
+        Quantity::new("footing", "mass of the footing", Dimension::Unnamed),
+    ],
     propose,
 };
 

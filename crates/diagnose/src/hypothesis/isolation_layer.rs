@@ -1,5 +1,6 @@
 //! An isolation layer that the model leaves out: friction pendulums or rubber bearings below a structure on a fixed base.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::support_springs::{FreedSupports, SupportSpring, carrying_supports, horizontal_dofs};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::dominant_period::dominant_period;
@@ -30,9 +31,25 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the structure stands on an isolation layer that the model leaves out: sliding or rubber bearings and the mass of their slab",
     refuted_by: "the base of the structure moves with the ground, and its period does not grow with the amplitude",
     look_alikes: &["foundation_flexibility", "superstructure_yielding"],
+    shows: "drifts that hardly grow with the strength of the motion, and swing at a period of seconds that the model lacks",
+    parted_by: "`foundation_flexibility` has one period at all amplitudes; `superstructure_yielding` has one storey with the largest drift",
+    place: "supports of a shaken model that carry linear devices or beams: all with the same fixities together, up to 20",
+    forms: "a bilinear spring with the mass of a slab below each support: yield force, period of all mass above on the stiffness after yielding, stiffness before it",
     needs_clock: false,
     is_missing_part: true,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "look for bearings below {place}, and record the displacement across them",
+        "look for bearings below {place}, and record the displacement across them",
+    ).unless_at_building(Recordable::Deformation).unless_in_rig(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("yield", "yield force of the layer", Dimension::Force),
+        Quantity::new("period", "period after yielding", Dimension::Time)
+            .within("the period after yielding, s", [1.0, 5.0], "isolated structures swing at up to 5 s (ASCE/SEI 7-16, 17.4.1), rarely below 2 s, and models of quarter scale at half of that"),
+        Quantity::new("slab", "mass of the slab", Dimension::Unnamed),
+        Quantity::new("initial", "stiffness before yielding", Dimension::Stiffness),
+    ],
     propose,
 };
 

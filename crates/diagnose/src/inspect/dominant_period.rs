@@ -43,3 +43,29 @@ fn power_at(times: &[f64], recorded: &[f64], simulated: &[f64], period: f64) -> 
     }
     (cosine * cosine + sine * sine) / f64::max(count * count, 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::dominant_period;
+    use crate::test_support::pad_study;
+    use hysteron_identify::study::{Role, ScoredRun};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn the_period_of_what_is_left_is_found() {
+        let study = pad_study();
+        let span = study.runs_of(Role::Fit).map(|(_, r)| r.recording.times[r.recording.times.len() - 1]);
+        let period = span.fold(f64::INFINITY, f64::min) / 12.0;
+        let fits: Vec<ScoredRun> = study
+            .runs_of(Role::Fit)
+            .map(|(_, r)| {
+                let left = |(t, v): (&f64, &f64)| v - (TAU * t / period).sin();
+                let channels = r.observe.iter().map(|o| r.recording.times.iter().zip(&o.values).map(left).collect());
+                ScoredRun { channels: channels.collect(), scores: vec![] }
+            })
+            .collect();
+        let found = dominant_period(&study, &fits).expect("a period");
+        assert!((found / period).ln().abs() < 0.1, "{found} for {period}");
+        assert_eq!(dominant_period(&study, &[]), None);
+    }
+}
