@@ -474,18 +474,3 @@ fn a_recording_without_a_clock_tells_no_rates() {
     assert!(!named("rate_dependence") && !named("self_heating"), "{verdict:?}");
     let _ = fs::remove_dir_all(dir);
 }
-
-/// The page of causes quotes the library.
-#[test]
-fn the_page_of_causes_is_that_of_the_library() {
-    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/causes.md")).unwrap();
-    for h in hypothesis::ALL {
-        let row = format!("| `{}` | {} | {} |", h.cause, h.statement, h.refuted_by);
-        assert!(page.contains(&row), "{row}");
-        let like: Vec<String> = h.look_alikes.iter().map(|cause| format!("`{cause}`")).collect();
-        let like = if like.is_empty() { "none".to_owned() } else { like.join(", ") };
-        assert!(page.contains(&format!("| `{}` | {like} |\n", h.cause)), "look-alikes of {}", h.cause);
-    }
-    let named = page.lines().filter(|line| line.starts_with("| `")).count();
-    assert_eq!(named, 2 + 4 * hypothesis::ALL.len(), "a row of each cause in each of four tables, and none, unknown");
-}

@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
 
+#[path = "reference/causes.rs"]
+mod causes;
 #[path = "reference/keys.rs"]
 mod keys;
 #[path = "reference/page.rs"]
@@ -59,6 +61,20 @@ fn the_page_of_study_keys_is_that_of_the_declarations() {
     }
     let page = fs::read_to_string(keys::path()).unwrap_or_default();
     assert!(page == text, "HYSTERON_WRITE=1 cargo test --test reference writes isolation-keys.md anew");
+}
+
+#[test]
+fn the_tables_of_causes_are_those_of_the_hypotheses() {
+    let page = fs::read_to_string(causes::path()).unwrap();
+    let text = causes::renewed(&page);
+    if std::env::var_os("HYSTERON_WRITE").is_some() {
+        fs::write(causes::path(), &text).unwrap();
+    } else {
+        assert!(
+            page == text,
+            "HYSTERON_WRITE=1 cargo test --release --test reference writes the tables of causes.md anew"
+        );
+    }
 }
 
 #[test]

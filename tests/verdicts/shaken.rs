@@ -147,6 +147,55 @@ pub fn soft_ground() -> Concealed {
     })
 }
 
+/// Two storeys with dashpots whose drifts are recorded. The script has `stiffness`.
+fn drifts_of_storeys<const N: usize>(
+    stiffness: f64,
+    rate: impl Fn(&[f64; N], f64) -> [f64; N],
+    drifts: impl Fn(&[f64; N]) -> [f64; 2],
+) -> Concealed {
+    let model = damped_storeys().replace("pset k 130.0", &format!("pset k {stiffness:.1}")).replace(
+        "recorder Node -file disp.out -time -node 2 3 -dof 1 disp",
+        "recorder Element -file drift.out -time -ele 1 2 deformation",
+    );
+    let drift = |name, column| Channel { name, output: "drift.out", column };
+    // Each element has a column for its spring and one for its dashpot.
+    let channels = [drift("drift1", 1), drift("drift2", 3)];
+    study(model, vec![("k", 40.0, 600.0), ("c", 0.2, 8.0)], channels, |ground| {
+        let seen: Vec<[f64; 2]> = moved(ground, &rate).iter().map(&drifts).collect();
+        [0, 1].map(|i| seen.iter().map(|d| d[i]).collect())
+    })
+}
+
+/// A slab between two storeys and the ground, which has a force of its own on its displacement and speed.
+fn storeys_on_slab(mass: f64, force: impl Fn(f64, f64) -> f64) -> Concealed {
+    let (k, c) = (150.0, 2.0);
+    let rate = |&[base, b, u, v, w, s]: &[f64; 6], a: f64| {
+        let (lower, upper) = (k * (u - base) + c * (v - b), k * (w - u) + c * (s - v));
+        [b, (lower - force(base, b)) / mass - a, v, upper - lower - a, s, -upper - a]
+    };
+    drifts_of_storeys(130.0, rate, |&[base, _, u, _, w, _]| [u - base, w - u])
+}
+
+/// Friction pendulums below the storeys, by Coulomb's law smoothed over the speed, that the model leaves out. Its friction grows
+/// with the speed (Mokha, Constantinou and Reinhorn 1990).
+pub fn pendulums() -> Concealed {
+    storeys_on_slab(1.2, |u, v| 16.0 * u + (1.8 - 0.5 * (-20.0 * v.abs()).exp()) * (v / 0.01).tanh())
+}
+
+/// Look-alike of an isolation layer: elastic ground below a heavy slab.
+pub fn heavy_soft_ground() -> Concealed {
+    storeys_on_slab(0.8, |u, v| 120.0 * u + 3.0 * v)
+}
+
+/// Look-alike of an isolation layer: a stiffness that is far off, and nothing missing.
+pub fn soft_model() -> Concealed {
+    let rate = |&[u, v, w, s]: &[f64; 4], a: f64| {
+        let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - u) + 2.0 * (s - v));
+        [v, upper - lower - a, s, -upper - a]
+    };
+    drifts_of_storeys(45.0, rate, |&[u, _, w, _]| [u, w - u])
+}
+
 /// Dashpots that the model does not have.
 pub fn undamped_model() -> Concealed {
     let model = STOREYS.replace("pset c 1.5\n", "pset upper 130.0\n").replace("Viscous 2 $c 1.0", "Elastic 2 $upper");

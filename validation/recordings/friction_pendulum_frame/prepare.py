@@ -5,7 +5,8 @@ from bench import columns, write
 
 FILES = ["fixed_gm152_level1", "fixed_gm152_level2", "fixed_gm152_level3", "isolated_gm152_level1", "isolated_gm152_level2", "isolated_gm111_level1", "isolated_gm111_level2",
          "isolated_gm162_level1", "isolated_gm162_level2"]
-VARIANTS = {"linear": ("linear.toml", None), "fixed": ("fixed.toml", None), "bilinear": ("bilinear.toml", None)}
+VARIANTS = {"linear": ("linear.toml", None), "fixed": ("fixed.toml", None), "bilinear": ("bilinear.toml", None),
+            "without_isolation": ("without_isolation.toml", None)}
 G = 386.0886        # in/s2
 STEP = 1.0 / 256.0  # s, of the source
 CORNER = 0.15       # Hz; the table's displacement was not recorded, and integration below it drifts

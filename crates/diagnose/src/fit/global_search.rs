@@ -6,10 +6,45 @@ use super::fitted::FittedHypothesis;
 use super::halton_points::halton_points;
 use super::scheduler::Scheduler;
 use super::search_settings::{GLOBAL_GROUPS, GLOBAL_POINTS, GLOBAL_STARTS_PER_CAUSE, MAX_GLOBAL_SAMPLES};
+use crate::candidate::proposal::Proposal;
 use crate::candidate::variant::Variant;
+use crate::hypothesis;
 use hysteron_identify::study::{Role, Study};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+/// Physics that is sought from the whole range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum GlobalScope {
+    /// All of it.
+    All,
+    /// Parts of the structure that may be missing altogether. A fit from the user's values misses these most easily.
+    MissingParts,
+    /// Nothing.
+    Nothing,
+}
+
+impl GlobalScope {
+    /// The widest scope that the length of the fitted runs allows.
+    pub(crate) fn affordable(study: &Study, proposals: &[Proposal]) -> Self {
+        let searches = |scope: Self| proposals.iter().filter(|p| p.edits_script() && scope.has_cause(p.cause)).count();
+        let scopes = [Self::All, Self::MissingParts];
+        scopes.into_iter().find(|scope| is_affordable(study, searches(*scope))).unwrap_or(Self::Nothing)
+    }
+
+    fn has_cause(self, cause: &str) -> bool {
+        match self {
+            Self::All => true,
+            Self::MissingParts => hypothesis::of(cause).is_some_and(|h| h.is_missing_part),
+            Self::Nothing => false,
+        }
+    }
+
+    /// Returns true if a variant is sought. Faults of channels never are.
+    pub(crate) fn contains(self, variant: &Variant) -> bool {
+        !variant.is_channel_fault() && self.has_cause(variant.cause())
+    }
+}
 
 /// Returns true if the fitted runs are short enough for a number of global searches.
 pub(crate) fn is_affordable(study: &Study, searches: usize) -> bool {

@@ -2,7 +2,7 @@
 
 use super::alternative_forms::{fit_extended_forms, fit_neighbouring_forms};
 use super::fitted::{FittedHypothesis, ScreenedHypothesis, approximate_gain, sort_by_score};
-use super::global_search::global_search;
+use super::global_search::{GlobalScope, global_search};
 use super::halton_points::halton_points;
 use super::scheduler::Scheduler;
 use super::search_settings::{
@@ -30,8 +30,8 @@ pub(crate) struct FirstRound<'a> {
     pub(crate) point: &'a InsertionPoint,
     /// All proposals.
     pub(crate) proposals: &'a [Proposal],
-    /// True if physics is sought from the whole range as well.
-    pub(crate) global: bool,
+    /// Physics that is sought from the whole range as well.
+    pub(crate) global: GlobalScope,
 }
 
 /// Screened proposals in the order of their fits.
@@ -70,8 +70,9 @@ impl FirstRound<'_> {
         fitted.extend(scheduler.search(STAGE, second, FIRST_ROUND_ITERATIONS)?);
         fit_neighbouring_forms(scheduler, STAGE, further_forms, &mut fitted)?;
         fit_extended_forms(scheduler, STAGE, &variants, &mut fitted)?;
-        if self.global {
-            global_search(scheduler, STAGE, baseline, &variants, GLOBAL_ITERATIONS, &mut fitted)?;
+        let sought: Vec<_> = variants.into_iter().filter(|v| self.global.contains(v)).collect();
+        if !sought.is_empty() {
+            global_search(scheduler, STAGE, baseline, &sought, GLOBAL_ITERATIONS, &mut fitted)?;
         }
         sort_by_score(&mut fitted);
         // A variant sought from two points stays with its better fit.

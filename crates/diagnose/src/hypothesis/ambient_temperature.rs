@@ -1,18 +1,41 @@
 //! Runs at other temperatures than that of the model's parameters.
 
 use super::context::distinguishing_variable;
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::ambient_temperatures;
 use crate::memory::family::Family;
 use crate::prior::MIN_TEMPERATURE_DIFFERENCE;
+
+/// Steepest published softening of rubber, 1/degree (Constantinou et al. 2007, MCEER-07-0012).
+pub(crate) const STEEPEST_SOFTENING: f64 = 0.03;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "ambient_temperature",
     statement: "the runs were made at other temperatures than that of the model's parameters",
     refuted_by: "the same run at the temperature of the model differs from it as much",
     look_alikes: &["rate_dependence", "mullins_softening"],
+    shows: "a whole run that is stiffer or softer than another, by one factor from its first cycle on",
+    parted_by: "the factor follows the recorded temperature, not the speed of the run",
+    place: "nonlinear groups, where temperatures of runs differ by 2 degrees and a variable of the study tells the runs apart",
+    forms: "`temperature`: one factor, or one each for strength and stiffness",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Temperature],
+    materials: &[],
+    measurement: Measurement::new(
+        "record the temperature at {place} with every earthquake",
+        "record the temperature of {place}, and repeat one run at the temperature of the model",
+    )
+    .unless(Recordable::Temperature, Some("repeat one run at the temperature of the model")),
+    quantities: &[
+        Quantity::new("temperature", "temperature of the rubber", Dimension::Unnamed),
+        Quantity::new("b", "softening", Dimension::PerDegree).within(
+            "the softening per degree",
+            [0.0, STEEPEST_SOFTENING],
+            "bearings lose 0.2 to 3 % a degree (Constantinou et al. 2007, MCEER-07-0012)",
+        ),
+    ],
     propose,
 };
 

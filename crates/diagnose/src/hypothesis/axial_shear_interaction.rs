@@ -1,6 +1,7 @@
 //! Loss of lateral stiffness under axial load.
 
 use super::context::force_parts;
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::axial_loads;
 use crate::memory::family::Family;
@@ -10,8 +11,23 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the axial load takes lateral stiffness away (P-Delta, buckling)",
     refuted_by: "the lateral stiffness is the same at another axial load",
     look_alikes: &["strain_stiffening", "mullins_softening"],
+    shows: "a lateral stiffness that falls at large deformation or under more load, down to a negative slope",
+    parted_by: "another axial load changes the slope",
+    place: "nonlinear groups with a known compression: the model's, or a variable `axial` of each run",
+    forms: "`axial` with a constant critical load, or one that falls with the overlap",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::AxialForce],
+    materials: &[],
+    measurement: Measurement::new(
+        "compute or measure the axial load of {place}: the lateral stiffness must fall as it grows",
+        "repeat a run at another axial load: the lateral stiffness must change",
+    )
+    .unless(Recordable::AxialForce, Some("repeat a run at another axial load: the lateral stiffness must change")),
+    quantities: &[
+        Quantity::new("critical", "critical load", Dimension::Force),
+        Quantity::new("width", "width of the overlap", Dimension::Length),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! One yield surface for both horizontal directions.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
@@ -7,8 +8,25 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the two horizontal directions share one yield surface",
     refuted_by: "a motion along one direction changes nothing in the other when both move",
     look_alikes: &["friction", "axial_shear_interaction"],
+    shows: "less force in a direction while the other one moves; rounded corners of loops in orbits",
+    parted_by: "motions along one direction show nothing",
+    place: "nonlinear groups that move in two directions",
+    forms: "`coupling`",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "record both horizontal displacements across {place}",
+        "drive one direction alone: its loops must be larger than in a motion of both",
+    )
+    .unless_at_building(Recordable::BothHorizontal),
+    quantities: &[
+        Quantity::new("stiffness", "initial stiffness", Dimension::Stiffness),
+        Quantity::new("strength", "strength", Dimension::Force),
+        Quantity::new("alpha", "hardening ratio", Dimension::Ratio),
+        Quantity::new("eta", "exponent of the transition", Dimension::Ratio),
+    ],
     propose,
 };
 

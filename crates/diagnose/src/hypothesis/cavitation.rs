@@ -1,5 +1,7 @@
 //! Cavitation of rubber in tension.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
+use super::materials::RUBBERS;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::device_axes::{AxialDirection, device_axes};
 use crate::inspect::inventory::{Device, grouped};
@@ -9,8 +11,25 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the rubber cavitates in tension and is damaged by it",
     refuted_by: "the second pull is as strong as the first",
     look_alikes: &[],
+    shows: "a tension that reaches a limit, and a softer second pull",
+    parted_by: "only pulled devices show it",
+    place: "single devices that are pulled in their axis; both signs for springs of one direction",
+    forms: "`cavitation`: a level limit, one that rises, and one of the elastic part",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: RUBBERS,
+    measurement: Measurement::new(
+        "record the vertical displacement across {place}: it must lift",
+        "pull twice to the same extension: the second pull must be weaker",
+    )
+    .unless_at_building(Recordable::VerticalDeformation),
+    quantities: &[
+        Quantity::new("strength", "cavitation force", Dimension::Force),
+        Quantity::new("damage", "largest damage", Dimension::Ratio),
+        Quantity::new("rise", "rise of the force", Dimension::Ratio),
+        Quantity::new("reach", "extension of the rise", Dimension::Length),
+    ],
     propose,
 };
 

@@ -1,6 +1,7 @@
 //! Loss of strength or stiffness with accumulated damage.
 
 use super::context::{force_parts, strength_part};
+use super::declaration::{Dimension, Measurement, Quantity};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -9,8 +10,27 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "strength or stiffness is lost with accumulated damage",
     refuted_by: "after a rest, or at a small amplitude after a large one, the strength is back",
     look_alikes: &["self_heating", "mullins_softening"],
+    shows: "peaks that fall with the number and size of the cycles, and stay low",
+    parted_by: "after a rest the strength is still missing",
+    place: "nonlinear groups",
+    forms: "`degradation`, as a factor or of the strength",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Work],
+    materials: &[],
+    measurement: Measurement::new(
+        "inspect {place} for damage, and compare a small earthquake before the strong one with one after it",
+        "drive small cycles before and after the strong ones: {place} must stay weaker after them",
+    ),
+    quantities: &[
+        Quantity::new("loss", "largest loss", Dimension::Ratio),
+        Quantity::new("damageDuctility", "damage by ductility", Dimension::Ratio),
+        Quantity::new("damageEnergy", "damage by energy", Dimension::Ratio),
+        Quantity::new("energy", "work that causes it", Dimension::Energy),
+        Quantity::new("deltaA", "loss of the hysteretic force per energy", Dimension::Unnamed),
+        Quantity::new("deltaNu", "loss of strength per energy", Dimension::Unnamed),
+        Quantity::new("deltaEta", "loss of stiffness per energy", Dimension::Unnamed),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Energy loss of the structure beyond its damping model.
 
+use super::declaration::{Dimension, Measurement, Quantity};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, Mass, TAGS_PER_PURPOSE, TagPurpose};
@@ -13,8 +14,24 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the structure loses energy that its damping model misses",
     refuted_by: "free vibration decays as the model says",
     look_alikes: &["rate_dependence", "friction"],
+    shows: "a free vibration that decays faster or slower than the model's",
+    parted_by: "the period is right, and so is the force at peaks of displacement",
+    place: "linear groups of a shaken model; frames; all masses; each of 6 masses that are not on a device on the ground",
+    forms: "`damping`, linear or of a power; dashpots in proportion to stiffness; dashpots beside columns; mass-proportional damping; a dashpot of a power from 1 to 2 between a mass and the ground",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Rate],
+    materials: &[],
+    measurement: Measurement::new(
+        "record small vibrations after a shock or in wind, and compare their decay with that of the model",
+        "record a free vibration, and compare its decay with that of the model",
+    ),
+    quantities: &[
+        Quantity::new("force", "damping force at the largest speed", Dimension::Force),
+        Quantity::new("beta", "damping per stiffness", Dimension::Time),
+        Quantity::new("alphaM", "damping per mass", Dimension::Rate),
+        Quantity::new("c", "dashpot", Dimension::Dashpot),
+    ],
     propose,
 };
 

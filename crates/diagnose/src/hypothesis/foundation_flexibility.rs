@@ -1,5 +1,7 @@
 //! Flexible soil or supports below a fixed base.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
+use super::support_springs::{FreedSupports, SupportSpring, carrying_supports, horizontal_dofs, largest_stiffness};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::amplitudes_differ;
 use crate::inspect::inventory::{Support, TagPurpose, grouped};
@@ -8,9 +10,30 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "foundation_flexibility",
     statement: "the soil or the support below the fixed base of the model gives way",
     refuted_by: "the base of the structure does not move against the free field",
-    look_alikes: &["superstructure_yielding", "damping"],
+    look_alikes: &["superstructure_yielding", "isolation_layer", "damping"],
+    shows: "a longer period than the model's; a base that moves or rocks against the free field",
+    parted_by: "the period is longer at small amplitudes too, which yielding does not explain",
+    place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
+    forms: "horizontal spring, rocking spring, or both, each with a dashpot; a spring that yields; a footing with mass",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "put one accelerometer on the foundation at {place} and one on free ground: they must differ",
+        "record the displacement of the support at {place}",
+    )
+    .unless_at_building(Recordable::Acceleration)
+    .unless_in_rig(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("sway", "horizontal stiffness", Dimension::Stiffness),
+        Quantity::new("sway_dashpot", "horizontal damping", Dimension::Dashpot),
+        Quantity::new("rocking", "rocking stiffness", Dimension::RotationalStiffness),
+        Quantity::new("rocking_dashpot", "rocking damping", Dimension::RotationalDashpot),
+        Quantity::new("sway_yield", "yield force", Dimension::Force),
+        Quantity::new("sway_hardening", "hardening ratio", Dimension::Ratio),
+        Quantity::new("footing", "mass of the footing", Dimension::Unnamed),
+    ],
     propose,
 };
 
@@ -26,8 +49,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     if !s.inventory.base_excited {
         return out;
     }
-    let carries = |p: &&Support| !p.elements.is_empty() && p.fixed.len() >= s.inventory.ndm;
-    let supports: Vec<&Support> = s.inventory.supports.iter().filter(carries).collect();
+    let supports = carrying_supports(s);
     for support in supports.iter().take(MAX_SINGLE_SUPPORTS) {
         add_forms(s, &[support], &mut out);
     }
@@ -64,11 +86,9 @@ enum Addition {
 /// Adds all forms of equal springs and dashpots below some supports.
 fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Proposal>) {
     let ndm = s.inventory.ndm;
-    let total = s.inventory.masses.iter().map(|m| m.mass[0]).sum::<f64>();
-    let (first, stiffest) =
-        (supports[0], |dof: usize| supports.iter().fold(0.0, |a: f64, p| a.max(p.stiffness[dof - 1])));
-    // Horizontal directions; a chain along one axis moves along it.
-    let horizontal: Vec<usize> = (1..ndm.max(2)).filter(|d| first.fixed.contains(d) && stiffest(*d) > 0.0).collect();
+    let total = s.inventory.total_mass();
+    let (first, stiffest) = (supports[0], |dof: usize| largest_stiffness(supports, dof));
+    let horizontal = horizontal_dofs(supports, ndm);
     let rotations: &[usize] = if ndm == 2 { &[3] } else { &[4, 5] };
     let rocking: Vec<usize> = rotations
         .iter()
@@ -77,57 +97,23 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         .collect();
     let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
     let at = format!("node {}", named.join(" "));
+    let freed = FreedSupports { inventory: s.inventory, supports, purpose: TagPurpose::Foundation };
     let mut form = |form: &str, springs: &[(&str, &[usize])], addition: Addition| {
-        let (mut block, mut added) = (vec![], vec![]);
-        let scale = |dofs: &[usize]| dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max);
-        for (material, (name, dofs)) in (s.inventory.first_tag(TagPurpose::Foundation)..).step_by(2).zip(springs) {
-            block.push(match addition {
-                Addition::Yielding { .. } => {
-                    format!("uniaxialMaterial Steel01 {material} $hy_{name}_yield $hy_{name} $hy_{name}_hardening")
-                }
-                _ => format!("uniaxialMaterial Elastic {material} $hy_{name}"),
-            });
-            block.push(format!("uniaxialMaterial Viscous {} $hy_{name}_dashpot 1.0", material + 1));
-            // Scale: the stiffness of the elements above. A much stiffer spring is a fixed base.
-            let scale = scale(dofs);
-            added.push(AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale));
-            added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
-            if let Addition::Yielding { force } = addition {
-                added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
-                added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
-            }
-        }
-        for (support, tag) in supports.iter().zip(s.inventory.first_tag(TagPurpose::Foundation)..) {
-            let (mut materials, mut directions) = (vec![], vec![]);
-            block.push(format!("node {tag} {}", super::context::node_coordinates(support.node, ndm)));
-            block.push(format!("fix {tag} {}", vec!["1"; support.ndf].join(" ")));
-            for (material, (_, dofs)) in (s.inventory.first_tag(TagPurpose::Foundation)..).step_by(2).zip(springs) {
-                for dof in *dofs {
-                    let direction = if ndm == 2 && *dof == 3 { 6 } else { *dof };
-                    block.push(format!("remove sp {} {dof}", support.node));
-                    materials.extend([material.to_string(), (material + 1).to_string()]);
-                    directions.extend([direction.to_string(), direction.to_string()]);
-                }
-            }
-            block.push(format!(
-                "element zeroLength {tag} {tag} {} -mat {} -dir {}",
-                support.node,
-                materials.join(" "),
-                directions.join(" ")
-            ));
-            if addition == Addition::Footing {
-                let own = s.inventory.masses.iter().find(|m| m.node == support.node).map_or(&[][..], |m| &m.mass);
-                let mass = |i: usize| own.get(i).copied().unwrap_or(0.0);
-                let words = (0..support.ndf).map(|i| match i {
-                    0 => format!("[expr {{{:e}+$hy_footing}}]", mass(0)),
-                    _ => format!("{:e}", mass(i)),
-                });
-                block.push(format!("mass {} {}", support.node, words.collect::<Vec<_>>().join(" ")));
-            }
-        }
-        if addition == Addition::Footing {
+        let mut added = vec![];
+        let mut spring = |name: &str, dofs| {
+            let law = match addition {
+                Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
+                _ => ("Elastic", format!("$hy_{name}")),
+            };
+            added.extend(spring_parameters(name, scale_of(dofs, stiffest), addition));
+            SupportSpring { materials: vec![law, ("Viscous", format!("$hy_{name}_dashpot 1.0"))], dofs }
+        };
+        let springs: Vec<_> = springs.iter().map(|(name, dofs)| spring(name, dofs)).collect();
+        let is_footing = addition == Addition::Footing;
+        if is_footing {
             added.push(AddedParameter::log("footing", 1e-3 * total, total, 0.05 * total));
         }
+        let block = freed.commands(&springs, is_footing.then_some("footing"));
         out.push(Proposal::script_edit("foundation_flexibility", form, at.clone(), block, added));
     };
     if !horizontal.is_empty() {
@@ -149,4 +135,22 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
     if !horizontal.is_empty() && !rocking.is_empty() {
         form("horizontal and rocking spring", &[("sway", &horizontal), ("rocking", &rocking)], Addition::None);
     }
+}
+
+/// Scale of the stiffness of a spring: that of the elements above. A much stiffer spring is a fixed base.
+fn scale_of(dofs: &[usize], stiffest: impl Fn(usize) -> f64) -> f64 {
+    dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max)
+}
+
+/// Parameters of a spring on the scale of its stiffness.
+fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedParameter> {
+    let mut added = vec![
+        AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale),
+        AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale),
+    ];
+    if let Addition::Yielding { force } = addition {
+        added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
+        added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+    }
+    added
 }

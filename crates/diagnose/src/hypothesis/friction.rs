@@ -1,5 +1,6 @@
 //! Coulomb friction in parallel with a device.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -8,8 +9,25 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "a Coulomb friction force acts in parallel (a slider, a guide, the rig)",
     refuted_by: "the loop of a tiny cycle is as thin as the material alone would have it",
     look_alikes: &["rate_dependence", "damping", "sensor_gain"],
+    shows: "a force that jumps when the velocity changes its sign, in small cycles as in large ones",
+    parted_by: "`rate_dependence` fades in slow cycles, `sensor_gain` scales the whole loop",
+    place: "nonlinear groups, and linear ones on the ground",
+    forms: "`friction`; `bristles`; with a clock also `bristles` that fall with speed, and `sliding`",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::Rate],
+    materials: &[],
+    measurement: Measurement::new(
+        "record the displacement across {place} in small earthquakes: it must stick at each reversal",
+        "drive a tiny, slow cycle: the loop must be as high as twice the friction force",
+    )
+    .unless_at_building(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("force", "friction force", Dimension::Force),
+        Quantity::new("way", "elastic slip", Dimension::Length),
+        Quantity::new("breakaway", "breakaway force", Dimension::Force),
+        Quantity::new("speed", "speed of the transition", Dimension::Speed),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Closing gaps: pounding, a moat wall, a stopper.
 
+use super::declaration::{Dimension, Measurement, Quantity};
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::adjacent_structures::AdjacentNodes;
 use crate::inspect::device_axes::device_axes;
@@ -12,8 +13,23 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "a gap closes: pounding, a moat wall, a stopper",
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
     look_alikes: &["strain_stiffening"],
+    shows: "peaks of force or acceleration at one deformation; a displacement that is cut off on one side",
+    parted_by: "below that deformation the model is right",
+    place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours",
+    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape, Family::Side],
+    materials: &[],
+    measurement: Measurement::new(
+        "measure the clearance at {place}, and put an accelerometer beside it: contact shows as short peaks",
+        "measure the clearance at {place}, and drive slowly to it: the force must rise there",
+    ),
+    quantities: &[
+        Quantity::new("gap", "gap", Dimension::Length),
+        Quantity::new("wall", "stiffness of the wall", Dimension::Stiffness),
+        Quantity::new("damping", "damping of the contact", Dimension::Unnamed),
+    ],
     propose,
 };
 

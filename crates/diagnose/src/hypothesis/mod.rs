@@ -3,10 +3,11 @@
 //! A hypothesis inspects the model and proposes edits of the script, with parameters of their own, or faults of channels.
 //! The proposals of a cause are different forms of it; the best of them represents the cause.
 //!
-//! A new hypothesis is a file with a function, and a line in [`ALL`]. `context` holds what proposals are made from.
+//! A new hypothesis is a file with a declaration and a function, and a line in [`ALL`]. The declaration has all that is said of
+//! the cause: the tables of `docs/reference/causes.md`, quantities, ranges and advice follow from it. `context` holds what proposals are made from.
 //! `own_options` has the forms that switch on what a law has itself, `whole_law` those that replace a law by another.
 
-mod ambient_temperature;
+pub(crate) mod ambient_temperature;
 mod axial_shear_interaction;
 mod bidirectional_coupling;
 mod cavitation;
@@ -14,10 +15,12 @@ pub(crate) mod changed_condition;
 pub(crate) mod context;
 mod cyclic_degradation;
 mod damping;
+pub(crate) mod declaration;
 mod device_commands;
 mod foundation_flexibility;
 mod friction;
 mod gap_impact;
+pub(crate) mod isolation_layer;
 mod materials;
 mod mullins_softening;
 mod own_options;
@@ -27,6 +30,7 @@ mod self_heating;
 pub(crate) mod sensor;
 mod strain_stiffening;
 mod superstructure_yielding;
+mod support_springs;
 mod torsion;
 mod varying_axial_load;
 mod whole_law;
@@ -34,7 +38,8 @@ mod whole_law;
 use crate::candidate::proposal::{AddedParameter, Proposal};
 use crate::memory::family::Family;
 use context::{MovingGroup, ProposalContext, element_names, element_tags};
-use hysteron_identify::study::Study;
+use declaration::{Measurement, Quantity};
+use hysteron_identify::study::{DeviceMaterial, Study};
 
 /// A cause, with the function that proposes its forms.
 pub struct Hypothesis {
@@ -46,10 +51,27 @@ pub struct Hypothesis {
     pub refuted_by: &'static str,
     /// Causes that look the same unless a test separates them.
     pub look_alikes: &'static [&'static str],
+    /// What the recordings show, in words.
+    pub shows: &'static str,
+    /// What parts it from its look-alikes, in words.
+    pub parted_by: &'static str,
+    /// Parts of the model or channels that it is proposed for, in words.
+    pub place: &'static str,
+    /// Forms in which it is proposed, in words.
+    pub forms: &'static str,
     /// True if the effect depends on elapsed time. Recordings that only count samples cannot show it.
     pub needs_clock: bool,
+    /// True if the effect is a part of the structure, without which the model moves quite differently. Fits from the user's values
+    /// miss it.
+    pub(crate) is_missing_part: bool,
     /// Kinds of memory that a device shows under the effect; empty where the effect is none of a device's law.
     pub(crate) memory: &'static [Family],
+    /// Materials whose devices can have the effect; empty where it knows no material.
+    pub(crate) materials: &'static [DeviceMaterial],
+    /// What to measure to see it.
+    pub(crate) measurement: Measurement,
+    /// Parameters of its forms.
+    pub(crate) quantities: &'static [Quantity],
     propose: fn(&ProposalContext<'_>) -> Vec<Proposal>,
 }
 
@@ -68,6 +90,7 @@ pub const ALL: &[Hypothesis] = &[
     friction::HYPOTHESIS,
     gap_impact::HYPOTHESIS,
     foundation_flexibility::HYPOTHESIS,
+    isolation_layer::HYPOTHESIS,
     superstructure_yielding::HYPOTHESIS,
     damping::HYPOTHESIS,
     torsion::HYPOTHESIS,
@@ -82,7 +105,12 @@ pub const ALL: &[Hypothesis] = &[
 impl Hypothesis {
     /// Returns true if devices of the material of a study can have the effect.
     pub(crate) fn suits_material(&self, study: &Study) -> bool {
-        study.material.is_none_or(|m| materials::suits(self.cause, m))
+        study.material.is_none_or(|m| self.suits(m))
+    }
+
+    /// Returns true if devices of a material can have the effect.
+    pub(crate) fn suits(&self, material: DeviceMaterial) -> bool {
+        self.materials.is_empty() || self.materials.contains(&material)
     }
 
     /// The proposals for a study.
@@ -106,6 +134,12 @@ pub(crate) fn is_sensor_fault(cause: &str) -> bool {
 /// The hypothesis of a cause.
 pub fn of(cause: &str) -> Option<&'static Hypothesis> {
     ALL.iter().find(|h| h.cause == cause)
+}
+
+/// Quantity of a parameter of a cause, by its name without the prefix; `None` for a name that is nobody's.
+pub(crate) fn quantity(cause: &str, parameter: &str) -> Option<&'static Quantity> {
+    let own = of(cause).map_or(&[][..], |h| h.quantities);
+    own.iter().chain(declaration::SHARED_QUANTITIES).find(|q| q.parameter == parameter)
 }
 
 /// Returns true if either cause lists the other as a look-alike.

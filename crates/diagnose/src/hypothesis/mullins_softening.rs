@@ -1,5 +1,7 @@
 //! Mullins effect: virgin rubber is stiffer than scragged rubber.
 
+use super::declaration::{Dimension, Measurement, Quantity};
+use super::materials::RUBBERS;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -8,8 +10,36 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "virgin or recovered rubber is stiffer on its first way to a strain than on the next (Mullins, scragging)",
     refuted_by: "the second cycle at an amplitude that was never reached before is as stiff as the first",
     look_alikes: &["cyclic_degradation", "self_heating", "strain_stiffening"],
+    shows: "a first cycle at each new amplitude that is stiffer than the next at the same amplitude",
+    parted_by: "`self_heating` softens every cycle, also at an amplitude reached before",
+    place: "nonlinear groups",
+    forms: "`mullins` with a gradual way back to the virgin path, or lost for good",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Largest],
+    materials: RUBBERS,
+    measurement: Measurement::new(
+        "compare earthquakes before and after the strongest one: {place} must be softer after it",
+        "drive the same cycles twice without a rest: the second time must be softer",
+    ),
+    quantities: &[
+        Quantity::new("virgin", "excess of the virgin stiffness", Dimension::Ratio)
+            .within("the excess of the virgin stiffness", [0.0, 1.5], "unscragged bearings are at most 2.5 times as stiff as scragged ones (Thompson et al. 2000, 12th World Conf. Earthq. Eng.)"),
+        Quantity::new("onset", "deformation at the onset", Dimension::Length),
+        Quantity::new("excess", "excess of the virgin stress", Dimension::Ratio),
+        Quantity::new("strain", "strain of the softening", Dimension::Ratio),
+        Quantity::new("rest", "factor of the rest", Dimension::Ratio),
+        Quantity::new("damping", "factor on the damping of the compound", Dimension::Ratio),
+        Quantity::new("share", "factor on the hysteretic share of the compound", Dimension::Ratio),
+        Quantity::new("linear", "virgin force of the linear part at the largest deformation", Dimension::Force),
+        Quantity::new("fifth", "virgin force of the fifth-order part at the largest deformation", Dimension::Force),
+        Quantity::new("softening", "factor on the published softening", Dimension::Ratio),
+        Quantity::new("cycles", "factor on the published softening by cycles", Dimension::Ratio),
+        Quantity::new("strength", "strength of the hysteretic part", Dimension::Force),
+        Quantity::new("sharpness", "largest deformation over the yield deformation", Dimension::Ratio),
+        Quantity::new("transition", "exponent of the transition", Dimension::Ratio),
+        Quantity::new("hardening", "largest temporary hardening", Dimension::Ratio),
+    ],
     propose,
 };
 

@@ -1,16 +1,42 @@
 //! Pinching: slip thins the loops near zero.
 
 use super::context::force_parts;
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
+use hysteron_identify::study::DeviceMaterial;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "pinching",
     statement: "slip or crack closing thins the loops near zero",
     refuted_by: "the force at zero deformation is as large as that of a fresh device",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
+    shows: "loops that are thin near zero and wide at the ends",
+    parted_by: "peaks of the force keep their height, unlike in `cyclic_degradation`",
+    place: "nonlinear groups",
+    forms: "`slip` of a constant size or growing with the deformation; `pinching`",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Pinching, Family::Largest],
+    materials: &[DeviceMaterial::Steel, DeviceMaterial::Concrete, DeviceMaterial::Timber],
+    measurement: Measurement::new(
+        "record the displacement across {place}: the loops must be thin near zero",
+        "drive small cycles after large ones: their force must be small",
+    )
+    .unless_at_building(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("size", "slip", Dimension::Length),
+        Quantity::new("growth", "slip per deformation", Dimension::Ratio),
+        Quantity::new("pinchX", "pinching of the deformation", Dimension::Ratio),
+        Quantity::new("pinchY", "pinching of the force", Dimension::Ratio),
+        Quantity::new("depth", "depth", Dimension::Ratio),
+        Quantity::new("onset", "onset", Dimension::Length),
+        Quantity::new("width", "width", Dimension::Unnamed),
+        Quantity::new("strength", "yield force", Dimension::Force),
+        Quantity::new("yield", "yield deformation", Dimension::Length),
+        Quantity::new("damage", "damage by energy", Dimension::Ratio),
+        Quantity::new("unloading", "exponent of unloading", Dimension::Ratio),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Dependence of the force on the rate of strain.
 
+use super::declaration::{Dimension, Measurement, Quantity};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -8,8 +9,29 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the force depends on how fast the device is strained: a viscous overstress",
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     look_alikes: &["friction", "damping", "mullins_softening"],
+    shows: "more force in fast parts of a run than in slow ones; a drop while the motion rests",
+    parted_by: "`friction` does not grow with speed, and `mullins_softening` does not come back in the next fast cycle",
+    place: "nonlinear groups, and linear ones on the ground; needs a clock",
+    forms: "`overstress`, linear and of a power; `relaxation` with one time and with times over three decades; `damping` of a power",
     needs_clock: true,
+    is_missing_part: false,
     memory: &[Family::Rate],
+    materials: &[],
+    measurement: Measurement::new(
+        "test a device like {place} in a rig at two speeds: the faster loop must be the larger one",
+        "repeat a run at a tenth of its speed: the force must fall",
+    ),
+    quantities: &[
+        Quantity::new("force", "viscous force at the largest speed", Dimension::Force),
+        Quantity::new("spring", "stiffness in series", Dimension::Stiffness),
+        Quantity::new("strength", "strength of the relaxation", Dimension::Ratio),
+        Quantity::new("time", "relaxation time", Dimension::Time),
+        Quantity::new("friction", "factor on the friction of the compound", Dimension::Ratio),
+        Quantity::new("overstress", "factor on the overstress of the compound", Dimension::Ratio),
+        Quantity::new("stiffening", "factor on the stiffening of the compound", Dimension::Ratio),
+        Quantity::new("slow", "friction at rest over that at speed", Dimension::Ratio),
+        Quantity::new("rate", "rate of the friction", Dimension::Unnamed),
+    ],
     propose,
 };
 

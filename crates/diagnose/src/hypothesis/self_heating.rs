@@ -1,6 +1,7 @@
 //! Self-heating: dissipated work warms and softens a device.
 
 use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -9,8 +10,29 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "dissipated work warms the device and softens it",
     refuted_by: "after a pause long enough to cool the first cycle is as soft as the last",
     look_alikes: &["cyclic_degradation", "mullins_softening"],
+    shows: "loops that shrink from cycle to cycle, most where most work is done, and recover after a pause",
+    parted_by: "`cyclic_degradation` does not recover",
+    place: "nonlinear groups; needs a clock",
+    forms: "`heating` with cooling, as a factor or of the strength; with conduction, of the hysteretic part or the strength",
     needs_clock: true,
+    is_missing_part: false,
     memory: &[Family::Heat, Family::Temperature],
+    materials: &[],
+    measurement: Measurement::new(
+        "put a thermometer on {place}: its strength must fall while it warms during strong shaking",
+        "put a thermometer on {place}, and repeat a run after it has cooled: the first cycle must be strong again",
+    ).unless(Recordable::Temperature,Some("repeat a run after {place} has cooled: the first cycle must be strong again"),),
+    quantities: &[
+        Quantity::new("capacity", "work per degree, at a softening of 1 %/degree", Dimension::Energy),
+        Quantity::new("cooling", "cooling time", Dimension::Time)
+            .within("the cooling time, s", [10.0, f64::INFINITY], "lead cores keep their heat for tens of seconds, rubber for hours (Kalpakidis and Constantinou 2009, J. Struct. Eng. 135, \
+                1440-1449)"),
+        Quantity::new("heatCapacity", "heat capacity per volume of rubber", Dimension::Unnamed),
+        Quantity::new("coolingTime", "cooling time", Dimension::Time),
+        Quantity::new("leadCapacity", "factor on the specific heat of lead", Dimension::Ratio),
+        Quantity::new("conductivity", "factor on the conductivity", Dimension::Ratio),
+        Quantity::new("conduction", "conduction", Dimension::Unnamed),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Faults of a channel: gain, delay, drift and clipping.
 
+use super::declaration::{Dimension, Measurement, Quantity};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::proposal::FaultModel;
@@ -8,44 +9,86 @@ use crate::prior::SATURATED_EXTREME;
 use hysteron_identify::study::{ObservedChannel, Role, Run};
 use std::sync::Arc;
 
-const fn fault(
-    cause: &'static str,
-    statement: &'static str,
-    refuted_by: &'static str,
-    look_alikes: &'static [&'static str],
-    propose: fn(&ProposalContext<'_>) -> Vec<Proposal>,
-) -> Hypothesis {
-    Hypothesis { cause, statement, refuted_by, look_alikes, needs_clock: false, memory: &[], propose }
-}
-
-pub(super) const GAIN: Hypothesis = fault(
-    "sensor_gain",
-    "a channel is scaled wrongly",
-    "another instrument at the same place shows the same values",
-    &["friction", "torsion"],
-    gain,
-);
-pub(super) const LAG: Hypothesis = fault(
-    "sensor_lag",
-    "a channel is late",
-    "the channel follows a tap on its sensor at once",
-    &["damping", "rate_dependence"],
-    lag,
-);
-pub(super) const DRIFT: Hypothesis = fault(
-    "sensor_drift",
-    "the zero of a channel wanders or jumps",
-    "the channel shows the same zero before and after the run",
-    &["mullins_softening", "friction"],
-    drift,
-);
-pub(super) const CLIPPING: Hypothesis = fault(
-    "sensor_clipping",
-    "a channel saturates",
-    "the channel shows values beyond the level",
-    &["strain_stiffening"],
-    clipping,
-);
+pub(super) const GAIN: Hypothesis = Hypothesis {
+    cause: "sensor_gain",
+    statement: "a channel is scaled wrongly",
+    refuted_by: "another instrument at the same place shows the same values",
+    look_alikes: &["friction", "torsion"],
+    shows: "a channel that is the simulated one times a factor, at all amplitudes and in all its runs",
+    parted_by: "other channels of the same run agree with the model",
+    place: "each channel",
+    forms: "one factor in all runs, or in one of several",
+    needs_clock: false,
+    is_missing_part: false,
+    memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "check the factor of this channel in the settings of the recorder, or put a second instrument beside it",
+        "check the factor of this channel in the settings of the recorder, or calibrate it with a known load",
+    ),
+    quantities: &[Quantity::new("gain", "factor on the true value", Dimension::Ratio)],
+    propose: gain,
+};
+pub(super) const LAG: Hypothesis = Hypothesis {
+    cause: "sensor_lag",
+    statement: "a channel is late",
+    refuted_by: "the channel follows a tap on its sensor at once",
+    look_alikes: &["damping", "rate_dependence"],
+    shows: "a channel that follows later by the same time everywhere; loops that turn around their centre",
+    parted_by: "`rate_dependence` and `damping` change with the frequency of the motion",
+    place: "each channel",
+    forms: "a constant delay in all runs, or in one of several",
+    needs_clock: false,
+    is_missing_part: false,
+    memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
+        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
+    ),
+    quantities: &[Quantity::new("lag", "delay", Dimension::Time)],
+    propose: lag,
+};
+pub(super) const DRIFT: Hypothesis = Hypothesis {
+    cause: "sensor_drift",
+    statement: "the zero of a channel wanders or jumps",
+    refuted_by: "the channel shows the same zero before and after the run",
+    look_alikes: &["mullins_softening", "friction"],
+    shows: "a mean that wanders or jumps while the motion is steady",
+    parted_by: "the drift does not end when the motion ends",
+    place: "each channel",
+    forms: "a slope in all runs or in one; a jump in a run; both; a zero that wanders by a line through six points a run",
+    needs_clock: false,
+    is_missing_part: false,
+    memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "compare the zero of this channel before and after the earthquake",
+        "record the zero of this channel before and after a run without motion",
+    ),
+    quantities: &[],
+    propose: drift,
+};
+pub(super) const CLIPPING: Hypothesis = Hypothesis {
+    cause: "sensor_clipping",
+    statement: "a channel saturates",
+    refuted_by: "the channel shows values beyond the level",
+    look_alikes: &["strain_stiffening"],
+    shows: "equal samples at the largest value, several in a row, while other channels go on",
+    parted_by: "the level is the same in all runs",
+    place: "each channel",
+    forms: "a level on both sides, or the level at which a recording stays, in all runs or in one of several",
+    needs_clock: false,
+    is_missing_part: false,
+    memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "look for flat peaks in the recording, and choose a larger range of the recorder",
+        "look for flat peaks in the recording, and repeat the run with a larger range",
+    ),
+    quantities: &[],
+    propose: clipping,
+};
 
 /// Channels of the fitted runs that an instrument reads, each with one of its records. A measure of loops is computed from
 /// two of them: what one of them does wrong is not the fault of the measure.

@@ -1,5 +1,6 @@
 //! Stiffening of the backbone at large strain.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::memory::family::Family;
 
@@ -8,8 +9,25 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the backbone hardens at large strain",
     refuted_by: "the secant stiffness goes on falling beyond the largest strain tested",
     look_alikes: &["axial_shear_interaction", "gap_impact"],
+    shows: "a force that rises beyond the straight branch at the largest deformations, in loading and unloading alike",
+    parted_by: "`gap_impact` begins at one deformation, without a rise before it",
+    place: "nonlinear groups, and linear ones on the ground",
+    forms: "`stiffening`: cubic, or quadratic from an onset",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Shape],
+    materials: &[],
+    measurement: Measurement::new(
+        "record the displacement across {place}: its stiffness must rise at the largest ones",
+        "drive one cycle to the largest displacement that the rig allows: the stiffness must rise",
+    )
+    .unless_at_building(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("factor", "factor", Dimension::Unnamed),
+        Quantity::new("from", "onset", Dimension::Length),
+        Quantity::new("damping", "factor on the damping of the compound", Dimension::Ratio),
+        Quantity::new("share", "factor on the hysteretic share of the compound", Dimension::Ratio),
+    ],
     propose,
 };
 

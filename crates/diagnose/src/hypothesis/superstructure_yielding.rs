@@ -1,5 +1,6 @@
 //! Yielding of the structure above the base.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TagPurpose, grouped};
@@ -17,9 +18,27 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
     statement: "the structure above, taken as elastic, yields",
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
-    look_alikes: &["foundation_flexibility", "damping"],
+    look_alikes: &["foundation_flexibility", "isolation_layer", "damping"],
+    shows: "drifts that grow faster than the force in strong parts, and a residual drift",
+    parted_by: "in weak parts the model is right",
+    place: "linear devices, alone where they are 12 or fewer, and all together; columns of up to 6 levels; girders",
+    forms: "`yielding`; `peakOriented`; `hinges` at the feet of columns, or at both ends of columns and girders",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "inspect {place} for cracks and a permanent drift, and record the drift there",
+        "record the deformation at {place}: it must keep a permanent part",
+    )
+    .unless_in_rig(Recordable::Deformation),
+    quantities: &[
+        Quantity::new("yield", "yield force", Dimension::Force),
+        Quantity::new("moment", "yield moment", Dimension::Moment),
+        Quantity::new("plastic", "stiffness after yielding", Dimension::RotationalStiffness),
+        Quantity::new("rotational", "initial stiffness of the hinge", Dimension::RotationalStiffness),
+        Quantity::new("unloading", "exponent of unloading", Dimension::Ratio),
+    ],
     propose,
 };
 

@@ -1,5 +1,6 @@
 //! Torsion of a plan with an eccentric mass.
 
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::inventory::TagPurpose;
 
@@ -8,8 +9,23 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the mass or the stiffness is eccentric and turns the plan",
     refuted_by: "opposite edges move alike",
     look_alikes: &["bidirectional_coupling", "sensor_gain"],
+    shows: "opposite edges of a floor that move differently; a second frequency in the beat of the corners",
+    parted_by: "the mean of both edges is right",
+    place: "masses with a rotational part in plan, of a shaken model",
+    forms: "eccentric mass, in both directions or along one",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "put two accelerometers of one direction on opposite edges of the floor of {place}: they must differ",
+        "record opposite edges of the floor of {place}: they must differ",
+    )
+    .unless(Recordable::EdgesOfFloor, None),
+    quantities: &[
+        Quantity::new("ex", "eccentricity along X", Dimension::Length),
+        Quantity::new("ey", "eccentricity along Y", Dimension::Length),
+    ],
     propose,
 };
 

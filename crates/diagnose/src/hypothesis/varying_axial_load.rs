@@ -1,6 +1,7 @@
 //! Variation of the axial force during a run, and of the lateral force with it.
 
 use super::axial_shear_interaction::axial_force;
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext};
 use crate::inspect::auxiliary_channels::axial_force_varies;
 use crate::inspect::conditions::{axial_loads_differ, recorded_column};
@@ -13,8 +14,24 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the axial force changes during the run and changes the lateral response",
     refuted_by: "the lateral strength does not follow the axial force",
     look_alikes: &["axial_shear_interaction", "friction"],
+    shows: "loops that are wider on one side, or whose width follows the overturning or the vertical motion",
+    parted_by: "the width follows the axial force, not the deformation",
+    place: "nonlinear groups",
+    forms: "`pressure` by the axial force of the model where it varies by 5 %, by overturning where it does not, or by a recorded axial force",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[Family::Side, Family::AxialForce],
+    materials: &[],
+    measurement: Measurement::new(
+        "record the vertical force of {place}, or vertical accelerations on both sides of the structure",
+        "record the axial force of {place} during the run",
+    )
+    .unless(Recordable::AxialForce, None),
+    quantities: &[
+        Quantity::new("reference", "reference load", Dimension::Force),
+        Quantity::new("lever", "axial force per lateral deformation", Dimension::Stiffness),
+        Quantity::new("exponent", "exponent of the friction force", Dimension::Ratio),
+    ],
     propose,
 };
 

@@ -103,6 +103,8 @@ pub(crate) struct ModelInventory {
 pub(crate) enum TagPurpose {
     /// Springs and dashpots below supports.
     Foundation,
+    /// Bearings of an isolation layer below supports.
+    IsolationLayer,
     /// Materials of plastic hinges.
     Hinges,
     /// Nodes of eccentric masses.
@@ -133,6 +135,7 @@ impl ModelInventory {
         self.first_free_tag
             + match purpose {
                 TagPurpose::Foundation => 0,
+                TagPurpose::IsolationLayer => 200,
                 TagPurpose::Hinges => 500,
                 TagPurpose::Masses => 600,
                 TagPurpose::Regions => 700,
@@ -202,6 +205,11 @@ impl ModelInventory {
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
         out
+    }
+
+    /// Mass of all nodes in their first degree of freedom.
+    pub(crate) fn total_mass(&self) -> f64 {
+        self.masses.iter().map(|m| m.mass[0]).sum()
     }
 
     /// Returns true if a node is fixed in a degree of freedom.

@@ -9,12 +9,14 @@
 //! - [`insertion`]: the place of further commands in a script
 //! - [`conditions`]: temperatures, axial loads and amplitudes of the runs
 //! - [`auxiliary_channels`]: recorded temperatures and axial forces that no channel observes
+//! - [`dominant_period`]: the period in which most of what a model leaves swings
 //! - [`saturation`]: channels that stay at their ends
 
 pub(crate) mod adjacent_structures;
 pub(crate) mod auxiliary_channels;
 pub(crate) mod conditions;
 pub(crate) mod device_axes;
+pub(crate) mod dominant_period;
 pub(crate) mod frame_members;
 pub(crate) mod insertion;
 pub(crate) mod inventory;

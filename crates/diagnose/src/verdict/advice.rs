@@ -2,175 +2,12 @@
 
 use super::place::Place;
 use super::quantity::duration;
-use super::recorded_quantities::{Recordable, RecordedQuantities};
+use super::recorded_quantities::RecordedQuantities;
 use crate::fit::step_error::StepError;
-use crate::hypothesis::changed_condition::CAUSE as CHANGED_CONDITION;
+use crate::hypothesis;
+use crate::hypothesis::declaration::Recordable;
 use crate::prior::NEGLIGIBLE_STEP_ERROR;
 use hysteron_identify::study::{Role, Run, Study};
-
-/// Measurement that shows a cause.
-struct Measurement {
-    cause: &'static str,
-    /// At a building or bridge, whose earthquakes cannot be chosen.
-    building: &'static str,
-    /// In a test rig, whose motion can.
-    rig: &'static str,
-    /// Quantities recorded at a building and in a rig; none where it asks for more than a recording.
-    records: [Option<Recordable>; 2],
-    /// The rest to be done in a rig where every run has that already.
-    left_in_rig: Option<&'static str>,
-}
-
-const fn of(cause: &'static str, building: &'static str, rig: &'static str) -> Measurement {
-    Measurement { cause, building, rig, records: [None; 2], left_in_rig: None }
-}
-
-impl Measurement {
-    /// The same of a condition that the runs may have already; then `rig` is left to do.
-    const fn unless(self, what: Recordable, rig: Option<&'static str>) -> Self {
-        Self { records: [Some(what); 2], left_in_rig: rig, ..self }
-    }
-
-    /// The same of a quantity that the runs of a building may have already.
-    const fn unless_at_building(self, what: Recordable) -> Self {
-        Self { records: [Some(what), self.records[1]], ..self }
-    }
-
-    /// The same of a quantity that the runs of a rig may have already.
-    const fn unless_in_rig(self, what: Recordable) -> Self {
-        Self { records: [self.records[0], Some(what)], ..self }
-    }
-}
-
-/// Measurements of all causes; `{place}` stands for the place of the effect.
-const MEASUREMENTS: &[Measurement] = &[
-    of(
-        "rate_dependence",
-        "test a device like {place} in a rig at two speeds: the faster loop must be the larger one",
-        "repeat a run at a tenth of its speed: the force must fall",
-    ),
-    of(
-        "self_heating",
-        "put a thermometer on {place}: its strength must fall while it warms during strong shaking",
-        "put a thermometer on {place}, and repeat a run after it has cooled: the first cycle must be strong again",
-    )
-    .unless(
-        Recordable::Temperature,
-        Some("repeat a run after {place} has cooled: the first cycle must be strong again"),
-    ),
-    of(
-        "ambient_temperature",
-        "record the temperature at {place} with every earthquake",
-        "record the temperature of {place}, and repeat one run at the temperature of the model",
-    )
-    .unless(Recordable::Temperature, Some("repeat one run at the temperature of the model")),
-    of(
-        "mullins_softening",
-        "compare earthquakes before and after the strongest one: {place} must be softer after it",
-        "drive the same cycles twice without a rest: the second time must be softer",
-    ),
-    of(
-        "cyclic_degradation",
-        "inspect {place} for damage, and compare a small earthquake before the strong one with one after it",
-        "drive small cycles before and after the strong ones: {place} must stay weaker after them",
-    ),
-    of(
-        "strain_stiffening",
-        "record the displacement across {place}: its stiffness must rise at the largest ones",
-        "drive one cycle to the largest displacement that the rig allows: the stiffness must rise",
-    )
-    .unless_at_building(Recordable::Deformation),
-    of(
-        "axial_shear_interaction",
-        "compute or measure the axial load of {place}: the lateral stiffness must fall as it grows",
-        "repeat a run at another axial load: the lateral stiffness must change",
-    )
-    .unless(Recordable::AxialForce, Some("repeat a run at another axial load: the lateral stiffness must change")),
-    of(
-        "varying_axial_load",
-        "record the vertical force of {place}, or vertical accelerations on both sides of the structure",
-        "record the axial force of {place} during the run",
-    )
-    .unless(Recordable::AxialForce, None),
-    of(
-        "cavitation",
-        "record the vertical displacement across {place}: it must lift",
-        "pull twice to the same extension: the second pull must be weaker",
-    )
-    .unless_at_building(Recordable::VerticalDeformation),
-    of(
-        "bidirectional_coupling",
-        "record both horizontal displacements across {place}",
-        "drive one direction alone: its loops must be larger than in a motion of both",
-    )
-    .unless_at_building(Recordable::BothHorizontal),
-    of(
-        "friction",
-        "record the displacement across {place} in small earthquakes: it must stick at each reversal",
-        "drive a tiny, slow cycle: the loop must be as high as twice the friction force",
-    )
-    .unless_at_building(Recordable::Deformation),
-    of(
-        "gap_impact",
-        "measure the clearance at {place}, and put an accelerometer beside it: contact shows as short peaks",
-        "measure the clearance at {place}, and drive slowly to it: the force must rise there",
-    ),
-    of(
-        "foundation_flexibility",
-        "put one accelerometer on the foundation at {place} and one on free ground: they must differ",
-        "record the displacement of the support at {place}",
-    )
-    .unless_at_building(Recordable::Acceleration)
-    .unless_in_rig(Recordable::Deformation),
-    of(
-        "superstructure_yielding",
-        "inspect {place} for cracks and a permanent drift, and record the drift there",
-        "record the deformation at {place}: it must keep a permanent part",
-    )
-    .unless_in_rig(Recordable::Deformation),
-    of(
-        "damping",
-        "record small vibrations after a shock or in wind, and compare their decay with that of the model",
-        "record a free vibration, and compare its decay with that of the model",
-    ),
-    of(
-        "torsion",
-        "put two accelerometers of one direction on opposite edges of the floor of {place}: they must differ",
-        "record opposite edges of the floor of {place}: they must differ",
-    )
-    .unless(Recordable::EdgesOfFloor, None),
-    of(
-        "pinching",
-        "record the displacement across {place}: the loops must be thin near zero",
-        "drive small cycles after large ones: their force must be small",
-    )
-    .unless_at_building(Recordable::Deformation),
-    of(
-        CHANGED_CONDITION,
-        "ask what was adjusted, repaired or replaced between the earthquakes",
-        "ask what was adjusted between the runs, and repeat one run under the condition of the others",
-    ),
-    of(
-        "sensor_gain",
-        "check the factor of this channel in the settings of the recorder, or put a second instrument beside it",
-        "check the factor of this channel in the settings of the recorder, or calibrate it with a known load",
-    ),
-    of(
-        "sensor_lag",
-        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
-        "check clocks and filters of the recorder, or tap on two instruments at once and compare the times",
-    ),
-    of(
-        "sensor_drift",
-        "compare the zero of this channel before and after the earthquake",
-        "record the zero of this channel before and after a run without motion",
-    ),
-    of(
-        "sensor_clipping",
-        "look for flat peaks in the recording, and choose a larger range of the recorder",
-        "look for flat peaks in the recording, and repeat the run with a larger range",
-    ),
-];
 
 /// Quantities that an unknown cause may depend on and no run records, in words; none where the runs have all.
 pub(super) fn unrecorded(recorded: &RecordedQuantities<'_>) -> Option<String> {
@@ -193,7 +30,7 @@ pub(super) fn measurement(
     building: bool,
     recorded: &RecordedQuantities<'_>,
 ) -> Option<String> {
-    let m = MEASUREMENTS.iter().find(|m| m.cause == cause)?;
+    let m = hypothesis::of(cause)?.measurement;
     let is_recorded = m.records[usize::from(!building)].is_some_and(|what| recorded.has(what, place));
     let text = match (building, is_recorded) {
         (true, true) => return None,
@@ -235,7 +72,7 @@ fn script_step(run: &Run, steps: Option<usize>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MEASUREMENTS, script_step};
+    use super::script_step;
     use crate::hypothesis;
     use crate::inspect::inventory::ModelInventory;
     use crate::test_support::pad_study;
@@ -260,13 +97,13 @@ mod tests {
 
     #[test]
     fn every_cause_has_a_measurement() {
-        let causes: Vec<&str> = hypothesis::ALL.iter().map(|h| h.cause).collect();
-        assert_eq!(MEASUREMENTS.iter().map(|m| m.cause).collect::<Vec<_>>(), causes);
         let text = measurement("gap_impact", "element 4", true, &pad_study(), "").expect("a measurement");
         assert!(text.starts_with("measure the clearance at element 4, "), "{text}");
         // Nobody orders an earthquake.
-        for m in MEASUREMENTS {
-            assert!(!m.building.contains("drive") && !m.building.contains("repeat"), "{}", m.cause);
+        for h in hypothesis::ALL {
+            let texts = [h.measurement.building, h.measurement.rig];
+            assert!(texts.iter().all(|t| !t.is_empty()), "{}", h.cause);
+            assert!(!texts[0].contains("drive") && !texts[0].contains("repeat"), "{}", h.cause);
         }
     }
 

@@ -12,7 +12,7 @@ use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
 use crate::fit::checkpoint::CheckpointEntry;
 use crate::fit::evaluator_pool::EvaluatorPool;
 use crate::fit::fitted::FittedHypothesis;
-use crate::fit::global_search::is_affordable;
+use crate::fit::global_search::GlobalScope;
 use crate::fit::refit_competitors::refit_competitors;
 use crate::fit::scheduler::{ProgressMonitor, Scheduler};
 use crate::fit::screening::{FirstRound, best_forms, of_first_causes};
@@ -172,8 +172,7 @@ pub fn diagnose(
         proposals.extend(with_unread_parameters(&mut scheduler, &baseline, &point, laws)?);
     }
 
-    let edits = proposals.iter().filter(|p| p.edits_script()).count();
-    let global = poor && is_affordable(&study, edits);
+    let global = if poor { GlobalScope::affordable(&study, &proposals) } else { GlobalScope::Nothing };
     let first_round = FirstRound { baseline: &baseline, initial_run, point: &point, proposals: &proposals, global };
     let mut singles = first_round.fit(&mut scheduler)?;
     let unmoved_channels = unmoved_channels(&mut scheduler, &baseline, &point, &proposals)?;
@@ -213,7 +212,7 @@ pub fn diagnose(
         step_error,
         causes_without_clock: without_clock.iter().map(|h| h.cause).collect(),
         causes_of_other_materials: of_other_materials.iter().map(|h| h.cause).collect(),
-        global_search_too_long: poor && !global,
+        global_search_too_long: poor && global != GlobalScope::All,
         inventory: &inventory,
         tried: (proposals.len(), causes_tried),
         threads: settings.threads,

@@ -13,6 +13,7 @@ use crate::fit::fitted::FittedHypothesis;
 use crate::fit::projection::Projection;
 use crate::fit::search_settings::is_at_bound;
 use crate::hypothesis::changed_condition;
+use crate::hypothesis::isolation_layer::{self, LayerLimit};
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
     BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
@@ -65,6 +66,7 @@ impl GatedRepair<'_> {
         out.extend(self.condition_above_noise().map(limit(0.0)));
         out.extend(self.condition_with_structure().map(limit(BOUND_PROBABILITY)));
         out.extend(self.parameters_at_bounds().map(limit(BOUND_PROBABILITY)));
+        out.extend(self.layer_that_isolates_nothing().map(limit(BOUND_PROBABILITY)));
         out.extend(self.measures_of_loops().map(limit(TABLE_PROBABILITY)));
         out.extend(faults.iter().find_map(|f| self.single_sensor(f)).map(limit(SINGLE_SENSOR_PROBABILITY)));
         out
@@ -91,6 +93,19 @@ impl GatedRepair<'_> {
         let (first, _) = added.filter(|(a, _)| a.of_channel_fault).find(|(_, x)| is_at_bound(**x))?;
         let name = first.name.trim_start_matches("hy2_").trim_start_matches("hy_");
         Some(format!("the {name} of the channel is at the limit of its range"))
+    }
+
+    /// An isolation layer that is as stiff as the structure, or stays below its yield force.
+    fn layer_that_isolates_nothing(&self) -> Option<String> {
+        let proposal = self.variant.proposal.as_ref()?;
+        let own = self.variant.own_coordinates(self.point).len();
+        let at_end = |end: &LayerLimit| {
+            let place = proposal.parameters.iter().position(|a| a.name == format!("hy_{}", end.parameter));
+            let x = place.and_then(|k| self.point.get(own + k)).copied();
+            x.is_some_and(|x| is_at_bound(x) && (x > 0.5) == end.is_upper)
+        };
+        let end = isolation_layer::LIMITS.iter().find(|end| proposal.cause == isolation_layer::CAUSE && at_end(end))?;
+        Some(format!("{}: the layer isolates nothing", end.finding))
     }
 
     /// The user's parameters that arrive at a bound by the repair, and without which it would explain less.

@@ -8,53 +8,11 @@ use super::summary::SummaryContext;
 use crate::candidate::proposal::AddedParameter;
 use crate::candidate::variant::Variant;
 use crate::fit::search_settings::is_at_bound;
+use crate::hypothesis;
+use crate::hypothesis::ambient_temperature::STEEPEST_SOFTENING;
 use crate::inspect::response::ResponseRange;
 use hysteron_identify::study::{Role, Study};
 
-/// Range in which published values of a parameter lie.
-struct PublishedRange {
-    cause: &'static str,
-    /// Name of the parameter without its prefix.
-    parameter: &'static str,
-    /// The quantity, in words.
-    quantity: &'static str,
-    lower: f64,
-    upper: f64,
-    /// The range in words, with its source.
-    words: &'static str,
-}
-
-/// Published ranges of parameters whose unit is known.
-const PUBLISHED: &[PublishedRange] = &[
-    PublishedRange {
-        cause: "self_heating",
-        parameter: "cooling",
-        quantity: "the cooling time, s",
-        lower: 10.0,
-        upper: f64::INFINITY,
-        words: "lead cores keep their heat for tens of seconds, rubber for hours (Kalpakidis and Constantinou 2009, J. Struct. Eng. 135, \
-                1440-1449)",
-    },
-    PublishedRange {
-        cause: "ambient_temperature",
-        parameter: "b",
-        quantity: "the softening per degree",
-        lower: 0.0,
-        upper: STEEPEST_SOFTENING,
-        words: "bearings lose 0.2 to 3 % a degree (Constantinou et al. 2007, MCEER-07-0012)",
-    },
-    PublishedRange {
-        cause: "mullins_softening",
-        parameter: "virgin",
-        quantity: "the excess of the virgin stiffness",
-        lower: 0.0,
-        upper: 1.5,
-        words: "unscragged bearings are at most 2.5 times as stiff as scragged ones (Thompson et al. 2000, 12th World Conf. Earthq. Eng.)",
-    },
-];
-
-/// Steepest published softening of rubber, 1/degree (source as for `ambient_temperature`).
-const STEEPEST_SOFTENING: f64 = 0.03;
 /// Softening of the amendment, to which its heat capacity refers, 1/degree.
 const ASSUMED_SOFTENING: f64 = 0.01;
 /// Largest ratio of shear modulus and heat capacity of rubber, degrees: 1.5 MPa over 1.9 MJ/(m³ degree).
@@ -136,9 +94,9 @@ fn value_of(variant: &Variant, values: &[f64], cause: &str, name: &str) -> Optio
 }
 
 fn outside_published(cause: &str, name: &str, x: f64) -> Option<String> {
-    let p = PUBLISHED.iter().find(|p| (p.cause, p.parameter) == (cause, name))?;
+    let p = hypothesis::quantity(cause, name)?.published?;
     let outside = x < p.lower || x > p.upper;
-    outside.then(|| format!("{}, {}, is none that such devices have: {}", p.quantity, digits(x, 2), p.words))
+    outside.then(|| format!("{}, {}, is none that such devices have: {}", p.subject, digits(x, 2), p.words))
 }
 
 /// Largest rise of temperature that the work of a device can cause in rubber, degrees.

@@ -1,6 +1,8 @@
 //! Sizes of an effect in words: names and units of added parameters, with digits that follow the interval.
 
+use crate::hypothesis;
 use crate::hypothesis::changed_condition::FACTOR_ON;
+use crate::hypothesis::declaration::Dimension;
 use hysteron_identify::calibrate::Interval;
 use hysteron_identify::study::Study;
 use serde::Serialize;
@@ -95,147 +97,6 @@ impl Units {
     }
 }
 
-/// Dimension of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Dimension {
-    Length,
-    Speed,
-    Force,
-    Stiffness,
-    Dashpot,
-    Moment,
-    Energy,
-    RotationalStiffness,
-    RotationalDashpot,
-    Time,
-    Rate,
-    PerDegree,
-    /// A number without unit.
-    Ratio,
-    /// A unit that depends on the law.
-    Unnamed,
-}
-
-impl Dimension {
-    /// Returns true if a quantity of parts side by side adds up.
-    fn adds_up(self) -> bool {
-        matches!(self, Self::Force | Self::Stiffness | Self::Dashpot | Self::Energy)
-    }
-}
-
-/// Names of the parameters of causes, in words, with their dimensions. Of one name the row of the cause comes first.
-const QUANTITIES: &[(&str, &str, &str, Dimension)] = {
-    use Dimension::{
-        Dashpot, Energy, Force, Length, Moment, PerDegree, Rate, Ratio, RotationalDashpot, RotationalStiffness, Speed,
-        Stiffness, Time, Unnamed,
-    };
-    &[
-        ("gap_impact", "gap", "gap", Length),
-        ("gap_impact", "wall", "stiffness of the wall", Stiffness),
-        ("gap_impact", "damping", "damping of the contact", Unnamed),
-        ("friction", "force", "friction force", Force),
-        ("friction", "way", "elastic slip", Length),
-        ("friction", "breakaway", "breakaway force", Force),
-        ("friction", "speed", "speed of the transition", Speed),
-        ("rate_dependence", "force", "viscous force at the largest speed", Force),
-        ("rate_dependence", "spring", "stiffness in series", Stiffness),
-        ("rate_dependence", "strength", "strength of the relaxation", Ratio),
-        ("rate_dependence", "time", "relaxation time", Time),
-        ("self_heating", "capacity", "work per degree, at a softening of 1 %/degree", Energy),
-        ("self_heating", "cooling", "cooling time", Time),
-        ("self_heating", "heatCapacity", "heat capacity per volume of rubber", Unnamed),
-        ("self_heating", "coolingTime", "cooling time", Time),
-        ("self_heating", "leadCapacity", "factor on the specific heat of lead", Ratio),
-        ("self_heating", "conductivity", "factor on the conductivity", Ratio),
-        ("self_heating", "conduction", "conduction", Unnamed),
-        ("ambient_temperature", "temperature", "temperature of the rubber", Unnamed),
-        ("ambient_temperature", "b", "softening", PerDegree),
-        ("mullins_softening", "virgin", "excess of the virgin stiffness", Ratio),
-        ("mullins_softening", "onset", "deformation at the onset", Length),
-        ("mullins_softening", "excess", "excess of the virgin stress", Ratio),
-        ("mullins_softening", "strain", "strain of the softening", Ratio),
-        ("mullins_softening", "rest", "factor of the rest", Ratio),
-        ("cyclic_degradation", "loss", "largest loss", Ratio),
-        ("cyclic_degradation", "damageDuctility", "damage by ductility", Ratio),
-        ("cyclic_degradation", "damageEnergy", "damage by energy", Ratio),
-        ("cyclic_degradation", "energy", "work that causes it", Energy),
-        ("strain_stiffening", "factor", "factor", Unnamed),
-        ("strain_stiffening", "from", "onset", Length),
-        ("axial_shear_interaction", "critical", "critical load", Force),
-        ("axial_shear_interaction", "width", "width of the overlap", Length),
-        ("varying_axial_load", "reference", "reference load", Force),
-        ("varying_axial_load", "lever", "axial force per lateral deformation", Stiffness),
-        ("cavitation", "strength", "cavitation force", Force),
-        ("cavitation", "damage", "largest damage", Ratio),
-        ("cavitation", "rise", "rise of the force", Ratio),
-        ("cavitation", "reach", "extension of the rise", Length),
-        ("bidirectional_coupling", "stiffness", "initial stiffness", Stiffness),
-        ("bidirectional_coupling", "strength", "strength", Force),
-        ("bidirectional_coupling", "alpha", "hardening ratio", Ratio),
-        ("bidirectional_coupling", "eta", "exponent of the transition", Ratio),
-        ("foundation_flexibility", "sway", "horizontal stiffness", Stiffness),
-        ("foundation_flexibility", "sway_dashpot", "horizontal damping", Dashpot),
-        ("foundation_flexibility", "rocking", "rocking stiffness", RotationalStiffness),
-        ("foundation_flexibility", "rocking_dashpot", "rocking damping", RotationalDashpot),
-        ("foundation_flexibility", "sway_yield", "yield force", Force),
-        ("foundation_flexibility", "sway_hardening", "hardening ratio", Ratio),
-        ("foundation_flexibility", "footing", "mass of the footing", Unnamed),
-        ("superstructure_yielding", "yield", "yield force", Force),
-        ("superstructure_yielding", "moment", "yield moment", Moment),
-        ("superstructure_yielding", "plastic", "stiffness after yielding", RotationalStiffness),
-        ("superstructure_yielding", "rotational", "initial stiffness of the hinge", RotationalStiffness),
-        ("superstructure_yielding", "unloading", "exponent of unloading", Ratio),
-        ("damping", "force", "damping force at the largest speed", Force),
-        ("damping", "beta", "damping per stiffness", Time),
-        ("damping", "alphaM", "damping per mass", Rate),
-        ("damping", "c", "dashpot", Dashpot),
-        ("torsion", "ex", "eccentricity along X", Length),
-        ("torsion", "ey", "eccentricity along Y", Length),
-        ("pinching", "size", "slip", Length),
-        ("pinching", "growth", "slip per deformation", Ratio),
-        ("pinching", "pinchX", "pinching of the deformation", Ratio),
-        ("pinching", "pinchY", "pinching of the force", Ratio),
-        ("pinching", "depth", "depth", Ratio),
-        ("pinching", "onset", "onset", Length),
-        ("pinching", "width", "width", Unnamed),
-        ("pinching", "strength", "yield force", Force),
-        ("pinching", "yield", "yield deformation", Length),
-        ("pinching", "damage", "damage by energy", Ratio),
-        ("pinching", "unloading", "exponent of unloading", Ratio),
-        ("rate_dependence", "friction", "factor on the friction of the compound", Ratio),
-        ("rate_dependence", "overstress", "factor on the overstress of the compound", Ratio),
-        ("rate_dependence", "stiffening", "factor on the stiffening of the compound", Ratio),
-        ("rate_dependence", "slow", "friction at rest over that at speed", Ratio),
-        ("rate_dependence", "rate", "rate of the friction", Unnamed),
-        ("varying_axial_load", "exponent", "exponent of the friction force", Ratio),
-        ("strain_stiffening", "damping", "factor on the damping of the compound", Ratio),
-        ("strain_stiffening", "share", "factor on the hysteretic share of the compound", Ratio),
-        ("mullins_softening", "damping", "factor on the damping of the compound", Ratio),
-        ("mullins_softening", "share", "factor on the hysteretic share of the compound", Ratio),
-        ("mullins_softening", "linear", "virgin force of the linear part at the largest deformation", Force),
-        ("mullins_softening", "fifth", "virgin force of the fifth-order part at the largest deformation", Force),
-        ("mullins_softening", "softening", "factor on the published softening", Ratio),
-        ("mullins_softening", "cycles", "factor on the published softening by cycles", Ratio),
-        ("mullins_softening", "strength", "strength of the hysteretic part", Force),
-        ("mullins_softening", "sharpness", "largest deformation over the yield deformation", Ratio),
-        ("mullins_softening", "transition", "exponent of the transition", Ratio),
-        ("mullins_softening", "hardening", "largest temporary hardening", Ratio),
-        ("cyclic_degradation", "deltaA", "loss of the hysteretic force per energy", Unnamed),
-        ("cyclic_degradation", "deltaNu", "loss of strength per energy", Unnamed),
-        ("cyclic_degradation", "deltaEta", "loss of stiffness per energy", Unnamed),
-        ("changed_condition", "from", "time from which it holds", Time),
-        ("changed_condition", "to", "time up to which it holds", Time),
-        ("sensor_gain", "gain", "factor on the true value", Ratio),
-        ("sensor_lag", "lag", "delay", Time),
-        ("", "hardening", "hardening ratio", Ratio),
-        ("", "area", "area of the rubber", Unnamed),
-        ("", "height", "height of the rubber", Length),
-        ("", "k", "elastic stiffness", Stiffness),
-        ("", "elastic", "factor of the elastic part", Ratio),
-        ("", "power", "exponent", Ratio),
-    ]
-};
-
 /// A standard error above this, in sides of the unit cube, leaves a parameter undetermined. As in the notes of a calibration.
 const MAX_STANDARD_ERROR: f64 = 0.25;
 /// Ratio of the two sides of an interval up to which it is written with one number after ±.
@@ -254,12 +115,12 @@ pub(super) fn effect_size(
     parts: usize,
 ) -> Option<EffectSize> {
     let (_, plain) = name.split_once('_')?;
-    let row = QUANTITIES.iter().find(|(of, n, ..)| *n == plain && (*of == cause || of.is_empty()));
+    let row = hypothesis::quantity(cause, plain);
     if row.is_none() && cause.starts_with("sensor_") {
         return None;
     }
     let (quantity, dimension) = match (row, plain.strip_prefix(FACTOR_ON)) {
-        (Some((_, _, words, dimension)), _) => ((*words).to_owned(), *dimension),
+        (Some(q), _) => (q.words.to_owned(), q.dimension),
         (None, Some(parameter)) => (format!("factor on {parameter}"), Dimension::Ratio),
         (None, None) => (plain.to_owned(), Dimension::Unnamed),
     };

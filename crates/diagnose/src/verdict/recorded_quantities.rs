@@ -2,27 +2,11 @@
 
 use super::place::Place;
 use super::residual_force::{element_of, is_acceleration, node_of};
+use crate::hypothesis::declaration::Recordable;
 use crate::inspect::conditions::recorded_column;
 use crate::inspect::inventory::ModelInventory;
 use hysteron_identify::study::unit::{self, Quantity};
 use hysteron_identify::study::{ObservedChannel, Run, Study};
-
-/// A quantity or a condition of the runs that may be recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Recordable {
-    Temperature,
-    AxialForce,
-    /// The displacement of a node at the place, or the deformation of its elements.
-    Deformation,
-    /// The same along the vertical axis.
-    VerticalDeformation,
-    /// An acceleration of a node at the place.
-    Acceleration,
-    /// Two accelerations of one direction at different nodes of one level.
-    EdgesOfFloor,
-    /// Channels along two horizontal axes.
-    BothHorizontal,
-}
 
 /// Channels of a study with the columns of the model that they are compared with.
 pub(super) struct RecordedQuantities<'a> {

@@ -7,6 +7,7 @@ mod in_time;
 use super::context::distinguishing_variable;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::candidate::proposal::{ChangedCondition, TextEdit};
+use crate::hypothesis::declaration::{Dimension, Measurement, Quantity};
 use crate::prior::{
     CONDITION_FACTORS, MAX_CONDITION_PARAMETERS, MAX_CONDITION_PARAMETERS_IN_PAIRS, MAX_CONDITION_RUNS,
 };
@@ -20,8 +21,22 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "a parameter of the model had another value in one run or for a part of it",
     refuted_by: "the run, repeated under one and the same condition, differs as much",
     look_alikes: &["sensor_gain", "ambient_temperature"],
+    shows: "one run differs from the first cycle on, or from one moment to another, as another value of one parameter of the model makes it",
+    parted_by: "`sensor_gain` scales elastic and hysteretic force alike, and every run of the instrument; `cyclic_degradation` and `self_heating` follow the work, without a moment at which they begin",
+    place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart",
+    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.2 to 5. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any",
     needs_clock: false,
+    is_missing_part: false,
     memory: &[],
+    materials: &[],
+    measurement: Measurement::new(
+        "ask what was adjusted, repaired or replaced between the earthquakes",
+        "ask what was adjusted between the runs, and repeat one run under the condition of the others",
+    ),
+    quantities: &[
+        Quantity::new("from", "time from which it holds", Dimension::Time),
+        Quantity::new("to", "time up to which it holds", Dimension::Time),
+    ],
     propose,
 };
 
