@@ -91,7 +91,7 @@ def runner(kind, script, log):
     sys.modules["openseespy"].opensees = module
     import openseespy.postprocessing  # noqa: F401
 
-    for name in PICTURES:
+    for name in () if os.environ.get("KEEP_PICTURES") else PICTURES:
         sys.modules[name] = picture = Picture(name)
         parent, _, child = name.rpartition(".")
         if parent:

@@ -103,6 +103,26 @@ fn the_equations_are_shown() {
     assert_eq!(n[9..], [3.0, 3.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.5]);
 }
 
+/// `printA` under `system Diagonal`: the diagonal alone, by rising tag of the node.
+#[test]
+fn the_diagonal_is_shown() {
+    let model = "model basic -ndm 2 -ndf 3\nnode 7 4 0\nnode 2 2 0\nnode 1 0 0\nfix 1 1 1 1\n\
+        geomTransf Linear 1\nelement elasticBeamColumn 1 1 2 0.02 2e8 1e-4 1\n\
+        element elasticBeamColumn 2 2 7 0.02 2e8 1e-4 1\nmass 2 3 4 0.5\nmass 7 5 6 0.7\n\
+        integrator GimmeMCK 1 0 0; algorithm Linear; system Diagonal; analysis Transient; analyze 1 0.0\n";
+    let ran = Script::default().run(&format!(
+        "{model}puts [printA -ret]\nintegrator GimmeMCK 0 0 1\nanalyze 1 0.0\nputs [printA -ret]\nprintA -file a.out\n\
+         system FullGeneral\nanalyze 1 0.0\nputs [llength [printA -ret]]"
+    ));
+    let n = ran.numbers();
+    assert_eq!(n[..6], [3.0, 4.0, 0.5, 5.0, 6.0, 0.7]);
+    let (ea, ei) = (4e6, 2e4);
+    let end = [ea / 2.0, 12.0 * ei / 8.0, 4.0 * ei / 2.0];
+    let expected = end.iter().map(|k| 2.0 * k).chain(end);
+    assert!(n[6..12].iter().zip(expected).all(|(a, b)| close(*a, b, 1e-12)), "{n:?}");
+    assert_eq!(n[12..], [36.0]);
+}
+
 /// A fiber section in space without torsion: the force-based beam twists as stiffly as in OpenSees.
 #[test]
 fn force_based_beam_of_sections_without_torsion() {

@@ -84,9 +84,12 @@ impl Domain {
         let run = inner.owned.run();
         run.interp.interrupt.store(false, Ordering::Relaxed);
         let outcome = run.call(entry.command, &words);
+        let is_accepted = outcome.is_ok();
         let result = self.finish(py, &mut inner, entry, &words, outcome);
         // The name is shared with the model: its references are counted while the model is held.
-        drop(words);
+        if is_accepted {
+            inner.owned.log.add(entry.command, words);
+        }
         result
     }
 
@@ -109,12 +112,22 @@ impl Domain {
         let run = inner.owned.run();
         run.interp.interrupt.store(false, Ordering::Relaxed);
         match run.analyze_again(steps, dt) {
-            Some(Again::Silent) => Ok(PyInt::new(py, 0).into_any().unbind()),
+            Some(Again::Silent) => {
+                if !inner.owned.log.again(steps, dt) {
+                    let mut words = all()?;
+                    inner.owned.put_name(entry, &mut words);
+                    inner.owned.log.add(entry.command, words);
+                }
+                Ok(PyInt::new(py, 0).into_any().unbind())
+            }
             Some(Again::Told(done)) => {
                 let mut words = all()?;
                 inner.owned.put_name(entry, &mut words);
                 let outcome = inner.owned.run().conclude(done, &words);
-                self.finish(py, &mut inner, entry, &words, outcome)
+                let is_interrupted = matches!(outcome, Err(Exception::Interrupted));
+                let result = self.finish(py, &mut inner, entry, &words, outcome);
+                inner.owned.log.analysed(entry.command, words, is_interrupted);
+                result
             }
             None => {
                 drop(inner);
@@ -133,7 +146,12 @@ impl Domain {
         owned.set_words(words);
         py.detach(|| owned.call(entry.command));
         let (words, outcome) = owned.take();
-        self.finish(py, &mut inner, entry, &words, outcome)
+        let (is_accepted, is_interrupted) = (outcome.is_ok(), matches!(outcome, Err(Exception::Interrupted)));
+        let result = self.finish(py, &mut inner, entry, &words, outcome);
+        if is_accepted || is_interrupted {
+            inner.owned.log.analysed(entry.command, words, is_interrupted);
+        }
+        result
     }
 
     /// Give out text and warnings, and the answer or the error.
@@ -172,6 +190,41 @@ impl Domain {
         self.text.flush(py)?;
         warned.iter().try_for_each(|w| outputs::warn(py, w))?;
         result
+    }
+
+    /// Make the calls that another model was told, so that this one is like it.
+    fn made_like(&self, py: Python<'_>, other: &Self) -> PyResult<()> {
+        let (log, state) = {
+            let mut other = other.hold()?;
+            if let Some(reason) = other.owned.log.lost() {
+                return Err(OpenSeesError::new_err(format!("copy: the model cannot be made again: {reason}")));
+            }
+            (other.owned.log.anew(), other.session().engine.state().clone())
+        };
+        let mut inner = self.hold()?;
+        inner.owned.run().interp.interrupt.store(false, Ordering::Relaxed);
+        inner.owned.log = log;
+        let owned = &mut inner.owned;
+        py.detach(|| owned.make_again());
+        let made = owned.take_made_again();
+        owned.run().interp.core.clear_warnings();
+        // The model that was told has given the messages.
+        hold(&self.warned).clear();
+        self.text.take();
+        match made {
+            Ok(()) if *inner.session().engine.state() == state => Ok(()),
+            Ok(()) => Err(OpenSeesError::new_err(
+                "copy: the calls of the model, made again, lead to another state: has a file that they read changed?",
+            )),
+            Err((_, Exception::Interrupted)) => Err(self.interruption()),
+            Err((command, e)) => {
+                let why = match &e {
+                    Exception::Error(e) => e.diagnostic.message.as_str(),
+                    _ => "it ends early",
+                };
+                Err(OpenSeesError::new_err(format!("copy: {command}, called again, is not accepted: {why}")))
+            }
+        }
     }
 
     fn interruption(&self) -> PyErr {
@@ -230,6 +283,11 @@ impl Domain {
         self.command(py, Entry::of("remove")?, vec![Value::EMPTY, Value::from("recorder"), Value::from(tag)])?;
         let rows = self.files.take(name);
         PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
+    }
+
+    /// Make the calls that another model was told.
+    fn _make_like(&self, py: Python<'_>, other: &Bound<'_, Self>) -> PyResult<()> {
+        self.made_like(py, other.get())
     }
 
     /// Keep the motion from here on for a page.

@@ -5,6 +5,8 @@ mod batch;
 mod domain;
 mod errors;
 mod learned;
+mod log;
+mod many;
 mod messages;
 mod methods;
 mod outputs;

@@ -1,5 +1,6 @@
 //! A model that one thread at a time uses.
 
+use crate::log::CallLog;
 use crate::methods::Entry;
 use hysteron_opensees::Command;
 use hysteron_opensees::run::Run;
@@ -15,11 +16,23 @@ pub(crate) struct Owned {
     outcome: Option<Result<Value, Exception>>,
     /// Keeps the motion for a page, once that has been asked for.
     observer: Option<Observer>,
+    /// Calls that have made the model.
+    pub(crate) log: CallLog,
+    /// Outcome of making the calls of another model, with the name of the command that is not accepted.
+    made_again: Result<(), (&'static str, Exception)>,
 }
 
 impl Owned {
     pub(crate) fn new(run: Run) -> Self {
-        Self { run, words: vec![], names: vec![], outcome: None, observer: None }
+        Self {
+            run,
+            words: vec![],
+            names: vec![],
+            outcome: None,
+            observer: None,
+            log: CallLog::default(),
+            made_again: Ok(()),
+        }
     }
 
     pub(crate) fn run(&mut self) -> &mut Run {
@@ -65,6 +78,16 @@ impl Owned {
         self.outcome = Some(self.run.call(command, &self.words));
     }
 
+    /// Make the calls of the log, which are those of another model.
+    pub(crate) fn make_again(&mut self) {
+        self.made_again = self.log.make(&mut self.run);
+    }
+
+    /// Outcome of making the calls of another model.
+    pub(crate) fn take_made_again(&mut self) -> Result<(), (&'static str, Exception)> {
+        std::mem::replace(&mut self.made_again, Ok(()))
+    }
+
     /// Words and outcome of the last call.
     pub(crate) fn take(&mut self) -> (Vec<Value>, Result<Value, Exception>) {
         (std::mem::take(&mut self.words), self.outcome.take().unwrap_or(Ok(Value::EMPTY)))
@@ -77,6 +100,7 @@ impl Owned {
 //   scripts are shared by a thread, but no text is run as a script here: a command that has a body in Tcl refuses one from a host.
 // - For the same reason the thread's store of parsed files has no part in it.
 // - The list of the recorders' files is shared by the session and the files of this interpreter alone.
-// The observer and its copy in the run are used under the same lock. Words are made, and answers taken apart, while the lock of
+// The observer and its copy in the run are used under the same lock. The log has words of this interpreter's calls, or copies of
+// another one's that share nothing with them (`CallLog::anew`). Words are made, and answers taken apart, while the lock of
 // `Domain` is held; none is kept outside. The lock orders the threads.
 unsafe impl Send for Owned {}

@@ -1,6 +1,7 @@
 //! Queries that loops make, without words: their arguments are numbers.
 
 use crate::domain::{Domain, Inner};
+use crate::many::Tags;
 use crate::methods::Entry;
 use crate::trace;
 use crate::words::words;
@@ -55,6 +56,19 @@ impl<'py> Given<'_, 'py> {
         }
     }
 
+    /// Many tags, and the number of a value: no argument, or a sequence of tags first. `None` for anything else.
+    fn many(&self) -> Option<(Tags, Option<i32>)> {
+        if !self.more.is_empty() {
+            return None;
+        }
+        match (self.first, self.second) {
+            (None, None) => Some((Tags::ALL, None)),
+            (None, Some(_)) => None,
+            (Some(first), None) => Some((Tags::of(first)?, None)),
+            (Some(first), Some(number)) => Some((Tags::of(first)?, Some(number.extract::<i32>().ok()?))),
+        }
+    }
+
     /// Number and length of steps; `None` for anything else.
     fn steps(&self) -> Option<(usize, Option<f64>)> {
         if !self.more.is_empty() {
@@ -97,7 +111,7 @@ impl Domain {
         &self,
         py: Python<'_>,
         asked: &Asked<'_, '_>,
-        values: impl for<'a> FnOnce(&'a mut Inner, NodeId) -> Option<&'a [f64]>,
+        values: impl for<'a> Fn(&'a mut Inner, NodeId) -> Option<&'a [f64]>,
     ) -> PyResult<Py<PyAny>> {
         if let Some((tag, dof)) = asked.given.numbers() {
             let mut inner = self.hold()?;
@@ -106,6 +120,8 @@ impl Domain {
             {
                 return found;
             }
+        } else if let Some(many) = asked.given.many() {
+            return self.of_nodes(py, asked.name, many, values);
         }
         self.by_words(py, asked)
     }
@@ -132,6 +148,8 @@ impl Domain {
             {
                 return found;
             }
+        } else if let Some(many) = asked.given.many() {
+            return self.of_elements(py, asked.name, many, &[response]);
         }
         self.by_words(py, asked)
     }
@@ -152,7 +170,11 @@ macro_rules! queries {
                     more: &Bound<'py, PyTuple>,
                 ) -> PyResult<Py<PyAny>> {
                     let (py, given) = (slf.py(), Given { first: &tag, second: &number, more });
-                    if let Some(answer) = trace::taken(slf, $name, || Ok(given.all(py)?.unbind())) {
+                    // A script has no arrays: what is asked of many is not recorded.
+                    if trace::is_on()
+                        && given.many().is_none()
+                        && let Some(answer) = trace::taken(slf, $name, || Ok(given.all(py)?.unbind()))
+                    {
                         return answer;
                     }
                     slf.get().$by(py, &Asked { name: $name, given }, $($how),*)
@@ -252,9 +274,14 @@ impl Domain {
         slf.get().ele_nodes_by_args(slf.py(), args)
     }
 
-    /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name.
+    /// A response of an element by its name: `eleResponse(element, 'force')`; empty if it has none of that name. Of a
+    /// sequence of elements an array of shape (elements, values).
     #[pyo3(name = "eleResponse", signature = (*args))]
     fn ele_response<'py>(slf: &Bound<'py, Self>, args: &Bound<'py, PyTuple>) -> PyResult<Py<PyAny>> {
+        if let Some((tags, words)) = asked_of_many(args) {
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            return slf.get().of_elements(slf.py(), "eleResponse", (tags, None), &words);
+        }
         if let Some(answer) = trace::taken(slf, "eleResponse", || Ok(args.clone().unbind())) {
             return answer;
         }
@@ -299,26 +326,34 @@ impl Domain {
                 return Ok(PyList::new(py, values)?.into_any().unbind());
             }
         }
-        let items: Vec<Bound<'_, PyAny>> = args.iter().skip(1).collect();
-        let word = |item: &Bound<'_, PyAny>| -> Option<String> {
-            match item.cast::<PyString>() {
-                Ok(text) => Some(text.to_cow().ok()?.trim().to_owned()),
-                Err(_) => Some(item.extract::<i64>().ok()?.to_string()),
-            }
-        };
-        let entry = Entry::of("eleResponse")?;
-        if args.len() >= 2
-            && let Some(tag) = args.get_borrowed_item(0).ok().and_then(|t| t.extract::<i32>().ok())
-            && let Some(words) = items.iter().map(word).collect::<Option<Vec<String>>>()
+        if let Some(words) = response_words(args)
+            && let Ok(tag) = args.get_borrowed_item(0)?.extract::<i32>()
         {
             let mut inner = self.hold()?;
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            if let Some(element) = self.element(&mut inner, tag) {
-                if let Some(values) = inner.session().element_response(element, &words) {
-                    return Ok(PyList::new(py, values)?.into_any().unbind());
-                }
+            if let Some(element) = self.element(&mut inner, tag)
+                && let Some(values) = inner.session().element_response(element, &words)
+            {
+                return Ok(PyList::new(py, values)?.into_any().unbind());
             }
         }
-        self.enter(py, entry, args)
+        self.enter(py, Entry::of("eleResponse")?, args)
     }
+}
+
+/// The words of a response behind the element; `None` for anything but texts and whole numbers.
+fn response_words(args: &Bound<'_, PyTuple>) -> Option<Vec<String>> {
+    let word = |item: Bound<'_, PyAny>| -> Option<String> {
+        match item.cast::<PyString>() {
+            Ok(text) => Some(text.to_cow().ok()?.trim().to_owned()),
+            Err(_) => Some(item.extract::<i64>().ok()?.to_string()),
+        }
+    };
+    if args.len() < 2 { None } else { args.iter().skip(1).map(word).collect() }
+}
+
+/// Elements in a sequence, and the words of their response.
+fn asked_of_many(args: &Bound<'_, PyTuple>) -> Option<(Tags, Vec<String>)> {
+    let first = args.get_item(0).ok().filter(|first| !first.is_instance_of::<PyInt>())?;
+    Some((Tags::of(&first)?, response_words(args)?))
 }

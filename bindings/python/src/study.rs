@@ -129,6 +129,36 @@ impl Study {
         Ok(points.iter().map(|p| p.as_ref().and_then(|_| found.next())).collect())
     }
 
+    /// Objectives at points; infinite outside of the bounds and where the model has no response.
+    fn objectives(&self, py: Python<'_>, points: &[Option<Vec<f64>>], threads: usize) -> PyResult<Vec<f64>> {
+        let found = self.evaluate(py, points, false, threads)?.into_iter();
+        let value = |e: Evaluation| if e.error.is_none() { e.trial.objective } else { f64::INFINITY };
+        Ok(found.map(|e| e.map_or(f64::INFINITY, value)).collect())
+    }
+
+    /// Residuals at points, each of which `place` names.
+    fn all_residuals(
+        &self,
+        py: Python<'_>,
+        points: Vec<Option<Vec<f64>>>,
+        threads: usize,
+        place: fn(usize) -> String,
+    ) -> PyResult<Vec<Vec<f64>>> {
+        let outside = |i| OpenSeesError::new_err(format!("{} is outside of the bounds of {}", place(i), self.listed()));
+        if let Some(i) = points.iter().position(Option::is_none) {
+            return Err(outside(i));
+        }
+        let found = self.evaluate(py, &points, true, threads)?;
+        let take = |(i, e): (usize, Option<Evaluation>)| match e {
+            Some(Evaluation { error: Some(e), .. }) => {
+                Err(OpenSeesError::new_err(format!("no response at {}: {e}", place(i))))
+            }
+            Some(e) => Ok(e.trial.residuals),
+            None => Err(outside(i)),
+        };
+        found.into_iter().enumerate().map(take).collect()
+    }
+
     /// Text of the script.
     pub(crate) fn text(&self) -> Result<String, String> {
         let path = self.study.folder.join(&self.study.model);
@@ -309,8 +339,19 @@ impl Study {
     /// Objective of a calibration at `x`: mean NMSE of the fitted channels; infinite where the model has no response.
     #[pyo3(signature = (x, *, threads = 1))]
     fn objective(&self, py: Python<'_>, x: Vec<f64>, threads: usize) -> PyResult<f64> {
-        let found = self.evaluate(py, &[self.unit_point(&x)?], false, threads)?;
-        Ok(found[0].as_ref().filter(|e| e.error.is_none()).map_or(f64::INFINITY, |e| e.trial.objective))
+        Ok(self.objectives(py, &[self.unit_point(&x)?], threads)?[0])
+    }
+
+    /// `objective` at the rows of `x`, on several threads. Any number of threads gives the same bits.
+    #[pyo3(signature = (x, *, threads = 1))]
+    fn objective_many<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArrayDyn<'py, f64>,
+        threads: usize,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let points = rows(&x)?.iter().map(|r| self.unit_point(r)).collect::<PyResult<Vec<_>>>()?;
+        Ok(PyArray1::from_vec(py, self.objectives(py, &points, threads)?))
     }
 
     /// Scaled differences between model and recordings at `x`, whose sum of squares is the objective.
@@ -318,15 +359,24 @@ impl Study {
     /// Raises OpenSeesError where the model has no response.
     #[pyo3(signature = (x, *, threads = 1))]
     fn residuals<'py>(&self, py: Python<'py>, x: Vec<f64>, threads: usize) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let point = self.unit_point(&x)?;
-        let outside = || OpenSeesError::new_err(format!("x is outside of the bounds of {}", self.listed()));
-        let point = point.ok_or_else(outside)?;
-        let mut found = self.evaluate(py, &[Some(point)], true, threads)?;
-        match found.pop().flatten() {
-            Some(Evaluation { error: Some(e), .. }) => Err(OpenSeesError::new_err(format!("no response at x: {e}"))),
-            Some(e) => Ok(PyArray1::from_vec(py, e.trial.residuals)),
-            None => Err(outside()),
-        }
+        let found = self.all_residuals(py, vec![self.unit_point(&x)?], threads, |_| "x".to_owned())?;
+        Ok(PyArray1::from_vec(py, found.into_iter().next().unwrap_or_default()))
+    }
+
+    /// `residuals` at the rows of `x`, on several threads: an array of shape (points, samples). Any number of threads gives the
+    /// same bits.
+    ///
+    /// Raises OpenSeesError where the model has no response at one of them.
+    #[pyo3(signature = (x, *, threads = 1))]
+    fn residuals_many<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArrayDyn<'py, f64>,
+        threads: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let points = rows(&x)?.iter().map(|r| self.unit_point(r)).collect::<PyResult<Vec<_>>>()?;
+        let found = self.all_residuals(py, points, threads, |row| format!("row {row} of x"))?;
+        PyArray2::from_vec2(py, &found).map_err(|e| PyRuntimeError::new_err(e.to_string()))
     }
 
     /// Number of independent samples of the fitted runs, by which the intervals of a calibration are made: the differences of
@@ -371,12 +421,8 @@ impl Study {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let points = rows(&x)?.iter().map(|r| self.unit_point(r)).collect::<PyResult<Vec<_>>>()?;
         let n = self.independent_samples(py, n, threads)?;
-        let found = self.evaluate(py, &points, false, threads)?;
-        let value = |e: Option<Evaluation>| {
-            let objective = e.filter(|e| e.error.is_none()).map_or(f64::INFINITY, |e| e.trial.objective);
-            log_likelihood(objective, n)
-        };
-        Ok(PyArray1::from_iter(py, found.into_iter().map(value)))
+        let found = self.objectives(py, &points, threads)?;
+        Ok(PyArray1::from_iter(py, found.into_iter().map(|objective| log_likelihood(objective, n))))
     }
 
     /// Result of a calibration as JSON, and the channels: run, channel, recorded and simulated samples.

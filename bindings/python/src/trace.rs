@@ -22,13 +22,18 @@ pub(crate) fn record_calls(hook: Option<Py<PyAny>>) {
     let _before = std::mem::replace(&mut *HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner), new);
 }
 
+/// Returns true if calls of a thread are recorded.
+pub(crate) fn is_on() -> bool {
+    IS_SET.load(Ordering::Relaxed)
+}
+
 /// The answer of the hook to a call; `None` where the model answers itself.
 pub(crate) fn taken(
     model: &Bound<'_, Domain>,
     name: &str,
     args: impl FnOnce() -> PyResult<Py<PyTuple>>,
 ) -> Option<PyResult<Py<PyAny>>> {
-    if !IS_SET.load(Ordering::Relaxed) {
+    if !is_on() {
         return None;
     }
     let py = model.py();

@@ -406,3 +406,22 @@ def test_texts_are_not_run_as_scripts(tmp_path):
     with pytest.raises(OpenSeesError, match="not run as a script"):
         model.pattern("Plain", 1, 1, f"close [open {made} w]")
     assert not made.exists()
+
+
+def test_the_matrix_of_a_diagonal_system_is_its_diagonal(ops):
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.node(1, 0.0, 0.0)
+    ops.node(2, 0.0, 3.0, "-mass", 2.0, 3.0, 0.5)
+    ops.fix(1, 1, 1, 1)
+    ops.geomTransf("Linear", 1)
+    ops.element("elasticBeamColumn", 1, 1, 2, 0.01, 2e8, 1e-4, 1)
+    ops.algorithm("Linear")
+    ops.system("Diagonal")
+    ops.integrator("GimmeMCK", 1.0, 0.0, 0.0)
+    ops.analysis("Transient")
+    ops.analyze(1, 0.0)
+    # As programs read the masses of a model.
+    assert ops.printA("-ret") == [2.0, 3.0, 0.5]
+    ops.system("FullGeneral")
+    ops.analyze(1, 0.0)
+    assert ops.printA("-ret") == [2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.5]

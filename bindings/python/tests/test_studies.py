@@ -97,6 +97,12 @@ def test_likelihoods_are_the_same_for_any_number_of_threads(pad):
     alone = pad.loglike_many(points)
     assert alone.tobytes() == pad.loglike_many(points, threads=3).tobytes()
     assert alone[7] == pad.loglike(points[7])
+    objectives, residuals = pad.objective_many(points, threads=2), pad.residuals_many(points, threads=2)
+    assert objectives.tobytes() == np.array([pad.objective(p) for p in points]).tobytes()
+    assert residuals.shape[0] == 40 and residuals[7].tobytes() == pad.residuals(points[7]).tobytes()
+    assert pad.objective_many(pad.bounds[None, :, 1] * 2).tolist() == [np.inf]
+    with pytest.raises(OpenSeesError, match="row 1 of x is outside of the bounds"):
+        pad.residuals_many(np.array([points[0], pad.bounds[:, 1] * 2]))
     assert pad.loglike(pad.bounds[:, 1] * 2) == -np.inf
 
 
@@ -126,6 +132,8 @@ def test_the_workers_of_dask_evaluate_with_the_same_bits(pad, client):
     assert pad.residuals(x).tobytes() == pad.residuals(x, client=client).tobytes()
     assert pad.loglike(x) == pad.loglike(x, client=client) and pad.objective(x) == pad.objective(x, client=client)
     assert pad.loglike_many(np.empty((0, 3)), client=client).shape == (0,)
+    assert pad.objective_many(points).tobytes() == pad.objective_many(points, client=client).tobytes()
+    assert pad.residuals_many(points[:9]).tobytes() == pad.residuals_many(points[:9], client=client).tobytes()
 
 
 def cases_of(folder):

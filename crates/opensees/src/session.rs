@@ -21,7 +21,7 @@ use crate::section::open::OpenSection;
 use crate::slips::Slip;
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
-use hysteron_engine::analysis::{Engine, Failure, Kind, Options, ReactionKind, Test};
+use hysteron_engine::analysis::{Engine, Failure, Kind, MatrixTerms, Options, ReactionKind, Test};
 use hysteron_engine::assembly::Handler;
 use hysteron_engine::model::{Definitions, ElementId, NodeId, Tag};
 use hysteron_engine::number_format::Style;
@@ -40,8 +40,8 @@ pub(crate) struct Parts {
     pub(crate) test: Option<Test>,
     pub(crate) algorithm: Option<Box<dyn Algorithm>>,
     pub(crate) integrator: Option<Box<dyn Integrator>>,
-    /// The system of equations holds every term.
-    pub(crate) full_matrix: Option<bool>,
+    /// Terms of the matrix that the system of equations holds in OpenSees.
+    pub(crate) matrix_terms: Option<MatrixTerms>,
     /// Print flag of the test.
     pub(crate) print: i32,
     /// Steps of time may change their length: `analysis VariableTransient`.

@@ -97,12 +97,33 @@ class Model(_hysteron.Domain):
             raise OpenSeesError("Model: ndf is given, and ndm is not")
 
     def __new__(cls, ndm=None, ndf=None, *, strict=False, compat=False, ladder=False):
-        return super().__new__(cls, strict=strict, compat=compat, ladder=ladder)
+        self = super().__new__(cls, strict=strict, compat=compat, ladder=ladder)
+        self._settings = {"strict": strict, "compat": compat, "ladder": ladder}
+        return self
 
     def __getattr__(self, name):
         near = difflib.get_close_matches(name, USAGES, 1)
         hint = f". Did you mean '{near[0]}'?" if near else ""
         raise AttributeError(f"OpenSees has no command '{name}'{hint}", name=name, obj=self)
+
+    def copy(self):
+        """A model like this one, which goes on to the same bits and shares nothing with it.
+
+        It is made by the calls that this model was told since it was empty, analyses with them: a copy takes as long as they did.
+        Files that the calls read are read again. Recorders, and what ``watch`` keeps, stay with this model. Raises OpenSeesError
+        where the calls do not make the model again: one of them was interrupted, ``restore`` has read a state, or there were too
+        many of them.
+        """
+        # A class of one's own may take other arguments.
+        new = _hysteron.Domain.__new__(type(self), **self._settings)
+        new.__dict__.update(self.__dict__)
+        new._make_like(self)
+        return new
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo):
+        return self.copy()
 
     def __reduce__(self):
         raise TypeError("a Model cannot be pickled: a task builds its own, from the parameters that it is given")

@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import Any, NoReturn
+from typing import Any, NoReturn, overload
 
 import numpy as np
 
+_Tags = Sequence[int] | np.ndarray
 _Word = float | str | np.ndarray | PathLike[str] | Sequence["_Word"]
 
 class Recording(dict[str, np.ndarray]):
@@ -42,16 +43,22 @@ class Model:
 
         Has no effect: there is one process.
         """
-    def basicDeformation(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def basicDeformation(self, element: float, dof: float = ..., /) -> list[float] | float:
         """basicDeformation(element, <dof>)
 
         Returns the basic deformations of an element.
         """
-    def basicForce(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def basicDeformation(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
+    @overload
+    def basicForce(self, element: float, dof: float = ..., /) -> list[float] | float:
         """basicForce(element, <dof>)
 
         Returns the basic forces of an element.
         """
+    @overload
+    def basicForce(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def basicStiffness(self, element: _Word) -> list[float]:
         """basicStiffness(element)
 
@@ -97,6 +104,7 @@ class Model:
         """
     def convertBinaryToText(self, *args: Any) -> NoReturn: ...
     def convertTextToBinary(self, *args: Any) -> NoReturn: ...
+    def copy(self) -> Model: ...
     def correlate(self, *args: Any) -> NoReturn: ...
     def damping(self, *args: _Word, **options: _Word) -> None:
         """damping(kind, tag, ...)
@@ -127,11 +135,14 @@ class Model:
 
         Returns the global forces of an element with those of its damping and its inertia.
         """
-    def eleForce(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def eleForce(self, element: float, dof: float = ..., /) -> list[float] | float:
         """eleForce(element, <dof>)
 
         Returns the global forces of an element.
         """
+    @overload
+    def eleForce(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def eleLoad(self, *args: _Word, **options: _Word) -> None:
         """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ...)
 
@@ -425,11 +436,14 @@ class Model:
 
         Keeps the loads of all patterns at their present level.
         """
-    def localForce(self, element: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def localForce(self, element: float, dof: float = ..., /) -> list[float] | float:
         """localForce(element, <dof>)
 
         Returns the local forces of an element.
         """
+    @overload
+    def localForce(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def logCommands(self, *args: _Word, **options: _Word) -> None:
         """logCommands(...)"""
     def logFile(self, *args: _Word, **options: _Word) -> None:
@@ -479,26 +493,35 @@ class Model:
 
         Makes a node.
         """
-    def nodeAccel(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def nodeAccel(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeAccel(node, <dof>)
 
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
+    @overload
+    def nodeAccel(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def nodeBounds(self) -> list[float]:
         """nodeBounds()
 
         Returns the smallest and largest coordinates of all nodes.
         """
-    def nodeCoord(self, node: _Word, direction: _Word = ..., /) -> list[float] | float:
+    @overload
+    def nodeCoord(self, node: float, direction: float = ..., /) -> list[float] | float:
         """nodeCoord(node, <direction>)
 
         Returns the coordinates of a node.
         """
-    def nodeDisp(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def nodeCoord(self, node: _Tags = ..., direction: _Word = ..., /) -> np.ndarray: ...
+    @overload
+    def nodeDisp(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeDisp(node, <dof>)
 
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
+    @overload
+    def nodeDisp(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def nodeDOFs(self, node: _Word) -> list[int]:
         """nodeDOFs(node)
 
@@ -515,11 +538,14 @@ class Model:
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
     def nodePressure(self, node: _Word) -> float: ...
-    def nodeReaction(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def nodeReaction(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeReaction(node, <dof>)
 
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
+    @overload
+    def nodeReaction(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def nodeResponse(self, *args: _Word, **options: _Word) -> float:
         """nodeResponse(node, dof, response, ('1', 'displacement,', '2', 'velocity,', '3', 'acceleration'))
 
@@ -530,11 +556,14 @@ class Model:
 
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
-    def nodeVel(self, node: _Word, dof: _Word = ..., /) -> list[float] | float:
+    @overload
+    def nodeVel(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeVel(node, <dof>)
 
         Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
         """
+    @overload
+    def nodeVel(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def numberer(self, *args: _Word, **options: _Word) -> None:
         """numberer('Plain' | 'RCM' | 'AMD')
 

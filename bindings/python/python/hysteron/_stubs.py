@@ -37,6 +37,8 @@ _RETURNS = {
     "printA": "list[float] | None",
     "printB": "list[float] | None",
 }
+#: Queries of many nodes or elements at once.
+_MANY = "nodeDisp nodeVel nodeAccel nodeCoord nodeReaction eleForce basicForce basicDeformation localForce".split()
 _PYTHON = {
     "analyze": "(steps: _Word, dt: _Word = ..., *more: _Word) -> int",
     "getNumThreads": "() -> int",
@@ -46,6 +48,7 @@ _PYTHON = {
     "defaultUnits": "(*args: _Word) -> None",
     "metaData": "(*args: _Word) -> None",
     "pyversion": "(*args: _Word) -> str",
+    "copy": "() -> Model",
     "watch": "() -> None",
     "plot": "(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any",
 }
@@ -53,10 +56,11 @@ _HEAD = '''"""Generated from the usages of the commands by `python -m hysteron._
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import Any, NoReturn
+from typing import Any, NoReturn, overload
 
 import numpy as np
 
+_Tags = Sequence[int] | np.ndarray
 _Word = float | str | np.ndarray | PathLike[str] | Sequence["_Word"]
 '''
 _SIMPLE = re.compile(r"^\w+\(([a-z]\w*(?:, [a-z]\w*)*)?(?:(?:, )?<([a-z]\w*)>)?\)$", re.IGNORECASE)
@@ -93,6 +97,12 @@ def _definition(name, indent, is_method):
     text = "\n\n".join(filter(None, [usage, summary(name)])).replace("\\", "\\\\").replace('"""', "'''")
     text = text.replace("\n\n", f"\n\n{indent}    ")
     end = f"\n{indent}    " if "\n" in text else ""
+    if name in _MANY:
+        of_one, of_many = signature.replace(": _Word", ": float"), signature.replace(": _Word,", ": _Tags = ...,", 1)
+        return (
+            f"{indent}@overload\n{indent}def {name}({of_one}) -> {_RETURNS[name]}:\n{indent}    \"\"\"{text}{end}\"\"\"\n"
+            f"{indent}@overload\n{indent}def {name}({of_many}) -> np.ndarray: ..."
+        )
     return f'{indent}def {name}({signature}) -> {_RETURNS.get(name, "None")}:\n{indent}    """{text}{end}"""'
 
 
@@ -104,7 +114,7 @@ def names():
 def stubs():
     """Texts of the stubs by the name of their file."""
     opensees = [_HEAD, "class OpenSeesError(Exception): ...", ""]
-    opensees += [_definition(name, "", False) for name in names()]
+    opensees += [_definition(name, "", False) for name in names() if name != "copy"]
     model = [_HEAD, "class Recording(dict[str, np.ndarray]):", "    code: int", "", "class Model:"]
     model += [
         "    def __init__(",

@@ -149,20 +149,35 @@ class Study(_hysteron.Study):
         n = self.effective_samples(threads=threads) if n is None else n
         return self._submit(client, "loglike", x, n=n)
 
+    def objective_many(self, x, *, threads=1, client=None):
+        """`objective` at the rows of `x`, on several threads or on the workers of Dask."""
+        if client is None:
+            return super().objective_many(_points(x), threads=threads)
+        return self._submit_many(client, "objective_many", x)
+
+    def residuals_many(self, x, *, threads=1, client=None):
+        """`residuals` at the rows of `x`, an array of shape (points, samples), on several threads or on the workers of Dask."""
+        if client is None:
+            return super().residuals_many(_points(x), threads=threads)
+        return self._submit_many(client, "residuals_many", x)
+
     def loglike_many(self, x, *, n=None, threads=1, client=None):
         """`loglike` at the rows of `x`, on several threads or on the workers of Dask."""
-        import numpy as np
-
-        x = np.asarray(x, dtype=float)
         if client is None:
-            return super().loglike_many(x, n=n, threads=threads)
+            return super().loglike_many(_points(x), n=n, threads=threads)
         # Once here, not in each worker.
         n = self.effective_samples(threads=threads) if n is None else n
-        points = np.atleast_2d(x)
+        return self._submit_many(client, "loglike_many", x, n=n)
+
+    def _submit_many(self, client, name, x, **options):
+        import numpy as np
+
+        points = np.atleast_2d(_points(x))
         tasks = min(len(points), max(1, 4 * sum(client.nthreads().values())))
         parts = [p for p in np.array_split(points, tasks) if len(p)] if tasks else []
-        futures = [client.submit(_evaluate, self.__reduce__()[1], "loglike_many", p, {"n": n}, pure=False) for p in parts]
-        return np.concatenate([np.empty(0), *client.gather(futures)])
+        futures = [client.submit(_evaluate, self.__reduce__()[1], name, p, options, pure=False) for p in parts]
+        # No point needs no worker.
+        return np.concatenate(client.gather(futures)) if futures else getattr(super(), name)(points, **options)
 
     def _submit(self, client, name, x, **options):
         return client.submit(_evaluate, self.__reduce__()[1], name, list(x), options, pure=False).result()
@@ -179,6 +194,12 @@ class Study(_hysteron.Study):
     def learn(self, *, threads=1):
         """Learn a law with memory from the runs of a device."""
         return Learned(*self._learn(threads=threads))
+
+
+def _points(x):
+    import numpy as np
+
+    return np.asarray(x, dtype=float)
 
 
 #: The study that a worker has read last.

@@ -8,7 +8,8 @@ import difflib as _difflib
 from ._hysteron import OpenSeesError
 from ._model import Model as _Model
 
-_names = [n for n in dir(_Model) if not n.startswith("_")]
+#: `from hysteron.opensees import *` takes no name of Python's library.
+_names = [n for n in dir(_Model) if not n.startswith("_") and n != "copy"]
 _settings = {}
 
 

@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import Any, NoReturn
+from typing import Any, NoReturn, overload
 
 import numpy as np
 
+_Tags = Sequence[int] | np.ndarray
 _Word = float | str | np.ndarray | PathLike[str] | Sequence["_Word"]
 
 class OpenSeesError(Exception): ...
@@ -37,16 +38,22 @@ def barrier() -> None:
 
     Has no effect: there is one process.
     """
-def basicDeformation(element: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def basicDeformation(element: float, dof: float = ..., /) -> list[float] | float:
     """basicDeformation(element, <dof>)
 
     Returns the basic deformations of an element.
     """
-def basicForce(element: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def basicDeformation(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
+@overload
+def basicForce(element: float, dof: float = ..., /) -> list[float] | float:
     """basicForce(element, <dof>)
 
     Returns the basic forces of an element.
     """
+@overload
+def basicForce(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def basicStiffness(element: _Word) -> list[float]:
     """basicStiffness(element)
 
@@ -122,11 +129,14 @@ def eleDynamicalForce(element: _Word, dof: _Word = ...) -> list[float] | float:
 
     Returns the global forces of an element with those of its damping and its inertia.
     """
-def eleForce(element: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def eleForce(element: float, dof: float = ..., /) -> list[float] | float:
     """eleForce(element, <dof>)
 
     Returns the global forces of an element.
     """
+@overload
+def eleForce(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def eleLoad(*args: _Word, **options: _Word) -> None:
     """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ...)
 
@@ -420,11 +430,14 @@ def loadConst(*args: _Word, **options: _Word) -> None:
 
     Keeps the loads of all patterns at their present level.
     """
-def localForce(element: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def localForce(element: float, dof: float = ..., /) -> list[float] | float:
     """localForce(element, <dof>)
 
     Returns the local forces of an element.
     """
+@overload
+def localForce(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def logCommands(*args: _Word, **options: _Word) -> None:
     """logCommands(...)"""
 def logFile(*args: _Word, **options: _Word) -> None:
@@ -474,26 +487,35 @@ def node(*args: _Word, **options: _Word) -> None:
 
     Makes a node.
     """
-def nodeAccel(node: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def nodeAccel(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeAccel(node, <dof>)
 
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
+@overload
+def nodeAccel(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def nodeBounds() -> list[float]:
     """nodeBounds()
 
     Returns the smallest and largest coordinates of all nodes.
     """
-def nodeCoord(node: _Word, direction: _Word = ..., /) -> list[float] | float:
+@overload
+def nodeCoord(node: float, direction: float = ..., /) -> list[float] | float:
     """nodeCoord(node, <direction>)
 
     Returns the coordinates of a node.
     """
-def nodeDisp(node: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def nodeCoord(node: _Tags = ..., direction: _Word = ..., /) -> np.ndarray: ...
+@overload
+def nodeDisp(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeDisp(node, <dof>)
 
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
+@overload
+def nodeDisp(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def nodeDOFs(node: _Word) -> list[int]:
     """nodeDOFs(node)
 
@@ -510,11 +532,14 @@ def nodeMass(node: _Word, dof: _Word = ...) -> list[float] | float:
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
 def nodePressure(node: _Word) -> float: ...
-def nodeReaction(node: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def nodeReaction(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeReaction(node, <dof>)
 
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
+@overload
+def nodeReaction(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def nodeResponse(*args: _Word, **options: _Word) -> float:
     """nodeResponse(node, dof, response, ('1', 'displacement,', '2', 'velocity,', '3', 'acceleration'))
 
@@ -525,11 +550,14 @@ def nodeUnbalance(node: _Word, dof: _Word = ...) -> list[float] | float:
 
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
-def nodeVel(node: _Word, dof: _Word = ..., /) -> list[float] | float:
+@overload
+def nodeVel(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeVel(node, <dof>)
 
     Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
     """
+@overload
+def nodeVel(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def numberer(*args: _Word, **options: _Word) -> None:
     """numberer('Plain' | 'RCM' | 'AMD')
 

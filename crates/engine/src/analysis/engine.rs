@@ -42,8 +42,20 @@ pub struct Setup {
     pub integrator: Box<dyn Integrator>,
     /// Convergence test.
     pub test: Test,
-    /// The system of equations holds every term (`FullGeneral`). OpenSees' others drop terms that no element has.
-    pub full_matrix: bool,
+    /// Terms of the matrix that OpenSees' system of equations holds.
+    pub matrix_terms: MatrixTerms,
+}
+
+/// Terms of the matrix that a system of equations of OpenSees holds. The solution here always has all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MatrixTerms {
+    /// Every term (`FullGeneral`).
+    All,
+    /// Terms between degrees of freedom that an element joins.
+    #[default]
+    OfElements,
+    /// The diagonal (`Diagonal`).
+    Diagonal,
 }
 
 /// Settings that hold for all analyses of an engine.

@@ -32,7 +32,7 @@ mod workspace;
 pub use bounds::Excess;
 pub use convergence::{Measure, Norm, Test, TestOutcome};
 pub use energy::{ClassEnergy, Energies, EnergyBalance};
-pub use engine::{Engine, Imbalance, Kind, Observer, Options, Quiet, Setup};
+pub use engine::{Engine, Imbalance, Kind, MatrixTerms, Observer, Options, Quiet, Setup};
 pub use estimate::LinearEstimate;
 pub use failure::{Cause, Failure};
 pub use lockstep::{LockstepRows, Recorded, lockstep};

@@ -90,9 +90,9 @@ fn analysis(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn set_up(session: &mut Session, kind: Kind, variable: bool, default_handler: Handler) {
     let old = session.engine.take_setup();
     let parts = std::mem::take(&mut session.parts);
-    let Parts { handler, test, algorithm, integrator, print, full_matrix, .. } = parts;
+    let Parts { handler, test, algorithm, integrator, print, matrix_terms, .. } = parts;
     // Parts that were given for an analysis serve the next one too, unless new ones are given.
-    let old_full_matrix = old.as_ref().is_some_and(|s| s.full_matrix);
+    let old_terms = old.as_ref().map(|s| s.matrix_terms);
     let (old_algorithm, old_integrator, old_test, old_handler) = match old {
         Some(s) => (Some(s.algorithm), Some(s.integrator), Some(s.test), Some(s.handler)),
         None => (None, None, None, None),
@@ -106,18 +106,18 @@ fn set_up(session: &mut Session, kind: Kind, variable: bool, default_handler: Ha
     let algorithm = algorithm.or(old_algorithm).unwrap_or_else(default_algorithm);
     let test = test.or(old_test).unwrap_or_else(|| Test::new(Measure::Unbalance, 1e-6, 25));
     let handler = handler.or(old_handler).unwrap_or(default_handler);
-    let full_matrix = full_matrix.unwrap_or(old_full_matrix);
+    let matrix_terms = matrix_terms.or(old_terms).unwrap_or_default();
     session.output.recorders.print = print;
     session.parts = Parts {
         handler: Some(handler),
         test: Some(test.clone()),
         integrator: kept,
         print,
-        full_matrix: Some(full_matrix),
+        matrix_terms: Some(matrix_terms),
         algorithm: None,
         variable_steps: variable,
     };
-    session.engine.set_up(Setup { kind, handler, algorithm, integrator, test, full_matrix });
+    session.engine.set_up(Setup { kind, handler, algorithm, integrator, test, matrix_terms });
 }
 
 fn default_integrator(kind: Kind) -> Box<dyn Integrator> {

@@ -13,16 +13,27 @@ pub(crate) const COMMANDS: &[Command] =
 const PRINT_A: &str = "printA <-file $file> <-ret>";
 const PRINT_B: &str = "printB <-file $file> <-ret>";
 
+/// Numbers to print, and how many of them stand in a row.
+type Rows = (Vec<f64>, usize);
+
+/// Matrix of the equations, or its diagonal as a column where the system holds no more.
 fn print_a(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    print(interp, call, PRINT_A, |e| e.matrix)
+    print(interp, call, PRINT_A, |e| {
+        let n = e.unbalance.len();
+        let columns = if e.matrix.len() == n { 1 } else { n };
+        (e.matrix, columns)
+    })
 }
 
 fn print_b(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    print(interp, call, PRINT_B, |e| e.unbalance)
+    print(interp, call, PRINT_B, |e| {
+        let n = e.unbalance.len();
+        (e.unbalance, n)
+    })
 }
 
-/// Write numbers in rows as long as there are equations, or give them back.
-fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equations) -> Vec<f64>) -> Outcome {
+/// Write numbers in rows, or give them back.
+fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equations) -> Rows) -> Outcome {
     let mut a = Args::new(call, usage);
     let (mut file, mut give_back) = (None, false);
     while let Some(option) = a.option() {
@@ -32,17 +43,17 @@ fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equati
             _ => ignore_option(interp, &mut a, &["-file", "-ret"])?,
         }
     }
-    let equations = match interp.host.engine.equations() {
+    let terms = interp.host.parts.matrix_terms.unwrap_or_default();
+    let equations = match interp.host.engine.equations(terms) {
         Ok(e) => e,
         Err(failure) => return Err(a.refuse_at(call.whole_span(), failure.to_string(), "")),
     };
-    let row = equations.unbalance.len();
-    let numbers = what(equations);
+    let (numbers, columns) = what(equations);
     if give_back {
         return Ok(Value::list(numbers.into_iter().map(Value::from)));
     }
     let mut text = String::new();
-    for row in numbers.chunks(row.max(1)) {
+    for row in numbers.chunks(columns.max(1)) {
         for x in row {
             Style::default().push(*x, &mut text);
             text.push(' ');

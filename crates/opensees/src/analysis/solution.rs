@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::kind::{self, Kind};
 use crate::{Command, Outcome, Tcl, finish, warn};
-use hysteron_engine::analysis::{Measure, Norm, Test};
+use hysteron_engine::analysis::{MatrixTerms, Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -81,33 +81,37 @@ fn numberer(_: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// True for a matrix that holds every term.
-const SYSTEMS: &[Kind<bool>] = &[
-    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: false },
-    Kind { names: &["BandSPD"], usage: "system BandSPD", make: false },
-    Kind { names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], usage: "system ProfileSPD", make: false },
+/// Systems with the terms that their matrix holds in OpenSees.
+const SYSTEMS: &[Kind<MatrixTerms>] = &[
+    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: MatrixTerms::OfElements },
+    Kind { names: &["BandSPD"], usage: "system BandSPD", make: MatrixTerms::OfElements },
+    Kind {
+        names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"],
+        usage: "system ProfileSPD",
+        make: MatrixTerms::OfElements,
+    },
     Kind {
         names: &["SparseGeneral", "SparseGEN", "SparseGen", "SuperLU", "Sparse"],
         usage: "system SparseGeneral",
-        make: false,
+        make: MatrixTerms::OfElements,
     },
-    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: false },
-    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: false },
-    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: true },
-    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: false },
-    Kind { names: &["Mumps"], usage: "system Mumps", make: false },
-    Kind { names: &["Petsc"], usage: "system Petsc", make: false },
-    Kind { names: &["Itpack"], usage: "system Itpack", make: false },
-    Kind { names: &["CuSP"], usage: "system CuSP", make: false },
-    Kind { names: &["PFEM"], usage: "system PFEM", make: false },
+    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: MatrixTerms::OfElements },
+    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: MatrixTerms::OfElements },
+    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: MatrixTerms::All },
+    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: MatrixTerms::Diagonal },
+    Kind { names: &["Mumps"], usage: "system Mumps", make: MatrixTerms::OfElements },
+    Kind { names: &["Petsc"], usage: "system Petsc", make: MatrixTerms::OfElements },
+    Kind { names: &["Itpack"], usage: "system Itpack", make: MatrixTerms::OfElements },
+    Kind { names: &["CuSP"], usage: "system CuSP", make: MatrixTerms::OfElements },
+    Kind { names: &["PFEM"], usage: "system PFEM", make: MatrixTerms::OfElements },
 ];
 
 /// The solver is our own: it fits the size and the symmetry of the equations.
 fn system(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SYSTEM);
-    let full_matrix = kind::take(&mut a, "kind of system", "system of equations", SYSTEMS.iter())?.make;
-    interp.host.parts.full_matrix = Some(full_matrix);
-    interp.host.engine.change_setup(|s| s.full_matrix = full_matrix);
+    let matrix_terms = kind::take(&mut a, "kind of system", "system of equations", SYSTEMS.iter())?.make;
+    interp.host.parts.matrix_terms = Some(matrix_terms);
+    interp.host.engine.change_setup(|s| s.matrix_terms = matrix_terms);
     Ok(Value::EMPTY)
 }
 

@@ -7,6 +7,7 @@
 //! A state that is kept and one that is restored go on to the same bits, because what is remembered of earlier steps is forgotten
 //! at the same steps in both runs: after fifty steps, and before a command that needs the state.
 
+mod effect;
 mod format;
 mod journal;
 
@@ -19,6 +20,7 @@ use hysteron_engine::bytes::checksum;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+pub use effect::{Effect, effect};
 pub use journal::{Journal, Keeping, Paths};
 
 /// First bytes of a journal and of a checkpoint. The digest of the run follows.

@@ -115,6 +115,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "They are in equilibrium to round-off.",
     ),
     differs(
+        "`forceBeamColumnCBDI`, `forceBeamColumnCSBDI` in space: moment about y",
+        "The moment that the sections keep has the deflection in the other plane.",
+        "It has the deflection in its own plane, so that each section is in equilibrium with the ends.",
+    ),
+    differs(
         "`zeroLengthContact3D`, `inerter` with `-pDelta`: tangent",
         "A term of sliding friction in two directions is wrong; the stiffness of the P-Delta forces counts as mass. Forces are the same.",
         "The tangent is the derivative of the force.",

@@ -203,6 +203,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "It is that of the committed state.",
     ),
     differs(
+        "`Simplified3DJ2`: initial tangent and reported strain",
+        "The initial tangent is the present one, by which `SSPbrick` changes its stabilisation. Reported shear strains are halves.",
+        "The initial tangent is elastic. Shear strains are those of the element.",
+    ),
+    differs(
         "`Fatigue`, the step of the failure",
         "The reported stress is that after the failure, although equilibrium was found before it.",
         "The reported stress is that of the equilibrium.",

@@ -56,6 +56,6 @@ pub(super) const OTHERS: &[Slip] = &[
     differs(
         "`printA`, `printB`",
         "They depend on the numberer and on the system.",
-        "Equations have the order of rising tags of the nodes, as by `numberer Plain`. The matrix is there whatever the system.",
+        "Equations have the order of rising tags of the nodes, as by `numberer Plain`. The matrix is there whatever the system; under `system Diagonal` it is the diagonal, as in OpenSees.",
     ),
 ];

@@ -1,6 +1,6 @@
 //! Steps of an analysis.
 
-use super::{Engine, Imbalance, Kind, Observer, Setup};
+use super::{Engine, Imbalance, Kind, MatrixTerms, Observer, Setup};
 use crate::analysis::algorithm::Iteration;
 use crate::analysis::failure::Cause;
 use crate::analysis::failure::Failure;
@@ -281,7 +281,7 @@ fn advance(system: &mut System<'_>, setup: &mut Setup, fresh: bool, length: f64)
 fn begin_parts(system: &System<'_>, setup: &Setup) -> Result<Parts, Failure> {
     let Some(nodes) = system.work.transformed.as_ref() else { return Ok([false; 3]) };
     let refuse = |message| Err(system.failure(Cause::Model(message)));
-    let loses_terms = system.dynamic && !setup.full_matrix && !setup.algorithm.iterates();
+    let loses_terms = system.dynamic && setup.matrix_terms != MatrixTerms::All && !setup.algorithm.iterates();
     if let Some(dof) = nodes.first_joined_alone().filter(|_| loses_terms) {
         return refuse(format!(
             "--compat opensees does not follow algorithm {} here: the mass at {} joins degrees of freedom that no element joins, and \

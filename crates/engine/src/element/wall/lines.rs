@@ -1,6 +1,6 @@
 //! Multiple-vertical-line elements of walls: `MVLEM` and `MVLEM_3D`.
 
-use super::{WallShape, add_stiffness, force_labels};
+use super::{LOCAL_FORCE, WallShape, add_stiffness, force_labels};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
@@ -139,12 +139,24 @@ impl<const D: usize> Element for WallLines<D> {
             "fiber_stress_concrete" | "Fiber_Stress_Concrete" => Probe::new(CONCRETE, numbered("syc")),
             "fiber_stress_steel" | "Fiber_Stress_Steel" => Probe::new(STEEL, numbered("sys")),
             "shear_force_deformation" | "Shear_Force_Deformation" => Probe::new(SHEAR, ["shD", "shF"]),
-            _ => return None,
+            _ => return self.shape.local_force_probe(words),
         })
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"]
+        match self.shape.axes {
+            None => {
+                &["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"]
+            }
+            Some(_) => &[
+                "curvature",
+                "fiber_strain",
+                "fiber_stress_concrete",
+                "fiber_stress_steel",
+                "shear_force_deformation",
+                "localForce",
+            ],
+        }
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -162,6 +174,7 @@ impl<const D: usize> Element for WallLines<D> {
             STRAIN => self.lines[..n].iter().zip(out).for_each(|(l, out)| *out = strain(l)),
             CONCRETE => stresses(&self.lines[..n], out),
             STEEL => stresses(&self.lines[n..2 * n], out),
+            LOCAL_FORCE => self.shape.local_force(s.force, out),
             _ => {
                 out[0] = self.lines[2 * n].slot.strain(s.state);
                 out[1] = self.lines[2 * n].slot.stress(s.state);

@@ -5,6 +5,7 @@ mod panels;
 
 use super::{ElementError, Mass};
 use crate::numeric::axpy;
+use crate::probe::Probe;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 pub use lines::{WallFibre, WallLines};
@@ -14,6 +15,8 @@ pub use panels::{PanelLaw, WallPanel, WallPanels};
 const IN_PLANE: usize = 6;
 /// Displacements of a wall in the plane.
 pub const PLANE_WALL: usize = IN_PLANE;
+/// First word of the path of the forces in the axes of a wall.
+const LOCAL_FORCE: u32 = 9;
 /// Displacements of a wall in space.
 pub const SPACE_WALL: usize = 24;
 
@@ -24,6 +27,8 @@ pub struct WallShape<const D: usize> {
     basis: [[f64; D]; IN_PLANE],
     /// Elastic stiffness D x D by rows; empty without one.
     stiffness: Vec<f64>,
+    /// Axes of a wall in space, in rows: along its width, along its height, and square to it.
+    axes: Option<Matrix3<f64>>,
     height: f64,
     /// Height of the centre of rotation over that of the wall.
     centre: f64,
@@ -49,7 +54,7 @@ impl WallShape<PLANE_WALL> {
         let basis = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
         let share = 0.5 * mass;
         let mass = if mass == 0.0 { Mass::None } else { Mass::Lumped(vec![share, share, 0.0, share, share, 0.0]) };
-        Self { basis, stiffness: vec![], height, centre, mass }
+        Self { basis, stiffness: vec![], axes: None, height, centre, mass }
     }
 }
 
@@ -110,7 +115,7 @@ impl WallShape<SPACE_WALL> {
         let share = 0.25 * mass;
         let lumped = (0..SPACE_WALL).map(|dof| if dof % 6 < 3 { share } else { 0.0 }).collect();
         let mass = if mass == 0.0 { Mass::None } else { Mass::Lumped(lumped) };
-        Ok(Self { basis: basis.map(to_global), stiffness, height, centre, mass })
+        Ok(Self { basis: basis.map(to_global), stiffness, axes: Some(axes), height, centre, mass })
     }
 }
 
@@ -185,6 +190,25 @@ fn add_beams(length: f64, height: f64, plate: &WallPlate, k: &mut SMatrix<f64, S
 }
 
 impl<const D: usize> WallShape<D> {
+    /// `localForce` of a wall in space: the forces of the nodes in its axes.
+    fn local_force_probe(&self, words: &[&str]) -> Option<Probe> {
+        match words {
+            ["localForce" | "localForces", ..] if self.axes.is_some() => {
+                let labels = force_labels(D).into_iter().map(|label| label.replace("global", "local"));
+                Some(Probe::new(LOCAL_FORCE, labels))
+            }
+            _ => None,
+        }
+    }
+
+    /// Forces in the axes of the wall, by groups of three.
+    fn local_force(&self, force: &[f64], out: &mut [f64]) {
+        let Some(axes) = &self.axes else { return };
+        for (force, out) in force.chunks_exact(3).zip(out.chunks_exact_mut(3)) {
+            out.copy_from_slice((axes * Vector3::from_column_slice(force)).as_slice());
+        }
+    }
+
     /// A combination of the displacements in the plane.
     fn combined(&self, row: [f64; IN_PLANE]) -> [f64; D] {
         let mut out = [0.0; D];

@@ -1,6 +1,6 @@
 //! Walls of panels in plane stress: `SFI_MVLEM`, `E_SFI`, `SFI_MVLEM_3D` and `E_SFI_MVLEM_3D`.
 
-use super::{WallShape, force_labels};
+use super::{LOCAL_FORCE, WallShape, force_labels};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
@@ -166,12 +166,16 @@ impl<const D: usize> Element for WallPanels<D> {
                 let panel = panel.parse::<usize>().ok().filter(|p| (1..=self.strips.len()).contains(p))? - 1;
                 self.strips[panel].law.probe(rest)?.inside(&[PANEL, panel as u32])
             }
-            _ => return None,
+            _ => return self.shape.local_force_probe(words),
         })
     }
 
     fn probe_names(&self) -> &'static [&'static str] {
-        &["ShearDef", "Curvature", "RCPanel"]
+        if self.shape.axes.is_none() {
+            &["ShearDef", "Curvature", "RCPanel"]
+        } else {
+            &["ShearDef", "Curvature", "RCPanel", "localForce"]
+        }
     }
 
     fn force_labels(&self) -> Vec<String> {
@@ -182,6 +186,7 @@ impl<const D: usize> Element for WallPanels<D> {
         match path[0] {
             SHEAR => out[0] = -dot(&self.shape.shear(), s.disp),
             CURVATURE => out[0] = dot(&self.shape.curvature(), s.disp),
+            LOCAL_FORCE => self.shape.local_force(s.force, out),
             _ => {
                 let strip = &self.strips[path[1] as usize];
                 strip.law.read(&path[2..], &s.state[strip.at..strip.at + strip.law.state_len()], out);
