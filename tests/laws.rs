@@ -55,6 +55,8 @@ mod plates;
 mod python_cases;
 #[path = "laws/quad.rs"]
 mod quad;
+#[path = "laws/roles.rs"]
+mod roles;
 #[path = "laws/rubber.rs"]
 mod rubber;
 #[path = "laws/rubber_bearings.rs"]

@@ -374,7 +374,7 @@ pub fn script(ndm: usize, ndf: usize, places: &[Vector3<f64>]) -> String {
     node_words(ndm, ndf, places) + &parts(ndm)
 }
 
-fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
+pub fn element(&(ndm, ndf, shape, words): &(usize, usize, Shape, &str)) -> (SingleElement, Vec<Vector3<f64>>) {
     let mut places = nodes(ndm, shape);
     let made = element_words(words, places.len());
     let ran = run(&format!("{}{made}", script(ndm, ndf, &places))).done();

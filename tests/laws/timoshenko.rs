@@ -1,6 +1,7 @@
 //! Timoshenko beam. Its agreement with OpenSees is in `validation/opensees/timoshenko_*`.
 
 use super::driver::{SingleElement, difference};
+use hysteron::element::roles::Inertia;
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, TimoshenkoBeam, TimoshenkoOptions};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};

@@ -1,5 +1,6 @@
 //! A bearing with an effective stiffness in shear.
 
+use hysteron_engine::element::roles::{Inertia, Roles};
 use hysteron_engine::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use hysteron_engine::probe::Probe;
 
@@ -77,17 +78,24 @@ impl Element for Linearized {
         }
         Ok(())
     }
-    fn mass(&self) -> Mass {
-        self.mass.clone()
-    }
     fn initial_tangent(&self, tangent: &mut [f64]) {
         tangent.iter_mut().zip(&self.matrix).for_each(|(k, m)| *k += m);
     }
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), ..Roles::default() }
+    }
+
     fn probe(&self, _: &[&str]) -> Option<Probe> {
         None
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![]
     }
     fn read(&self, _: &[u32], _: &Snapshot<'_>, _: &mut [f64]) {}
+}
+
+impl Inertia for Linearized {
+    fn mass(&self) -> Mass {
+        self.mass.clone()
+    }
 }

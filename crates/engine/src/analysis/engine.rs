@@ -409,9 +409,9 @@ impl Engine {
         let e = &self.model.elements[id.0];
         let start = out.len();
         out.extend_from_slice(&self.committed.force[e.force.clone()]);
-        if e.element.has_own_damping() {
+        if let Some(damping) = e.element.roles().own_damping {
             let mut disp = vec![];
-            e.element.add_own_damping(&self.snapshot(id, &mut disp), -1.0, &mut out[start..]);
+            damping.add_own_damping(&self.snapshot(id, &mut disp), -1.0, &mut out[start..]);
         }
         if let Some((_, _, work)) = &self.prepared {
             work.loads.report(id, &mut out[start..]);

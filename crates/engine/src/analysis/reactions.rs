@@ -102,7 +102,8 @@ impl Engine {
 impl super::workspace::Workspace {
     /// Take the damping of single elements off their forces again.
     fn add_own_damping(&mut self, model: &crate::model::Model, state: &State) {
-        for e in model.elements.iter().filter(|e| e.element.has_own_damping()) {
+        for e in &model.elements {
+            let Some(damping) = e.element.roles().own_damping else { continue };
             let disp: Vec<f64> = e.dofs.iter().map(|&d| state.disp[d as usize]).collect();
             let snapshot = Snapshot {
                 disp: &disp,
@@ -111,7 +112,7 @@ impl super::workspace::Workspace {
                 load: &state.element_load[e.load.clone()],
             };
             let mut force = vec![0.0; disp.len()];
-            e.element.add_own_damping(&snapshot, 1.0, &mut force);
+            damping.add_own_damping(&snapshot, 1.0, &mut force);
             e.dofs.iter().zip(&force).for_each(|(&d, f)| self.full[d as usize] += f);
         }
     }

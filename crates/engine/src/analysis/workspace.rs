@@ -305,7 +305,7 @@ impl ElementMatrices {
                 inertance,
                 rayleigh: RayleighFactors { forces, tangent, reported },
             });
-            if e.element.renews_tangent() {
+            if e.element.roles().renews_tangent {
                 let (elements, room) = &mut matrices.renewed;
                 elements.push(matrices.entries.len() - 1);
                 room.resize(room.len().max(e.state.len()), 0.0);

@@ -122,8 +122,8 @@ impl Bar {
         })
     }
 
-    pub(super) fn probe_names(&self) -> &'static [&'static str] {
-        &["axialForce", "basicForce", "localForce", "deformation", "basicDeformation", "material"]
+    pub(super) fn probe_names(&self) -> Vec<&'static str> {
+        vec!["axialForce", "basicForce", "localForce", "deformation", "basicDeformation", "material"]
     }
 
     pub(super) fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {

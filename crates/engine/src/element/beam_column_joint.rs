@@ -1,6 +1,8 @@
 //! Joint of beams and columns with bar slip and interface shear: `beamColumnJoint`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use crate::element::roles::ForceLabels;
+use crate::element::roles::Roles;
 use crate::material::{Material, MaterialError, Slot, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
@@ -297,8 +299,12 @@ impl Element for BeamColumnJoint {
         let _ = self.add_tangent(&springs, tangent);
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { initial_is_current: true, stiffness_as_mass: true, ..OpenSeesTraits::default() }
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            opensees: OpenSeesTraits { initial_is_current: true, stiffness_as_mass: true, ..OpenSeesTraits::default() },
+            force_labels: ForceLabels::NodeAndDirection(4),
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -316,13 +322,8 @@ impl Element for BeamColumnJoint {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &SPRING_AND_OTHER_NAMES
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        let n = self.dofs() / 4;
-        (1..=4).flat_map(|node| (1..=n).map(move |i| format!("P{node}_{i}"))).collect()
+    fn probe_names(&self) -> Vec<&'static str> {
+        SPRING_AND_OTHER_NAMES.to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {

@@ -2,6 +2,7 @@
 
 use super::load::ElementLoad;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use crate::element::roles::{ElementLoads, Inertia, Roles};
 use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
 
@@ -171,6 +172,20 @@ impl Element for CatenaryCable {
         }
     }
 
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), loads: Some(self), ..Roles::default() }
+    }
+
+    fn probe(&self, _: &[&str]) -> Option<Probe> {
+        None
+    }
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![]
+    }
+    fn read(&self, _: &[u32], _: &Snapshot<'_>, _: &mut [f64]) {}
+}
+
+impl Inertia for CatenaryCable {
     fn mass(&self) -> Mass {
         let m = self.rho * self.length;
         if m == 0.0 {
@@ -186,11 +201,12 @@ impl Element for CatenaryCable {
         }
         Mass::Consistent(matrix)
     }
+}
 
+impl ElementLoads for CatenaryCable {
     fn load_len(&self) -> usize {
         4
     }
-
     /// A uniform load replaces the weight: its parts along local y, z and x are those along global x, y and z.
     fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
         match load {
@@ -201,12 +217,4 @@ impl Element for CatenaryCable {
             _ => Err(ElementError("CatenaryCable takes uniform loads only".into())),
         }
     }
-
-    fn probe(&self, _: &[&str]) -> Option<Probe> {
-        None
-    }
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[]
-    }
-    fn read(&self, _: &[u32], _: &Snapshot<'_>, _: &mut [f64]) {}
 }

@@ -2,6 +2,7 @@
 //! of `zeroLengthImpact3D` (Simo and Laursen, 1992, Computers and Structures 42, 97-116).
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use crate::element::roles::Roles;
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -208,18 +209,18 @@ impl Element for Contact {
         Ok(())
     }
 
-    fn renews_tangent(&self) -> bool {
-        true
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         let rest = [0.0; CONTACT_DOFS];
         let n = self.dofs();
         self.contact(&rest[..n], &State::default(), &mut [0.0; CONTACT_DOFS][..n], Some(tangent));
     }
 
-    fn opensees(&self) -> super::OpenSeesTraits<'_> {
-        super::OpenSeesTraits { initial_is_current: true, ..super::OpenSeesTraits::default() }
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            renews_tangent: true,
+            opensees: super::OpenSeesTraits { initial_is_current: true, ..super::OpenSeesTraits::default() },
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -229,8 +230,8 @@ impl Element for Contact {
             _ => None,
         }
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["pressure", "gap"]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["pressure", "gap"]
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let state = State::read(s.state);

@@ -1,11 +1,9 @@
 //! Axial bar with large displacements: `corotTruss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Snapshot, one_by_one,
-};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, one_by_one};
+use crate::element::roles::{ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
-use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -136,24 +134,14 @@ impl Element for CorotTruss {
         Ok(())
     }
 
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        one_by_one::<Self>(all)
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         let n = self.line.map(|x| x / self.bar.length);
         let stiffness = self.bar.options.area * self.bar.slot.material.initial_tangent() / self.bar.length;
         self.add_stiffness(&n, stiffness, 0.0, tangent);
     }
 
-    fn mass(&self) -> Mass {
-        self.bar.mass()
-    }
-
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let old = new.bar.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), parameters: Some(self), lockstep: Some(one_by_one::<Self>), ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -164,11 +152,25 @@ impl Element for CorotTruss {
         }
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
+    fn probe_names(&self) -> Vec<&'static str> {
         self.bar.probe_names()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         self.bar.read(path, s, out);
+    }
+}
+
+impl Inertia for CorotTruss {
+    fn mass(&self) -> Mass {
+        self.bar.mass()
+    }
+}
+
+impl ElementParameters for CorotTruss {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let old = new.bar.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
     }
 }

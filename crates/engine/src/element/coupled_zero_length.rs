@@ -1,6 +1,7 @@
 //! One spring for two directions: `CoupledZeroLength`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use crate::element::roles::{ElementParameters, Roles};
 use crate::material::{Material, Slot, Strain};
 use crate::parameter::Changed;
 use crate::probe::Probe;
@@ -126,22 +127,28 @@ impl Element for CoupledZeroLength {
         self.add_stiffness(self.slot.material.initial_tangent(), tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let words = words.strip_prefix(&["material"]).unwrap_or(words);
-        let old = new.slot.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
+    fn roles(&self) -> Roles<'_> {
+        Roles { parameters: Some(self), ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.slot.probe(words.strip_prefix(&["material"])?)
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["material"]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["material"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         self.slot.read(path, s.state, out);
+    }
+}
+
+impl ElementParameters for CoupledZeroLength {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let words = words.strip_prefix(&["material"]).unwrap_or(words);
+        let old = new.slot.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
     }
 }

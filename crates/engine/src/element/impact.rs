@@ -3,6 +3,7 @@
 
 use super::contact::{CONTACT_DOFS as DOFS, ContactDirection, ContactFriction, in_space};
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use crate::element::roles::Roles;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use nalgebra::Vector3;
@@ -115,18 +116,18 @@ impl Element for Impact {
         Ok(())
     }
 
-    fn renews_tangent(&self) -> bool {
-        true
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.contact(&[0.0; DOFS], &ContactState::default(), &mut [0.0; DOFS], Some(tangent));
     }
+    fn roles(&self) -> Roles<'_> {
+        Roles { renews_tangent: true, ..Roles::default() }
+    }
+
     fn probe(&self, _: &[&str]) -> Option<Probe> {
         None
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![]
     }
     fn read(&self, _: &[u32], _: &Snapshot<'_>, _: &mut [f64]) {}
 }

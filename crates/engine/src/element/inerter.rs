@@ -2,8 +2,10 @@
 
 use super::two_node_link::{global_matrix, local_axes, p_delta_forces, pull_back};
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer};
+use crate::element::roles::{ForceLabels, Inertance, Inertia, OwnDamping, Roles};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
+use std::sync::Arc;
 
 /// An inerter between two nodes: basic forces q = B ë + C ė for relative motions e along or about local axes (Smith,
 /// IEEE Transactions on Automatic Control 47 (2002) 1648). Inertance and damping matrix may couple the directions. The
@@ -206,28 +208,14 @@ impl Element for Inerter {
 
     fn initial_tangent(&self, _: &mut [f64]) {}
 
-    fn inertance(&self) -> Option<Vec<f64>> {
-        let mut out = vec![0.0; self.dofs() * self.dofs()];
-        self.add_matrix(&self.inertance, &mut out);
-        Some(out)
-    }
-
-    fn mass(&self) -> Mass {
-        if self.mass == 0.0 {
-            return Mass::None;
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            inertance: Some(self),
+            own_damping: (!self.damping.is_empty()).then_some(self as &dyn OwnDamping),
+            force_labels: ForceLabels::Numbered,
+            ..Roles::default()
         }
-        let mut m = vec![0.0; self.dofs()];
-        for node in [0, self.per_node] {
-            m[node..node + self.ndm].fill(0.5 * self.mass);
-        }
-        Mass::Lumped(m)
-    }
-
-    fn has_own_damping(&self) -> bool {
-        !self.damping.is_empty()
-    }
-    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
-        self.add_force(&self.damping, motions(s.state)[1], s.disp, factor, force);
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -253,8 +241,8 @@ impl Element for Inerter {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![
             "localForce",
             "basicForce",
             "localDisplacement",
@@ -263,10 +251,6 @@ impl Element for Inerter {
             "acceleration",
             "accelerationANDforce",
         ]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs()).map(|i| format!("P{i}")).collect()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -298,6 +282,36 @@ impl Element for Inerter {
                 out.iter_mut().zip(self.axes.row((id - X_AXIS) as usize).iter()).for_each(|(o, a)| *o = *a);
             }
         }
+    }
+}
+
+impl Inertia for Inerter {
+    fn mass(&self) -> Mass {
+        if self.mass == 0.0 {
+            return Mass::None;
+        }
+        let mut m = vec![0.0; self.dofs()];
+        for node in [0, self.per_node] {
+            m[node..node + self.ndm].fill(0.5 * self.mass);
+        }
+        Mass::Lumped(m)
+    }
+}
+
+impl Inertance for Inerter {
+    fn inertance(&self) -> Vec<f64> {
+        let mut out = vec![0.0; self.dofs() * self.dofs()];
+        self.add_matrix(&self.inertance, &mut out);
+        out
+    }
+}
+
+impl OwnDamping for Inerter {
+    fn undamped(&self) -> Option<Arc<dyn Element>> {
+        None
+    }
+    fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
+        self.add_force(&self.damping, motions(s.state)[1], s.disp, factor, force);
     }
 }
 

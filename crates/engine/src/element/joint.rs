@@ -2,6 +2,7 @@
 
 use super::springs::Springs;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use crate::element::roles::Roles;
 use crate::material::{Material, Slot};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -76,8 +77,8 @@ impl Element for Joint {
         self.springs.initial_tangent(tangent);
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { initial_is_current: true, ..OpenSeesTraits::default() }
+    fn roles(&self) -> Roles<'_> {
+        Roles { opensees: OpenSeesTraits { initial_is_current: true, ..OpenSeesTraits::default() }, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -101,8 +102,8 @@ impl Element for Joint {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["moment", "deformation", "deformationANDforce", "plasticRotation", "node", "size", "spring"]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["moment", "deformation", "deformationANDforce", "plasticRotation", "node", "size", "spring"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {

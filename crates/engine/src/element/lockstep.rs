@@ -7,6 +7,9 @@ use std::cell::Cell;
 use std::fmt;
 use std::sync::Arc;
 
+/// Joins elements of several models, where they are of one type and made for it.
+pub type LockstepMaker = fn(&[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>>;
+
 /// An element together with its counterparts in other models, which differ from it in numbers alone.
 ///
 /// Its force and its tangent follow from the committed history and the trial motion, which has no velocities, and from
@@ -72,8 +75,8 @@ impl fmt::Debug for OneByOne {
 /// Elements of one type, to be evaluated one after the other; `None` where they are of several types or sizes.
 pub(crate) fn one_by_one<E: Element>(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
     let own = alike::<E>(all)?;
-    let sizes = |e: &E| (e.dofs(), e.state_len(), e.load_len());
-    let same = own.iter().all(|e| sizes(e) == sizes(own[0])) && own[0].load_len() == 0;
+    let sizes = |e: &E| (e.dofs(), e.state_len(), (e as &dyn Element).load_len());
+    let same = own.iter().all(|e| sizes(e) == sizes(own[0])) && (own[0] as &dyn Element).load_len() == 0;
     same.then(|| {
         Box::new(OneByOne { elements: all.map(Arc::clone), buffer: Cell::default() }) as Box<dyn LockstepElement>
     })

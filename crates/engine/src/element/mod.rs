@@ -19,14 +19,15 @@ mod continuum;
 mod corot_truss;
 mod coupled_zero_length;
 pub mod damping;
-mod forward;
 pub mod friction;
 mod impact;
 mod inerter;
+mod inner;
 mod joint;
 pub mod load;
 mod lockstep;
 mod opensees;
+pub mod roles;
 mod shared;
 pub mod shell;
 mod small_beam;
@@ -41,12 +42,9 @@ mod zero_length_section;
 
 use crate::material::{MaterialError, Slot, WatchesColumns};
 pub(crate) use crate::numeric::dot;
-use crate::numeric::wide::WIDTH;
-use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
 use std::any::Any;
 use std::fmt;
-use std::sync::Arc;
 
 pub use amendment::OutsideRange;
 pub use bar::BarOptions;
@@ -61,9 +59,11 @@ pub use impact::{Impact, ImpactOptions};
 pub use inerter::{Inerter, InerterOptions};
 pub use joint::Joint;
 pub use load::ElementLoad;
+pub use lockstep::LockstepMaker;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
 pub(crate) use lockstep::{alike, one_by_one};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
+pub use roles::Roles;
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
 pub use truss::Truss;
@@ -83,9 +83,9 @@ pub struct ElementInput<'a> {
     pub disp: &'a [f64],
     /// Trial velocities, likewise.
     pub vel: &'a [f64],
-    /// Trial accelerations, likewise; empty for an element without [`Element::inertance`].
+    /// Trial accelerations, likewise; empty for an element without [`roles::Inertance`].
     pub accel: &'a [f64],
-    /// Its load variables, as [`Element::add_load`] has summed them.
+    /// Its load variables, as [`roles::ElementLoads::add_load`] has summed them.
     pub load: &'a [f64],
     /// Nothing has a velocity.
     pub still: bool,
@@ -293,6 +293,14 @@ pub struct Overload {
 }
 
 /// A finite element.
+///
+/// *Always*: `class`, `dofs`, `state_len`, `init`, `traits`, `respond`, `initial_tangent`; `probe`, `probe_names` and `read` for
+/// responses of its own.
+///
+/// *For special elements*: `roles` names what else it does, each a trait of [`roles`]: mass, loads, parameters, a damping of
+/// its own, limits of its law. An element without any has `Roles::default()`.
+///
+/// *The default always works*: `commit`.
 pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
     /// OpenSees' name of the class, as recorders and `print` show it.
     fn class(&self) -> &'static str;
@@ -319,141 +327,21 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
         committed.copy_from_slice(trial);
     }
 
-    /// The element together with its counterparts in other models, itself the first; `None` where it is not made for it.
-    fn lockstep(&self, _all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        None
-    }
-
-    /// Differences from its counterpart in OpenSees, for an analysis under `--compat opensees`.
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits::default()
-    }
-
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 
-    /// Mass.
-    fn mass(&self) -> Mass {
-        Mass::None
-    }
-
-    /// Forces per acceleration that [`Element::respond`] counts in the resisting force, n x n by rows; `None` where
-    /// there are none. Rayleigh damping of such an element is that of its mass alone.
-    fn inertance(&self) -> Option<Vec<f64>> {
-        None
-    }
-
-    /// Returns true if the tangent of a committed state differs from that of the trial state before, as of a contact that
-    /// sticks again after it has slid. The tangent is then evaluated anew at the end of a step.
-    fn renews_tangent(&self) -> bool {
-        false
-    }
-
-    /// The element with another value of a parameter, by the words of a `parameter` command, and the value it had. No
-    /// value asks for the present one. The state variables stay the same.
-    ///
-    /// # Errors
-    /// The element has no parameter of that name, or refuses the value.
-    fn with_parameter(&self, _words: &[&str], _value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        Err(ParameterError::Unknown)
-    }
-
-    /// Number of load variables, in which [`Element::add_load`] sums loads.
-    fn load_len(&self) -> usize {
-        0
-    }
-
-    /// Add a load, multiplied by a factor, to the load variables.
-    fn add_load(&self, _load: &ElementLoad, _factor: f64, _words: &mut [f64]) -> Result<(), ElementError> {
-        Err(ElementError(format!("{} takes no element loads", self.class()).into()))
-    }
-
-    /// Its basic deformations, one row for each direction, where it is two nodes with linear kinematics; empty where
-    /// it cannot be amended.
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        vec![]
-    }
-
-    /// Its basic forces, where a damping of its own can act on them.
-    fn basic_forces(&self) -> Option<&dyn damping::BasicForces> {
-        None
-    }
-
-    /// The element without its own damping; `None` where it has none.
-    fn undamped(&self) -> Option<Arc<dyn Element>> {
-        None
-    }
-
-    /// Returns true if [`Element::add_own_damping`] has something to add.
-    fn has_own_damping(&self) -> bool {
-        self.undamped().is_some()
-    }
-
-    /// Adds the force of its own damping times a factor, where OpenSees does not count it in the resisting force.
-    fn add_own_damping(&self, _snapshot: &Snapshot<'_>, _factor: f64, _force: &mut [f64]) {}
-
-    /// The load that it carries no longer in a committed state, where it has a critical load.
-    fn overload(&self, _history: &[f64]) -> Option<Overload> {
-        None
-    }
-
-    /// The ends of a backbone that softens, and the committed deformation; `None` where it does not.
-    fn softening(&self, _history: &[f64]) -> Option<Softening> {
-        None
-    }
-
-    /// The deformation of its law at displacements of its degrees of freedom, where the law was made for some size.
-    fn stretch(&self, _disp: &[f64]) -> Option<Stretch> {
-        None
-    }
-
-    /// A section without stiffness in a state, in words; `None` where all have some.
-    fn exhausted(&self, _history: &[f64]) -> Option<String> {
-        None
-    }
-
-    /// Steps outside the range for which its law was made, up to a committed state; `None` where there are none.
-    fn outside_range(&self, _history: &[f64]) -> Option<OutsideRange> {
-        None
-    }
-
-    /// The Euler load π² E I / L² of a beam with small displacements, which does not buckle by itself; `None` for all else.
-    fn euler_load(&self) -> Option<f64> {
-        None
-    }
-
-    /// The matrices of an elastic beam with small displacements, which are evaluated side by side; `None` for all else. Its
-    /// load variables are basic forces, then reactions.
-    fn small_beam(&self) -> Option<SmallBeam<'_>> {
-        None
-    }
+    /// What it does besides: an element around another one has the roles of `Inner::roles`.
+    fn roles(&self) -> Roles<'_>;
 
     /// A response by the words of a recorder command; `None` where the element has none of that name.
     /// The global force is common to all elements and is not among them.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
 
     /// Names of the responses, to suggest the nearest to a misspelled one.
-    fn probe_names(&self) -> &'static [&'static str];
-
-    /// Names of the responses with those that a wrapper adds.
-    fn all_probe_names(&self) -> Vec<&'static str> {
-        self.probe_names().to_vec()
-    }
-
-    /// Names of the columns of the global force.
-    fn force_labels(&self) -> Vec<String> {
-        let n = self.dofs() / 2;
-        (1..=2).flat_map(|node| (1..=n).map(move |i| format!("P{node}_{i}"))).collect()
-    }
+    fn probe_names(&self) -> Vec<&'static str>;
 
     /// Value of a probe.
     fn read(&self, path: &[u32], snapshot: &Snapshot<'_>, out: &mut [f64]);
-}
-
-/// Names of the global end forces of elements that join nodes with rotations.
-pub(crate) fn frame_force_labels(dofs: usize) -> Vec<String> {
-    let names: &[&str] = if dofs == 6 { &["Px", "Py", "Mz"] } else { &["Px", "Py", "Pz", "Mx", "My", "Mz"] };
-    (1..=2).flat_map(|end| names.iter().map(move |n| format!("{n}_{end}"))).collect()
 }
 
 /// `k += factor aᵀ a` for a row vector `a`; `k` is n x n by rows.

@@ -2,11 +2,11 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
-    Snapshot, add_outer, dot, one_by_one,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    add_outer, dot, one_by_one,
 };
+use crate::element::roles::{BasicDeformations, ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
-use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -102,44 +102,56 @@ impl Element for Truss {
         Ok(())
     }
 
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        one_by_one::<Self>(all)
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         add_outer(tangent, &self.row, self.volume() * self.bar.slot.material.initial_tangent());
     }
 
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        let length = self.bar.length;
-        let row: Vec<f64> = self.row.iter().map(|r| r * length).collect();
-        let row = BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length);
-        vec![row.of_material(1, self.bar.options.area, length)]
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (self.bar.options.rho != 0.0).then_some(1.0), ..OpenSeesTraits::default() }
-    }
-
-    fn mass(&self) -> Mass {
-        self.bar.mass()
-    }
-
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let old = new.bar.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            parameters: Some(self),
+            basic_rows: Some(self),
+            lockstep: Some(one_by_one::<Self>),
+            opensees: OpenSeesTraits {
+                ground_inertia: (self.bar.options.rho != 0.0).then_some(1.0),
+                ..OpenSeesTraits::default()
+            },
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.bar.probe(words)
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
+    fn probe_names(&self) -> Vec<&'static str> {
         self.bar.probe_names()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         self.bar.read(path, s, out);
+    }
+}
+
+impl Inertia for Truss {
+    fn mass(&self) -> Mass {
+        self.bar.mass()
+    }
+}
+
+impl ElementParameters for Truss {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let old = new.bar.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
+    }
+}
+
+impl BasicDeformations for Truss {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let length = self.bar.length;
+        let row: Vec<f64> = self.row.iter().map(|r| r * length).collect();
+        let row = BasicRow::new(1, 0, &row, (self.bar.ndm, self.bar.per_node)).from_initial(self.initial * length);
+        vec![row.of_material(1, self.bar.options.area, length)]
     }
 }

@@ -1,6 +1,7 @@
 //! Flexibility of the joint of a brace and a chord of an offshore platform: `ElasticTubularJoint`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use crate::element::roles::{ForceLabels, Roles};
 use crate::probe::Probe;
 use std::f64::consts::FRAC_PI_2;
 
@@ -96,14 +97,15 @@ impl Element for TubularJoint {
         self.rows.iter().zip(self.stiffness).for_each(|(row, k)| add_outer(tangent, row, k));
     }
 
+    fn roles(&self) -> Roles<'_> {
+        Roles { force_labels: ForceLabels::Frame, ..Roles::default() }
+    }
+
     fn probe(&self, _: &[&str]) -> Option<Probe> {
         None
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[]
-    }
-    fn force_labels(&self) -> Vec<String> {
-        super::frame_force_labels(DOFS)
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![]
     }
     fn read(&self, _: &[u32], _: &Snapshot<'_>, _: &mut [f64]) {}
 }

@@ -2,11 +2,10 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Snapshot, dot,
-    one_by_one,
+    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, one_by_one,
 };
+use crate::element::roles::{BasicDeformations, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::material::{Material, Slot};
-use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -236,35 +235,19 @@ impl Element for TwoNodeLink {
         Ok(())
     }
 
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        one_by_one::<Self>(all)
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.springs.initial_tangent(tangent);
     }
 
-    fn mass(&self) -> Mass {
-        if self.mass == 0.0 {
-            return Mass::None;
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            parameters: Some(self),
+            basic_rows: Some(self),
+            lockstep: Some(one_by_one::<Self>),
+            force_labels: ForceLabels::Numbered,
+            ..Roles::default()
         }
-        let mut m = vec![0.0; self.dofs()];
-        for node in [0, self.per_node] {
-            m[node..node + self.ndm].fill(0.5 * self.mass);
-        }
-        Mass::Lumped(m)
-    }
-
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        // In the plane the rotation is about z.
-        let direction = |d| if self.ndm == 2 && d == 3 { 6 } else { d };
-        self.springs.basic_rows(direction, (self.ndm, self.per_node))
-    }
-
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let old = new.springs.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -276,8 +259,8 @@ impl Element for TwoNodeLink {
         }
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![
             "localForce",
             "basicForce",
             "localDisplacement",
@@ -288,15 +271,40 @@ impl Element for TwoNodeLink {
         ]
     }
 
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs()).map(|i| format!("P{i}")).collect()
-    }
-
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         match path[0] {
             LOCAL_FORCE => self.to_local(s.force, out),
             LOCAL_DISP => self.to_local(s.disp, out),
             _ => self.springs.read(path, s, Slot::strain, out),
         }
+    }
+}
+
+impl Inertia for TwoNodeLink {
+    fn mass(&self) -> Mass {
+        if self.mass == 0.0 {
+            return Mass::None;
+        }
+        let mut m = vec![0.0; self.dofs()];
+        for node in [0, self.per_node] {
+            m[node..node + self.ndm].fill(0.5 * self.mass);
+        }
+        Mass::Lumped(m)
+    }
+}
+
+impl ElementParameters for TwoNodeLink {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let old = new.springs.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
+    }
+}
+
+impl BasicDeformations for TwoNodeLink {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        // In the plane the rotation is about z.
+        let direction = |d| if self.ndm == 2 && d == 3 { 6 } else { d };
+        self.springs.basic_rows(direction, (self.ndm, self.per_node))
     }
 }

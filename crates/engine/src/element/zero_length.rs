@@ -1,13 +1,9 @@
 //! Springs between two nodes at one location: `zeroLength`.
 
-use super::damping::BasicForces;
 use super::springs::Springs;
-use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Snapshot, dot,
-    one_by_one,
-};
+use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot, one_by_one};
+use crate::element::roles::{BasicDeformations, ElementParameters, Roles};
 use crate::material::{Material, Slot};
-use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -113,26 +109,18 @@ impl Element for ZeroLength {
         self.springs.respond(motion, committed, trial, &mut output)
     }
 
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        one_by_one::<Self>(all)
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.springs.initial_tangent(tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let old = new.springs.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
-    }
-
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        Some(&self.springs)
-    }
-
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.springs.basic_rows(|d| d, (self.ndm, self.dofs / 2))
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            parameters: Some(self),
+            basic_rows: Some(self),
+            lockstep: Some(one_by_one::<Self>),
+            basic_forces: Some(&self.springs),
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -142,12 +130,34 @@ impl Element for ZeroLength {
         }
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["basicForce", "localForce", "deformation", "basicDeformation", "defoANDforce", "basicStiffness", "material"]
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![
+            "basicForce",
+            "localForce",
+            "deformation",
+            "basicDeformation",
+            "defoANDforce",
+            "basicStiffness",
+            "material",
+        ]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         // As in OpenSees, the recorded deformation is the material's strain, initial strain included.
         self.springs.read(path, s, Slot::shown_strain, out);
+    }
+}
+
+impl ElementParameters for ZeroLength {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let old = new.springs.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
+    }
+}
+
+impl BasicDeformations for ZeroLength {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.springs.basic_rows(|d| d, (self.ndm, self.dofs / 2))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::zero_length::direction_row;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use crate::element::roles::{ElementParameters, ForceLabels, Roles};
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
@@ -115,11 +116,8 @@ impl Element for ZeroLengthSection {
         self.add_stiffness(&k[..n * n], tangent);
     }
 
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let words = words.strip_prefix(&["section"]).unwrap_or(words);
-        let old = new.slot.set_parameter(words, value)?;
-        Ok((Arc::new(new), old))
+    fn roles(&self) -> Roles<'_> {
+        Roles { parameters: Some(self), force_labels: ForceLabels::Numbered, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -142,12 +140,8 @@ impl Element for ZeroLengthSection {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["basicForce", "localForce", "deformation", "basicDeformation", "basicStiffness", "section"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs).map(|i| format!("P{i}")).collect()
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["basicForce", "localForce", "deformation", "basicDeformation", "basicStiffness", "section"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -160,5 +154,14 @@ impl Element for ZeroLengthSection {
             }
             _ => self.slot.read(&path[1..], s.state, out),
         }
+    }
+}
+
+impl ElementParameters for ZeroLengthSection {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let words = words.strip_prefix(&["section"]).unwrap_or(words);
+        let old = new.slot.set_parameter(words, value)?;
+        Ok((Arc::new(new), old))
     }
 }

@@ -126,7 +126,7 @@ impl ElementResponse {
 
     /// Names that an element knows besides those common to all, to suggest the nearest to a misspelled one.
     pub fn names(engine: &Engine, id: ElementId) -> impl Iterator<Item = &'static str> + use<> {
-        let own = engine.model().elements[id.0].element.all_probe_names();
+        let own = engine.model().elements[id.0].element.probe_names();
         FORCE[..4].iter().copied().chain(own)
     }
 

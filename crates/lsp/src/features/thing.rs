@@ -125,7 +125,7 @@ fn node_in_short(model: &Model, id: NodeId) -> String {
 pub(crate) fn responses(model: &Model, tag: Tag) -> Vec<&'static str> {
     let Some(e) = model.element(tag).and_then(|id| model.elements.get(id.0)) else { return vec![] };
     let mut names = vec!["force"];
-    names.extend(e.element.all_probe_names());
+    names.extend(e.element.probe_names());
     names.sort_unstable();
     names.dedup();
     names

@@ -5,13 +5,14 @@ mod responses;
 
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
-use crate::element::damping::BasicForces;
-use crate::element::forward::forward_to_inner;
+use crate::element::inner::Inner;
+use crate::element::roles::{ElementParameters, LawRange, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS, MatrixMask,
-    OpenSeesTraits, OutsideRange, SmallBeam, Snapshot, dot,
+    OpenSeesTraits, OutsideRange, Snapshot, dot,
 };
 use crate::parameter::Changed;
+use crate::probe::Probe;
 use crate::series::Series;
 use responses::AmendedResponse;
 use std::sync::Arc;
@@ -29,12 +30,12 @@ use std::sync::Arc;
 /// the law. With slack such an element is evaluated several times in a call.
 #[derive(Clone, Debug)]
 pub struct Amended {
-    inner: Arc<dyn Element>,
+    inner: Inner,
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
     axial: Compression,
-    /// Number of state variables of the element.
-    inner_len: usize,
+    /// The force of the inner element depends on the number of calls.
+    counts_calls: bool,
     /// Responses of the element that are amended when they are read.
     responses: Vec<AmendedResponse>,
 }
@@ -89,7 +90,14 @@ impl Amended {
         }
         let axial = find(1).filter(|_| !chosen.contains(&1)).cloned().map_or(Compression::None, Compression::Force);
         let responses = responses::amended(inner.as_ref(), &rows);
-        Ok(Self { law, rows, axial, inner_len: inner.state_len(), responses, inner })
+        Ok(Self {
+            law,
+            rows,
+            axial,
+            responses,
+            counts_calls: inner.opensees().calls.is_some(),
+            inner: Inner::new(inner),
+        })
     }
 
     /// Takes the axial force from another direction than the first, for example the vertical one of springs along
@@ -263,7 +271,7 @@ impl Amended {
     }
 
     fn law_at(&self) -> usize {
-        self.inner_len + HEADER_LEN
+        self.inner.len() + HEADER_LEN
     }
 
     /// Force and tangent of the amended element.
@@ -278,8 +286,8 @@ impl Amended {
         if let Some(tangent) = output.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let (old, own_committed) = committed.split_at(self.inner_len);
-        let (new, next) = trial.split_at_mut(self.inner_len);
+        let (old, own_committed) = committed.split_at(self.inner.len());
+        let (new, next) = trial.split_at_mut(self.inner.len());
         let law_range = HEADER_LEN..HEADER_LEN + self.law.state_len();
         let before = [own_committed[0], own_committed[1]];
         let slack = self.law.slack(&own_committed[law_range.clone()]);
@@ -337,20 +345,22 @@ impl Amended {
     }
 }
 
-crate::watches_columns!(Amended => |s| at [(0..s.inner_len, &s.inner)]);
+crate::watches_columns!(Amended => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
-    forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
-        add_own_damping overload softening stretch exhausted euler_load probe probe_names all_probe_names force_labels
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
     }
     fn state_len(&self) -> usize {
         self.tangent_at() + self.tangent_len()
     }
     fn init(&self, state: &mut [f64]) {
-        self.inner.init(&mut state[..self.inner_len]);
-        state[self.inner_len..self.law_at()].fill(0.0);
+        self.inner.init(&mut state[..self.inner.len()]);
+        state[self.inner.len()..self.law_at()].fill(0.0);
         let (law, tangent) = state[self.law_at()..].split_at_mut(self.law.state_len());
         self.law.init(law);
         if !tangent.is_empty() {
@@ -371,7 +381,7 @@ impl Element for Amended {
         trial: &mut [f64],
         output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        if self.inner.opensees().calls.is_none() {
+        if !self.counts_calls {
             return self.respond_amended(motion, committed, trial, output);
         }
         let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
@@ -401,20 +411,35 @@ impl Element for Amended {
         }
     }
 
-    fn outside_range(&self, history: &[f64]) -> Option<OutsideRange> {
-        let own = self.law.outside_range(&history[self.law_at()..self.law_at() + self.law.state_len()]);
-        own.or_else(|| self.inner.outside_range(&history[..self.inner_len]))
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        self.inner.commit(trial, committed);
     }
-    fn small_beam(&self) -> Option<SmallBeam<'_>> {
-        None
+    fn roles(&self) -> Roles<'_> {
+        let inner = self.inner.roles(self);
+        let calls = self.counts_calls.then_some(self as &dyn CallDependent);
+        Roles { outside_range: Some(self), opensees: OpenSeesTraits { calls, ..inner.opensees }, ..inner }
     }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let inner = self.inner.opensees();
-        OpenSeesTraits { calls: inner.calls.map(|_| self as &dyn CallDependent), ..inner }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        self.inner.probe(words)
     }
+    fn probe_names(&self) -> Vec<&'static str> {
+        self.inner.probe_names()
+    }
+    // Paths equal those of the element, so recorders from before the amendment stay valid.
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let (state, own) = s.state.split_at(self.inner.len());
+        self.inner.read(path, &Snapshot { state, ..*s }, out);
+        if let Some(response) = self.responses.iter().find(|r| r.path == path) {
+            response.amend(own, out);
+        }
+    }
+}
+
+impl ElementParameters for Amended {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
-        let mut new = Self { inner, ..self.clone() };
+        let mut new = Self { inner: Inner::new(inner), ..self.clone() };
         let has = new.inner.basic_rows();
         for row in &mut new.rows {
             if let Some(renewed) = has.iter().find(|r| r.direction == row.direction) {
@@ -431,19 +456,11 @@ impl Element for Amended {
         }
         Ok((Arc::new(new), old))
     }
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        None
-    }
-    fn undamped(&self) -> Option<Arc<dyn Element>> {
-        None
-    }
+}
 
-    // Paths equal those of the element, so recorders from before the amendment stay valid.
-    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let (state, own) = s.state.split_at(self.inner_len);
-        self.inner.read(path, &Snapshot { state, ..*s }, out);
-        if let Some(response) = self.responses.iter().find(|r| r.path == path) {
-            response.amend(own, out);
-        }
+impl LawRange for Amended {
+    fn outside_range(&self, history: &[f64]) -> Option<OutsideRange> {
+        let own = self.law.outside_range(&history[self.law_at()..self.law_at() + self.law.state_len()]);
+        own.or_else(|| self.inner.outside_range(&history[..self.inner.len()]))
     }
 }

@@ -1,11 +1,8 @@
 //! A beam with plastic hinges at its ends.
 
-use crate::element::damping::BasicForces;
-use crate::element::forward::forward_to_inner;
-use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
-    dot,
-};
+use crate::element::inner::Inner;
+use crate::element::roles::{ElementParameters, Roles};
+use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot};
 use crate::material::{Material, Strain, WatchesColumns};
 use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
@@ -21,11 +18,9 @@ use std::sync::Arc;
 /// condensed from the tangent. The model gets no further equations, and stiff hinges cause no ill-conditioning.
 #[derive(Clone, Debug)]
 pub struct Hinged {
-    inner: Arc<dyn Element>,
+    inner: Inner,
     material: Material,
     hinges: Vec<Hinge>,
-    /// State variables of the element, and of one hinge: its rotation, then those of the material.
-    inner_len: usize,
     hinge_len: usize,
     /// Tolerance of a moment, from the stiffness of the beam; force x length.
     moment_tolerance: f64,
@@ -117,17 +112,17 @@ impl Hinged {
             Hinge { label: format!("theta{}_{}", axis.0 + 1, end + 1), row }
         };
         let hinges = ends.iter().flat_map(|end| axes.iter().enumerate().map(move |a| hinge(*end, a))).collect();
-        let (inner_len, hinge_len) = (inner.state_len(), 1 + material.state_len());
-        Self { inner, material, hinges, inner_len, hinge_len, moment_tolerance: 0.0 }.scaled()
+        let hinge_len = 1 + material.state_len();
+        Self { inner: Inner::new(inner), material, hinges, hinge_len, moment_tolerance: 0.0 }.scaled()
     }
 
     /// The beam and the materials of the hinges with the ranges of their states.
     fn parts(&self) -> impl Iterator<Item = (Range<usize>, &dyn WatchesColumns)> {
         let hinge = |i: usize| {
-            let start = self.inner_len + i * self.hinge_len;
+            let start = self.inner.len() + i * self.hinge_len;
             (start + 1..start + self.hinge_len, &*self.material as &dyn WatchesColumns)
         };
-        let beam = (0..self.inner_len, &*self.inner as &dyn WatchesColumns);
+        let beam = (0..self.inner.len(), &**self.inner as &dyn WatchesColumns);
         std::iter::once(beam).chain((0..self.hinges.len()).map(hinge))
     }
 
@@ -297,15 +292,17 @@ crate::watches_columns!(Hinged => |s| at s.parts());
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
-    forward_to_inner! {
-        class dofs commit lockstep mass inertance renews_tangent has_own_damping load_len add_load basic_rows
-        add_own_damping overload softening stretch exhausted outside_range euler_load probe_names force_labels
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
     }
     fn state_len(&self) -> usize {
-        self.inner_len + self.hinges.len() * self.hinge_len
+        self.inner.len() + self.hinges.len() * self.hinge_len
     }
     fn init(&self, state: &mut [f64]) {
-        let (own, hinges) = state.split_at_mut(self.inner_len);
+        let (own, hinges) = state.split_at_mut(self.inner.len());
         self.inner.init(own);
         for hinge in hinges.chunks_exact_mut(self.hinge_len) {
             hinge[0] = 0.0;
@@ -325,8 +322,8 @@ impl Element for Hinged {
         mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
         let n = self.dofs();
-        let (old, hinge_states) = committed.split_at(self.inner_len);
-        let (new, next) = trial.split_at_mut(self.inner_len);
+        let (old, hinge_states) = committed.split_at(self.inner.len());
+        let (new, next) = trial.split_at_mut(self.inner.len());
         let mut rotations = self.rotations(hinge_states);
         let mut histories = Histories { old: hinge_states, next, dt: motion.dt };
         let mut own = [0.0; SPACE * SPACE];
@@ -365,26 +362,20 @@ impl Element for Hinged {
         self.inner.initial_tangent(tangent);
         self.condense(tangent, &PerHinge::repeat(self.material.initial_tangent()));
     }
-    fn small_beam(&self) -> Option<SmallBeam<'_>> {
-        None
+
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        self.inner.commit(trial, committed);
     }
-    // None of them depends on the number of calls: such an element is refused.
-    fn opensees(&self) -> OpenSeesTraits<'_> {
+    fn roles(&self) -> Roles<'_> {
         // An inner element that depends on the number of calls is linear here, and is evaluated like any other.
-        OpenSeesTraits { calls: None, ..self.inner.opensees() }
-    }
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let (inner, old) = self.inner.with_parameter(words, value)?;
-        let new = Self { inner, ..self.clone() }.scaled().map_err(|e| ParameterError::Refused(e.to_string()))?;
-        Ok((Arc::new(new), old))
-    }
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        None
-    }
-    fn undamped(&self) -> Option<Arc<dyn Element>> {
-        None
+        self.inner.roles(self)
     }
 
+    fn probe_names(&self) -> Vec<&'static str> {
+        let mut names = self.inner.probe_names();
+        names.push("hingeRotation");
+        names
+    }
     // Paths equal those of the element, so recorders from before the hinges stay valid.
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         match words {
@@ -392,16 +383,23 @@ impl Element for Hinged {
             words => self.inner.probe(words),
         }
     }
-    fn all_probe_names(&self) -> Vec<&'static str> {
-        self.inner.all_probe_names().into_iter().chain(["hingeRotation"]).collect()
-    }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let (state, hinge_states) = s.state.split_at(self.inner_len);
+        let (state, hinge_states) = s.state.split_at(self.inner.len());
         let rotations = self.rotations(hinge_states);
         if path == [ROTATIONS] {
             return out.copy_from_slice(&rotations.as_slice()[..out.len()]);
         }
         let disp = self.beam_displacements(s.disp, &rotations);
         self.inner.read(path, &Snapshot { state, disp: &disp[..s.disp.len()], ..*s }, out);
+    }
+}
+
+impl ElementParameters for Hinged {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let (inner, old) = self.inner.with_parameter(words, value)?;
+        let new = Self { inner: Inner::new(inner), ..self.clone() }
+            .scaled()
+            .map_err(|e| ParameterError::Refused(e.to_string()))?;
+        Ok((Arc::new(new), old))
     }
 }

@@ -1,10 +1,9 @@
 //! An elastic beam between two rotational springs: `componentElement2d`.
 
 use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped_mass};
+use crate::element::roles::{ElementLoads, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Reactions, Transform, axis_probe};
-use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
-};
+use crate::element::{Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot};
 use crate::material::{Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -249,25 +248,8 @@ impl Element for ComponentBeam {
         self.transform.frame().add_basic_stiffness(&kb, tangent);
     }
 
-    fn mass(&self) -> Mass {
-        let (rho, length) = (self.options.rho, self.transform.length());
-        if rho == 0.0 {
-            Mass::None
-        } else if self.options.consistent {
-            Mass::Consistent(self.transform.frame().global_of_local(&consistent_mass::<6>(length, rho, 0.0)))
-        } else {
-            Mass::Lumped(lumped_mass::<6>(rho * length))
-        }
-    }
-
-    fn load_len(&self) -> usize {
-        3 + 5
-    }
-
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        load.refuse_moment(self.class())?;
-        add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), sums);
-        Ok(())
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), loads: Some(self), force_labels: ForceLabels::Frame, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -282,12 +264,8 @@ impl Element for ComponentBeam {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce", "basicForce", "basicDeformation", "basicStiffness", "hingeDefoAndForce", "hingeTangent"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(6)
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["localForce", "basicForce", "basicDeformation", "basicStiffness", "hingeDefoAndForce", "hingeTangent"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -314,5 +292,29 @@ impl Element for ComponentBeam {
                 }
             }
         }
+    }
+}
+
+impl Inertia for ComponentBeam {
+    fn mass(&self) -> Mass {
+        let (rho, length) = (self.options.rho, self.transform.length());
+        if rho == 0.0 {
+            Mass::None
+        } else if self.options.consistent {
+            Mass::Consistent(self.transform.frame().global_of_local(&consistent_mass::<6>(length, rho, 0.0)))
+        } else {
+            Mass::Lumped(lumped_mass::<6>(rho * length))
+        }
+    }
+}
+
+impl ElementLoads for ComponentBeam {
+    fn load_len(&self) -> usize {
+        3 + 5
+    }
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        load.refuse_moment(self.class())?;
+        add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), sums);
+        Ok(())
     }
 }

@@ -1,11 +1,11 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
-use crate::element::damping::BasicForces;
 use crate::element::load::{ElementLoad, EndActions};
+use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
     Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts, SmallBeam,
-    Snapshot, frame_force_labels,
+    Snapshot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -339,11 +339,6 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
     fn init(&self, state: &mut [f64]) {
         self.transform.init(state);
     }
-    fn euler_load(&self) -> Option<f64> {
-        let s = &self.section;
-        let rigidities = [s.e * s.iz, s.e * s.iy];
-        self.transform.is_small().then(|| euler_load(&rigidities[..B / 3], self.transform.length()))
-    }
     fn traits(&self) -> ElementTraits {
         let symmetric = self.transform.is_symmetric();
         ElementTraits { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
@@ -373,72 +368,21 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         self.frame().add_basic_stiffness(&self.kb, tangent);
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let ground_inertia = (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 });
-        OpenSeesTraits { ground_inertia, ..OpenSeesTraits::default() }
-    }
-
-    fn mass(&self) -> Mass {
-        if self.options.rho == 0.0 {
-            return Mass::None;
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            parameters: Some(self),
+            loads: Some(self),
+            euler_load: Some(self),
+            small_beam: Some(self),
+            opensees: {
+                let ground_inertia = (self.options.rho != 0.0).then_some(if N == 6 { 2.0 } else { 1.0 });
+                OpenSeesTraits { ground_inertia, ..OpenSeesTraits::default() }
+            },
+            basic_forces: Some(self),
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
-        let length = self.transform.length();
-        if self.options.consistent {
-            let gyration = self.section.j / self.section.area;
-            let local = consistent_mass::<N>(length, self.options.rho, gyration);
-            return Mass::Consistent(self.frame().global_of_local(&local));
-        }
-        Mass::Lumped(lumped_mass::<N>(self.options.rho * length))
-    }
-
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let place = match (first(words)?, &mut new.modified) {
-            ("rho", _) => &mut new.options.rho,
-            ("K11" | "K11z", Some(k)) => &mut k[0][0],
-            ("K33" | "K33z", Some(k)) => &mut k[0][1],
-            ("K44" | "K44z", Some(k)) => &mut k[0][2],
-            ("K11y", Some(k)) => &mut k[1][0],
-            ("K33y", Some(k)) => &mut k[1][1],
-            ("K44y", Some(k)) => &mut k[1][2],
-            (name, _) => existing(new.section.parameter(name))?,
-        };
-        let old = exchange(place, value);
-        Ok((Arc::new(new.rebuilt()), old))
-    }
-
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        Some(self)
-    }
-
-    fn load_len(&self) -> usize {
-        B + 5
-    }
-
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        if N == 12 {
-            load.refuse_moment(self.class())?;
-        }
-        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), sums);
-        Ok(())
-    }
-
-    fn small_beam(&self) -> Option<SmallBeam<'_>> {
-        let constant = self.constant.as_ref()?;
-        let frame = self.frame();
-        let p_delta = constant.geometric.as_ref().map(|geometric| PDeltaParts {
-            across: frame.across().map(|row| row.to_vec()).collect(),
-            stiffness: constant.stiffness.as_flattened(),
-            geometric: geometric.as_flattened(),
-        });
-        Some(SmallBeam {
-            length: frame.length,
-            basic: frame.basic.as_flattened(),
-            initial: &frame.initial,
-            stiffness: self.kb.as_flattened(),
-            reactions: frame.reaction_rows(),
-            p_delta,
-        })
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -462,12 +406,8 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(N)
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["localForce", "basicForce", "deformations", "basicDeformation", "chordRotation", "basicStiffness"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -480,6 +420,80 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
             DEFORMATION => out.copy_from_slice(&self.transform.deformation(s.disp, s.state)),
             _ => out.iter_mut().zip(self.kb.iter().flatten()).for_each(|(o, k)| *o = *k),
         }
+    }
+}
+
+impl<const N: usize, const B: usize> Inertia for ElasticBeam<N, B> {
+    fn mass(&self) -> Mass {
+        if self.options.rho == 0.0 {
+            return Mass::None;
+        }
+        let length = self.transform.length();
+        if self.options.consistent {
+            let gyration = self.section.j / self.section.area;
+            let local = consistent_mass::<N>(length, self.options.rho, gyration);
+            return Mass::Consistent(self.frame().global_of_local(&local));
+        }
+        Mass::Lumped(lumped_mass::<N>(self.options.rho * length))
+    }
+}
+
+impl<const N: usize, const B: usize> ElementParameters for ElasticBeam<N, B> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let place = match (first(words)?, &mut new.modified) {
+            ("rho", _) => &mut new.options.rho,
+            ("K11" | "K11z", Some(k)) => &mut k[0][0],
+            ("K33" | "K33z", Some(k)) => &mut k[0][1],
+            ("K44" | "K44z", Some(k)) => &mut k[0][2],
+            ("K11y", Some(k)) => &mut k[1][0],
+            ("K33y", Some(k)) => &mut k[1][1],
+            ("K44y", Some(k)) => &mut k[1][2],
+            (name, _) => existing(new.section.parameter(name))?,
+        };
+        let old = exchange(place, value);
+        Ok((Arc::new(new.rebuilt()), old))
+    }
+}
+
+impl<const N: usize, const B: usize> ElementLoads for ElasticBeam<N, B> {
+    fn load_len(&self) -> usize {
+        B + 5
+    }
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        if N == 12 {
+            load.refuse_moment(self.class())?;
+        }
+        add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), sums);
+        Ok(())
+    }
+}
+
+impl<const N: usize, const B: usize> EulerLoad for ElasticBeam<N, B> {
+    fn euler_load(&self) -> Option<f64> {
+        let s = &self.section;
+        let rigidities = [s.e * s.iz, s.e * s.iy];
+        self.transform.is_small().then(|| euler_load(&rigidities[..B / 3], self.transform.length()))
+    }
+}
+
+impl<const N: usize, const B: usize> LinearBeam for ElasticBeam<N, B> {
+    fn small_beam(&self) -> Option<SmallBeam<'_>> {
+        let constant = self.constant.as_ref()?;
+        let frame = self.frame();
+        let p_delta = constant.geometric.as_ref().map(|geometric| PDeltaParts {
+            across: frame.across().map(|row| row.to_vec()).collect(),
+            stiffness: constant.stiffness.as_flattened(),
+            geometric: geometric.as_flattened(),
+        });
+        Some(SmallBeam {
+            length: frame.length,
+            basic: frame.basic.as_flattened(),
+            initial: &frame.initial,
+            stiffness: self.kb.as_flattened(),
+            reactions: frame.reaction_rows(),
+            p_delta,
+        })
     }
 }
 

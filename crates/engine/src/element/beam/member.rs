@@ -2,10 +2,11 @@
 
 use crate::element::damping::BasicForces;
 use crate::element::load::ElementLoad;
+use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, Roles, SectionCapacity};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
     CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
-    SharedState, Snapshot, frame_force_labels,
+    SharedState, Snapshot,
 };
 use crate::numeric::norm;
 use crate::parameter::{Changed, exchange, existing, index, last_of};
@@ -281,14 +282,6 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         Basic { q: [0.0; B], k: F::initial_stiffness(m) }.write(&mut state[m.head()..]);
         self.formulation.settle(m, state);
     }
-    fn exhausted(&self, history: &[f64]) -> Option<String> {
-        exhausted(&self.member, history)
-    }
-    fn euler_load(&self) -> Option<f64> {
-        let m = &self.member;
-        let loads = m.sections.iter().map(|s| euler_load(&rigidities(&s.section), m.length()));
-        m.transform.is_small().then(|| loads.fold(f64::INFINITY, f64::min))
-    }
     fn traits(&self) -> ElementTraits {
         let sections = || self.member.sections.iter().map(|s| &s.section);
         ElementTraits {
@@ -328,54 +321,25 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         self.member.transform.frame().add_basic_stiffness(&F::initial_stiffness(&self.member), tangent);
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let depends = self.formulation.continues_from_last_trial();
-        OpenSeesTraits {
-            calls: depends.then_some(self as &dyn CallDependent),
-            ground_inertia: (self.member.rho != 0.0).then_some(1.0),
-            ..OpenSeesTraits::default()
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            parameters: Some(self),
+            loads: Some(self),
+            exhausted: Some(self),
+            euler_load: Some(self),
+            opensees: {
+                let depends = self.formulation.continues_from_last_trial();
+                OpenSeesTraits {
+                    calls: depends.then_some(self as &dyn CallDependent),
+                    ground_inertia: (self.member.rho != 0.0).then_some(1.0),
+                    ..OpenSeesTraits::default()
+                }
+            },
+            basic_forces: F::DAMPABLE.then_some(self as &dyn BasicForces),
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
-    }
-
-    fn mass(&self) -> Mass {
-        let Member { transform, rho, consistent, .. } = &self.member;
-        match (*rho, consistent) {
-            (0.0, _) => Mass::None,
-            (rho, false) => Mass::Lumped(lumped_mass::<N>(rho * transform.length())),
-            // As in OpenSees, without rotary inertia about the axis.
-            (rho, true) => {
-                let length = transform.length();
-                Mass::Consistent(transform.frame().global_of_local(&consistent_mass::<N>(length, rho, 0.0)))
-            }
-        }
-    }
-
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
-        let mut new = self.clone();
-        let old = match words {
-            ["rho"] => exchange(&mut new.member.rho, value),
-            ["section", n, rest @ ..] => {
-                existing(new.member.sections.get_mut(index(n)?))?.set_parameter(rest, value)?
-            }
-            _ => last_of(new.member.sections.iter_mut().map(|s| s.set_parameter(words, value)))?,
-        };
-        Ok((Arc::new(new), old))
-    }
-
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        F::DAMPABLE.then_some(self as &dyn BasicForces)
-    }
-
-    fn load_len(&self) -> usize {
-        F::load_len(self.member.sections.len())
-    }
-
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        if N == 12 {
-            load.refuse_moment(self.class())?;
-        }
-        F::add_load(&self.member, load, factor, sums);
-        Ok(())
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -417,8 +381,8 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec![
             "localForce",
             "basicForce",
             "basicDeformation",
@@ -427,10 +391,6 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             "section",
             "basicStiffness",
         ]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(N)
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -455,6 +415,62 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             SECTION => m.sections[path[1] as usize].read(&path[2..], s.state, out),
             _ => m.read_all_sections(&path[1..], s.state, out),
         }
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> Inertia for FiberBeam<F, N, B> {
+    fn mass(&self) -> Mass {
+        let Member { transform, rho, consistent, .. } = &self.member;
+        match (*rho, consistent) {
+            (0.0, _) => Mass::None,
+            (rho, false) => Mass::Lumped(lumped_mass::<N>(rho * transform.length())),
+            // As in OpenSees, without rotary inertia about the axis.
+            (rho, true) => {
+                let length = transform.length();
+                Mass::Consistent(transform.frame().global_of_local(&consistent_mass::<N>(length, rho, 0.0)))
+            }
+        }
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementParameters for FiberBeam<F, N, B> {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+        let mut new = self.clone();
+        let old = match words {
+            ["rho"] => exchange(&mut new.member.rho, value),
+            ["section", n, rest @ ..] => {
+                existing(new.member.sections.get_mut(index(n)?))?.set_parameter(rest, value)?
+            }
+            _ => last_of(new.member.sections.iter_mut().map(|s| s.set_parameter(words, value)))?,
+        };
+        Ok((Arc::new(new), old))
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementLoads for FiberBeam<F, N, B> {
+    fn load_len(&self) -> usize {
+        F::load_len(self.member.sections.len())
+    }
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+        if N == 12 {
+            load.refuse_moment(self.class())?;
+        }
+        F::add_load(&self.member, load, factor, sums);
+        Ok(())
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> SectionCapacity for FiberBeam<F, N, B> {
+    fn exhausted(&self, history: &[f64]) -> Option<String> {
+        exhausted(&self.member, history)
+    }
+}
+
+impl<F: Formulation<N, B>, const N: usize, const B: usize> EulerLoad for FiberBeam<F, N, B> {
+    fn euler_load(&self) -> Option<f64> {
+        let m = &self.member;
+        let loads = m.sections.iter().map(|s| euler_load(&rigidities(&s.section), m.length()));
+        m.transform.is_small().then(|| loads.fold(f64::INFINITY, f64::min))
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::elastic::{basic_stiffness, lumped_mass};
 use super::{Bending, Release};
+use crate::element::roles::{ElementLoads, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Frame, Reactions, axis_probe};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    dot, frame_force_labels,
+    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -217,25 +217,67 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         axpy(1.0, &self.stiffness, tangent);
     }
 
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            parameters: Some(self),
+            loads: Some(self),
+            opensees: OpenSeesTraits {
+                ground_inertia: (self.mass != Mass::None).then_some(2.0),
+                ..OpenSeesTraits::default()
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
+        }
+    }
+
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        let names: &[&str] = if N == 6 { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
+        match *words.first()? {
+            "localForce" | "localForces" => {
+                Some(Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
+            }
+            word => axis_probe(word),
+        }
+    }
+
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["localForce"]
+    }
+
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        if self.frame.read_axis(path, out) {
+            return;
+        }
+        let q = self.basic_force(s.disp);
+        self.frame.local_force(&q, &[0.0; 5], out);
+        axpy(1.0, s.load, out);
+        if let Some(g) = &self.geometric {
+            let local = self.frame.local.each_ref().map(|row| dot(row, s.disp));
+            out.iter_mut().zip(&g.local).for_each(|(o, row)| *o += q[0] * dot(row, &local));
+        }
+    }
+}
+
+impl<const N: usize, const B: usize> Inertia for TimoshenkoBeam<N, B> {
     fn mass(&self) -> Mass {
         self.mass.clone()
     }
+}
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (self.mass != Mass::None).then_some(2.0), ..OpenSeesTraits::default() }
-    }
-
+impl<const N: usize, const B: usize> ElementParameters for TimoshenkoBeam<N, B> {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut section = self.section;
         let old = exchange(existing(section.parameter(first(words)?))?, value);
         Ok((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))
     }
+}
 
+impl<const N: usize, const B: usize> ElementLoads for TimoshenkoBeam<N, B> {
     /// Load sums: local end forces of the clamped beam.
     fn load_len(&self) -> usize {
         N
     }
-
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         load.refuse_moment(self.class())?;
         let length = self.frame.length;
@@ -256,36 +298,5 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
         self.frame.local_force(&q, &p0, &mut local);
         axpy(factor, &local, sums);
         Ok(())
-    }
-
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let names: &[&str] = if N == 6 { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
-        match *words.first()? {
-            "localForce" | "localForces" => {
-                Some(Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}")))))
-            }
-            word => axis_probe(word),
-        }
-    }
-
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["localForce"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(N)
-    }
-
-    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        if self.frame.read_axis(path, out) {
-            return;
-        }
-        let q = self.basic_force(s.disp);
-        self.frame.local_force(&q, &[0.0; 5], out);
-        axpy(1.0, s.load, out);
-        if let Some(g) = &self.geometric {
-            let local = self.frame.local.each_ref().map(|row| dot(row, s.disp));
-            out.iter_mut().zip(&g.local).for_each(|(o, row)| *o += q[0] * dot(row, &local));
-        }
     }
 }

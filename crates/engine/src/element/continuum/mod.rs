@@ -9,6 +9,8 @@ mod tetrahedron;
 
 use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use crate::element::roles::ForceLabels;
+use crate::element::roles::{Inertia, Roles};
 use crate::material::{SOLID, SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -284,16 +286,17 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
         axpy(1.0, &self.stiffness, tangent);
     }
 
-    fn mass(&self) -> Mass {
-        self.body.mass.clone()
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (self.body.mass != Mass::None).then_some(1.0), ..OpenSeesTraits::default() }
-    }
-
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        Some(self)
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            opensees: OpenSeesTraits {
+                ground_inertia: (self.body.mass != Mass::None).then_some(1.0),
+                ..OpenSeesTraits::default()
+            },
+            basic_forces: Some(self),
+            force_labels: ForceLabels::DirectionAndNode(if S < SOLID { 2 } else { 3 }),
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -315,17 +318,12 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
+    fn probe_names(&self) -> Vec<&'static str> {
         if self.body.extrapolation.is_empty() {
-            &["stresses", "strains", "material"]
+            vec!["stresses", "strains", "material"]
         } else {
-            &["stresses", "strains", "stressesAtNodes", "material"]
+            vec!["stresses", "strains", "stressesAtNodes", "material"]
         }
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        let per_node = if S < SOLID { 2 } else { 3 };
-        (1..=D / per_node).flat_map(|node| (1..=per_node).map(move |i| format!("P{i}_{node}"))).collect()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -347,6 +345,12 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
             }
             _ => self.read_point(path[1] as usize, &path[2..], s, out),
         }
+    }
+}
+
+impl<const S: usize, const D: usize> Inertia for Continuum<S, D> {
+    fn mass(&self) -> Mass {
+        self.body.mass.clone()
     }
 }
 

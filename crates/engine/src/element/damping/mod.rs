@@ -3,10 +3,9 @@
 mod fit;
 mod law;
 
-use super::forward::forward_to_inner;
-use super::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, OpenSeesTraits, SmallBeam, Snapshot,
-};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
+use crate::element::inner::Inner;
+use crate::element::roles::{ElementParameters, OwnDamping, Roles};
 use crate::parameter::{Changed, ParameterError, exchange};
 use crate::probe::Probe;
 use std::fmt;
@@ -46,9 +45,8 @@ pub trait BasicForces: fmt::Debug {
 /// An element with a damping of its own.
 #[derive(Clone, Debug)]
 pub struct Damped {
-    inner: Arc<dyn Element>,
+    inner: Inner,
     damping: Arc<ElementDamping>,
-    inner_len: usize,
     /// Number of basic forces.
     len: usize,
 }
@@ -60,15 +58,15 @@ impl Damped {
     /// The element has no basic forces that could be damped.
     pub fn new(inner: Arc<dyn Element>, damping: Arc<ElementDamping>) -> Result<Self, ElementError> {
         let inner = inner.undamped().unwrap_or(inner);
-        let Some(basic) = inner.basic_forces() else {
+        let Some(basic) = inner.roles().basic_forces else {
             return Err(ElementError(format!("{} takes no damping of its own", inner.class()).into()));
         };
         let len = basic.len();
-        Ok(Self { inner_len: inner.state_len(), damping, len, inner })
+        Ok(Self { damping, len, inner: Inner::new(inner) })
     }
 
     fn basic(&self) -> &dyn BasicForces {
-        self.inner.basic_forces().unwrap_or(&NoForces)
+        Element::roles(&**self.inner).basic_forces.unwrap_or(&NoForces)
     }
 }
 
@@ -88,19 +86,21 @@ impl BasicForces for NoForces {
 const GLOBAL: u32 = 900;
 const BASIC: u32 = 901;
 
-crate::watches_columns!(Damped => |s| at [(0..s.inner_len, &s.inner)]);
+crate::watches_columns!(Damped => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
-    forward_to_inner! {
-        class dofs commit lockstep initial_tangent mass inertance renews_tangent load_len add_load basic_rows
-        overload softening stretch exhausted outside_range euler_load probe_names force_labels
+    fn class(&self) -> &'static str {
+        self.inner.class()
+    }
+    fn dofs(&self) -> usize {
+        self.inner.dofs()
     }
     fn state_len(&self) -> usize {
-        self.inner_len + self.damping.state_len(self.len)
+        self.inner.len() + self.damping.state_len(self.len)
     }
     fn init(&self, state: &mut [f64]) {
-        let (own, filters) = state.split_at_mut(self.inner_len);
+        let (own, filters) = state.split_at_mut(self.inner.len());
         self.inner.init(own);
         filters.fill(0.0);
     }
@@ -115,8 +115,8 @@ impl Element for Damped {
         trial: &mut [f64],
         mut output: ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        let (old, old_filters) = committed.split_at(self.inner_len);
-        let (new, new_filters) = trial.split_at_mut(self.inner_len);
+        let (old, old_filters) = committed.split_at(self.inner.len());
+        let (new, new_filters) = trial.split_at_mut(self.inner.len());
         let inner = ElementOutput {
             force: &mut *output.force,
             tangent: output.tangent.as_deref_mut(),
@@ -136,10 +136,46 @@ impl Element for Damped {
         Ok(())
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        // The element is evaluated like any other, whatever the number of calls.
-        OpenSeesTraits { calls: None, ..self.inner.opensees() }
+    fn initial_tangent(&self, tangent: &mut [f64]) {
+        self.inner.initial_tangent(tangent);
     }
+    fn commit(&self, trial: &[f64], committed: &mut [f64]) {
+        self.inner.commit(trial, committed);
+    }
+    fn roles(&self) -> Roles<'_> {
+        // The element is evaluated like any other, whatever the number of calls.
+        Roles { parameters: Some(self), own_damping: Some(self), ..self.inner.roles(self) }
+    }
+
+    fn probe_names(&self) -> Vec<&'static str> {
+        let mut names = self.inner.probe_names();
+        names.extend(["globalDampingForce", "basicDampingForce"]);
+        names
+    }
+    fn probe(&self, words: &[&str]) -> Option<Probe> {
+        match words {
+            ["globalDampingForce" | "globalDampingForces"] => Some(Probe::new(GLOBAL, self.inner.force_labels())),
+            ["basicDampingForce" | "basicDampingForces"] => {
+                Some(Probe::new(BASIC, (1..=self.len).map(|i| format!("qd{i}"))))
+            }
+            words => self.inner.probe(words),
+        }
+    }
+    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
+        let (state, filters) = s.state.split_at(self.inner.len());
+        let forces = self.damping.forces(self.len, filters);
+        match path {
+            [GLOBAL] => {
+                out.fill(0.0);
+                self.basic().add_global(s.disp, state, forces, out);
+            }
+            [BASIC] => out.copy_from_slice(forces),
+            _ => self.inner.read(path, &Snapshot { state, ..*s }, out),
+        }
+    }
+}
+
+impl ElementParameters for Damped {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = match words {
@@ -155,56 +191,26 @@ impl Element for Damped {
             }
             _ => {
                 let (inner, old) = self.inner.with_parameter(words, value)?;
-                new.inner = inner;
+                new.inner = Inner::new(inner);
                 old
             }
         };
         Ok((Arc::new(new), old))
     }
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        None
-    }
+}
+
+impl OwnDamping for Damped {
     fn undamped(&self) -> Option<Arc<dyn Element>> {
-        Some(self.inner.clone())
-    }
-    fn has_own_damping(&self) -> bool {
-        true
-    }
-    fn small_beam(&self) -> Option<SmallBeam<'_>> {
-        None
+        Some(Arc::clone(&self.inner))
     }
     fn add_own_damping(&self, s: &Snapshot<'_>, factor: f64, force: &mut [f64]) {
         let basic = self.basic();
         if basic.in_resisting_force() {
             return;
         }
-        let (own, filters) = s.state.split_at(self.inner_len);
+        let (own, filters) = s.state.split_at(self.inner.len());
         let mut q = [0.0; MAX_BASIC_FORCES];
         q.iter_mut().zip(self.damping.forces(self.len, filters)).for_each(|(q, f)| *q = factor * f);
         basic.add_global(s.disp, own, &q[..self.len], force);
-    }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match words {
-            ["globalDampingForce" | "globalDampingForces"] => Some(Probe::new(GLOBAL, self.inner.force_labels())),
-            ["basicDampingForce" | "basicDampingForces"] => {
-                Some(Probe::new(BASIC, (1..=self.len).map(|i| format!("qd{i}"))))
-            }
-            words => self.inner.probe(words),
-        }
-    }
-    fn all_probe_names(&self) -> Vec<&'static str> {
-        self.inner.all_probe_names().into_iter().chain(["globalDampingForce", "basicDampingForce"]).collect()
-    }
-    fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
-        let (state, filters) = s.state.split_at(self.inner_len);
-        let forces = self.damping.forces(self.len, filters);
-        match path {
-            [GLOBAL] => {
-                out.fill(0.0);
-                self.basic().add_global(s.disp, state, forces, out);
-            }
-            [BASIC] => out.copy_from_slice(forces),
-            _ => self.inner.read(path, &Snapshot { state, ..*s }, out),
-        }
     }
 }

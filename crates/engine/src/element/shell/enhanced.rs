@@ -10,6 +10,7 @@ mod triangle;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use super::{MAX, NODE, Row, SINGLE_POINT, STRAINS, STRESSES, work};
+use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::plate::{
@@ -438,12 +439,16 @@ impl Element for EnhancedShell {
         }
     }
 
-    fn mass(&self) -> Mass {
-        if self.mass.is_empty() { Mass::None } else { Mass::Lumped(self.mass.clone()) }
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (!self.mass.is_empty()).then_some(1.0), ..OpenSeesTraits::default() }
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            opensees: OpenSeesTraits {
+                ground_inertia: (!self.mass.is_empty()).then_some(1.0),
+                ..OpenSeesTraits::default()
+            },
+            force_labels: ForceLabels::Numbered,
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -460,12 +465,8 @@ impl Element for EnhancedShell {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["stresses", "strains", "material"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs).map(|i| format!("P{i}")).collect()
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["stresses", "strains", "material"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -484,5 +485,11 @@ impl Element for EnhancedShell {
             }
             _ => read(path[1] as usize, &path[2..], out),
         }
+    }
+}
+
+impl Inertia for EnhancedShell {
+    fn mass(&self) -> Mass {
+        if self.mass.is_empty() { Mass::None } else { Mass::Lumped(self.mass.clone()) }
     }
 }

@@ -10,8 +10,8 @@ mod enhanced;
 mod mitc4;
 mod updated;
 
-use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::plate::{self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateState, SharedPlateSection};
@@ -268,16 +268,17 @@ impl Element for Shell {
         self.points.iter().for_each(|point| self.add_stiffness(point, &section, tangent));
     }
 
-    fn mass(&self) -> Mass {
-        if self.mass.is_empty() { Mass::None } else { Mass::Consistent(self.mass.clone()) }
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits { ground_inertia: (!self.mass.is_empty()).then_some(1.0), ..OpenSeesTraits::default() }
-    }
-
-    fn basic_forces(&self) -> Option<&dyn BasicForces> {
-        Some(self)
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            opensees: OpenSeesTraits {
+                ground_inertia: (!self.mass.is_empty()).then_some(1.0),
+                ..OpenSeesTraits::default()
+            },
+            basic_forces: Some(self),
+            force_labels: ForceLabels::Numbered,
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -293,12 +294,8 @@ impl Element for Shell {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &["stresses", "strains", "material"]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        (1..=self.dofs).map(|i| format!("P{i}")).collect()
+    fn probe_names(&self) -> Vec<&'static str> {
+        vec!["stresses", "strains", "material"]
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -314,5 +311,11 @@ impl Element for Shell {
             }
             _ => read(path[1] as usize, &path[2..], out),
         }
+    }
+}
+
+impl Inertia for Shell {
+    fn mass(&self) -> Mass {
+        if self.mass.is_empty() { Mass::None } else { Mass::Consistent(self.mass.clone()) }
     }
 }

@@ -1,7 +1,8 @@
 //! Thin shell with large displacements: `ShellNLDKGQ`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use super::{Formulation, Geometry, MAX, NODE, Point, Row, STRAINS, STRESSES, Shell, discrete_kirchhoff, work};
+use crate::element::roles::Roles;
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::section::plate::{PLATE_ORDER, PlateState, PlateTangent, SharedPlateSection};
@@ -169,20 +170,16 @@ impl Element for UpdatedShell {
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.flat.initial_tangent(tangent);
     }
-    fn mass(&self) -> Mass {
-        self.flat.mass()
+    fn roles(&self) -> Roles<'_> {
+        let Roles { mass, force_labels, opensees, .. } = self.flat.roles();
+        Roles { mass, force_labels, opensees, ..Roles::default() }
     }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        self.flat.opensees()
-    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.flat.probe(words)
     }
-    fn probe_names(&self) -> &'static [&'static str] {
+    fn probe_names(&self) -> Vec<&'static str> {
         self.flat.probe_names()
-    }
-    fn force_labels(&self) -> Vec<String> {
-        self.flat.force_labels()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {

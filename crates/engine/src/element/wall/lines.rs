@@ -1,6 +1,8 @@
 //! Multiple-vertical-line elements of walls: `MVLEM` and `MVLEM_3D`.
 
-use super::{LOCAL_FORCE, WallShape, add_stiffness, force_labels};
+use super::{LOCAL_FORCE, WallShape, add_stiffness};
+use crate::element::roles::ForceLabels;
+use crate::element::roles::{Inertia, Roles};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
@@ -127,8 +129,8 @@ impl<const D: usize> Element for WallLines<D> {
         }
     }
 
-    fn mass(&self) -> Mass {
-        self.shape.mass.clone()
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), force_labels: ForceLabels::Wall, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -143,24 +145,9 @@ impl<const D: usize> Element for WallLines<D> {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        match self.shape.axes {
-            None => {
-                &["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"]
-            }
-            Some(_) => &[
-                "curvature",
-                "fiber_strain",
-                "fiber_stress_concrete",
-                "fiber_stress_steel",
-                "shear_force_deformation",
-                "localForce",
-            ],
-        }
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        force_labels(D)
+    fn probe_names(&self) -> Vec<&'static str> {
+        let plane = ["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"];
+        plane.into_iter().chain(self.shape.axes.is_some().then_some("localForce")).collect()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -180,6 +167,12 @@ impl<const D: usize> Element for WallLines<D> {
                 out[1] = self.lines[2 * n].slot.stress(s.state);
             }
         }
+    }
+}
+
+impl<const D: usize> Inertia for WallLines<D> {
+    fn mass(&self) -> Mass {
+        self.shape.mass.clone()
     }
 }
 

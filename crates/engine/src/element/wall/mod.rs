@@ -239,12 +239,3 @@ fn add_stiffness<const D: usize>(matrix: &mut [f64], row: &[f64; D], stiffness: 
         axpy(stiffness * r, row, out);
     }
 }
-
-/// Names of the global forces of the nodes.
-fn force_labels(dofs: usize) -> Vec<String> {
-    if dofs == PLANE_WALL {
-        return ["Fx_i", "Fy_i", "Mz_i", "Fx_j", "Fy_j", "Mz_j"].map(String::from).to_vec();
-    }
-    let names = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
-    ["i", "j", "k", "l"].iter().flat_map(|node| names.map(|name| format!("global{name}_{node}"))).collect()
-}

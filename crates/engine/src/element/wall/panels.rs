@@ -1,6 +1,8 @@
 //! Walls of panels in plane stress: `SFI_MVLEM`, `E_SFI`, `SFI_MVLEM_3D` and `E_SFI_MVLEM_3D`.
 
-use super::{LOCAL_FORCE, WallShape, force_labels};
+use super::{LOCAL_FORCE, WallShape};
+use crate::element::roles::ForceLabels;
+use crate::element::roles::{Inertia, Roles};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
@@ -154,8 +156,8 @@ impl<const D: usize> Element for WallPanels<D> {
         }
     }
 
-    fn mass(&self) -> Mass {
-        self.shape.mass.clone()
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), force_labels: ForceLabels::Wall, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -170,16 +172,9 @@ impl<const D: usize> Element for WallPanels<D> {
         })
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        if self.shape.axes.is_none() {
-            &["ShearDef", "Curvature", "RCPanel"]
-        } else {
-            &["ShearDef", "Curvature", "RCPanel", "localForce"]
-        }
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        force_labels(D)
+    fn probe_names(&self) -> Vec<&'static str> {
+        let plane = ["ShearDef", "Curvature", "RCPanel"];
+        plane.into_iter().chain(self.shape.axes.is_some().then_some("localForce")).collect()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -192,5 +187,11 @@ impl<const D: usize> Element for WallPanels<D> {
                 strip.law.read(&path[2..], &s.state[strip.at..strip.at + strip.law.state_len()], out);
             }
         }
+    }
+}
+
+impl<const D: usize> Inertia for WallPanels<D> {
+    fn mass(&self) -> Mass {
+        self.shape.mass.clone()
     }
 }

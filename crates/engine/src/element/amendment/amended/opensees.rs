@@ -11,7 +11,7 @@ impl Amended {
 
     /// Number of state variables for the stored tangent: 0 unless the element counts its calls.
     pub(super) fn tangent_len(&self) -> usize {
-        if self.inner.opensees().calls.is_some() { self.inner.dofs().pow(2) } else { 0 }
+        if self.counts_calls { self.inner.dofs().pow(2) } else { 0 }
     }
 
     /// Force and tangent of the element at the displacements of `motion`.
@@ -22,7 +22,7 @@ impl Amended {
         trial: &mut [f64],
         output: &mut ElementOutput<'_>,
     ) -> Result<(), ElementError> {
-        let calls = self.inner.opensees().calls;
+        let calls = if self.counts_calls { self.inner.opensees().calls } else { None };
         let own = ElementOutput {
             force: &mut *output.force,
             tangent: output.tangent.as_deref_mut().filter(|_| calls.is_none()),

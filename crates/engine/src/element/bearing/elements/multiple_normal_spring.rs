@@ -4,9 +4,10 @@ use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
+use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
+    OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -118,32 +119,42 @@ impl Element for MultipleNormalSpring {
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&Self::stiffness(self.springs.initial_stiffness()), tangent);
     }
-    fn mass(&self) -> Mass {
-        end_masses(self.mass, 6, 3)
-    }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits {
-            calls: self.counts_calls.then_some(self as &dyn CallDependent),
-            keeps_first_damping: true,
-            ground_inertia: (self.mass != 0.0).then_some(1.0),
-            ..OpenSeesTraits::default()
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            basic_rows: Some(self),
+            opensees: OpenSeesTraits {
+                calls: self.counts_calls.then_some(self as &dyn CallDependent),
+                keeps_first_damping: true,
+                ground_inertia: (self.mass != 0.0).then_some(1.0),
+                ..OpenSeesTraits::default()
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
     }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
-    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        NAMES
-    }
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(12)
+    fn probe_names(&self) -> Vec<&'static str> {
+        NAMES.to_vec()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let basic = |out: &mut [f64]| out.copy_from_slice(&Self::spread(Forces::read(s.state).force));
         Response::of(path).read(&self.link, s, out, basic);
+    }
+}
+
+impl Inertia for MultipleNormalSpring {
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+}
+
+impl BasicDeformations for MultipleNormalSpring {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
     }
 }
 

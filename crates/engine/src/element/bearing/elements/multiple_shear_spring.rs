@@ -6,9 +6,9 @@ use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
+use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    frame_force_labels,
 };
 use crate::probe::Probe;
 use crate::rules::{Consistent, OpenSees};
@@ -174,27 +174,39 @@ impl<R: Rules> Element for MultipleShearSpring<R> {
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.link.add_basic(&spread(self.initial), tangent);
     }
-    fn mass(&self) -> Mass {
-        end_masses(self.mass, 6, 3)
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            basic_rows: Some(self),
+            opensees: {
+                let ground_inertia = (self.mass != 0.0).then_some(1.0);
+                OpenSeesTraits { keeps_first_damping: true, ground_inertia, ..OpenSeesTraits::default() }
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
+        }
     }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let ground_inertia = (self.mass != 0.0).then_some(1.0);
-        OpenSeesTraits { keeps_first_damping: true, ground_inertia, ..OpenSeesTraits::default() }
-    }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
-    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        NAMES
-    }
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(12)
+    fn probe_names(&self) -> Vec<&'static str> {
+        NAMES.to_vec()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         let forces = |out: &mut [f64]| out.copy_from_slice(&basic(Forces::read(s.state).force));
         Response::of(path).read(&self.link, s, out, forces);
+    }
+}
+
+impl<R: Rules> Inertia for MultipleShearSpring<R> {
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+}
+
+impl<R: Rules> BasicDeformations for MultipleShearSpring<R> {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
     }
 }

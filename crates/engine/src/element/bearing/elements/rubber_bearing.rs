@@ -9,9 +9,10 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::axial::{Axial, AxialLaw, AxialLockstep};
 use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput, shear_of_rubber};
 use crate::element::bearing::laws::shear::Shear;
+use crate::element::roles::{BasicDeformations, CriticalLoad, ForceLabels, Inertia, LawSize, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
-    Snapshot, Stretch, alike, frame_force_labels, one_by_one,
+    Snapshot, Stretch, alike, one_by_one,
 };
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
@@ -145,51 +146,24 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         self.link.add_basic(&k, tangent);
     }
 
-    fn mass(&self) -> Mass {
-        end_masses(self.mass, 6, 3)
-    }
-
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        let own = alike::<Self>(all)?;
-        let timeless =
-            own.iter().all(|b| !b.shear.is_viscous() && !b.shear.depends_on_time() && b.shear.tail_len() == 0);
-        let same = own.iter().all(|b| b.link == self.link) && timeless;
-        let axial = AxialLockstep::new(own.map(|b| b.axial)).filter(|_| same);
-        match (axial, L::lockstep(&own.map(|b| &b.shear))) {
-            (Some(axial), Some(shear)) => {
-                let rotations = own.map(|b| b.rotations());
-                let rotations = std::array::from_fn(|i| Wide(rotations.map(|k| k[i])));
-                let (link, stiffness) = (self.link.clone(), Kept::default());
-                Some(Box::new(RubberBearings { axial, shear, link, rotations, stiffness }))
-            }
-            _ => one_by_one::<Self>(all),
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            basic_rows: Some(self),
+            overload: Some(self),
+            stretch: Some(self),
+            lockstep: Some(lockstep::<L>),
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
-    }
-
-    fn overload(&self, history: &[f64]) -> Option<Overload> {
-        let Axial { force, fcrn, .. } = Axial::read(history);
-        (self.axial.buckles && force < fcrn).then_some(Overload { load: -force, critical: -fcrn })
-    }
-
-    fn stretch(&self, disp: &[f64]) -> Option<Stretch> {
-        let u = self.link.deformation(disp);
-        Some(shear_of_rubber(u[1].hypot(u[2]), self.axial.rubber.thickness))
-    }
-
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.shear.probe(words).or_else(|| probe::<2>(words).filter(|p| p.path != [HYSTERETIC]))
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        self.shear.probe_names()
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(12)
+    fn probe_names(&self) -> Vec<&'static str> {
+        self.shear.probe_names().to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -212,5 +186,48 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
                 self.shear.read(id, &shear, &memory, &s.state[Self::TAIL_AT..], &axial, out);
             }
         }
+    }
+}
+
+impl<L: RubberShear + 'static> Inertia for RubberBearing<L> {
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+}
+
+impl<L: RubberShear + 'static> BasicDeformations for RubberBearing<L> {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
+    }
+}
+
+impl<L: RubberShear + 'static> CriticalLoad for RubberBearing<L> {
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        let Axial { force, fcrn, .. } = Axial::read(history);
+        (self.axial.buckles && force < fcrn).then_some(Overload { load: -force, critical: -fcrn })
+    }
+}
+
+impl<L: RubberShear + 'static> LawSize for RubberBearing<L> {
+    fn stretch(&self, disp: &[f64]) -> Stretch {
+        let u = self.link.deformation(disp);
+        shear_of_rubber(u[1].hypot(u[2]), self.axial.rubber.thickness)
+    }
+}
+
+/// The bearings side by side, where their laws depend on deformations alone; else one after the other.
+fn lockstep<L: RubberShear + 'static>(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+    let own = alike::<RubberBearing<L>>(all)?;
+    let timeless = own.iter().all(|b| !b.shear.is_viscous() && !b.shear.depends_on_time() && b.shear.tail_len() == 0);
+    let same = own.iter().all(|b| b.link == own[0].link) && timeless;
+    let axial = AxialLockstep::new(own.map(|b| b.axial)).filter(|_| same);
+    match (axial, L::lockstep(&own.map(|b| &b.shear))) {
+        (Some(axial), Some(shear)) => {
+            let rotations = own.map(|b| b.rotations());
+            let rotations = std::array::from_fn(|i| Wide(rotations.map(|k| k[i])));
+            let (link, stiffness) = (own[0].link.clone(), Kept::default());
+            Some(Box::new(RubberBearings { axial, shear, link, rotations, stiffness }))
+        }
+        _ => one_by_one::<RubberBearing<L>>(all),
     }
 }

@@ -3,9 +3,10 @@
 use crate::element::bearing::elements::shear_bearings::{Kept, ShearBearings};
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
+use crate::element::roles::{Backbone, BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
-    RowMaterial, Snapshot, Softening, alike, frame_force_labels, one_by_one,
+    RowMaterial, Snapshot, Softening, alike, one_by_one,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::wide::{WIDTH, Wide};
@@ -139,36 +140,19 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         self.link.add_basic(&Self::basic_stiffness(stiffness, &self.law.virgin()), tangent);
     }
 
-    fn mass(&self) -> Mass {
-        self.law.masses(self.mass)
-    }
-
-    fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
-        let own = alike::<Self>(all)?;
-        let same = own.iter().all(|b| b.link == self.link) && self.law.dashpot() == 0.0;
-        let springs = self.lockstep_springs(&own).filter(|_| same);
-        match (springs, L::lockstep(&own.map(|b| &b.law))) {
-            (Some(springs), Some(law)) => {
-                let (link, stiffness) = (self.link.clone(), Kept::default());
-                Some(Box::new(ShearBearings { law, link, springs, stiffness }))
-            }
-            _ => one_by_one::<Self>(all),
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            basic_rows: Some(self),
+            softening: Some(self),
+            lockstep: Some(lockstep::<L, N, B, M, S>),
+            opensees: {
+                let ground_inertia = (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0);
+                OpenSeesTraits { keeps_first_damping: !L::RENEWS_DAMPING, ground_inertia, ..OpenSeesTraits::default() }
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
-    }
-
-    fn softening(&self, history: &[f64]) -> Option<Softening> {
-        let (stiffness_end, force_end) = self.law.backbone_ends()?;
-        let deformation = Shear::<S>::read(history).u.iter().fold(0.0f64, |m, u| m.max(u.abs()));
-        Some(Softening { deformation, stiffness_end, force_end })
-    }
-
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let ground_inertia = (L::REPORTS_INERTIA && self.mass != 0.0).then_some(1.0);
-        OpenSeesTraits { keeps_first_damping: !L::RENEWS_DAMPING, ground_inertia, ..OpenSeesTraits::default() }
-    }
-
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        with_materials(self.link.basic_rows(), self.springs().map(|(column, _)| column))
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -179,12 +163,8 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         probe::<S>(words).filter(|p| L::HYSTERETIC || p.path != [HYSTERETIC])
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &PROBES[usize::from(!L::HYSTERETIC)..]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(N)
+    fn probe_names(&self) -> Vec<&'static str> {
+        PROBES[usize::from(!L::HYSTERETIC)..].to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -201,6 +181,32 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
             BASIC_STIFFNESS => out.copy_from_slice(shear.k.as_flattened()),
             _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
         }
+    }
+}
+
+impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> Inertia
+    for ShearBearing<L, N, B, M, S>
+{
+    fn mass(&self) -> Mass {
+        self.law.masses(self.mass)
+    }
+}
+
+impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> BasicDeformations
+    for ShearBearing<L, N, B, M, S>
+{
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        with_materials(self.link.basic_rows(), self.springs().map(|(column, _)| column))
+    }
+}
+
+impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> Backbone
+    for ShearBearing<L, N, B, M, S>
+{
+    fn softening(&self, history: &[f64]) -> Option<Softening> {
+        let (stiffness_end, force_end) = self.law.backbone_ends()?;
+        let deformation = Shear::<S>::read(history).u.iter().fold(0.0f64, |m, u| m.max(u.abs()));
+        Some(Softening { deformation, stiffness_end, force_end })
     }
 }
 
@@ -281,4 +287,23 @@ pub(in crate::element::bearing) fn probe<const S: usize>(words: &[&str]) -> Opti
         }
         _ => return None,
     })
+}
+
+/// The bearings side by side, where their springs are linear and their laws of one kind; else one after the other.
+fn lockstep<L, const N: usize, const B: usize, const M: usize, const S: usize>(
+    all: &[&Arc<dyn Element>; WIDTH],
+) -> Option<Box<dyn LockstepElement>>
+where
+    L: ShearLaw<S> + 'static,
+{
+    let own = alike::<ShearBearing<L, N, B, M, S>>(all)?;
+    let same = own.iter().all(|b| b.link == own[0].link) && own[0].law.dashpot() == 0.0;
+    let springs = own[0].lockstep_springs(&own).filter(|_| same);
+    match (springs, L::lockstep(&own.map(|b| &b.law))) {
+        (Some(springs), Some(law)) => {
+            let (link, stiffness) = (own[0].link.clone(), Kept::default());
+            Some(Box::new(ShearBearings { law, link, springs, stiffness }))
+        }
+        _ => one_by_one::<ShearBearing<L, N, B, M, S>>(all),
+    }
 }

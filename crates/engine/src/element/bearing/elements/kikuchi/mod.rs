@@ -21,9 +21,10 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_layout::{Layout, Shape};
 use crate::element::bearing::laws::normal_springs::NormalSprings;
 use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
+use crate::element::roles::{BasicDeformations, CriticalLoad, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
-    Overload, Rows, Snapshot, frame_force_labels,
+    Overload, Rows, Snapshot,
 };
 use crate::material::{Material, MaterialError, WatchesColumns};
 use crate::numeric::SparseMatrix;
@@ -351,38 +352,31 @@ impl Element for KikuchiBearing {
     fn initial_tangent(&self, tangent: &mut [f64]) {
         self.add_global(&self.virgin_tangent(), tangent, Rows::ALL);
     }
-    fn mass(&self) -> Mass {
-        end_masses(self.mass, 6, 3)
-    }
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        let follows = matches!(self.scheme, Scheme::OpenSees(_));
-        OpenSeesTraits {
-            calls: follows.then_some(self as &dyn CallDependent),
-            initial_is_current: follows,
-            keeps_first_damping: true,
-            ground_inertia: (self.mass != 0.0).then_some(1.0),
-            ..OpenSeesTraits::default()
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            mass: Some(self),
+            basic_rows: Some(self),
+            overload: Some(self),
+            opensees: {
+                let follows = matches!(self.scheme, Scheme::OpenSees(_));
+                OpenSeesTraits {
+                    calls: follows.then_some(self as &dyn CallDependent),
+                    initial_is_current: follows,
+                    keeps_first_damping: true,
+                    ground_inertia: (self.mass != 0.0).then_some(1.0),
+                    ..OpenSeesTraits::default()
+                }
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
         }
     }
-    fn overload(&self, history: &[f64]) -> Option<Overload> {
-        let axial = match self.scheme {
-            Scheme::Converged => Memory::read(history).axial,
-            Scheme::OpenSees(_) => opensees::axial_deformation(history),
-        };
-        let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
-        (load > critical).then_some(Overload { load, critical })
-    }
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        self.link.basic_rows()
-    }
+
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         Response::probe(words)
     }
-    fn probe_names(&self) -> &'static [&'static str] {
-        NAMES
-    }
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(OUTER)
+    fn probe_names(&self) -> Vec<&'static str> {
+        NAMES.to_vec()
     }
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
         // Half of the difference of the end forces.
@@ -392,5 +386,28 @@ impl Element for KikuchiBearing {
             out.iter_mut().enumerate().for_each(|(k, q)| *q = 0.5 * (local[k + 6] - local[k]));
         };
         Response::of(path).read(&self.link, s, out, basic);
+    }
+}
+
+impl Inertia for KikuchiBearing {
+    fn mass(&self) -> Mass {
+        end_masses(self.mass, 6, 3)
+    }
+}
+
+impl BasicDeformations for KikuchiBearing {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        self.link.basic_rows()
+    }
+}
+
+impl CriticalLoad for KikuchiBearing {
+    fn overload(&self, history: &[f64]) -> Option<Overload> {
+        let axial = match self.scheme {
+            Scheme::Converged => Memory::read(history).axial,
+            Scheme::OpenSees(_) => opensees::axial_deformation(history),
+        };
+        let (load, critical) = (-self.kinematics.stiff.axial * axial, self.critical_load()?);
+        (load > critical).then_some(Overload { load, critical })
     }
 }

@@ -8,9 +8,8 @@ use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe, with_materials,
 };
 use crate::element::friction::Contact;
-use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, frame_force_labels,
-};
+use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
+use crate::element::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot};
 use crate::probe::Probe;
@@ -375,15 +374,8 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
         self.link.add_basic(&k, tangent);
     }
 
-    fn mass(&self) -> Mass {
-        end_masses(self.setting.mass, N / 2, S + 1)
-    }
-
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        let mut rows = with_materials(self.link.basic_rows(), self.springs.iter().map(|(column, _)| *column));
-        // The surface carries a part of the shear forces.
-        rows[1..=S].iter_mut().for_each(|row| row.material = None);
-        rows
+    fn roles(&self) -> Roles<'_> {
+        Roles { mass: Some(self), basic_rows: Some(self), force_labels: ForceLabels::Frame, ..Roles::default() }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -404,8 +396,8 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
         }
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
-        &[
+    fn probe_names(&self) -> Vec<&'static str> {
+        [
             "localForce",
             "basicForce",
             "localDisplacement",
@@ -418,10 +410,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
             "MuAdjusted",
             "HeatFlux",
         ][..if self.heat.is_some() { 11 } else { 7 }]
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(N)
+            .to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -435,6 +424,21 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
             FRICTION => out[0] = history.contact.value(path[1]),
             _ => self.springs[path[1] as usize].1.read(&path[2..], s.state, out),
         }
+    }
+}
+
+impl<const N: usize, const B: usize, const S: usize, R: Rules> Inertia for SlidingBearing<N, B, S, R> {
+    fn mass(&self) -> Mass {
+        end_masses(self.setting.mass, N / 2, S + 1)
+    }
+}
+
+impl<const N: usize, const B: usize, const S: usize, R: Rules> BasicDeformations for SlidingBearing<N, B, S, R> {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let mut rows = with_materials(self.link.basic_rows(), self.springs.iter().map(|(column, _)| *column));
+        // The surface carries a part of the shear forces.
+        rows[1..=S].iter_mut().for_each(|row| row.material = None);
+        rows
     }
 }
 

@@ -7,9 +7,10 @@ use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe, with_materials,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
+use crate::element::roles::{BasicDeformations, ForceLabels, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
-    OpenSeesTraits, SharedState, Snapshot, frame_force_labels,
+    OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -294,14 +295,6 @@ impl<R: Rules> Element for TriplePendulum<R> {
         Ok(())
     }
 
-    fn opensees(&self) -> OpenSeesTraits<'_> {
-        OpenSeesTraits {
-            calls: R::CALL_DEPENDENT.then_some(self as &dyn CallDependent),
-            damps_in_forces_only: R::DAMPS_IN_FORCES_ONLY,
-            ..OpenSeesTraits::default()
-        }
-    }
-
     fn initial_tangent(&self, tangent: &mut [f64]) {
         let k = self.setting.weight * square(&self.virgin().0.whole, 0);
         for i in 0..2 {
@@ -312,15 +305,17 @@ impl<R: Rules> Element for TriplePendulum<R> {
         }
     }
 
-    fn basic_rows(&self) -> Vec<BasicRow> {
-        let apart = |dof: usize| {
-            let mut row = [0.0; 12];
-            (row[dof], row[6 + dof]) = (-1.0, 1.0);
-            row
-        };
-        let rows = LOCAL.into_iter().enumerate().map(|(k, dof)| BasicRow::new(k + 1, k, &apart(dof), (3, 6)));
-        let columns = DIRECTIONS.into_iter().filter_map(|d| LOCAL.iter().position(|dof| *dof == d));
-        with_materials(rows.collect(), columns)
+    fn roles(&self) -> Roles<'_> {
+        Roles {
+            basic_rows: Some(self),
+            opensees: OpenSeesTraits {
+                calls: R::CALL_DEPENDENT.then_some(self as &dyn CallDependent),
+                damps_in_forces_only: R::DAMPS_IN_FORCES_ONLY,
+                ..OpenSeesTraits::default()
+            },
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
@@ -348,15 +343,11 @@ impl<R: Rules> Element for TriplePendulum<R> {
         }
     }
 
-    fn probe_names(&self) -> &'static [&'static str] {
+    fn probe_names(&self) -> Vec<&'static str> {
         match self.surfaces {
-            Surfaces::Models(_) => &NAMES[..8],
-            Surfaces::Heated(_) => &NAMES[1..],
+            Surfaces::Models(_) => NAMES[..8].to_vec(),
+            Surfaces::Heated(_) => NAMES[1..].to_vec(),
         }
-    }
-
-    fn force_labels(&self) -> Vec<String> {
-        frame_force_labels(12)
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -394,6 +385,19 @@ impl<R: Rules> Element for TriplePendulum<R> {
             }
             _ => self.materials[path[1] as usize].read(&path[2..], s.state, out),
         }
+    }
+}
+
+impl<R: Rules> BasicDeformations for TriplePendulum<R> {
+    fn basic_rows(&self) -> Vec<BasicRow> {
+        let apart = |dof: usize| {
+            let mut row = [0.0; 12];
+            (row[dof], row[6 + dof]) = (-1.0, 1.0);
+            row
+        };
+        let rows = LOCAL.into_iter().enumerate().map(|(k, dof)| BasicRow::new(k + 1, k, &apart(dof), (3, 6)));
+        let columns = DIRECTIONS.into_iter().filter_map(|d| LOCAL.iter().position(|dof| *dof == d));
+        with_materials(rows.collect(), columns)
     }
 }
 
