@@ -1,8 +1,7 @@
 //! Joint of beams and columns with bar slip and interface shear: `beamColumnJoint`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
-use crate::element::roles::ForceLabels;
-use crate::element::roles::Roles;
+use crate::element::roles::{ForceLabels, Roles};
 use crate::material::{Material, MaterialError, Slot, Strain};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SMatrix, SVector, Vector4};

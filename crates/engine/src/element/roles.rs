@@ -175,7 +175,7 @@ impl Default for ForceLabels {
 
 impl ForceLabels {
     /// Names of the columns of an element with `dofs` degrees of freedom.
-    fn names(self, dofs: usize) -> Vec<String> {
+    pub(crate) fn names(self, dofs: usize) -> Vec<String> {
         let axes: &[&str] = if dofs == PLANE_DOFS { &["x", "y"] } else { &["x", "y", "z"] };
         let about = if dofs == PLANE_DOFS { &["z"] } else { axes };
         let of_node = |force: &str| -> Vec<String> {

@@ -9,8 +9,7 @@ mod tetrahedron;
 
 use super::damping::BasicForces;
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use crate::element::roles::ForceLabels;
-use crate::element::roles::{Inertia, Roles};
+use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::material::{SOLID, SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
 use crate::probe::Probe;

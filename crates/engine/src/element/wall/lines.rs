@@ -1,8 +1,7 @@
 //! Multiple-vertical-line elements of walls: `MVLEM` and `MVLEM_3D`.
 
 use super::{LOCAL_FORCE, WallShape, add_stiffness};
-use crate::element::roles::ForceLabels;
-use crate::element::roles::{Inertia, Roles};
+use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
@@ -146,7 +145,8 @@ impl<const D: usize> Element for WallLines<D> {
     }
 
     fn probe_names(&self) -> Vec<&'static str> {
-        let plane = ["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"];
+        let plane =
+            ["curvature", "fiber_strain", "fiber_stress_concrete", "fiber_stress_steel", "shear_force_deformation"];
         plane.into_iter().chain(self.shape.axes.is_some().then_some("localForce")).collect()
     }
 

@@ -3,6 +3,7 @@
 mod lines;
 mod panels;
 
+use super::roles::ForceLabels;
 use super::{ElementError, Mass};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -194,7 +195,7 @@ impl<const D: usize> WallShape<D> {
     fn local_force_probe(&self, words: &[&str]) -> Option<Probe> {
         match words {
             ["localForce" | "localForces", ..] if self.axes.is_some() => {
-                let labels = force_labels(D).into_iter().map(|label| label.replace("global", "local"));
+                let labels = ForceLabels::Wall.names(D).into_iter().map(|label| label.replace("global", "local"));
                 Some(Probe::new(LOCAL_FORCE, labels))
             }
             _ => None,

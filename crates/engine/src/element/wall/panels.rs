@@ -1,8 +1,7 @@
 //! Walls of panels in plane stress: `SFI_MVLEM`, `E_SFI`, `SFI_MVLEM_3D` and `E_SFI_MVLEM_3D`.
 
 use super::{LOCAL_FORCE, WallShape};
-use crate::element::roles::ForceLabels;
-use crate::element::roles::{Inertia, Roles};
+use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
