@@ -15,7 +15,7 @@ mod studies;
 #[path = "diagnose/whole_laws.rs"]
 mod whole_laws;
 
-use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings, hypothesis};
+use hysteron::diagnose::{CheckpointEntry, Diagnosis, Settings};
 use hysteron::study::standalone_script;
 use std::fmt::Write as _;
 use std::fs;
