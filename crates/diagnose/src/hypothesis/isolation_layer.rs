@@ -22,7 +22,11 @@ pub(crate) struct LayerLimit {
 
 /// All of them.
 pub(crate) const LIMITS: &[LayerLimit] = &[
-    LayerLimit { parameter: "period", is_upper: false, finding: "the layer is as stiff as the structure above" },
+    LayerLimit {
+        parameter: "period",
+        is_upper: false,
+        finding: "the layer has hardly twice the period of the structure above",
+    },
     LayerLimit { parameter: "yield", is_upper: true, finding: "the layer hardly yields" },
 ];
 
@@ -55,13 +59,14 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 /// Supports that share a layer, at most.
 const MAX_SUPPORTS: usize = 20;
-/// Period of the structure as one mass on the stiffness above its supports, to which the period of the layer is compared: range
-/// and further starts. A choice: a layer that is stiffer isolates nothing.
-const PERIOD_RATIOS: [f64; 2] = [1.0, 20.0];
-const PERIOD_STARTS: [f64; 3] = [2.0, 4.0, 8.0];
+/// Period of the layer over that of the structure as one mass on the stiffness above its supports: range and further starts.
+/// Isolated structures have more than three times their fixed-base period (ASCE/SEI 7-10, 17.4.1); a layer with less than twice
+/// isolates little.
+const PERIOD_RATIOS: [f64; 2] = [2.0, 20.0];
+const PERIOD_STARTS: [f64; 3] = [3.0, 5.0, 9.0];
 /// Yield force of the layer over the largest force in the fitted fixed-base model: range, start and further starts. A choice:
 /// a layer that stays below its yield force isolates nothing.
-const YIELD_RATIOS: [f64; 2] = [0.01, 2.0];
+const YIELD_RATIOS: [f64; 2] = [0.01, 1.0];
 const YIELD_START: f64 = 0.4;
 const YIELD_STARTS: [f64; 2] = [0.8, 0.15];
 /// Stiffness before yielding over that of the elements above: range and start. A slider that sticks is nearly rigid.
