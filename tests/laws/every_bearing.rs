@@ -375,7 +375,7 @@ fn responses_have_values() {
         let force = e.force(&u);
         e.commit();
         for name in e.element.probe_names() {
-            let words: &[&str] = match *name {
+            let words: &[&str] = match name {
                 "material" if e.element.probe(&["material", "1", "stress"]).is_none() => continue,
                 "material" => &["material", "1", "stress"],
                 "frictionModel" if kind.fixed => &["frictionModel", "1", "COF"],

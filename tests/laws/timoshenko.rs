@@ -5,7 +5,7 @@ use hysteron::element::roles::Inertia;
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, TimoshenkoBeam, TimoshenkoOptions};
 use hysteron::element::load::ElementLoad;
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
-use hysteron::element::{Element, Mass};
+use hysteron::element::Mass;
 use hysteron::section::ElasticSection;
 use nalgebra::Vector3;
 use std::sync::Arc;
