@@ -1,9 +1,9 @@
 //! Beams and their geometric transformations.
 
 use super::driver::{SingleElement, difference};
-use hysteron::element::roles::Inertia;
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, Release};
 use hysteron::element::load::ElementLoad;
+use hysteron::element::roles::Inertia;
 use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::element::{Element, Mass};
 use hysteron::section::ElasticSection;

@@ -1,9 +1,9 @@
 //! `twoNodeLink` and `elastomericBearingPlasticity`.
 
 use super::driver::{SingleElement, difference, path};
-use hysteron::element::roles::Inertance;
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, PlasticShear, SpaceBearing};
+use hysteron::element::roles::Inertance;
 use hysteron::element::{
     Element, ElementInput, ElementOutput, Inerter, InerterOptions, LinkOptions, Mass, MatrixMask, TwoNodeLink,
 };

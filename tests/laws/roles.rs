@@ -92,7 +92,8 @@ fn load_sums(e: &dyn Element) -> Option<Vec<f64>> {
 /// another answer.
 fn compare(name: &str, inner: &dyn Element, outer: &dyn Element) -> Result<(), String> {
     let own = names(inner);
-    let missing: Vec<_> = own.difference(&names(outer)).filter(|n| !OF_THE_INNER_ELEMENT_ALONE.contains(n)).copied().collect();
+    let missing: Vec<_> =
+        own.difference(&names(outer)).filter(|n| !OF_THE_INNER_ELEMENT_ALONE.contains(n)).copied().collect();
     if !missing.is_empty() {
         return Err(format!("{} {name} loses {missing:?}", inner.class()));
     }
@@ -124,7 +125,8 @@ fn compare(name: &str, inner: &dyn Element, outer: &dyn Element) -> Result<(), S
 
 /// Elements of the tables, and bearings.
 fn every_element() -> Vec<Arc<dyn Element>> {
-    let bearings = every_bearing::scripts().map(|s| run(&s).done().interp.host.engine.model().elements[0].element.clone());
+    let bearings =
+        every_bearing::scripts().map(|s| run(&s).done().interp.host.engine.model().elements[0].element.clone());
     ELEMENTS.iter().map(|row| element(row).0.element).chain(bearings).collect()
 }
 

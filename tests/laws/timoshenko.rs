@@ -1,11 +1,11 @@
 //! Timoshenko beam. Its agreement with OpenSees is in `validation/opensees/timoshenko_*`.
 
 use super::driver::{SingleElement, difference};
-use hysteron::element::roles::Inertia;
+use hysteron::element::Mass;
 use hysteron::element::beam::{ElasticBeam, ElasticOptions, TimoshenkoBeam, TimoshenkoOptions};
 use hysteron::element::load::ElementLoad;
+use hysteron::element::roles::Inertia;
 use hysteron::element::transform::{Ends, Transform, TransformKind, TransformSpec};
-use hysteron::element::Mass;
 use hysteron::section::ElasticSection;
 use nalgebra::Vector3;
 use std::sync::Arc;
