@@ -54,7 +54,7 @@ pub(super) fn read_channel(
     let present: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
     let measure = measure(spans, o)?;
     let variance = if measure.is_some() { mean_square(&present) } else { population_variance(&present) };
-    if !(variance > 0.0) {
+    if variance.is_nan() || variance <= 0.0 {
         let (message, expected) = match measure {
             Some(_) => (format!("{channel} of {path} is zero"), "expected measured cycles"),
             None => {
