@@ -14,6 +14,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+#[path = "manual/pages.rs"]
+mod pages;
 #[path = "manual/prose.rs"]
 mod prose;
 #[path = "manual/readme.rs"]

@@ -58,7 +58,7 @@ const TABLE: &[Row] = &[
     ("orbit", "bidirectional_coupling", "bidirectional_coupling", 95),
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
-    ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
+    ("soft ground", "foundation_flexibility", "foundation_flexibility", 90),
     ("pendulums", "isolation_layer", "isolation_layer", 95),
     ("heavy soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("soft model", "none", "none", 90),

@@ -11,7 +11,7 @@ const MIN_SENTENCES: usize = 10;
 const OF_FORMULAS: [&str; 2] = ["docs/verification", "docs/reference/commands"];
 
 /// Markdown pages below a folder.
-fn pages_below(folder: &Path, found: &mut Vec<PathBuf>) {
+pub(super) fn pages_below(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
