@@ -124,7 +124,7 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
         .map_or_else(String::new, |n| format!(" The noise of the recordings is {}.", variance(n.noise)));
     let reasons = match judgement.filter(|_| !is_explained) {
         Some(j) => j.reasons().join("; "),
-        None => "what it leaves looks like noise".into(),
+        None => "the remaining error looks like noise".into(),
     };
     let unsteady = (!c.unsteady_channels.is_empty()).then(|| unsteady_in_words(c.unsteady_channels));
     let checks = unsteady.iter().map(|s| s.trim_end_matches('.').to_owned()).collect();

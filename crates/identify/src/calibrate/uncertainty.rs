@@ -225,11 +225,11 @@ impl Linearization {
         unit_points.extend((0..n).flat_map(|i| [moved(i, DIFFERENCE_STEP), moved(i, -DIFFERENCE_STEP)]));
         let evaluations = problem.evaluate(&unit_points, true);
         if let Some(error) = evaluations.iter().find_map(|e| e.error.as_ref()) {
-            return Err(format!("beside the best point there is no answer: {error}"));
+            return Err(format!("close to the best point there is no answer: {error}"));
         }
         let residuals = |k: usize| -> &Vec<f64> { &evaluations[k].trial.residuals };
         if (0..evaluations.len()).any(|k| residuals(k).len() != residuals(0).len()) {
-            return Err("beside the best point the analysis ends at another time".into());
+            return Err("close to the best point the analysis ends at another time".into());
         }
         let derivative = |i: usize| {
             let (up, down) = (1 + 2 * i, 2 + 2 * i);
