@@ -116,7 +116,7 @@ fn one_cycle_a_run_is_enough() {
     fs::write(folder.join("small.csv"), format!("{}\n{}\n", lines[0], lines[1])).unwrap();
     fs::write(folder.join("large.csv"), format!("{}\n{}\n", lines[0], lines[3])).unwrap();
     let (success, err) = calibrate(&folder);
-    assert!(success, "{err}");
+    assert!(success && !err.contains("channel-doubt"), "{err}");
     let found: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(folder.join("fit/calibration.json")).unwrap()).unwrap();
     for (name, exact) in [("k", 2.0), ("Fy", 3.0)] {

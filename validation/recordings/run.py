@@ -185,7 +185,7 @@ def prove(args, name, only):
             judged.append((variant, said, leading(out)))
             continue
         where = "; ".join(f"{m['at']} in {m['run']} ({m['channel']}): {100 * m['share']:.0f} % of the squared error in {sum(b - a for a, b in m['windows']):.3g} s, {m['regime']}"
-                          for m in said["mismatch"])
+                          for m in said["mismatch"] if m["windows"])
         cause, form, difference, nmse = leading(out)
         weighed = f"Most evidence: {cause} ({form}), {difference:.1f} in log evidence over none, NMSE {number(nmse)}." if cause != "none" else "Nothing had more evidence than none."
         lines += [f"### {name}: {variant}", "", head, "", f"It says: {verdict['explanation']}", "", weighed, "", f"Where the baseline differs: {where or 'nowhere'}.", "", "| run | role | channel | NMSE before | after | NRMSE before | after | peak over recorded before | after |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]

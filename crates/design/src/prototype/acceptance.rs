@@ -97,8 +97,9 @@ fn by_loops(test: &PrototypeTest, nominal: &Nominal, design: &TestDesign, code: 
         ),
     ];
     for (rule, what, [low, high], found) in ranges {
-        let subject =
-            |which: &str| format!("{}: {which} {what} of a cycle over nominal, compared with λ_test of the design", test.name);
+        let subject = |which: &str| {
+            format!("{}: {which} {what} of a cycle over nominal, compared with λ_test of the design", test.name)
+        };
         let least = found.iter().copied().fold(f64::MAX, f64::min);
         let most = found.iter().copied().fold(f64::MIN, f64::max);
         out.push(Check::at_least(subject("least"), Citation::of(code, rule), least, low));

@@ -85,14 +85,15 @@ impl<'a> ChannelFaults<'a> {
         (*low..=*high).contains(&factor)
     }
 
-    /// One finding at most for each channel.
+    /// One finding at most for each channel. A measure of loops is no series of one instrument: it has none.
     pub(super) fn findings(&self) -> Vec<Finding> {
         let finding = |(k, o): (usize, &ObservedChannel)| {
             let without = self.least(k, |m| m.nmse(1.0));
             let explained = self.explanation(k, without).map(|e| self.finding(k, o, &e));
             explained.or_else(|| (without > 1.0).then(|| self.unexplained(o, without)))
         };
-        self.run.observe.iter().enumerate().filter_map(finding).collect()
+        let series = self.run.observe.iter().enumerate().filter(|(_, o)| o.measure.is_none());
+        series.filter_map(finding).collect()
     }
 
     /// The simplest fault among those that explain a channel.
