@@ -610,7 +610,7 @@ class Model:
     def printA(self, *args: _Word, **options: _Word) -> list[float] | None:
         """printA(<'-file', file>, <'-ret'>)
 
-        Prints the matrix of the equations.
+        Prints the matrix of the equations, under system Diagonal its diagonal.
         """
     def printB(self, *args: _Word, **options: _Word) -> list[float] | None:
         """printB(<'-file', file>, <'-ret'>)

@@ -604,7 +604,7 @@ def pressureConstraint(*args: Any) -> NoReturn: ...
 def printA(*args: _Word, **options: _Word) -> list[float] | None:
     """printA(<'-file', file>, <'-ret'>)
 
-    Prints the matrix of the equations.
+    Prints the matrix of the equations, under system Diagonal its diagonal.
     """
 def printB(*args: _Word, **options: _Word) -> list[float] | None:
     """printB(<'-file', file>, <'-ret'>)
