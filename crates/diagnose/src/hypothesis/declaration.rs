@@ -1,6 +1,6 @@
 //! Parts that a cause declares beside its proposals: quantities with published ranges, and what to measure.
 
-/// What to measure to see a cause. `{place}` stands for the place of the effect.
+/// A measurement that shows a cause. `{place}` stands for the place of the effect.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Measurement {
     /// At a building or bridge, whose earthquakes cannot be chosen.

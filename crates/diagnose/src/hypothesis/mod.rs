@@ -51,9 +51,9 @@ pub struct Hypothesis {
     pub refuted_by: &'static str,
     /// Causes that look the same unless a test separates them.
     pub look_alikes: &'static [&'static str],
-    /// What the recordings show, in words.
+    /// The sign of it in the recordings, in words.
     pub shows: &'static str,
-    /// What parts it from its look-alikes, in words.
+    /// The difference from its look-alikes, in words.
     pub parted_by: &'static str,
     /// Parts of the model or channels that it is proposed for, in words.
     pub place: &'static str,
@@ -68,7 +68,7 @@ pub struct Hypothesis {
     pub(crate) memory: &'static [Family],
     /// Materials whose devices can have the effect; empty where it knows no material.
     pub(crate) materials: &'static [DeviceMaterial],
-    /// What to measure to see it.
+    /// The measurement that shows it.
     pub(crate) measurement: Measurement,
     /// Parameters of its forms.
     pub(crate) quantities: &'static [Quantity],

@@ -1,5 +1,6 @@
 //! A model, its state, and the steps that advance it.
 
+mod matrix_terms;
 mod rates;
 mod stepping;
 
@@ -17,6 +18,7 @@ use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, OutsideRange, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
+pub use matrix_terms::MatrixTerms;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -44,18 +46,6 @@ pub struct Setup {
     pub test: Test,
     /// Terms of the matrix that OpenSees' system of equations holds.
     pub matrix_terms: MatrixTerms,
-}
-
-/// Terms of the matrix that a system of equations of OpenSees holds. The solution here always has all of them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum MatrixTerms {
-    /// Every term (`FullGeneral`).
-    All,
-    /// Terms between degrees of freedom that an element joins.
-    #[default]
-    OfElements,
-    /// The diagonal (`Diagonal`).
-    Diagonal,
 }
 
 /// Settings that hold for all analyses of an engine.

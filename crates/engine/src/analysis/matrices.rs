@@ -61,7 +61,7 @@ pub(super) fn dense_tangent(s: &mut System<'_>, mix: TangentMix) -> Vec<f64> {
     with_tangent(s, mix, rows_of)
 }
 
-/// What is taken of the tangent; the solver's own is left as it was.
+/// A part of the tangent, by `take`. The solver's own matrix is left as it was.
 fn with_tangent(s: &mut System<'_>, mix: TangentMix, take: fn(&Workspace) -> Vec<f64>) -> Vec<f64> {
     let work = &mut *s.work;
     let solved_with = work.matrix.values.clone();

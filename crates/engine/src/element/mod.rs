@@ -210,6 +210,20 @@ pub enum Mass {
     Consistent(Vec<f64>),
 }
 
+impl Mass {
+    /// A half of a mass at each of two nodes with `per_node` degrees of freedom, of which the first `ndm` translate.
+    pub(crate) fn halved(mass: f64, per_node: usize, ndm: usize) -> Self {
+        if mass == 0.0 {
+            return Self::None;
+        }
+        let mut m = vec![0.0; 2 * per_node];
+        for node in [0, per_node] {
+            m[node..node + ndm].fill(0.5 * mass);
+        }
+        Self::Lumped(m)
+    }
+}
+
 /// Constant properties of an element, by which the analysis saves work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ElementTraits {
@@ -330,7 +344,7 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
     /// Tangent of the virgin element, n x n by rows, added to a zero matrix.
     fn initial_tangent(&self, tangent: &mut [f64]);
 
-    /// What it does besides: an element around another one has the roles of `Inner::roles`.
+    /// Its special tasks. An element around another one has the roles of `Inner::roles`.
     fn roles(&self) -> Roles<'_>;
 
     /// A response by the words of a recorder command; `None` where the element has none of that name.

@@ -282,14 +282,7 @@ impl Element for TwoNodeLink {
 
 impl Inertia for TwoNodeLink {
     fn mass(&self) -> Mass {
-        if self.mass == 0.0 {
-            return Mass::None;
-        }
-        let mut m = vec![0.0; self.dofs()];
-        for node in [0, self.per_node] {
-            m[node..node + self.ndm].fill(0.5 * self.mass);
-        }
-        Mass::Lumped(m)
+        Mass::halved(self.mass, self.per_node, self.ndm)
     }
 }
 

@@ -250,11 +250,6 @@ pub(super) const OTHERS: &[Slip] = &[
         "It differs between the solvers. A shape and its negative are the same mode.",
         "It is the same with every solver.",
     ),
-    differs(
-        "`LoadControl` with `$numIter $min $max` beyond a limit point",
-        "The next increment goes by the iterations of the last step, which depend on what force-based beams leave of their own.",
-        "Beams iterate to round-off, so that increments may differ. At one load there are several equilibria, and another one may follow.",
-    ),
     differs("`remove sp $node $dof $pattern`", "The motion of a pattern stays.", "The motion is gone."),
     differs(
         "`eigen` after a static analysis with `constraints Transformation`",
