@@ -14,6 +14,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+#[path = "manual/command_pages.rs"]
+mod command_pages;
 #[path = "manual/pages.rs"]
 mod pages;
 #[path = "manual/prose.rs"]

@@ -143,17 +143,17 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn every_option_of_the_command_line_is_told() {
-    let page = page_of("command-line.md");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let list = printed(&["--help"], root);
     let list = list.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
     let names: Vec<&str> = list.lines().filter_map(|l| l.split_whitespace().next()).filter(|n| *n != "help").collect();
     assert!(names.len() >= 7, "{names:?}");
     // Those of several commands have a section of their own.
-    let limits = page.split("\n## Limits\n").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap();
+    let index = page_of("command-line/index.md");
+    let limits = index.split("\n## Limits\n").nth(1).unwrap();
     for name in names {
-        let section = page.split(&format!("\n## {name}\n")).nth(1).unwrap_or_else(|| panic!("{name} has no section"));
-        let told = options(section.split("\n## ").next().unwrap());
+        let page = page_of(&format!("command-line/{name}.md"));
+        let told = options(page.split("\n## Options\n").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap());
         let mut known = options(&printed(&[name, "--help"], root));
         known.remove("help");
         let mut told_here = told.clone();

@@ -1,7 +1,8 @@
 //! The tutorials do what they say: files are written, commands run and outputs compared as `docs/tutorial` has them.
 //!
 //! The first word after the language of a fenced block says what it is: `file=NAME` a file to write, `output` what the
-//! commands before it print, `excerpt=NAME` lines of a file that is there by then. `...` stands for anything.
+//! commands before it print, `excerpt=NAME` lines of a file that is there by then, `status=N` commands that end with this
+//! status in place of 0. `...` stands for anything.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)]
@@ -85,7 +86,9 @@ fn follow_page(name: &str) -> usize {
     let dir: PathBuf = std::env::temp_dir().join(format!("hysteron-tutorial-{stem}-{}", std::process::id()));
     let _ = fs::remove_dir_all(&dir);
     fs::create_dir_all(&dir).unwrap();
-    std::os::unix::fs::symlink(root.join("tcl-like-inputs"), dir.join("tcl-like-inputs")).unwrap();
+    for shipped in ["tcl-like-inputs", "models"] {
+        std::os::unix::fs::symlink(root.join(shipped), dir.join(shipped)).unwrap();
+    }
     let (mut said, mut commands) = (String::new(), 0);
     for block in blocks(&page) {
         let (language, rest) = block.info.split_once(' ').unwrap_or((&block.info, ""));
@@ -100,6 +103,7 @@ fn follow_page(name: &str) -> usize {
             let none = missing(&block.text, &said);
             assert!(none.is_none(), "{place}: not printed: {none:?}\n{said}");
         } else if language == "sh" {
+            let status: i32 = rest.strip_prefix("status=").map_or(0, |n| n.parse().unwrap());
             said.clear();
             for line in block.text.lines().filter(|l| l.starts_with("hysteron ")) {
                 let done = Command::new(env!("CARGO_BIN_EXE_hysteron"))
@@ -109,7 +113,7 @@ fn follow_page(name: &str) -> usize {
                     .unwrap();
                 said += &String::from_utf8_lossy(&done.stdout);
                 said += &String::from_utf8_lossy(&done.stderr);
-                assert!(done.status.success(), "{place}: {line}\n{said}");
+                assert_eq!(done.status.code(), Some(status), "{place}: {line}\n{said}");
                 commands += 1;
             }
         } else {
@@ -182,6 +186,21 @@ fn from_prototype_tests_to_the_design_table() {
 #[test]
 fn an_isolated_bridge() {
     assert_eq!(follow("bridge.md"), 4);
+}
+
+/// Pages of commands without an example that can be run: an editor talks to `lsp`.
+const WITHOUT_EXAMPLE: [&str; 2] = ["index.md", "lsp.md"];
+
+#[test]
+fn examples_of_the_commands() {
+    let folder = "docs/reference/command-line";
+    let entries = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
+    let mut pages: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    pages.retain(|p| !WITHOUT_EXAMPLE.contains(&p.as_str()));
+    pages.sort();
+    for page in pages {
+        assert!(follow_page(&format!("{folder}/{page}")) >= 2, "{page} has no example and no error");
+    }
 }
 
 #[test]

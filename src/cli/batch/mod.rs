@@ -138,5 +138,8 @@ fn write_table(a: &BatchArgs, plan: &Plan, folder: &Path) -> Result<usize, Strin
     let table = table(plan, folder).map_err(incomplete)?;
     write_atomically(&a.out.join("results.csv"), &table.csv)?;
     eprintln!("{} cases, {} of them failed", plan.cases.len(), table.failed);
+    if let Some((hash, message)) = &table.first_failure {
+        eprintln!("the first of them, {}: {message}", folder.join(hash).display());
+    }
     Ok(table.failed)
 }

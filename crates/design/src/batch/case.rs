@@ -34,6 +34,13 @@ fn is_done(row: &str) -> bool {
     row.split(',').nth(1) == Some(DONE)
 }
 
+/// The message of a row, which is its last cell.
+fn message(row: &str) -> String {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(row.as_bytes());
+    let cells = reader.records().next().and_then(Result::ok);
+    cells.and_then(|c| Some(c.iter().next_back()?.to_owned())).unwrap_or_default()
+}
+
 /// Results of the cases of a plan.
 #[derive(Clone, Debug)]
 pub struct Table {
@@ -41,6 +48,8 @@ pub struct Table {
     pub csv: String,
     /// Number of cases whose script was not completed with all results.
     pub failed: usize,
+    /// The first of these cases, by its hash, and its message.
+    pub first_failure: Option<(String, String)>,
 }
 
 /// The table of the cases that `run_case` has completed below `folder`.
@@ -48,12 +57,15 @@ pub struct Table {
 /// # Errors
 /// The number of cases that are not complete.
 pub fn table(plan: &Plan, folder: &Path) -> Result<Table, usize> {
-    let mut table = Table { csv: header(plan), failed: 0 };
+    let mut table = Table { csv: header(plan), failed: 0, first_failure: None };
     let mut missing = 0;
     for case in &plan.cases {
         match hysteron_files::read_text(folder.join(&case.hash).join(ROW)) {
             Ok(row) => {
-                table.failed += usize::from(!is_done(&row));
+                if !is_done(&row) {
+                    table.failed += 1;
+                    table.first_failure.get_or_insert_with(|| (case.hash.clone(), message(&row)));
+                }
                 table.csv += &row;
             }
             Err(_) => missing += 1,

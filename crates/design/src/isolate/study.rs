@@ -233,7 +233,11 @@ fn parsed(path: &Path, text: &str, sources: &mut SourceMap) -> Result<StudyFile,
     let file: StudyFile = toml::from_str(text).map_err(|e| {
         let source = source_of(path, text, sources);
         let at = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
-        Box::new(Diagnostic::error(e.message()).place(at))
+        let table = text.parse::<toml::Table>().unwrap_or_default();
+        let is_other = table.contains_key("model") && !table.contains_key("script");
+        let d = Diagnostic::error(e.message()).place(at);
+        let other = "a study with \"model\" is for calibrate, diagnose and learn; init --isolation writes an isolation study";
+        Box::new(if is_other { d.help(other) } else { d })
     })?;
     match file.check() {
         Ok(()) => Ok(file),

@@ -103,7 +103,7 @@ impl Study {
         let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let folder = folder.canonicalize().map_err(|e| unreadable(file, &e))?;
         let source = sources.add(&file.display().to_string(), text);
-        let parsed: StudyFile = toml::from_str(text).map_err(|e| syntax_error(&e, source))?;
+        let parsed: StudyFile = toml::from_str(text).map_err(|e| syntax_error(&e, text, source))?;
         let spans = SourceSpans::new(source);
         let parameters = read_parameters(&spans, &parsed.parameter)?;
         let space = ParameterSpace::new(parameters).map_err(|cyclic| {
@@ -177,7 +177,7 @@ impl Study {
 }
 
 /// The message for an error of the TOML parser. Unknown keys come with the nearest known one.
-fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
+fn syntax_error(e: &toml::de::Error, text: &str, source: SourceId) -> StudyError {
     let message = e.message().trim();
     let span = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
     let mut quoted = message.split('`').skip(1).step_by(2);
@@ -188,6 +188,10 @@ fn syntax_error(e: &toml::de::Error, source: SourceId) -> StudyError {
         d.message = format!("unknown key \"{word}\"");
         d.label = format!("expected one of {}", known.join(", "));
         d.add_suggestion(word, nearest(word, known.iter().copied()));
+        let table = text.parse::<toml::Table>().unwrap_or_default();
+        if table.contains_key("script") && !table.contains_key("model") {
+            d = d.help("a study with \"script\" is an isolation study: isolate, ida, fragility and response-spectrum run it");
+        }
     }
     Box::new(d)
 }
