@@ -25,6 +25,9 @@ pub(super) struct PrototypeArgs {
     /// Column of the force
     #[arg(long, short = 'f', value_name = "COLUMN")]
     force: String,
+    /// Multiplies the force; -1 turns a reaction into the force of the device
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, allow_negative_numbers = true)]
+    force_factor: f64,
     /// Column of the time in s
     #[arg(long, short = 't', value_name = "COLUMN")]
     time: Option<String>,
@@ -100,7 +103,8 @@ fn columns(a: &PrototypeArgs, file: &str) -> Result<Columnar, String> {
     let column =
         |which: &str, at: usize| table.column_in(which, a.units.get(at).and_then(|word| unit(word))).map_err(of_file);
     let time = a.time.as_deref().map(|which| table.seconds(which).map_err(of_file)).transpose()?;
-    Ok(Columnar { time, u: column(&a.displacement, 1)?, f: column(&a.force, 0)? })
+    let f = column(&a.force, 0)?.into_iter().map(|f| f * a.force_factor).collect();
+    Ok(Columnar { time, u: column(&a.displacement, 1)?, f })
 }
 
 /// Run the command; the text for standard output.
@@ -121,7 +125,7 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
         if !(q_d > 0.0 && k_d > 0.0) {
             return Err("--nominal: expected Q_d and K_d above 0".into());
         }
-        nominal = Nominal { q_d, k_d, k_eff: k_d + q_d / nominal.amplitude, ..nominal };
+        nominal = Nominal { q_d, k_d, k_eff: k_d + q_d / nominal.amplitude, amplitude: nominal.amplitude, tests: 0 };
     }
     let lower = BoundFactors {
         aging: factors("--aging-min", &a.aging_min)?,
@@ -177,5 +181,6 @@ pub(super) fn prototype(a: &PrototypeArgs) -> Result<String, String> {
     }
     let bounds_table = report::bounds_table(&bounds, units).text();
     let checks = check_table(&checks).text();
-    Ok(format!("{}\n{bounds_table}\n{trend_lines}\n{checks}{}\n", table.text(), code.remark()))
+    let rule = code.statement("system_adjustment").map_or_else(String::new, |text| text + "\n");
+    Ok(format!("{}\n{bounds_table}{rule}\n{trend_lines}\n{checks}{}\n", table.text(), code.remark()))
 }

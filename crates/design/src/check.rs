@@ -16,6 +16,8 @@ pub enum Status {
     Scaled,
     /// A limit of a simpler procedure is passed: the design rests on the response history analysis.
     NeedsHistory,
+    /// Second-order effects are to be in the model.
+    NeedsSecondOrder,
 }
 
 impl Status {
@@ -27,6 +29,7 @@ impl Status {
             Self::NotChecked => "not checked",
             Self::Scaled => "scaled up",
             Self::NeedsHistory => "history needed",
+            Self::NeedsSecondOrder => "P-Delta needed",
         }
     }
 }

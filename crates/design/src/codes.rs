@@ -163,6 +163,11 @@ impl Code {
         self.rule.get(rule).map(|r| r.read)
     }
 
+    /// The wording of a rule behind its clause; `None` if the code has no such rule.
+    pub fn statement(&self, rule: &str) -> Option<String> {
+        self.rule.get(rule).map(|r| format!("{}: {}", self.clause(rule), r.text))
+    }
+
     /// Remark on the source that a result must carry; empty if the text was read.
     pub fn remark(&self) -> String {
         if self.text_read {

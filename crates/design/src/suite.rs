@@ -143,10 +143,7 @@ impl Suite {
             }
         }
         for (i, f) in self.scaling.iter().flat_map(|s| &s.factors).enumerate() {
-            if !(0.25..=4.0).contains(f) {
-                let name = &self.motions[i * self.width].name;
-                out.push(format!("{name}: the factor {f:.2} is beyond 0.25 to 4"));
-            }
+            out.extend(extreme_factor(&self.motions[i * self.width].name, *f));
         }
         out
     }
@@ -346,6 +343,15 @@ fn grouped(motions: Vec<Motion>, grouping: Grouping) -> Result<(Vec<Motion>, Opt
         });
     }
     Ok((pairs.iter().flat_map(|p| p.components.clone()).collect(), Some(pairs)))
+}
+
+/// Factors of a motion that need no remark.
+const USUAL_FACTORS: std::ops::RangeInclusive<f64> = 0.25..=4.0;
+
+/// A remark on a factor of a motion that is extreme.
+pub(crate) fn extreme_factor(name: &str, factor: f64) -> Option<String> {
+    let (from, to) = (USUAL_FACTORS.start(), USUAL_FACTORS.end());
+    (!USUAL_FACTORS.contains(&factor)).then(|| format!("{name}: the factor {factor:.2} is beyond {from} to {to}"))
 }
 
 /// Scaling at periods of the range, for 5 % damping as targets have it.

@@ -199,7 +199,7 @@ pub(crate) fn told_clock(clock: Clock, told: &Told, row: &dyn Fn(usize) -> Strin
         Clock::Unknown => Ok(Clock::Steps { start: 0.0, dt: said }),
         Clock::Steps { dt, .. } if (said / dt - 1.0).abs() > TOLD_TOLERANCE => {
             let message = format!("the file gives the step {dt} s, and is told {said} s");
-            Err(Fault::new(message).expected("expected the step of the file, or none"))
+            Err(Fault::new(message).expected("expected the step of the file, or none: hysteron recording FILE --dt STEP --out FILE.csv gives a step to a file without one"))
         }
         Clock::Times(times) if times.len() > 1 => agreeing(&times, said, row),
         of_file => Ok(of_file),

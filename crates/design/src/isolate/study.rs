@@ -9,6 +9,7 @@ use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
 use crate::spectrum::{Combination, PairSpectrum, logarithmic};
+use crate::suite::extreme_factor;
 use crate::target::Target;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use rand::SeedableRng as _;
@@ -200,6 +201,8 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
     }
     if components.len() == 1 {
         // One component alone: the other direction rests.
+        let name = entry.name.as_ref().unwrap_or(&components[0].name);
+        notes.push(format!("{name}: one horizontal component is no pair, and the other direction rests"));
         let rest = vec![0.0; components[0].acceleration.len()];
         components.push(Motion { name: "none".into(), azimuth: None, acceleration: rest, ..components[0].clone() });
     }
@@ -314,6 +317,14 @@ fn unsettled(file: StudyFile, path: &Path, text: &str, texts: &mut Vec<String>) 
         Some([from, to]) => factors(&motions, &target, [from, to]).about(|| key!["scale"])?,
         None => vec![1.0; motions.len()],
     };
+    let names = || motions.iter().map(|m| m.components[0].name.as_str());
+    notes.extend(names().zip(&factors).filter_map(|(name, f)| extreme_factor(name, *f)));
+    if file.scale.is_some() {
+        let own = names().zip(&file.motion).filter(|(_, m)| m.factor.abs() != 1.0);
+        notes.extend(own.map(|(name, m)| {
+            format!("{name}: its factor of {} changes nothing, since scale finds the size of each motion", m.factor)
+        }));
+    }
     for (pair, f) in motions.iter_mut().zip(&factors) {
         pair.components.iter_mut().chain(&mut pair.vertical).for_each(|m| *m = m.scaled(*f));
     }

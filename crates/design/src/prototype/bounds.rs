@@ -15,6 +15,8 @@ pub struct Nominal {
     pub q_d: f64,
     /// Post-elastic stiffness.
     pub k_d: f64,
+    /// Number of tests whose means these are; 0 if the design states them.
+    pub tests: usize,
 }
 
 /// Factors on Q_d and on K_d.
@@ -83,16 +85,34 @@ impl Nominal {
     /// Means of the first three cycles of each test at a design displacement, the largest one if none is given.
     ///
     /// # Errors
-    /// There is no cycle at the displacement, or none whose loop is bilinear.
+    /// There is no cycle at the displacement, its loops supply energy, or none of them is bilinear.
     pub fn of(tests: &[PrototypeTest], design: Option<f64>) -> Result<Self, String> {
         let amplitude = design.unwrap_or_else(|| tests.iter().map(PrototypeTest::amplitude).fold(0.0, f64::max));
         let cycles = at_design(tests, amplitude, 3);
         if cycles.is_empty() {
-            return Err(format!("no test has a cycle at the displacement {amplitude} with a bilinear loop"));
+            return Err(no_cycle(tests, amplitude));
         }
+        let count = tests.iter().filter(|t| !at_design(std::slice::from_ref(t), amplitude, 1).is_empty()).count();
         let mean = |of: fn(&TestCycle) -> f64| cycles.iter().map(of).sum::<f64>() / cycles.len() as f64;
-        Ok(Self { amplitude, k_eff: mean(|c| c.k_eff), q_d: mean(|c| c.q_d), k_d: mean(|c| c.k_d) })
+        Ok(Self { amplitude, k_eff: mean(|c| c.k_eff), q_d: mean(|c| c.q_d), k_d: mean(|c| c.k_d), tests: count })
     }
+}
+
+/// The reason why no cycle has the properties at a displacement.
+fn no_cycle(tests: &[PrototypeTest], amplitude: f64) -> String {
+    let all = || tests.iter().flat_map(|t| &t.cycles);
+    let near: Vec<&TestCycle> = all().filter(|c| is_same(c.amplitude, amplitude)).collect();
+    if near.is_empty() {
+        let mut found: Vec<String> = tests.iter().map(|t| format!("{:.4}", t.amplitude())).collect();
+        found.dedup();
+        return format!("no test has a cycle at the displacement {amplitude}: the amplitudes are {}", found.join(", "));
+    }
+    if near.iter().all(|c| c.edc < 0.0) {
+        return format!(
+            "the loops at the displacement {amplitude} supply energy: is the force turned? --force-factor -1 turns it"
+        );
+    }
+    format!("no cycle at the displacement {amplitude} has a bilinear loop: its energy is beyond that of any")
 }
 
 /// The first cycles of each test at a displacement.

@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn scatter_of_cycles_is_that_of_its_draws() {
         let cycle = |q: f64, k: f64| TestCycle { amplitude: 0.2, q_d: 10.0 * q, k_d: 50.0 * k, ..TestCycle::default() };
-        let nominal = Nominal { amplitude: 0.2, q_d: 10.0, k_d: 50.0, k_eff: 100.0 };
+        let nominal = Nominal { amplitude: 0.2, q_d: 10.0, k_d: 50.0, k_eff: 100.0, tests: 1 };
         let cycles = vec![cycle(1.2, 1.05), cycle(1.0, 1.0), cycle(0.8, 0.97), cycle(0.9, 0.99)];
         let p = Posterior::of(&[PrototypeTest { name: "t".into(), cycles }], &nominal).expect("a posterior");
         let median = (1.2f64 * 1.0 * 0.8 * 0.9).powf(0.25);

@@ -123,14 +123,17 @@ fn warnings(outcomes: &[JobOutcome]) -> impl Iterator<Item = String> {
 }
 
 impl Review {
-    /// Numbers of checks that are not met and met, as the begin of a sentence. Other checks ask for more, or have no limit.
+    /// Numbers of checks by their results, as a sentence without its end.
     pub fn verdict(&self) -> String {
         let count = |s: Status| self.checks.iter().filter(|c| c.status == s).count();
-        match (count(Status::NotMet), count(Status::Met)) {
+        let verdict = match (count(Status::NotMet), count(Status::Met)) {
             (0, met) => format!("All {met} checks with a limit are met"),
             (1, met) => format!("1 check is not met, {met} are met"),
             (missed, met) => format!("{missed} checks are not met, {met} are met"),
-        }
+        };
+        let others = [Status::Scaled, Status::NeedsHistory, Status::NeedsSecondOrder, Status::NotChecked];
+        let told = others.into_iter().filter(|s| count(*s) > 0).map(|s| format!(", {} {}", s.word(), count(s)));
+        told.fold(verdict, |text, other| text + &other)
     }
 
     /// Schedule of the bearings.

@@ -68,7 +68,7 @@ fn worst(checks: &[Check]) -> Vec<Check> {
     let rank = |c: &Check| match c.status {
         Status::NotMet => 0,
         Status::Scaled => 1,
-        Status::NeedsHistory => 2,
+        Status::NeedsHistory | Status::NeedsSecondOrder => 2,
         Status::Met => 3,
         Status::NotChecked => 4,
     };
@@ -363,7 +363,7 @@ fn loops(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Revi
 }
 
 /// Meaning of the symbols of the page.
-const SYMBOLS: [(&str, &str); 12] = [
+const SYMBOLS: [(&str, &str); 15] = [
     (
         "D_M, T_M, k_M, β_M, B_M",
         "displacement, effective period, stiffness, damping and damping coefficient of the procedure",
@@ -376,6 +376,12 @@ const SYMBOLS: [(&str, &str); 12] = [
     ("D_TM plan", "D_M times the torsional ratio of the bearing's place in the plan"),
     ("D, L, Q_E", "in loads: dead load, live load, change of the axial force under the motion"),
     ("P, P_cr", "axial force, compression positive; critical load with the overlapping area at the displacement"),
+    (
+        "P/P_cr history, P/P_cr, P/P_cr scaled",
+        "largest ratio in a history; of the largest vertical load at the displacement of the suite; at D design",
+    ),
+    ("residual, energy", "displacement at the end of the analysis; work that the bearing dissipates in it"),
+    ("V_s by activation", "shear above from the force that sets the isolation in motion"),
     ("Q_d, K_d, K_eff", "strength at zero displacement, stiffness after yielding, secant stiffness"),
     ("λ", "factor of a bound on Q_d or K_d"),
     ("S_MS, S_M1", "spectral accelerations of the target at short periods and at 1 s, in g"),

@@ -217,7 +217,7 @@ fn drift(study: &Study, outcomes: &[JobOutcome], out: &mut Review, bound: &'stat
     if let Some(limit) = code.value("second_order", "most") {
         let subject = format!("{bound}: drift ratio from which on second-order effects are to be in the model");
         let check = Check::at_most(subject, Citation::of(code, "second_order"), found, limit / reduction(study));
-        out.checks.push(check.or_else(Status::NeedsHistory));
+        out.checks.push(check.or_else(Status::NeedsSecondOrder));
     }
 }
 

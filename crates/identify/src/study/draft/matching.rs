@@ -19,6 +19,8 @@ pub(super) struct Candidate<'a> {
     file: &'a str,
     column: usize,
     place: &'a str,
+    /// Words of the recorder.
+    words: &'a str,
     trace: &'a Trace,
 }
 
@@ -55,23 +57,23 @@ impl<'a> Candidate<'a> {
         let columns = |(file, trace): &'a (String, Trace)| {
             let has_time =
                 trace.width > 1 && trace.values.iter().step_by(trace.width).zip(&trace.times).all(|(v, t)| v == t);
-            let place = outline.place(file).unwrap_or_default();
+            let (place, words) = (outline.place(file).unwrap_or_default(), outline.words(file).unwrap_or_default());
             let usable = !trace.times.is_empty() && !trace.no_clock;
             let first = usize::from(has_time);
             (first..if usable { trace.width } else { first }).map(move |column| Candidate {
                 file,
                 column,
                 place,
+                words,
                 trace,
             })
         };
         traces.iter().flat_map(columns).collect()
     }
 
-    /// The quantity that the name of the file or of the response stands for.
-    fn quantity(&self) -> Option<Quantity> {
-        let words = format!("{} {}", self.place, self.file).to_lowercase();
-        quantity_of(&words)
+    /// The quantity that the words of the recorder or the name of its file stand for.
+    pub(super) fn quantity(&self) -> Option<Quantity> {
+        quantity_of(&format!("{} {}", self.words, self.file).to_lowercase())
     }
 }
 
@@ -98,10 +100,15 @@ pub(super) fn match_columns(recording: &Recording, candidates: &[Candidate<'_>])
     recording.columns.iter().map(|c| best(c, &recording.times, candidates)).collect()
 }
 
-fn best(column: &Column, times: &[f64], candidates: &[Candidate<'_>]) -> Option<Match> {
+/// The quantity of a recorded column, by its unit or its name.
+pub(super) fn recorded_quantity(column: &Column) -> Option<Quantity> {
     let of_unit = unit::unit(&column.unit).map(|u| u.quantity);
+    of_unit.or_else(|| quantity_of(&column.name.to_lowercase()))
+}
+
+fn best(column: &Column, times: &[f64], candidates: &[Candidate<'_>]) -> Option<Match> {
     let name = column.name.to_lowercase();
-    let quantity = of_unit.or_else(|| quantity_of(&name));
+    let quantity = recorded_quantity(column);
     let mut best: Option<(f64, Match)> = None;
     for c in candidates {
         let other = c.quantity();

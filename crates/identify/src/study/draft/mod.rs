@@ -12,6 +12,7 @@ use super::study_file::StudySpans;
 use super::trace::Trace;
 use hysteron_engine::analysis::Options;
 use hysteron_opensees::run::End;
+use hysteron_recordings::unit::Quantity;
 use hysteron_recordings::{Recording, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE};
 use hysteron_tcl::top_level;
@@ -44,6 +45,8 @@ struct DraftRun {
     unknown_variable: Option<String>,
     /// A match for each column of the recording.
     matches: Vec<Option<Match>>,
+    /// Quantities of the outputs of the script that are known.
+    recorded: Vec<Quantity>,
 }
 
 /// Values of variables and parameters after a run of the script.
@@ -98,6 +101,7 @@ pub fn draft_study(
             failure: None,
             unknown_variable: None,
             matches: vec![],
+            recorded: vec![],
         });
     }
     let mut draft = Draft { folder, model, outline, stop: stop.clone(), values: ScriptValues::default() };
@@ -227,6 +231,7 @@ impl Draft {
         };
         let candidates = Candidate::of_traces(&traces, &self.outline);
         run.matches = matching::match_columns(&run.recording, &candidates);
+        run.recorded = candidates.iter().filter_map(Candidate::quantity).collect();
     }
 }
 
@@ -270,6 +275,17 @@ impl ScriptOutline {
     /// The place that a recorder of a file records, as its words say.
     fn place(&self, file: &str) -> Option<&str> {
         self.recorders.iter().find(|(f, _)| f == file).map(|(_, place)| place.as_str())
+    }
+
+    /// The words of the recorder of a file whose name in the script may begin with a variable: `$folder/disp.out`.
+    fn words(&self, file: &str) -> Option<&str> {
+        let ends = |name: &str| {
+            let tail = name.rfind(['$', ']']).and_then(|at| name[at..].find('/').map(|slash| &name[at + slash..]));
+            tail.is_some_and(|tail| file.ends_with(tail))
+        };
+        let mut by_end = self.recorders.iter().filter(|(name, _)| ends(name)).map(|(_, words)| words.as_str());
+        let only = by_end.next().filter(|_| by_end.next().is_none());
+        self.place(file).or(only)
     }
 }
 
@@ -341,5 +357,8 @@ mod tests {
             (outline.place("force.out"), outline.place("d.out")),
             (Some("element 1 force"), Some("node 2 dof 1 disp"))
         );
+        let outline = ScriptOutline::of("recorder Node -file $out/base.out -time -node [master 1] -dof 1 disp\n");
+        assert_eq!((outline.place("results/base.out"), outline.words("results/other.out")), (None, None));
+        assert!(outline.words("results/base.out").is_some_and(|words| words.ends_with("disp")));
     }
 }

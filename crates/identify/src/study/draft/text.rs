@@ -1,6 +1,6 @@
 //! The text of a drafted study.
 
-use super::matching::Match;
+use super::matching::{Match, recorded_quantity};
 use super::{Draft, DraftRun};
 use hysteron_recordings::Column;
 use std::fmt::Write as _;
@@ -111,6 +111,10 @@ fn write_run(out: &mut String, draft: &Draft, run: &DraftRun, is_last: bool) {
     }
     for (c, m) in &observed {
         write_channel(out, c, m);
+        let is_same = |o: &&(&Column, &Match)| o.0.name != c.name && o.1.file == m.file && o.1.column == m.column;
+        if let Some((other, _)) = observed.iter().find(is_same) {
+            let _ = writeln!(out, "# CHECK: {} has this column too, and one of them is wrong.", one_line(&other.name));
+        }
     }
     if observed.is_empty() {
         write_missing(out, run);
@@ -122,7 +126,10 @@ fn write_run(out: &mut String, draft: &Draft, run: &DraftRun, is_last: bool) {
                 format!("is the motion that the script imposes ({} column {})", m.file, m.column)
             }
             Some(m) => format!("follows no output; the nearest is {} column {}, {}", m.file, m.column, certainty(m)),
-            None => "follows no output".to_owned(),
+            None => match recorded_quantity(c).filter(|q| !run.recorded.contains(q)) {
+                Some(q) => format!("it is {q}, and the script records none: a recorder with -time and -file is needed"),
+                None => "follows no output".to_owned(),
+            },
         };
         let _ = writeln!(out, "\n# {} of the recording is not observed: {why}.", one_line(&c.name));
     }

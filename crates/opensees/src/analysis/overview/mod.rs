@@ -102,7 +102,7 @@ impl Overview {
         let period = if is_small && mass.iter().any(|m| *m != 0.0) { first_period(engine) } else { None };
         self.list_masses(&mass, axis, gravity.as_ref());
         if let Some(t) = period {
-            self.add("first period", short(t));
+            self.add("first period", format!("{}, with the first stiffness", short(t)));
         }
         if let Some((node, dof, u)) = self.statics.as_ref().and_then(|s| s.displacement) {
             self.add(
