@@ -12,7 +12,7 @@ use std::fmt;
 
 /// The roles of a material; the default is a material without any.
 ///
-/// [`UniaxialRoles::around`] takes this apart field by field, so that laws around others decide on a new role.
+/// `UniaxialRoles::around` takes this apart field by field, so that laws around others decide on a new role.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct UniaxialRoles<'a> {
     /// The histories of many points have a layout of their own.
