@@ -81,6 +81,8 @@ mod springs;
 mod timoshenko;
 #[path = "laws/triple.rs"]
 mod triple;
+#[path = "laws/uniaxial_roles.rs"]
+mod uniaxial_roles;
 #[path = "laws/wrappers.rs"]
 mod wrappers;
 #[path = "laws/yamamoto.rs"]

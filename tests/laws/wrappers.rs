@@ -2,7 +2,7 @@
 
 use super::every_kind::MATERIALS;
 use super::parts::{PARTS, parts};
-use super::script::run;
+use super::script::Script;
 use hysteron::material::{
     Fatigue, FatigueParameters, InitialState, InitialStrain, Iteration, LimitCurve, Material, MinMax, Mullins,
     Multiaxial, ObservedColumns, PLANE, Parallel, ParallelSolids, SOLID, Series, SeriesSolids, SeriesTolerance,
@@ -39,12 +39,12 @@ fn quoted(folder: &str) -> BTreeSet<String> {
     words
 }
 
-fn definitions(script: &str) -> Definitions {
-    run(&format!("model basic -ndm 2 -ndf 3\n{script}")).interp.host.builder.definitions.clone()
+fn definitions(host: Script, script: &str) -> Definitions {
+    host.run(&format!("model basic -ndm 2 -ndf 3\n{script}")).done().interp.host.builder.definitions.clone()
 }
 
 /// Every kind of the table of materials, and a law that watches a column.
-fn materials() -> Vec<(String, Material)> {
+pub fn materials(host: Script) -> Vec<(String, Material)> {
     let mut script = format!("{PARTS}{WATCHING}");
     let mut made = vec![];
     for (i, (words, _)) in MATERIALS.iter().enumerate() {
@@ -53,7 +53,7 @@ fn materials() -> Vec<(String, Material)> {
         made.push((words.to_string(), tag));
     }
     made.push(("LimitState with a curve".to_owned(), 70));
-    let definitions = definitions(&script);
+    let definitions = definitions(host, &script);
     let law = |tag| Material::clone(definitions.materials.get(tag).unwrap());
     made.into_iter().map(|(words, tag)| (words, law(tag))).collect()
 }
@@ -178,7 +178,7 @@ fn compare(
 }
 
 /// Wrappers of one law, with the words in front of those of the law inside: of responses and of parameters.
-fn wrappers(law: &Material) -> Vec<(&'static str, Material, &'static [&'static str])> {
+pub fn wrappers(law: &Material) -> Vec<(&'static str, Material, &'static [&'static str])> {
     let one = || (Material::clone(law), 1);
     let life = FatigueParameters { d_max: 1.0, e0: 1e9, m: -0.5, limits: (-1e9, 1e9) };
     let fiber = Fiber { y: 0.0, z: 0.0, area: 1.0, material: one() };
@@ -201,7 +201,7 @@ fn wrappers(law: &Material) -> Vec<(&'static str, Material, &'static [&'static s
 fn every_law_is_whole_inside_wrappers_and_as_a_fiber() {
     let words = quoted("crates/engine/src/material");
     let (mut lost, mut compared) = (vec![], 0);
-    for (name, law) in &materials() {
+    for (name, law) in &materials(Script::default()) {
         let bare = Slot::new(law.clone(), 1, 0);
         for (kind, wrapped, path) in wrappers(law) {
             let twice = Slot::new(Material::new(MinMax::new((wrapped.clone(), 2), -1e9, 1e9, false)), 1, 0);
@@ -227,7 +227,7 @@ fn every_section_is_whole_inside_an_aggregator() {
     let words = quoted("crates/engine/src/section");
     let watching = "section Fiber 71 { fiber 0. 0. 1. 70\nfiber 0.1 0. 1. 11 }
         section Aggregator 72 13 Vy -section 71\nsection Uniaxial 73 70 P\nsection Elastic 74 200. 0.1 0.2\n";
-    let definitions = definitions(&format!("{}{WATCHING}{watching}", parts(2)));
+    let definitions = definitions(Script::default(), &format!("{}{WATCHING}{watching}", parts(2)));
     let addition = || (Material::clone(definitions.materials.get(13).unwrap()), 13, Resultant::T);
     let mut lost = vec![];
     for tag in [21, 22, 23, 61, 63, 71, 72, 73, 74] {
@@ -308,7 +308,7 @@ fn every_continuum_is_whole_inside_wrappers() {
         nDMaterial ASDConcrete3D 77 30000. 0.2 -Te 0. 9e-5 1.5e-4 5e-3 -Ts 0. 2.7 3. 0.6 -Td 0. 0. 0. 0.96 \\
             -Ce 0. 5e-4 1e-3 2e-3 1.8e-1 -Cs 0. 15. 25. 30. 3. -Cd 0. 0. 0. 0. 0.99 -autoRegularization 100. -eta 0.1
         nDMaterial J2Plasticity 78 166.7 76.9 2. 3. 12. 3. 0.5\n";
-    let definitions = definitions(&format!("{}{WATCHING}{more}", parts(2)));
+    let definitions = definitions(Script::default(), &format!("{}{WATCHING}{more}", parts(2)));
     let mut lost = vec![];
     let family = |tag: i32| definitions.nd_materials.get(tag).unwrap().clone();
     for tag in [31, 36, 37, 40, 39, 51, 52, 77, 78] {
@@ -349,7 +349,7 @@ fn every_continuum_is_whole_inside_wrappers() {
 /// A bar of a layer is the bar in responses, time and watched columns, through a plate of layers too.
 #[test]
 fn bars_of_plates_are_whole() {
-    for (name, law) in &materials() {
+    for (name, law) in &materials(Script::default()) {
         let bar = PlateRebar::new(law.clone(), 1, 0.0);
         assert_eq!(bar.limit_curves().len(), law.limit_curves().len(), "{name}");
         assert_eq!(bar.depends_on_time(), law.depends_on_time(), "{name}");

@@ -1,12 +1,13 @@
 //! Uniaxial materials that count how often they are asked, in the place of those that a script defines.
 
-use hysteron::material::{Material, MaterialError, SharedUniaxial, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use hysteron::material::roles::{LastTrial, LawParameters, PointLayout, UniaxialRoles};
+use hysteron::material::{
+    Material, MaterialError, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
+};
 use hysteron::opensees::Tcl;
 use hysteron::parameter::Changed;
-use hysteron::probe::Probe;
 use hysteron::run::Run;
 use hysteron::tcl::{Call, Exception, Value};
-use std::any::Any;
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -44,8 +45,6 @@ fn count_calls_of(interp: &mut Tcl, call: &Call<'_>) -> Result<Value, Exception>
 #[derive(Debug)]
 struct Counted(Material);
 
-hysteron::watches_columns!(Counted => |s| in [&s.0]);
-
 #[deny(clippy::missing_trait_methods)]
 impl Uniaxial for Counted {
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
@@ -62,33 +61,6 @@ impl Uniaxial for Counted {
         count(strains.value.len());
         self.0.update_all(committed, strains, next, stresses)
     }
-    fn update_all_on(
-        &self,
-        committed: &[f64],
-        before: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        count(strains.value.len());
-        self.0.update_all_on(committed, before, strains, next, stresses)
-    }
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
-        let (material, old) = self.0.with_parameter(words, value)?;
-        Ok((Arc::new(Self(material)), old))
-    }
-
-    // Points are neither padded nor joined with those of other materials, so that each counts once.
-    fn block_len(&self) -> usize {
-        1
-    }
-    fn shifted(&self) -> Option<(&Slot, f64)> {
-        None
-    }
-    fn as_any(&self) -> Option<&dyn Any> {
-        None
-    }
-
     fn name(&self) -> &'static str {
         self.0.name()
     }
@@ -98,43 +70,75 @@ impl Uniaxial for Counted {
     fn init(&self, state: &mut [f64]) {
         self.0.init(state);
     }
-    fn init_all(&self, n: usize, state: &mut [f64]) {
-        self.0.init_all(n, state);
-    }
-    fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
-        self.0.commit_all(trial, committed);
-    }
-    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
-        self.0.copy_history(from, to);
-    }
-    fn virgin_tangent(&self, range: [f64; 2]) -> Option<f64> {
-        self.0.virgin_tangent(range)
-    }
-    fn are_virgin(&self, state: &[f64]) -> bool {
-        self.0.are_virgin(state)
-    }
-    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
-        self.0.leave_trace(tried, committed);
+    fn traits(&self) -> UniaxialTraits {
+        self.0.traits()
     }
     fn initial_tangent(&self) -> f64 {
         self.0.initial_tangent()
     }
-    fn is_viscous(&self) -> bool {
-        self.0.is_viscous()
+    fn roles(&self) -> UniaxialRoles<'_> {
+        let UniaxialRoles {
+            layout,
+            commit,
+            last_trial,
+            trace,
+            virgin,
+            shown_strain,
+            parameters: _,
+            responses,
+            columns,
+            shifted: _,
+            law: _,
+        } = self.0.roles();
+        UniaxialRoles {
+            layout: layout.map(|_| self as &dyn PointLayout),
+            commit,
+            last_trial: last_trial.map(|_| self as &dyn LastTrial),
+            trace,
+            virgin,
+            shown_strain,
+            parameters: Some(self),
+            responses,
+            columns,
+            shifted: None,
+            law: None,
+        }
     }
-    fn depends_on_time(&self) -> bool {
-        self.0.depends_on_time()
+}
+
+/// Points are neither padded nor joined with those of other materials, so that each counts once.
+impl PointLayout for Counted {
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        self.0.init_all(n, state);
     }
-    fn is_linear(&self) -> bool {
-        self.0.is_linear()
+    fn block_len(&self) -> usize {
+        1
     }
-    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
-        self.0.shown_strain(strain, state)
+    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
+        self.0.copy_history(from, to);
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.0.probe(words)
+}
+
+impl LastTrial for Counted {
+    fn update_all_on(
+        &self,
+        committed: &[f64],
+        before: &[f64],
+        strains: &Strains<'_>,
+        next: &mut [f64],
+        stresses: &mut Stresses<'_>,
+    ) -> Result<(), MaterialError> {
+        count(strains.value.len());
+        match self.0.roles().last_trial {
+            Some(law) => law.update_all_on(committed, before, strains, next, stresses),
+            None => self.0.update_all(committed, strains, next, stresses),
+        }
     }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.0.read(path, state, out);
+}
+
+impl LawParameters for Counted {
+    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+        let (material, old) = self.0.with_parameter(words, value)?;
+        Ok((Arc::new(Self(material)), old))
     }
 }

@@ -40,7 +40,7 @@ mod wall;
 mod zero_length;
 mod zero_length_section;
 
-use crate::material::{MaterialError, Slot, WatchesColumns};
+use crate::material::{MaterialError, Slot, UniaxialTraits, WatchesColumns};
 pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::any::Any;
@@ -241,15 +241,9 @@ pub struct ElementTraits {
 
 impl ElementTraits {
     /// Of an element that is as its materials are: symmetric, and without Rayleigh damping.
-    pub(crate) fn of<'a>(materials: impl Iterator<Item = &'a Slot> + Clone) -> Self {
-        let laws = || materials.clone().map(|s| &s.material);
-        Self {
-            linear: laws().all(|m| m.is_linear()),
-            symmetric: true,
-            viscous: laws().any(|m| m.is_viscous()),
-            elapses: laws().any(|m| m.depends_on_time()),
-            rayleigh: false,
-        }
+    pub(crate) fn of<'a>(materials: impl Iterator<Item = &'a Slot>) -> Self {
+        let UniaxialTraits { linear, viscous, elapses } = UniaxialTraits::of(materials);
+        Self { linear, symmetric: true, viscous, elapses, rayleigh: false }
     }
 }
 

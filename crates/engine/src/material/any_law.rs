@@ -1,15 +1,14 @@
 //! Every [`UniaxialLaw`] as a [`Uniaxial`] material: its history lies in the state of an element.
 
-use super::plain_methods::plain_methods;
+use super::roles::{LawParameters, LawResponses, PointLayout, ShownStrain, UniaxialRoles};
 use super::{
     LimitCurve, MaterialError, ObservedColumns, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial,
-    UniaxialLaw, WatchesColumns,
+    UniaxialLaw, UniaxialTraits, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
 use crate::parameter::{Changed, existing, first};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
-use std::any::Any;
 use std::sync::Arc;
 
 impl<L: UniaxialLaw> WatchesColumns for L {
@@ -26,7 +25,6 @@ impl<L: UniaxialLaw> WatchesColumns for L {
 }
 
 impl<L: UniaxialLaw> Uniaxial for L {
-    plain_methods! { update_all_on shifted commit_all virgin_tangent are_virgin leave_trace }
     fn name(&self) -> &'static str {
         L::NAME
     }
@@ -36,26 +34,11 @@ impl<L: UniaxialLaw> Uniaxial for L {
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
     }
-    fn init_all(&self, n: usize, state: &mut [f64]) {
-        let len = L::State::LEN;
-        if !L::BY_QUANTITY {
-            state.chunks_exact_mut(len.max(1)).for_each(|point| L::State::default().write(point));
-            return;
-        }
-        let mut one = vec![0.0; len];
-        L::State::default().write(&mut one);
-        state.chunks_exact_mut(n.max(1)).zip(one).for_each(|(quantity, value)| quantity.fill(value));
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits { linear: self.is_linear(), viscous: self.is_viscous(), elapses: self.depends_on_time() }
     }
-    fn block_len(&self) -> usize {
-        if L::BY_QUANTITY { BLOCK } else { 1 }
-    }
-    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
-        let len = L::State::LEN;
-        if L::BY_QUANTITY {
-            (0..len).for_each(|q| to[q * m + j] = from[q * n + i]);
-        } else {
-            to[j * len..(j + 1) * len].copy_from_slice(&from[i * len..(i + 1) * len]);
-        }
+    fn initial_tangent(&self) -> f64 {
+        UniaxialLaw::initial_tangent(self)
     }
     #[inline]
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
@@ -72,21 +55,41 @@ impl<L: UniaxialLaw> Uniaxial for L {
     ) -> Result<(), MaterialError> {
         self.update_points(committed, strains, next, stresses)
     }
-    fn initial_tangent(&self) -> f64 {
-        UniaxialLaw::initial_tangent(self)
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles {
+            layout: L::BY_QUANTITY.then_some(self as &dyn PointLayout),
+            shown_strain: Some(self),
+            parameters: Some(self),
+            responses: Some(self),
+            columns: self.limit_curve().map(|_| self as &dyn WatchesColumns),
+            law: Some(self),
+            ..UniaxialRoles::default()
+        }
     }
-    fn is_viscous(&self) -> bool {
-        UniaxialLaw::is_viscous(self)
+}
+
+/// The layout of a law with [`UniaxialLaw::BY_QUANTITY`].
+impl<L: UniaxialLaw> PointLayout for L {
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        let mut one = vec![0.0; L::State::LEN];
+        L::State::default().write(&mut one);
+        state.chunks_exact_mut(n.max(1)).zip(one).for_each(|(quantity, value)| quantity.fill(value));
     }
-    fn depends_on_time(&self) -> bool {
-        UniaxialLaw::depends_on_time(self)
+    fn block_len(&self) -> usize {
+        BLOCK
     }
-    fn is_linear(&self) -> bool {
-        UniaxialLaw::is_linear(self)
+    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        (0..L::State::LEN).for_each(|q| to[q * m + j] = from[q * n + i]);
     }
+}
+
+impl<L: UniaxialLaw> ShownStrain for L {
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         UniaxialLaw::shown_strain(self, strain)
     }
+}
+
+impl<L: UniaxialLaw> LawParameters for L {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let name = first(words)?;
@@ -98,9 +101,9 @@ impl<L: UniaxialLaw> Uniaxial for L {
         let old = existing(old)?;
         Ok((Arc::new(new), old))
     }
-    fn as_any(&self) -> Option<&dyn Any> {
-        Some(self)
-    }
+}
+
+impl<L: UniaxialLaw> LawResponses for L {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         UniaxialLaw::probe(self, words)
     }

@@ -1,8 +1,6 @@
 //! Backbone curves (`hystereticBackbone`), and the elastic law that follows one.
 
-use super::plain_methods::plain_methods;
-use super::{LimitCurve, Material, MaterialError, ObservedColumns, Strain, Stress, Uniaxial, WatchesColumns};
-use crate::probe::Probe;
+use super::{Material, MaterialError, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits, updates_each_point};
 use std::sync::Arc;
 
 /// Slope of a horizontal branch divided by the elastic slope.
@@ -320,17 +318,9 @@ pub struct BackboneElastic {
 }
 
 /// The material of a curve is virgin at every strain: there is no history that a column could change.
-impl WatchesColumns for BackboneElastic {
-    fn limit_curves(&self) -> Vec<&LimitCurve> {
-        vec![]
-    }
-    fn observe(&self, _: &mut [f64], _: &ObservedColumns<'_>) {}
-}
-
 #[deny(clippy::missing_trait_methods)]
 impl Uniaxial for BackboneElastic {
-    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
-    with_parameter as_any }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         "Backbone"
     }
@@ -349,17 +339,10 @@ impl Uniaxial for BackboneElastic {
     fn initial_tangent(&self) -> f64 {
         self.factor * self.backbone.at(0.0).map_or(0.0, |(_, slope)| slope)
     }
-    fn is_viscous(&self) -> bool {
-        false
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits::default()
     }
-    fn depends_on_time(&self) -> bool {
-        false
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles::default()
     }
-    fn is_linear(&self) -> bool {
-        false
-    }
-    fn probe(&self, _: &[&str]) -> Option<Probe> {
-        None
-    }
-    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
 }

@@ -1,6 +1,7 @@
 //! Laws that watch columns, and the parts of a model that hold such laws.
 
-use super::{ColumnResponse, LimitCurve, Uniaxial};
+use super::{ColumnResponse, LimitCurve, Material};
+use std::fmt;
 
 /// Committed responses of columns, each found by the limit curve that names the column.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ impl ObservedColumns<'_> {
 
 /// A law, a section or an element, which may watch columns or hold laws that do. It has no method with a default, so that
 /// every kind decides; [`watches_columns!`](crate::watches_columns!) writes the common cases.
-pub trait WatchesColumns {
+pub trait WatchesColumns: fmt::Debug {
     /// Limit curves of all laws inside.
     fn limit_curves(&self) -> Vec<&LimitCurve>;
     /// Changes the histories of the laws inside by the responses of their columns. `committed` is the committed state that
@@ -72,8 +73,8 @@ macro_rules! watches_columns {
     };
 }
 
-/// Shows the columns to `n` points in the layout of [`Uniaxial::init_all`].
-pub(crate) fn observe_points(law: &dyn Uniaxial, n: usize, states: &mut [f64], columns: &ObservedColumns<'_>) {
+/// Shows the columns to `n` points in the layout of the law.
+pub(crate) fn observe_points(law: &Material, n: usize, states: &mut [f64], columns: &ObservedColumns<'_>) {
     if law.limit_curves().is_empty() {
         return;
     }

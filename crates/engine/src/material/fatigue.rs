@@ -1,7 +1,7 @@
 //! Low-cycle fatigue around another material.
 
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, Slot, Strain, Stress};
+use super::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
@@ -211,14 +211,8 @@ impl Wrapper for FatigueCount {
     fn initial_tangent(&self, inner: &[Slot]) -> f64 {
         inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self, inner: &[Slot]) -> bool {
-        inner[0].material.is_viscous()
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self, _: &[Slot]) -> bool {
-        false
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits {
+        UniaxialTraits { linear: false, ..inner }
     }
     fn has_failed(&self, state: &[f64]) -> bool {
         Cycles::read(state).failed != 0.0

@@ -2,10 +2,9 @@
 
 mod opensees;
 
-use super::{MaterialError, Strain, Stress, Uniaxial};
-use crate::material::plain_methods::plain_methods;
+use super::roles::{PartialCommit, ShownStrain, TrialTrace, UniaxialRoles};
+use super::{MaterialError, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::numeric::{bracketed_root, sign};
-use crate::probe::Probe;
 use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
 pub use opensees::ElasticRange;
@@ -364,10 +363,8 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     }
 }
 
-crate::watches_columns!([D: Device, R: Rules] KikuchiAiken<D, R> => nothing);
-
 impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
-    plain_methods! { init_all block_len update_all update_all_on shifted copy_history virgin_tangent are_virgin with_parameter as_any }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         D::NAME
     }
@@ -404,6 +401,18 @@ impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
         Ok(Stress { value: t.force, tangent: t.stiffness, damping: 0.0 })
     }
 
+    fn initial_tangent(&self) -> f64 {
+        R::initial_tangent(self.elastic, self.rs)
+    }
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits::default()
+    }
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles { commit: Some(self), trace: Some(self), shown_strain: Some(self), ..UniaxialRoles::default() }
+    }
+}
+
+impl<D: Device, R: Rules> PartialCommit for KikuchiAiken<D, R> {
     fn commit_all(&self, trial: &[f64], committed: &mut [f64]) {
         let points = trial.chunks_exact(self.state_len()).zip(committed.chunks_exact_mut(self.state_len()));
         for (trial, committed) in points {
@@ -411,28 +420,16 @@ impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
             committed[..used].copy_from_slice(&trial[..used]);
         }
     }
+}
 
+impl<D: Device, R: Rules> TrialTrace for KikuchiAiken<D, R> {
     fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
         R::leave_trace(tried, committed);
     }
+}
 
-    fn initial_tangent(&self) -> f64 {
-        R::initial_tangent(self.elastic, self.rs)
-    }
-    fn is_viscous(&self) -> bool {
-        false
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self) -> bool {
-        false
-    }
+impl<D: Device, R: Rules> ShownStrain for KikuchiAiken<D, R> {
     fn shown_strain(&self, strain: f64, _: &[f64]) -> f64 {
         R::shown_strain(strain, [self.rs, self.rf])
     }
-    fn probe(&self, _: &[&str]) -> Option<Probe> {
-        None
-    }
-    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
 }

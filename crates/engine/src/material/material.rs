@@ -38,6 +38,8 @@ pub struct Material {
     origin: Option<Arc<Origin>>,
 }
 
+crate::watches_columns!(Material => |m| in m.law.roles().columns);
+
 impl Material {
     /// The material of a law.
     pub fn new(law: impl Uniaxial + 'static) -> Self {

@@ -67,9 +67,9 @@ pub mod multiaxial;
 mod no_tension;
 mod parallel;
 mod pinching4;
-pub(crate) mod plain_methods;
 mod ratchet;
 mod reinforcing_steel;
+pub mod roles;
 mod saws;
 mod self_centering;
 mod series;
@@ -94,10 +94,8 @@ mod viscous_damper;
 mod wrapped;
 mod wrapper;
 
-use crate::parameter::Changed;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
-use std::any::Any;
 use std::fmt;
 
 pub use asd_concrete_1d::AsdConcrete1d;
@@ -171,6 +169,7 @@ pub use parallel::{Parallel, WeightedSum};
 pub use pinching4::{Damage, LinearDamage, Pinching4, Pinching4Parameters, Pinching4Side};
 pub use ratchet::{Ratchet, Teeth};
 pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
+pub use roles::UniaxialRoles;
 pub use saws::{Saws, SawsParameters};
 pub use self_centering::SelfCentering;
 pub use series::{CommonStress, Iteration, Series};
@@ -366,28 +365,67 @@ pub(crate) fn update_each<U: Uniaxial + ?Sized>(
     Ok(())
 }
 
+/// Writes [`Uniaxial::update_all`] of a law that evaluates one point after the other.
+macro_rules! updates_each_point {
+    () => {
+        fn update_all(
+            &self,
+            committed: &[f64],
+            strains: &$crate::material::Strains<'_>,
+            next: &mut [f64],
+            stresses: &mut $crate::material::Stresses<'_>,
+        ) -> Result<(), $crate::material::MaterialError> {
+            $crate::material::update_each(self, committed, strains, next, stresses)
+        }
+    };
+}
+pub(crate) use updates_each_point;
+
+/// Constant properties of a material, by which its owner saves work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UniaxialTraits {
+    /// The stress is proportional to the strain for every history.
+    pub linear: bool,
+    /// `Stress::damping` is used.
+    pub viscous: bool,
+    /// The stress depends on the elapsed time (`Strain::dt`).
+    pub elapses: bool,
+}
+
+impl UniaxialTraits {
+    /// Of several materials in parallel.
+    pub(crate) fn of<'a>(materials: impl IntoIterator<Item = &'a Slot>) -> Self {
+        materials.into_iter().fold(Self { linear: true, ..Self::default() }, |all, slot| {
+            let Self { linear, viscous, elapses } = slot.material.traits();
+            Self { linear: all.linear && linear, viscous: all.viscous || viscous, elapses: all.elapses || elapses }
+        })
+    }
+}
+
 /// A uniaxial material of any kind. No method has a default: a law around others decides on every one of them.
-/// `point_by_point!` writes those of a law that evaluates one point after the other.
-pub trait Uniaxial: WatchesColumns + fmt::Debug + Send + Sync {
+///
+/// `roles` names what else it does, each a trait of [`roles`]: a layout of many points, parameters, responses, watched
+/// columns. A material without any has `UniaxialRoles::default()`.
+pub trait Uniaxial: fmt::Debug + Send + Sync {
     /// Name in the `uniaxialMaterial` command.
     fn name(&self) -> &'static str;
     /// Number of state variables.
     fn state_len(&self) -> usize;
     /// Writes the virgin state.
     fn init(&self, state: &mut [f64]);
-    /// Writes the virgin state of `n` points that are always updated together. They take `n` times the variables of
-    /// one point, and the law chooses their layout.
-    fn init_all(&self, n: usize, state: &mut [f64]);
-    /// Number of points that [`Uniaxial::update_all`] evaluates at once. A multiple of it takes least time.
-    fn block_len(&self) -> usize;
+    /// Its constant properties.
+    fn traits(&self) -> UniaxialTraits;
+    /// Tangent of the virgin material.
+    fn initial_tangent(&self) -> f64;
+
     /// Returns the stress for a trial strain from the committed history, and writes every variable of `next`.
     ///
     /// # Errors
     /// The law has no response at this strain.
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
 
-    /// As [`Uniaxial::update`], for many points in the layout of [`Uniaxial::init_all`]. One dynamic call serves a
-    /// whole bundle of springs, and the law is called statically inside it.
+    /// As [`Uniaxial::update`], for many points in the layout of the material. One dynamic call serves a whole bundle of
+    /// springs, and the law is called statically inside it.
     ///
     /// # Errors
     /// The law has no response at one of the strains.
@@ -399,65 +437,8 @@ pub trait Uniaxial: WatchesColumns + fmt::Debug + Send + Sync {
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError>;
 
-    /// As [`Uniaxial::update_all`], for an element that follows the calls of OpenSees. `next` holds the last trial
-    /// state of the step, `before` the committed strains.
-    ///
-    /// # Errors
-    /// The law has no response at one of the strains.
-    fn update_all_on(
-        &self,
-        committed: &[f64],
-        before: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError>;
-
-    /// The material inside one that only shifts its strains, with its slot, and the shift. Points of such materials around
-    /// one law are evaluated together.
-    fn shifted(&self) -> Option<(&Slot, f64)>;
-
-    /// Copies trial histories to committed ones. A law may skip variables that are never read.
-    fn commit_all(&self, trial: &[f64], committed: &mut [f64]);
-
-    /// Copies the history of one point to another array. Each triple is the array in the layout of
-    /// [`Uniaxial::init_all`], the index of the point, and the number of points.
-    fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize));
-
-    /// Tangent of virgin points with strains in a range, if their stresses are proportional to their strains and they
-    /// stay virgin. `None` if they do not, or if the law cannot tell.
-    fn virgin_tangent(&self, range: [f64; 2]) -> Option<f64>;
-
-    /// Returns true if all of these histories, as [`Uniaxial::update_all`] writes them, equal the virgin one. A law
-    /// that always returns false is evaluated point by point.
-    fn are_virgin(&self, state: &[f64]) -> bool;
-
-    /// Copies to the committed state the variables that a trial of OpenSees changes without a commit. Used for
-    /// springs that are evaluated and never committed.
-    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]);
-
-    /// Tangent of the virgin material.
-    fn initial_tangent(&self) -> f64;
-    /// Returns true if `Stress::damping` is used.
-    fn is_viscous(&self) -> bool;
-    /// Returns true if the stress depends on the elapsed time (`Strain::dt`).
-    fn depends_on_time(&self) -> bool;
-    /// Returns true if the stress is proportional to the strain for every history.
-    fn is_linear(&self) -> bool;
-    /// Strain in recorders for a strain of the material. A law with an initial strain adds it.
-    fn shown_strain(&self, strain: f64, state: &[f64]) -> f64;
-    /// Returns the material with a new value of a parameter, named by the words of a `parameter` command, and the
-    /// previous value. No value asks for the present one. The layout of the history does not change.
-    ///
-    /// # Errors
-    /// The law itself has no such parameter, or refuses the value. [`Material::with_parameter`] knows more names.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial>;
-    /// The law itself, for a material that needs the parameters of one kind. `None` for a material around others.
-    fn as_any(&self) -> Option<&dyn Any>;
-    /// Response specific to this material, by the words of a recorder command.
-    fn probe(&self, words: &[&str]) -> Option<Probe>;
-    /// Value of a probe from the state.
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]);
+    /// Its special tasks. A law around others has the roles of `UniaxialRoles::around`.
+    fn roles(&self) -> UniaxialRoles<'_>;
 }
 
 /// Parameter of laws whose softening depends on the length in which it localises.

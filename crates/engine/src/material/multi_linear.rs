@@ -1,8 +1,6 @@
 //! Multilinear plasticity by Masing's rule.
 
-use super::plain_methods::plain_methods;
-use super::{MaterialError, Strain, Stress, Uniaxial};
-use crate::probe::Probe;
+use super::{MaterialError, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits, updates_each_point};
 
 /// Hysteresis with a symmetric piecewise linear envelope. Every branch after a reversal is the envelope scaled by
 /// two.
@@ -64,11 +62,8 @@ fn ends(words: &mut [f64]) -> &mut [End] {
     words[HEADER..].as_chunks_mut::<4>().0
 }
 
-crate::watches_columns!(MultiLinear => nothing);
-
 impl Uniaxial for MultiLinear {
-    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
-    with_parameter as_any }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         "MultiLinear"
     }
@@ -113,17 +108,10 @@ impl Uniaxial for MultiLinear {
     fn initial_tangent(&self) -> f64 {
         self.slope[0]
     }
-    fn is_viscous(&self) -> bool {
-        false
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits::default()
     }
-    fn depends_on_time(&self) -> bool {
-        false
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles::default()
     }
-    fn is_linear(&self) -> bool {
-        false
-    }
-    fn probe(&self, _: &[&str]) -> Option<Probe> {
-        None
-    }
-    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
 }

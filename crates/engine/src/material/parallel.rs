@@ -1,7 +1,7 @@
 //! Materials in parallel.
 
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, Slot, Strain, Stress};
+use super::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 
 /// Materials with the same strain. The stress is the sum of their stresses, each multiplied by its factor.
@@ -45,14 +45,8 @@ impl Wrapper for WeightedSum {
     fn initial_tangent(&self, inner: &[Slot]) -> f64 {
         inner.iter().zip(&self.factors).map(|(slot, factor)| factor * slot.material.initial_tangent()).sum()
     }
-    fn is_viscous(&self, inner: &[Slot]) -> bool {
-        inner.iter().any(|slot| slot.material.is_viscous())
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self, inner: &[Slot]) -> bool {
-        inner.iter().all(|slot| slot.material.is_linear())
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits {
+        inner
     }
     fn has_failed(&self, _: &[f64]) -> bool {
         false

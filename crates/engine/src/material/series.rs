@@ -1,7 +1,7 @@
 //! Materials in series.
 
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, Slot, Strain, Stress};
+use super::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 
 /// Materials with the same stress. The strain is the sum of their strains.
@@ -280,14 +280,9 @@ impl Wrapper for CommonStress {
         self.of(inner).initial_tangent()
     }
     /// The components' rates are unknown.
-    fn is_viscous(&self, _: &[Slot]) -> bool {
-        false
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self, inner: &[Slot]) -> bool {
-        self.iteration == Iteration::Converged && inner.iter().all(|slot| slot.material.is_linear())
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits {
+        let linear = self.iteration == Iteration::Converged && inner.linear;
+        UniaxialTraits { linear, viscous: false, ..inner }
     }
     fn has_failed(&self, _: &[f64]) -> bool {
         false

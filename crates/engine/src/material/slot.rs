@@ -115,7 +115,9 @@ impl Slot {
 
     /// Copies to the committed state the variables that a trial changes without a commit.
     pub(super) fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
-        self.material.leave_trace(&tried[self.own()], &mut committed[self.own()]);
+        if let Some(law) = self.material.roles().trace {
+            law.leave_trace(&tried[self.own()], &mut committed[self.own()]);
+        }
     }
 
     /// Writes strain, stress, tangent and energy of a point at rest to the header. Returns the offset of the law's
@@ -151,8 +153,8 @@ impl Slot {
     }
 
     /// As [`Slot::update`], for many points that are always updated together, at strains that are `shift` more than
-    /// given. A state holds each variable of the header for all points, then the histories as
-    /// [`super::Uniaxial::init_all`] lays them out. The slot must begin the state.
+    /// given. A state holds each variable of the header for all points, then the histories in the layout of the material. The
+    /// slot must begin the state.
     ///
     /// # Errors
     /// The law has no response at one of the strains.

@@ -2,7 +2,7 @@
 //! (`crate::element::amendment`).
 
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, Slot, Strain, Stress};
+use super::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
 use crate::numeric::Dual;
 use crate::probe::Probe;
 
@@ -140,14 +140,8 @@ impl Wrapper for SofteningFactor {
     fn initial_tangent(&self, inner: &[Slot]) -> f64 {
         self.virgin_factor() * inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self, inner: &[Slot]) -> bool {
-        inner[0].material.is_viscous()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.softening.healed > 0.0
-    }
-    fn is_linear(&self, _: &[Slot]) -> bool {
-        false
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits {
+        UniaxialTraits { linear: false, elapses: inner.elapses || self.softening.healed > 0.0, ..inner }
     }
     fn has_failed(&self, _: &[f64]) -> bool {
         false

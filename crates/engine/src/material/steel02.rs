@@ -276,6 +276,7 @@ impl UniaxialLaw for Steel02 {
 mod tests {
     use super::*;
     use crate::material::Uniaxial;
+    use crate::material::roles::PointLayout;
 
     #[test]
     fn many_points_have_the_bits_of_single_ones() {

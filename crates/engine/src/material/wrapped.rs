@@ -1,11 +1,12 @@
 //! Materials that wrap another one: strain limits, and an initial state.
 
-use super::plain_methods::plain_methods;
+use super::roles::{LawParameters, LawResponses, PointLayout, ShownStrain, TrialTrace, UniaxialRoles};
 use super::wrapper::{Wrapped, Wrapper};
-use super::{Material, MaterialError, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial};
+use super::{
+    Material, MaterialError, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
+};
 use crate::parameter::{Changed, exchange};
 use crate::probe::Probe;
-use std::any::Any;
 use std::sync::Arc;
 
 /// A material that fails permanently if its strain reaches a limit.
@@ -63,14 +64,8 @@ impl Wrapper for StrainLimits {
     fn initial_tangent(&self, inner: &[Slot]) -> f64 {
         inner[0].material.initial_tangent()
     }
-    fn is_viscous(&self, inner: &[Slot]) -> bool {
-        inner[0].material.is_viscous()
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self, _: &[Slot]) -> bool {
-        false
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits {
+        UniaxialTraits { linear: false, ..inner }
     }
     fn has_failed(&self, state: &[f64]) -> bool {
         state[FAILED] != 0.0
@@ -142,7 +137,6 @@ crate::watches_columns!(InitialState => |s| in [&s.inner]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Uniaxial for InitialState {
-    plain_methods! { update_all_on commit_all virgin_tangent are_virgin }
     fn name(&self) -> &'static str {
         self.name
     }
@@ -159,14 +153,6 @@ impl Uniaxial for InitialState {
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         self.inner.update(committed, Strain { value: strain.value + self.strain, ..strain }, next)
     }
-    fn init_all(&self, n: usize, state: &mut [f64]) {
-        let mut one = vec![0.0; self.state_len()];
-        self.init(&mut one);
-        (0..n).for_each(|j| self.copy_history((&one, 0, 1), (&mut *state, j, n)));
-    }
-    fn block_len(&self) -> usize {
-        self.inner.material.block_len()
-    }
     fn update_all(
         &self,
         committed: &[f64],
@@ -176,33 +162,46 @@ impl Uniaxial for InitialState {
     ) -> Result<(), MaterialError> {
         self.inner.update_all(committed, &Shift::All(self.strain), strains, next, stresses)
     }
-    fn shifted(&self) -> Option<(&Slot, f64)> {
-        Some((&self.inner, self.strain))
+    fn initial_tangent(&self) -> f64 {
+        self.inner.material.initial_tangent()
+    }
+    fn traits(&self) -> UniaxialTraits {
+        let inner = self.inner.material.traits();
+        UniaxialTraits { linear: self.strain == 0.0 && inner.linear, ..inner }
+    }
+    fn roles(&self) -> UniaxialRoles<'_> {
+        let shifted = Some((&self.inner, self.strain));
+        UniaxialRoles { layout: Some(self), shifted, ..UniaxialRoles::around(self, [&self.inner]) }
+    }
+}
+
+impl PointLayout for InitialState {
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        let mut one = vec![0.0; self.state_len()];
+        self.init(&mut one);
+        (0..n).for_each(|j| self.copy_history((&one, 0, 1), (&mut *state, j, n)));
+    }
+    fn block_len(&self) -> usize {
+        self.inner.material.block_len()
     }
     fn copy_history(&self, from: (&[f64], usize, usize), to: (&mut [f64], usize, usize)) {
         self.inner.copy_history(from, to);
     }
+}
+
+impl TrialTrace for InitialState {
     fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
         self.inner.leave_trace(tried, committed);
     }
-    fn as_any(&self) -> Option<&dyn Any> {
-        None
-    }
-    fn initial_tangent(&self) -> f64 {
-        self.inner.material.initial_tangent()
-    }
-    fn is_viscous(&self) -> bool {
-        self.inner.material.is_viscous()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.inner.material.depends_on_time()
-    }
-    fn is_linear(&self) -> bool {
-        self.strain == 0.0 && self.inner.material.is_linear()
-    }
+}
+
+impl ShownStrain for InitialState {
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
         self.inner.shown(strain + self.strain, state)
     }
+}
+
+impl LawParameters for InitialState {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = match words {
@@ -212,6 +211,9 @@ impl Uniaxial for InitialState {
         };
         Ok((Arc::new(new), old))
     }
+}
+
+impl LawResponses for InitialState {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let words = if words.first() == Some(&"material") { &words[1..] } else { words };
         self.inner.probe(words)

@@ -1,13 +1,12 @@
 //! Laws around other laws.
 
-use super::plain_methods::plain_methods;
+use super::roles::{LawParameters, LawResponses, ShownStrain, TrialTrace, UniaxialRoles};
 use super::{
     LimitCurve, Material, MaterialError, ObservedColumns, SharedUniaxial, Slot, Strain, Stress, Uniaxial,
-    WatchesColumns,
+    UniaxialTraits, WatchesColumns, updates_each_point,
 };
 use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
-use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
@@ -35,12 +34,8 @@ pub trait Wrapper: fmt::Debug + Clone + Send + Sync + 'static {
     ) -> Result<Stress, MaterialError>;
     /// Tangent of the virgin material.
     fn initial_tangent(&self, inner: &[Slot]) -> f64;
-    /// Returns true if `Stress::damping` is used.
-    fn is_viscous(&self, inner: &[Slot]) -> bool;
-    /// Returns true if the stress depends on time although no law inside does.
-    fn depends_on_time(&self) -> bool;
-    /// Returns true if the stress is proportional to the strain for every history.
-    fn is_linear(&self, inner: &[Slot]) -> bool;
+    /// Its constant properties, from those of the laws inside in parallel.
+    fn traits(&self, inner: UniaxialTraits) -> UniaxialTraits;
     /// Returns true if the laws inside have ended: their histories change no more.
     fn has_failed(&self, state: &[f64]) -> bool;
     /// Strain in recorders for a strain of the material.
@@ -95,9 +90,7 @@ impl<W: Wrapper> WatchesColumns for Wrapped<W> {
 
 #[deny(clippy::missing_trait_methods)]
 impl<W: Wrapper> Uniaxial for Wrapped<W> {
-    plain_methods! {
-        init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin
-    }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         W::NAME
     }
@@ -111,24 +104,30 @@ impl<W: Wrapper> Uniaxial for Wrapped<W> {
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         self.wrapper.update(&self.inner, committed, strain, next)
     }
-    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
-        self.inner.iter().for_each(|slot| slot.leave_trace(tried, committed));
-    }
     fn initial_tangent(&self) -> f64 {
         self.wrapper.initial_tangent(&self.inner)
     }
-    fn is_viscous(&self) -> bool {
-        self.wrapper.is_viscous(&self.inner)
+    fn traits(&self) -> UniaxialTraits {
+        self.wrapper.traits(UniaxialTraits::of(&self.inner))
     }
-    fn depends_on_time(&self) -> bool {
-        self.wrapper.depends_on_time() || self.inner.iter().any(|slot| slot.material.depends_on_time())
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles::around(self, &self.inner)
     }
-    fn is_linear(&self) -> bool {
-        self.wrapper.is_linear(&self.inner)
+}
+
+impl<W: Wrapper> TrialTrace for Wrapped<W> {
+    fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
+        self.inner.iter().for_each(|slot| slot.leave_trace(tried, committed));
     }
+}
+
+impl<W: Wrapper> ShownStrain for Wrapped<W> {
     fn shown_strain(&self, strain: f64, state: &[f64]) -> f64 {
         self.wrapper.shown_strain(&self.inner, strain, state)
     }
+}
+
+impl<W: Wrapper> LawParameters for Wrapped<W> {
     /// Applies to the law inside that the words name, or to all that have the parameter.
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
@@ -141,9 +140,9 @@ impl<W: Wrapper> Uniaxial for Wrapped<W> {
         };
         Ok((Arc::new(new), old))
     }
-    fn as_any(&self) -> Option<&dyn Any> {
-        None
-    }
+}
+
+impl<W: Wrapper> LawResponses for Wrapped<W> {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let (first, rest) = words.split_first()?;
         if let Some(own) = self.wrapper.probe(&self.inner, first) {

@@ -1,8 +1,8 @@
 //! Axial behaviour of a section, for bars.
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
-use crate::material::plain_methods::plain_methods;
-use crate::material::{MaterialError, SharedUniaxial, Strain, Stress, Uniaxial};
+use crate::material::roles::{LawParameters, LawResponses, UniaxialRoles};
+use crate::material::{MaterialError, SharedUniaxial, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -30,8 +30,7 @@ crate::watches_columns!(Axial => |s| in [&s.slot]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Uniaxial for Axial {
-    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
-    as_any }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         Self::NAME
     }
@@ -55,20 +54,24 @@ impl Uniaxial for Axial {
         self.slot.section.initial_stiffness(&mut k[..n * n]);
         k[self.at * (n + 1)]
     }
-    fn is_viscous(&self) -> bool {
-        false
+    fn traits(&self) -> UniaxialTraits {
+        let section = &self.slot.section;
+        UniaxialTraits { linear: section.is_linear(), viscous: false, elapses: section.depends_on_time() }
     }
-    fn depends_on_time(&self) -> bool {
-        self.slot.section.depends_on_time()
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles { parameters: Some(self), responses: Some(self), columns: Some(self), ..UniaxialRoles::default() }
     }
-    fn is_linear(&self) -> bool {
-        self.slot.section.is_linear()
-    }
+}
+
+impl LawParameters for Axial {
     fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
         Ok((Arc::new(new), old))
     }
+}
+
+impl LawResponses for Axial {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.slot.probe(words.strip_prefix(&["section"]).unwrap_or(words))
     }

@@ -226,7 +226,7 @@ fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let materials = &interp.host.builder.definitions.materials;
     let bars = [a.of(materials)?, a.of(materials)?];
     let (concrete, tag) = a.of(materials)?;
-    let Some(concrete) = concrete.as_any().and_then(|law| law.downcast_ref::<ConcreteCm>()).cloned() else {
+    let Some(concrete) = concrete.roles().law.and_then(|law| law.downcast_ref::<ConcreteCm>()).cloned() else {
         let message = format!("uniaxial material {tag} is {}", concrete.name());
         return Err(a.refuse(message, "expected a ConcreteCM"));
     };

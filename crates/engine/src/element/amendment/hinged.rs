@@ -120,7 +120,7 @@ impl Hinged {
     fn parts(&self) -> impl Iterator<Item = (Range<usize>, &dyn WatchesColumns)> {
         let hinge = |i: usize| {
             let start = self.inner.len() + i * self.hinge_len;
-            (start + 1..start + self.hinge_len, &*self.material as &dyn WatchesColumns)
+            (start + 1..start + self.hinge_len, &self.material as &dyn WatchesColumns)
         };
         let beam = (0..self.inner.len(), &**self.inner as &dyn WatchesColumns);
         std::iter::once(beam).chain((0..self.hinges.len()).map(hinge))

@@ -263,7 +263,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for Fib
     }
 }
 
-crate::watches_columns!([F, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
+crate::watches_columns!([F: fmt::Debug, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
     fn class(&self) -> &'static str {

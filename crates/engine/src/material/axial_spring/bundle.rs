@@ -1,9 +1,8 @@
 //! Axial springs in parallel.
 
 use super::{AxialSpring, Branch, History, Rules};
-use crate::material::plain_methods::plain_methods;
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial};
-use crate::probe::Probe;
+use crate::material::roles::{LastTrial, PointLayout, UniaxialRoles, VirginPoints};
+use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits};
 use crate::state_struct::{Field, StateStruct};
 
 /// History of spring `i` of `n`. A bundle stores one quantity after the other, so that the test for all-elastic
@@ -20,10 +19,7 @@ fn write(t: &History, words: &mut [f64], i: usize, n: usize) {
     (words[i], words[i + 2 * n], words[i + 3 * n]) = (t.u, t.slope, t.from);
 }
 
-crate::watches_columns!([const HD: bool, R: Rules] AxialSpring<HD, R> => nothing);
-
 impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
-    plain_methods! { block_len shifted commit_all leave_trace shown_strain with_parameter as_any }
     fn name(&self) -> &'static str {
         if HD { "AxialSpHD" } else { "AxialSp" }
     }
@@ -32,9 +28,6 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
     }
     fn init(&self, state: &mut [f64]) {
         self.init_all(1, state);
-    }
-    fn init_all(&self, n: usize, state: &mut [f64]) {
-        (0..n).for_each(|i| write(&History::default(), state, i, n));
     }
     fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
         let (stress, t) = self.step(&read(committed, 0, 1), strain.value);
@@ -58,6 +51,31 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         Ok(())
     }
 
+    fn initial_tangent(&self) -> f64 {
+        self.sce
+    }
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits::default()
+    }
+    fn roles(&self) -> UniaxialRoles<'_> {
+        let last_trial = R::FOLLOWS_TRIALS.then_some(self as &dyn LastTrial);
+        UniaxialRoles { layout: Some(self), last_trial, virgin: Some(self), ..UniaxialRoles::default() }
+    }
+}
+
+impl<const HD: bool, R: Rules> PointLayout for AxialSpring<HD, R> {
+    fn init_all(&self, n: usize, state: &mut [f64]) {
+        (0..n).for_each(|i| write(&History::default(), state, i, n));
+    }
+    fn block_len(&self) -> usize {
+        1
+    }
+    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
+        write(&read(from, i, n), to, j, m);
+    }
+}
+
+impl<const HD: bool, R: Rules> LastTrial for AxialSpring<HD, R> {
     fn update_all_on(
         &self,
         committed: &[f64],
@@ -66,9 +84,6 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
     ) -> Result<(), MaterialError> {
-        if !R::FOLLOWS_TRIALS {
-            return self.update_all(committed, strains, next, stresses);
-        }
         let n = strains.value.len();
         for (i, (&u, &before)) in strains.value.iter().zip(before).enumerate() {
             let c = History { u: before, ..read(committed, i, n) };
@@ -78,11 +93,9 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         }
         Ok(())
     }
+}
 
-    fn copy_history(&self, (from, i, n): (&[f64], usize, usize), (to, j, m): (&mut [f64], usize, usize)) {
-        write(&read(from, i, n), to, j, m);
-    }
-
+impl<const HD: bool, R: Rules> VirginPoints for AxialSpring<HD, R> {
     fn virgin_tangent(&self, [low, high]: [f64; 2]) -> Option<f64> {
         let elastic = self.ucy <= low && high <= self.uty;
         match () {
@@ -99,21 +112,4 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         // The bitwise OR of all branches vectorizes, and the elastic branch is zero.
         state[n..2 * n].iter().fold(0, |any, b| any | b.to_bits()) == 0
     }
-
-    fn initial_tangent(&self) -> f64 {
-        self.sce
-    }
-    fn is_viscous(&self) -> bool {
-        false
-    }
-    fn depends_on_time(&self) -> bool {
-        false
-    }
-    fn is_linear(&self) -> bool {
-        false
-    }
-    fn probe(&self, _: &[&str]) -> Option<Probe> {
-        None
-    }
-    fn read(&self, _: &[u32], _: &[f64], _: &mut [f64]) {}
 }

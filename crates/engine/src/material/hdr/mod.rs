@@ -5,9 +5,9 @@ mod parameters;
 mod plane;
 mod thermal;
 
+use super::roles::{LawResponses, UniaxialRoles};
 use super::softening::{Peak, Softening};
-use super::{MaterialError, Strain, Stress, Uniaxial};
-use crate::material::plain_methods::plain_methods;
+use super::{MaterialError, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::numeric::{Dual, sign};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -296,11 +296,8 @@ const RESPONSES: [(&str, u32); 8] = [
 const PROFILE: u32 = 8;
 const DASHPOT: u32 = 9;
 
-crate::watches_columns!(HdrRheology => nothing);
-
 impl Uniaxial for HdrRheology {
-    plain_methods! { init_all block_len update_all update_all_on shifted commit_all copy_history virgin_tangent are_virgin leave_trace shown_strain
-    with_parameter as_any }
+    updates_each_point! {}
     fn name(&self) -> &'static str {
         "HDRRheology"
     }
@@ -357,15 +354,15 @@ impl Uniaxial for HdrRheology {
         let tangent = Parameters::new(p).map_or(0.0, |p| p.initial_tangent());
         self.area / self.height * factor * tangent
     }
-    fn is_viscous(&self) -> bool {
-        false
+    fn traits(&self) -> UniaxialTraits {
+        UniaxialTraits { elapses: true, ..UniaxialTraits::default() }
     }
-    fn depends_on_time(&self) -> bool {
-        true
+    fn roles(&self) -> UniaxialRoles<'_> {
+        UniaxialRoles { responses: Some(self), ..UniaxialRoles::default() }
     }
-    fn is_linear(&self) -> bool {
-        false
-    }
+}
+
+impl LawResponses for HdrRheology {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         let word = *words.first()?;
         match word {

@@ -2,7 +2,9 @@
 
 use super::Fiber;
 use super::points::Points;
-use crate::material::{Material, MaterialError, ObservedColumns, Shift, Slot, Strain, Strains, Stresses};
+use crate::material::{
+    Material, MaterialError, ObservedColumns, Shift, Slot, Strain, Strains, Stresses, WatchesColumns,
+};
 use crate::numeric::lanes::BLOCK;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -46,10 +48,9 @@ pub(super) struct RunBlock {
     pub(super) points: Range<usize>,
     /// Offset of the laws' state variables.
     at: usize,
-    /// Shift of the strain of each point, in a block of several runs.
-    shifts: Vec<f64>,
-    /// The runs have no longer one law, since a parameter of one of them has changed.
-    apart: bool,
+    /// The law of several runs, and the shift of the strain of each point. `None` of one run, and of runs that have no longer
+    /// one law, since a parameter of one of them has changed.
+    shared: Option<(Slot, Vec<f64>)>,
 }
 
 /// Points of a section with their runs.
@@ -74,7 +75,7 @@ fn address(material: &Material) -> *const () {
 
 /// The law that a material shifts the strains of.
 fn law_inside(material: &Material) -> Option<*const ()> {
-    material.shifted().map(|(inner, _)| address(&inner.material))
+    material.roles().shifted.map(|(inner, _)| address(&inner.material))
 }
 
 /// Fibers of each material in the order of their first fibers; materials around one law follow each other. Those of a
@@ -144,7 +145,7 @@ impl Placement {
             self.close();
             let (run, point) = (self.runs.len(), self.points.len());
             let at = self.blocks.last().map_or(0, |b| b.words(&self.runs).end);
-            self.blocks.push(RunBlock { runs: run..run, points: point..point, at, shifts: vec![], apart: false });
+            self.blocks.push(RunBlock { runs: run..run, points: point..point, at, shared: None });
         }
         if !(same_run && room) {
             let (block, point) = (self.blocks.len() - 1, self.points.len());
@@ -190,12 +191,16 @@ impl RunBlock {
         })
     }
 
-    /// Takes over the shifts of the materials.
+    /// Takes over the law and the shifts of the materials.
     pub(super) fn renew(&mut self, runs: &[FiberRun]) {
-        if self.runs.len() > 1 {
-            self.shifts = self.materials(runs).map(|m| m.shifted().map_or(0.0, |(_, shift)| shift)).collect();
-            let law = law_inside(&runs[self.runs.start].slot.material);
-            self.apart = law.is_none() || self.materials(runs).any(|m| law_inside(m) != law);
+        self.shared = None;
+        if self.runs.len() > 1
+            && let Some(shifted) = self.materials(runs).map(|m| m.roles().shifted).collect::<Option<Vec<_>>>()
+        {
+            let law = address(&shifted[0].0.material);
+            let is_one = shifted.iter().all(|(inner, _)| address(&inner.material) == law);
+            let shifts = shifted.iter().map(|(_, shift)| *shift).collect();
+            self.shared = is_one.then(|| (shifted[0].0.clone(), shifts));
         }
     }
 
@@ -243,11 +248,9 @@ impl RunBlock {
         if self.runs.len() == 1 {
             return material.update_all(committed, strains, next, stresses);
         }
-        match material.shifted() {
-            Some((inner, _)) if !self.apart => {
-                inner.update_all(committed, &Shift::Each(&self.shifts), strains, next, stresses)
-            }
-            _ => self.update_apart(runs, committed, strains, next, stresses),
+        match &self.shared {
+            Some((law, shifts)) => law.update_all(committed, &Shift::Each(shifts), strains, next, stresses),
+            None => self.update_apart(runs, committed, strains, next, stresses),
         }
     }
 

@@ -46,7 +46,7 @@ impl<L: RubberShear> RubberBearing<L> {
     }
 }
 
-crate::watches_columns!([L] RubberBearing<L> => nothing);
+crate::watches_columns!([L: std::fmt::Debug] RubberBearing<L> => nothing);
 
 impl<L: RubberShear + 'static> Element for RubberBearing<L> {
     fn class(&self) -> &'static str {

@@ -70,7 +70,7 @@ impl<L: ShearLaw<S>, const N: usize, const B: usize, const M: usize, const S: us
     }
 }
 
-crate::watches_columns!([L, const N: usize, const B: usize, const M: usize, const S: usize] ShearBearing<L, N, B, M, S> => |s| in &s.materials);
+crate::watches_columns!([L: std::fmt::Debug, const N: usize, const B: usize, const M: usize, const S: usize] ShearBearing<L, N, B, M, S> => |s| in &s.materials);
 
 impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> Element
     for ShearBearing<L, N, B, M, S>

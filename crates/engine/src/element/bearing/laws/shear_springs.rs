@@ -70,7 +70,7 @@ impl WatchesColumns for ShearSprings {
             for first in (0..springs.len()).step_by(CHUNK_LEN) {
                 let n = CHUNK_LEN.min(springs.len() - first);
                 let range = at + first * len..at + (first + n) * len;
-                observe_points(&**material, n, &mut committed[range], columns);
+                observe_points(material, n, &mut committed[range], columns);
             }
         }
     }
@@ -136,7 +136,11 @@ impl ShearSprings {
     pub fn commit(&self, trial: &[f64], committed: &mut [f64]) {
         for SpringGroup { material, at, springs } in &self.groups {
             let range = *at..at + springs.len() * material.state_len();
-            material.commit_all(&trial[range.clone()], &mut committed[range]);
+            let (trial, committed) = (&trial[range.clone()], &mut committed[range]);
+            match material.roles().commit {
+                Some(law) => law.commit_all(trial, committed),
+                None => committed.copy_from_slice(trial),
+            }
         }
         // Of the auxiliary springs only the first has a committed state.
         let auxiliary = self.auxiliary_at..self.auxiliary_at + self.virgin.len();
@@ -218,10 +222,12 @@ impl ShearSprings {
         };
         let len = self.virgin.len();
         let (auxiliary, response) = trial[self.auxiliary_at..self.auxiliary_at + 2 * len].split_at_mut(len);
-        let u = size.max(limit);
+        let (u, trace) = (size.max(limit), material.roles().trace);
         let mut at = |value: f64| {
             let stress = material.update(auxiliary, Strain { value, rate: 0.0, dt: 0.0 }, response)?;
-            material.leave_trace(response, auxiliary);
+            if let Some(law) = trace {
+                law.leave_trace(response, auxiliary);
+            }
             Ok::<_, MaterialError>(stress)
         };
         let one = at(u)?;

@@ -215,11 +215,11 @@ impl Bundle {
         }
         let strains = Strains { value: &strains[..n], rate: &rates[..n], dt: at.dt };
         let mut stresses = Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut damping[..n] };
-        match at.before {
+        match at.before.and_then(|e| Some((material.roles().last_trial?, e))) {
             None => material.update_all(old, &strains, next, &mut stresses)?,
-            Some(e) => {
+            Some((law, e)) => {
                 weights.spread(e, &mut before[..n]);
-                material.update_all_on(old, &before[..n], &strains, next, &mut stresses)?;
+                law.update_all_on(old, &before[..n], &strains, next, &mut stresses)?;
             }
         }
         add_to(&mut sum.force, &weights.forces(&value[..n]));

@@ -113,7 +113,7 @@ impl WatchesColumns for NormalSprings {
         }
         for (block, _) in self.bundle(stored).blocks.iter().zip(&*parts.virgin).filter(|(_, v)| **v != VIRGIN) {
             let range = self.state_range(&block.springs);
-            observe_points(&*self.material, block.springs.len(), &mut parts.states[range], columns);
+            observe_points(&self.material, block.springs.len(), &mut parts.states[range], columns);
         }
     }
 }
@@ -254,6 +254,7 @@ impl NormalSprings {
         trial: &mut [f64],
     ) -> Result<Section, MaterialError> {
         let [strain, rate] = [deformation, rate].map(|e| e.map(|e| e / self.length));
+        let virgin_points = self.material.roles().virgin;
         let (old, new) = (self.parts(committed), self.parts_mut(trial));
         new.strain.copy_from_slice(&strain);
         let calls = self.start_state != StartState::Committed;
@@ -263,7 +264,7 @@ impl NormalSprings {
         let stored_last = if calls { StoredStates::of(new.stored[0]) } else { StoredStates::None };
         let start = if calls { stored_last } else { stored_committed };
         if let (StoredStates::None, Some(all)) = (start, &self.each.whole)
-            && let Some(tangent) = self.material.virgin_tangent(all.range(strain))
+            && let Some(tangent) = virgin_points.and_then(|law| law.virgin_tangent(all.range(strain)))
         {
             new.stored[0] = StoredStates::None.flag();
             return Ok(self.section(&all.moments.map(|m| tangent * m), Sum::default(), strain));
@@ -289,8 +290,9 @@ impl NormalSprings {
         let (mut proportional, mut sum) = ([0.0; 6], Sum::default());
         for (n, (block, virgin)) in bundle.blocks.iter().zip(&mut *new.virgin).enumerate() {
             let starts_virgin = if calls { *virgin == VIRGIN } else { was_virgin(n) };
-            let tangent = if starts_virgin { self.material.virgin_tangent(block.range(strain)) } else { None };
-            if let Some(tangent) = tangent {
+            if let Some(law) = virgin_points.filter(|_| starts_virgin)
+                && let Some(tangent) = law.virgin_tangent(block.range(strain))
+            {
                 add_to(&mut proportional, &block.moments.map(|m| tangent * m));
                 *virgin = VIRGIN;
                 continue;
@@ -305,7 +307,7 @@ impl NormalSprings {
             let old = if never_commits || was_virgin(n) { virgin_state } else { &states[state_range] };
             let at = if never_commits { SectionStrains { before: Some([0.0; 3]), ..at } } else { at };
             bundle.respond(&self.material, block, &at, old, next, &mut sum)?;
-            *virgin = if self.material.are_virgin(next) { VIRGIN } else { 0.0 };
+            *virgin = if virgin_points.is_some_and(|law| law.are_virgin(next)) { VIRGIN } else { 0.0 };
         }
         if new.virgin[..bundle.blocks.len()].iter().all(|v| *v == VIRGIN) {
             new.stored[0] = StoredStates::None.flag();
