@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Examples and tests of packages on top of openseespy, with openseespy and with hysteron in its place.
 
-    validation/python_packages.py FOLDER --python PYTHON [--csv TABLE] [--each NUMBER] [--only WORD]
+    validation/python_packages.py FOLDER --python PYTHON [--csv TABLE] [--each NUMBER] [--only WORD] [--cache FOLDER]
 
 PYTHON has openseespy, hysteron and pytest, and what the packages need. FOLDER has the sources of the packages, unmodified, each in
 a folder of its name: opsvis, opstool, vfo, o3seespy, ospgrillage. Each file of tests runs in a process of its own with either
@@ -19,7 +19,7 @@ import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from python_scripts import difference, run, text_of_script
+from python_scripts import difference, run, text_of_script, wanted
 
 #: Set in the processes of tests: the program that stands for openseespy.
 PROGRAM = "PROGRAM_OF_THE_TESTS"
@@ -81,7 +81,7 @@ def examples(options, folder):
     taken = [p for p in own if uses.search(text_of_script(p)) and not NOT_EXAMPLES.search(text_of_script(p))]
     for script in taken[: options.each]:
         row = "example", str(script.relative_to(folder))
-        want = run(options, "openseespy", script)
+        want = wanted(options, script)
         if want[0] != 0:
             yield *row, "OpenSees fails", (want[2].strip().splitlines() or [str(want[0])])[-1][:200]
             continue
@@ -99,6 +99,7 @@ def main():
     parser.add_argument("--limit", type=float, default=120.0, help="seconds of an example or a file of tests")
     parser.add_argument("--tolerance", type=float, default=1e-4)
     parser.add_argument("--only", default="", help="a word in the name of the package")
+    parser.add_argument("--cache", type=Path, help="folder that keeps what openseespy makes of examples")
     parser.add_argument("--csv", type=Path, help="table of all outcomes")
     options = parser.parse_args()
     rows = []

@@ -242,16 +242,22 @@ def difference(want, got, tolerance):
     return ("differs", found) if found else ("equal", "")
 
 
+def wanted(options, script):
+    """What openseespy makes of a script, from an earlier run if the folder of --cache has it."""
+    kept = options.cache / hashlib.sha1(str(script).encode()).hexdigest() if options.cache else None
+    if kept and kept.exists():
+        return scripts.pickle.loads(kept.read_bytes())
+    found = run(options, "openseespy", script)
+    if kept:
+        options.cache.mkdir(parents=True, exist_ok=True)
+        kept.write_bytes(scripts.pickle.dumps(found))
+    return found
+
+
 def judge(options, repository, script):
     """Row of the table of one script: repository, script, outcome, detail."""
     head = (repository, str(script.relative_to(options.folder / repository)))
-    kept = options.cache / hashlib.sha1(str(script).encode()).hexdigest() if options.cache else None
-    if kept and kept.exists():
-        want = scripts.pickle.loads(kept.read_bytes())
-    else:
-        want = run(options, "openseespy", script)
-        if kept:
-            kept.write_bytes(scripts.pickle.dumps(want))
+    want = wanted(options, script)
     if want[0] != 0 or not (want[4] or has_numbers(want)):
         lines = [line for line in want[2].strip().splitlines() if not line.startswith("Process 0")]
         detail = "timeout" if want[0] == "timeout" else (lines or ["no numbers"])[-1][:160]
@@ -277,8 +283,6 @@ def main():
     parser.add_argument("--csv", type=Path, help="table of the outcomes by repository")
     options = parser.parse_args()
     options.folder = options.folder.resolve()
-    if options.cache:
-        options.cache.mkdir(parents=True, exist_ok=True)
     work, outside, known = [], 0, set()
     for repository in sorted(p for p in options.folder.iterdir() if p.is_dir()):
         found, out = entries(repository, options.each, known)

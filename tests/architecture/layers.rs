@@ -137,6 +137,7 @@ pub const LAYERS: &[Layers] = &[
             "index",
             "checks",
             "things",
+            "effect",
             "alone",
             "check",
             "opensees_names",

@@ -1,6 +1,6 @@
 //! The calls that a model was told, from which another one like it is made.
 
-use hysteron_opensees::checkpoint::{Effect, effect};
+use hysteron_opensees::effect::{Effect, effect};
 use hysteron_opensees::run::Run;
 use hysteron_opensees::{Again, Command};
 use hysteron_tcl::{Exception, Form, Value};
@@ -34,7 +34,7 @@ impl CallLog {
     /// Take a call that was accepted.
     pub(crate) fn add(&mut self, command: &'static Command, words: Vec<Value>) {
         match effect(command, words.get(1)) {
-            Effect::Nothing => return,
+            Effect::Asks | Effect::Nothing => return,
             Effect::Empties => {
                 *self = Self::default();
                 return;

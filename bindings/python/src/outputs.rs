@@ -50,7 +50,14 @@ impl Text {
 
     /// Write to `sys.stdout` and `sys.stderr`.
     pub(crate) fn flush(&self, py: Python<'_>) -> PyResult<()> {
-        let (out, err) = self.take();
+        let (out, err) = {
+            let mut written = hold(&self.written);
+            // Most commands write nothing.
+            if written.0.is_empty() && written.1.is_empty() {
+                return Ok(());
+            }
+            std::mem::take(&mut *written)
+        };
         for (stream, text) in [("stdout", out), ("stderr", err)] {
             if !text.is_empty() {
                 py.import("sys")?.getattr(stream)?.call_method1("write", (text,))?;

@@ -152,6 +152,15 @@ def test_a_warning_is_an_error_under_strict():
         Model(1, 1, strict=True).timeSeries("Linear", 1, "-faktor", 2.0)
 
 
+def test_joint_offsets_without_numbers_are_zero():
+    model = Model(2, 3)
+    with pytest.warns(OpenSeesWarning, match="offsets are missing"):
+        model.geomTransf("Linear", 1, "-jntOffset")
+    with pytest.raises(OpenSeesError, match="offset at node i"):
+        model.geomTransf("Linear", 2, "-jntOffset", 0.1)
+    assert model.getCrdTransfTags() == [1]
+
+
 def test_an_unknown_response_is_empty_as_in_openseespy(frame):
     frame.analyze(1)
     with pytest.warns(OpenSeesWarning, match="no response"):

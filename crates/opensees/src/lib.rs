@@ -17,6 +17,7 @@ mod check;
 pub mod checkpoint;
 pub mod checks;
 mod course;
+pub mod effect;
 mod element;
 pub mod files;
 mod foreign;
@@ -39,6 +40,7 @@ pub mod slips;
 pub mod things;
 
 use args::Args;
+use effect::Effect;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value, decode};
 use std::io::{Error, ErrorKind};
@@ -74,11 +76,24 @@ pub struct Command {
     kinds: fn() -> Vec<KindUsage>,
     /// Kinds of things that it defines, and the position of the tag among its words.
     defines: (&'static [&'static str], usize),
+    /// What a call of it leaves behind.
+    effect: Effect,
 }
 
 impl Command {
     const fn new(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
-        Self { name, usage, run, kinds: Vec::new, defines: (&[], 0) }
+        Self { name, usage, run, kinds: Vec::new, defines: (&[], 0), effect: Effect::Changes }
+    }
+
+    /// A command that only asks for results.
+    const fn asking(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
+        Self::new(name, usage, run).leaving(Effect::Asks)
+    }
+
+    /// The same command as one whose calls leave this behind.
+    const fn leaving(mut self, effect: Effect) -> Self {
+        self.effect = effect;
+        self
     }
 
     /// The same command as one whose first word chooses a kind: the usages of the kinds.

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::effect::Effect;
 use crate::element::{set_parameter as set_parameter_of, with_parameter};
 use crate::model::nodes::node_of;
 use crate::things;
@@ -15,8 +16,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("parameter", PARAMETER, parameter).defining(&[things::PARAMETER], 1),
     Command::new("addToParameter", ADD, add_to_parameter),
     Command::new("updateParameter", UPDATE, update_parameter),
-    Command::new("getParamValue", "getParamValue $tag", value_of),
-    Command::new("getParamTags", "getParamTags", tags),
+    Command::new("getParamValue", "getParamValue $tag", value_of).leaving(Effect::Nothing),
+    Command::new("getParamTags", "getParamTags", tags).leaving(Effect::Nothing),
     Command::new("setParameter", SET, set_parameter),
 ];
 

@@ -5,20 +5,27 @@ use hysteron_engine::analysis::Options;
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Definitions;
 use hysteron_engine::parameter::ParameterError;
-use hysteron_tcl::{Exception, Interp, MemoryFiles, Silent};
+use hysteron_tcl::{Exception, Interp, MemoryFiles, Silent, Value};
 use std::cell::Cell;
 use std::sync::Arc;
 
 /// The words that an element between two nodes was made from.
 pub(crate) struct WordsOfElement {
     /// Words of the call, the name of the command being the first.
-    pub(crate) words: Vec<String>,
+    pub(crate) words: Vec<Value>,
     /// Displacements of its nodes when it was made.
     pub(crate) disp: Vec<f64>,
     /// The element as the model holds it. Another in its place was not made from these words alone.
     pub(crate) made: Arc<dyn Element>,
     /// Changes by parameters of the element itself since.
     pub(crate) changes: Vec<(Vec<String>, f64)>,
+}
+
+impl WordsOfElement {
+    /// The words as texts, which share nothing with the values of the call: the element may be made again in another session.
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.words.iter().map(|w| w.as_str().into_owned()).collect()
+    }
 }
 
 thread_local! {

@@ -1,14 +1,17 @@
 //! `printA` and `printB`: matrix and right-hand side of the equations.
 
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::analysis::Equations;
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::{Call, OpenMode, Value};
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("printA", PRINT_A, print_a), Command::new("printB", PRINT_B, print_b)];
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("printA", PRINT_A, print_a).leaving(Effect::Nothing),
+    Command::new("printB", PRINT_B, print_b).leaving(Effect::Nothing),
+];
 
 const PRINT_A: &str = "printA <-file $file> <-ret>";
 const PRINT_B: &str = "printB <-file $file> <-ret>";

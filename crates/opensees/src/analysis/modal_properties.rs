@@ -1,6 +1,7 @@
 //! `modalProperties`.
 
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::analysis::{ModalProperties, cumulative};
@@ -11,7 +12,8 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("modalProperties", USAGE, modal_properties)];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("modalProperties", USAGE, modal_properties).leaving(Effect::Nothing)];
 
 const USAGE: &str = "modalProperties <-print> <-file $file> <-unorm> <-return>";
 

@@ -1,12 +1,13 @@
 //! `sdfResponse`: an elastic-plastic system of one degree of freedom under a series of forces.
 
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::load::series::series_of_words;
 use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond).leaving(Effect::Nothing)];
 
 const USAGE: &str = "sdfResponse $m $zeta $k $Fy $alpha $dtF $file $dt or $m $zeta $k $Fy $alpha $series $dt \
                      <-uresid $u> <-umaxprev $u> <-tend $t>";

@@ -7,20 +7,19 @@
 //! A state that is kept and one that is restored go on to the same bits, because what is remembered of earlier steps is forgotten
 //! at the same steps in both runs: after fifty steps, and before a command that needs the state.
 
-mod effect;
 mod format;
 mod journal;
 
 use crate::checks;
+use crate::effect::Effect;
 use crate::output::recorders::Recorders;
-use crate::{Command, Outcome, Tcl, calls, commands, output, warn};
+use crate::{Command, Outcome, Tcl, calls, commands, warn};
 use format::{Ended, Event, Kept, Steps};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Kind};
 use hysteron_engine::bytes::checksum;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub use effect::{Effect, effect};
 pub use journal::{Journal, Keeping, Paths};
 
 /// First bytes of a journal and of a checkpoint. The digest of the run follows.
@@ -31,8 +30,6 @@ const PART: usize = 50;
 const ONE_STEP: [&str; 5] = ["Newmark", "HHT", "GeneralizedAlpha", "WilsonTheta", "Collocation"];
 /// Commands that neither need the state nor change it.
 const SETTINGS: [&str; 5] = ["test", "algorithm", "reactions", "analyze", "version"];
-/// Commands beside the queries that change the state.
-const CHANGES: [&str; 4] = ["setNodeDisp", "setNodeVel", "setNodeAccel", "setNodeMass"];
 const OTHER_COURSE: &str = "the script takes another course than before: does it depend on the clock?";
 
 /// Read bytes as a journal, and as a checkpoint. Returns the number of events in either.
@@ -43,22 +40,15 @@ pub fn events(bytes: &[u8], run: u64) -> Result<usize, &'static str> {
     format::journal(bytes, run).map(|events| events.len()).or_else(|_| format::read_checkpoint(bytes, run).map(|_| 1))
 }
 
-/// Returns true if the command only asks for results.
-fn is_question(name: &str) -> bool {
-    let groups = [output::query::COMMANDS, output::inventory::COMMANDS, output::loads::COMMANDS];
-    let mut questions = groups.into_iter().flatten().map(|c| c.name);
-    !SETTINGS.contains(&name) && !CHANGES.contains(&name) && questions.any(|q| q == name)
-}
-
 /// Keep a journal of what the commands of a script do. An earlier run's is used up first.
 pub fn keep(interp: &mut Tcl, journal: Journal) {
     interp.host.output.recorders.journal = Some(Box::new(journal));
     for c in commands() {
-        let run = match c.name {
-            "wipe" => wipe,
-            name if SETTINGS.contains(&name) => continue,
-            name if is_question(name) => ask,
-            _ => change,
+        let run = match c.effect {
+            _ if SETTINGS.contains(&c.name) => continue,
+            Effect::Empties => wipe,
+            Effect::Asks => ask,
+            Effect::Nothing | Effect::Changes | Effect::ReadsState => change,
         };
         interp.register(c.name, run);
     }

@@ -20,6 +20,6 @@ hysteron_tcl::checks! {
         "A degree of freedom is held by a support and by an imposed displacement, or by two imposed ones.",
         "OpenSees does not define which of them holds. Remove one.";
     OFFSETS_IGNORED "offsets-ignored":
-        "A corotational transformation in space takes joint offsets for zero, as in OpenSees.",
-        "Without \"--compat opensees\" the offsets count.";
+        "Joint offsets are taken for zero: no number follows the option, or a corotational transformation in space follows OpenSees.",
+        "Give the offsets, or leave the option out. Without \"--compat opensees\" those of a corotational transformation count.";
 }

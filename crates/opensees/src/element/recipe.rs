@@ -27,7 +27,7 @@ type Made = (Arc<dyn Element>, Vec<(usize, String)>);
 
 /// The words that an element has been made from.
 pub(super) fn words_of(call: &Call<'_>, ends: &Ends, made: &Arc<dyn Element>) -> WordsOfElement {
-    let words = (0..call.len()).map(|i| call.arg(i).as_str().into_owned()).collect();
+    let words = (0..call.len()).map(|i| call.arg(i).clone()).collect();
     WordsOfElement { words, disp: ends.disp.clone(), made: made.clone(), changes: vec![] }
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: f
     if let Some(recipe) = interp.host.builder.element_words.get_mut(&tag).filter(|r| Arc::ptr_eq(&r.made, &element)) {
         recipe.made = new.clone();
         match words_now {
-            Some(words_now) => recipe.words = words_now,
+            Some(texts) => recipe.words = texts.iter().map(|w| Value::from(w.as_str())).collect(),
             None => recipe.changes.push((words.iter().map(|w| (*w).to_owned()).collect(), value)),
         }
     }
@@ -96,7 +96,7 @@ pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: f
 /// Numbers that an element between two nodes was made from: places among the words of its command, and names.
 pub fn numbers_of_element(interp: &mut Tcl, tag: Tag) -> Vec<(usize, String)> {
     let Some(recipe) = interp.host.builder.element_words.remove(&tag) else { return vec![] };
-    let made = in_scratch(interp, |interp| make(&recipe, interp, &recipe.words));
+    let made = in_scratch(interp, |interp| make(&recipe, interp, &recipe.texts()));
     interp.host.builder.element_words.insert(tag, recipe);
     made.map_or_else(|_| vec![], |(_, names)| names)
 }
@@ -125,11 +125,11 @@ fn of_recipe(
     name: &str,
     value: Option<f64>,
 ) -> Result<MadeAgain, ParameterError> {
-    let (element, names) = make(recipe, interp, &recipe.words)?;
+    let mut words = recipe.texts();
+    let (element, names) = make(recipe, interp, &words)?;
     let place = names.iter().find(|(_, n)| n == name).map(|(i, _)| *i).ok_or(ParameterError::Unknown)?;
-    let before = Value::from(recipe.words[place].as_str()).as_f64().ok_or(ParameterError::Unknown)?;
-    let Some(value) = value else { return Ok(MadeAgain { element, before, words: recipe.words.clone() }) };
-    let mut words = recipe.words.clone();
+    let before = Value::from(words[place].as_str()).as_f64().ok_or(ParameterError::Unknown)?;
+    let Some(value) = value else { return Ok(MadeAgain { element, before, words }) };
     words[place] = format!("{value:e}");
     let (new, _) = make(recipe, interp, &words)?;
     if new.state_len() != element.state_len() || new.dofs() != element.dofs() {

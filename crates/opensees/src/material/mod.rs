@@ -29,6 +29,7 @@ mod steel_drc;
 mod wrapper;
 
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::Material;
@@ -46,10 +47,10 @@ pub(crate) const COMMANDS: &[Command] = &[
         .with_kinds(|| kinds().map(kind::Kind::described).collect()),
     Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test),
     Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain),
-    Command::new("getStrain", "getStrain", material_test::get),
-    Command::new("getStress", "getStress", material_test::get),
-    Command::new("getTangent", "getTangent", material_test::get),
-    Command::new("getDampTangent", "getDampTangent", material_test::get),
+    Command::new("getStrain", "getStrain", material_test::get).leaving(Effect::Nothing),
+    Command::new("getStress", "getStress", material_test::get).leaving(Effect::Nothing),
+    Command::new("getTangent", "getTangent", material_test::get).leaving(Effect::Nothing),
+    Command::new("getDampTangent", "getDampTangent", material_test::get).leaving(Effect::Nothing),
 ];
 
 /// A kind of material, made from the words after its tag.

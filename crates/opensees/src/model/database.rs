@@ -1,6 +1,7 @@
 //! `database`, `save` and `restore`.
 
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::host::Mode;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::analysis::SavedState;
@@ -9,8 +10,8 @@ use std::io::Write as _;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("database", DATABASE, database),
-    Command::new("save", SAVE, save),
-    Command::new("restore", RESTORE, restore),
+    Command::new("save", SAVE, save).leaving(Effect::Nothing),
+    Command::new("restore", RESTORE, restore).leaving(Effect::ReadsState),
 ];
 
 const DATABASE: &str = "database File $name";

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::effect::Effect;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::model::NodeId;
@@ -9,7 +10,7 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("wipe", "wipe", wipe),
+    Command::new("wipe", "wipe", wipe).leaving(Effect::Empties),
     Command::new("model", MODEL, model).defining(&[things::MODEL], 0),
     Command::new("node", NODE, node).defining(&[things::NODE], 1),
     Command::new("mass", MASS, mass),

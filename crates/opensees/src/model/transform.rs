@@ -56,6 +56,12 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut offsets = (Vector3::zeros(), Vector3::zeros());
     while let Some(option) = a.option() {
         match option.as_ref() {
+            // Packages on top of OpenSees write the option with an empty list.
+            "-jntOffset" if a.peek().is_none() => {
+                let d =
+                    Diagnostic::warning(&checks::model::OFFSETS_IGNORED, "geomTransf: the joint offsets are missing");
+                warn(interp, d.at(a.last_span(), "taken for zero"))?;
+            }
             "-jntOffset" => {
                 offsets = (vector(&mut a, ndm, "offset at node i")?, vector(&mut a, ndm, "offset at node j")?);
             }

@@ -2,30 +2,35 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::effect::Effect;
 use crate::{Command, Outcome, Tcl, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Value};
 
 /// They change nothing of the results; a script that has them runs.
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("prp", "prp $x $y $z", nothing),
-    Command::new("vrp", "vrp $x $y $z", nothing),
-    Command::new("vup", "vup $x $y $z", nothing),
-    Command::new("vpn", "vpn $x $y $z", nothing),
-    Command::new("viewWindow", "viewWindow $xmin $xmax $ymin $ymax", nothing),
-    Command::new("plane", "plane $front $back", nothing),
-    Command::new("port", "port $xmin $xmax $ymin $ymax", nothing),
-    Command::new("projection", "projection $mode", nothing),
-    Command::new("fill", "fill $mode", nothing),
-    Command::new("display", "display ...", nothing),
-    Command::new("plot", "plot ...", nothing),
-    Command::new("logFile", "logFile $file ...", nothing),
-    Command::new("logCommands", "logCommands ...", nothing),
-    Command::new("setMaxOpenFiles", "setMaxOpenFiles $n", nothing),
-    Command::new("start", "start", nothing),
-    Command::new("stop", "stop", nothing),
-    Command::new("domainChange", "domainChange", nothing),
+    without_effect("prp", "prp $x $y $z"),
+    without_effect("vrp", "vrp $x $y $z"),
+    without_effect("vup", "vup $x $y $z"),
+    without_effect("vpn", "vpn $x $y $z"),
+    without_effect("viewWindow", "viewWindow $xmin $xmax $ymin $ymax"),
+    without_effect("plane", "plane $front $back"),
+    without_effect("port", "port $xmin $xmax $ymin $ymax"),
+    without_effect("projection", "projection $mode"),
+    without_effect("fill", "fill $mode"),
+    without_effect("display", "display ..."),
+    without_effect("plot", "plot ..."),
+    without_effect("logFile", "logFile $file ..."),
+    without_effect("logCommands", "logCommands ..."),
+    without_effect("setMaxOpenFiles", "setMaxOpenFiles $n"),
+    without_effect("start", "start"),
+    without_effect("stop", "stop"),
+    without_effect("domainChange", "domainChange"),
 ];
+
+const fn without_effect(name: &'static str, usage: &'static str) -> Command {
+    Command::new(name, usage, nothing).leaving(Effect::Nothing)
+}
 
 fn nothing(_: &mut Tcl, _: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)

@@ -2,14 +2,17 @@
 
 use crate::args::Args;
 use crate::chart::{Curve, Figure, MAX_DRAWN, Mark};
+use crate::effect::Effect;
 use crate::load::motion_file::measured;
 use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_recordings::Table;
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("columns", COLUMNS, columns), Command::new("figure", FIGURE, figure)];
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("columns", COLUMNS, columns).leaving(Effect::Nothing),
+    Command::new("figure", FIGURE, figure).leaving(Effect::Nothing),
+];
 
 const COLUMNS: &str = "columns $file: the columns of a table of numbers, a list of lists";
 const FIGURE: &str = "figure $file.svg -title $text -x $label -y $label <-xrange $low $high> <-yrange $low $high> <-equal> \

@@ -10,20 +10,20 @@ use std::collections::BTreeSet;
 const RESPONSE: &str = "nodeResponse $node $dof $response (1 displacement, 2 velocity, 3 acceleration)";
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("getNumElements", "getNumElements", |i, _| {
+    Command::asking("getNumElements", "getNumElements", |i, _| {
         Ok(Value::from(i.host.engine.model().elements.len() as i64))
     }),
-    Command::new("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied()))),
-    Command::new("getFixedNodes", "getFixedNodes", |i, _| {
+    Command::asking("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied()))),
+    Command::asking("getFixedNodes", "getFixedNodes", |i, _| {
         let model = i.host.engine.model();
         Ok(nodes(model, held(model).map(|(node, _)| node)))
     }),
-    Command::new("getFixedDOFs", "getFixedDOFs $node", fixed_dofs),
-    Command::new("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true)),
-    Command::new("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false)),
-    Command::new("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true)),
-    Command::new("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false)),
-    Command::new("nodeResponse", RESPONSE, node_response),
+    Command::asking("getFixedDOFs", "getFixedDOFs $node", fixed_dofs),
+    Command::asking("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true)),
+    Command::asking("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false)),
+    Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true)),
+    Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false)),
+    Command::asking("nodeResponse", RESPONSE, node_response),
 ];
 
 fn tags(tags: impl IntoIterator<Item = i32>) -> Value {

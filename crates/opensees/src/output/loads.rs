@@ -8,22 +8,22 @@ use hysteron_engine::model::Pattern;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("getEleClassTags", "getEleClassTags <$element>", class_tags),
-    Command::new("classType", CLASS_TYPE, class_type),
-    Command::new("getCrdTransfTags", "getCrdTransfTags", |i, _| {
+    Command::asking("getEleClassTags", "getEleClassTags <$element>", class_tags),
+    Command::asking("classType", CLASS_TYPE, class_type),
+    Command::asking("getCrdTransfTags", "getCrdTransfTags", |i, _| {
         Ok(Value::list(i.host.builder.definitions.transforms.tags().map(|t| Value::from(i64::from(t)))))
     }),
-    Command::new("getEleLoadTags", "getEleLoadTags <$pattern>", |i, c| {
+    Command::asking("getEleLoadTags", "getEleLoadTags <$pattern>", |i, c| {
         element_loads(i, c, |tag, _, _, out| out.push(Value::from(i64::from(tag))))
     }),
-    Command::new("getEleLoadClassTags", "getEleLoadClassTags <$pattern>", |i, c| {
+    Command::asking("getEleLoadClassTags", "getEleLoadClassTags <$pattern>", |i, c| {
         element_loads(i, c, |_, load, space, out| out.push(Value::from(described(load, space).0)))
     }),
-    Command::new("getEleLoadData", "getEleLoadData <$pattern>", |i, c| {
+    Command::asking("getEleLoadData", "getEleLoadData <$pattern>", |i, c| {
         element_loads(i, c, |_, load, space, out| out.extend(described(load, space).1.into_iter().map(Value::from)))
     }),
-    Command::new("getNodeLoadTags", "getNodeLoadTags <$pattern>", node_load_tags),
-    Command::new("getNodeLoadData", "getNodeLoadData <$pattern>", node_load_data),
+    Command::asking("getNodeLoadTags", "getNodeLoadTags <$pattern>", node_load_tags),
+    Command::asking("getNodeLoadData", "getNodeLoadData <$pattern>", node_load_data),
 ];
 
 /// OpenSees' numbers of the classes of elements (`SRC/classTags.h`; that of the tubular joint stands in its own file, and

@@ -2,6 +2,7 @@
 
 use super::model_file::model_file;
 use crate::args::Args;
+use crate::effect::Effect;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::model::{ElementEntry, Model, Tag};
@@ -10,8 +11,11 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("print", PRINT, print), Command::new("printModel", PRINT, print)];
+pub(crate) const COMMANDS: &[Command] = &[telling("print"), telling("printModel")];
+
+const fn telling(name: &'static str) -> Command {
+    Command::new(name, PRINT, print).leaving(Effect::Nothing)
+}
 
 const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";
 

@@ -5,6 +5,7 @@ use super::recorders::PlacedRecorder;
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
+use crate::effect::Effect;
 use crate::files::outputs::FileFormat;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
@@ -21,8 +22,10 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("recorder", "recorder $kind -file $file ...", recorder).with_kinds(|| kind::usages(KINDS)),
-    Command::new("record", "record", record),
+    Command::new("recorder", "recorder $kind -file $file ...", recorder)
+        .with_kinds(|| kind::usages(KINDS))
+        .leaving(Effect::Nothing),
+    Command::new("record", "record", record).leaving(Effect::Nothing),
     Command::new("setPrecision", "setPrecision $digits", set_precision),
 ];
 

@@ -225,6 +225,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "They count.",
     ),
     differs(
+        "`integrator LoadControl` with bounds of the increment, after a step that has failed",
+        "The iterations of the failed step count: the next increment is shorter.",
+        "The iterations of the last step that converged count.",
+    ),
+    differs(
         "`integrator ArcLength1`",
         "openseespy 3.7.1 takes a denominator without α² Δλ and with s² times the sum of the unit displacements. Steps are longer or shorter \
          than the script says.",
