@@ -44,9 +44,7 @@ pub(super) fn check(args: &CheckArgs) -> Option<i32> {
         return Some(print(Ok(script_check::json(&args.model, interp, None))).max(status));
     }
     if status == 0 {
-        let warnings = script_check::count(interp, Severity::Warning);
-        let found = if warnings == 0 { "no mistakes".into() } else { format!("no errors, {warnings} warnings") };
-        return Some(print(Ok(format!("{}: {found}\n", args.model))));
+        return Some(print(Ok(format!("{}: {}\n", args.model, script_check::found(interp)))));
     }
     Some(status)
 }

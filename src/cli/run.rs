@@ -230,10 +230,8 @@ fn check(args: &CheckArgs) -> i32 {
         return print(Ok(script_check::json(&args.model, &run.interp, last))).max(status);
     }
     if status == 0 {
-        let warnings = script_check::count(&run.interp, Severity::Warning);
-        let found = if warnings == 0 { "no mistakes".into() } else { format!("no errors, {warnings} warnings") };
         let facts = script_check::facts(&run.interp);
-        return print(Ok(format!("{facts}{}: {found}\n", args.model)));
+        return print(Ok(format!("{facts}{}: {}\n", args.model, script_check::found(&run.interp))));
     }
     status
 }

@@ -70,8 +70,17 @@ struct ScriptTable<'a> {
 }
 
 /// Number of messages of a severity, those at the same place counted one by one.
-pub(super) fn count(interp: &Tcl, severity: Severity) -> usize {
+fn count(interp: &Tcl, severity: Severity) -> usize {
     interp.warnings.iter().filter(|w| w.severity == severity).map(|w| w.count).sum()
+}
+
+/// What a check without errors has found, in words.
+pub(super) fn found(interp: &Tcl) -> String {
+    match count(interp, Severity::Warning) {
+        0 => "no mistakes".into(),
+        1 => "no errors, 1 warning".into(),
+        n => format!("no errors, {n} warnings"),
+    }
 }
 
 /// The block of plausibility, a line each; empty without an analysis.

@@ -190,7 +190,8 @@ fn lateral_drift_by_hand(place: &Place, r: &Value) {
         let (status, printed, said) = place.run(&["run", "static.tcl"]);
         assert_eq!(status, Some(0), "{said}");
         let most = printed.lines().filter_map(|l| l.parse::<f64>().ok()).fold(0.0, f64::max);
-        let subject = format!("{bound}: storey drift ratio of F_x times R_I, lateral force alone");
+        let subject =
+            format!("{bound}: storey drift ratio of F_x times R_I, equivalent lateral force as the only procedure");
         let check = row(r, "checks", &[("check", subject.as_str())]);
         let found = check["demand"].as_f64().unwrap();
         assert!((found / (1.5 * most / 3.5) - 1.0).abs() < 1e-3, "{bound}: {found}, {printed}");

@@ -239,7 +239,8 @@ fn parsed(path: &Path, text: &str, sources: &mut SourceMap) -> Result<StudyFile,
         let table = text.parse::<toml::Table>().unwrap_or_default();
         let is_other = table.contains_key("model") && !table.contains_key("script");
         let d = Diagnostic::error(e.message()).place(at);
-        let other = "a study with \"model\" is for calibrate, diagnose and learn; init --isolation writes an isolation study";
+        let other =
+            "a study with \"model\" is for calibrate, diagnose and learn; init --isolation writes an isolation study";
         Box::new(if is_other { d.help(other) } else { d })
     })?;
     match file.check() {

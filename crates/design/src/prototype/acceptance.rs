@@ -2,7 +2,7 @@
 
 use super::trends::is_same;
 use super::{Factors, Nominal, PrototypeTest, TestCycle};
-use crate::check::{Check, Citation};
+use crate::check::{Check, Citation, Status};
 use crate::codes::Code;
 
 /// What the design says about the tests.

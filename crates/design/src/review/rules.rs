@@ -193,14 +193,34 @@ fn procedure_checks(study: &Study, out: &mut Review, k: usize, bound: &'static s
     }
     let fifth = s.k_d + 5.0 * s.q_d / l.displacement;
     let alone = [
-        Check::most_of(code, "elf_drift", subject("storey drift ratio of F_x times R_I, lateral force alone"), drift),
-        Check::most_of(code, "elf_period", subject("T_M in s, lateral force alone"), l.period),
-        Check::most_of(code, "elf_damping", subject("damping, lateral force alone"), l.damping),
-        Check::least_of(code, "elf_period_ratio", subject("T_M over T_fb, lateral force alone"), l.period / fixed_base),
+        Check::most_of(
+            code,
+            "elf_drift",
+            subject("storey drift ratio of F_x times R_I, equivalent lateral force as the only procedure"),
+            drift,
+        ),
+        Check::most_of(
+            code,
+            "elf_period",
+            subject("T_M in s, equivalent lateral force as the only procedure"),
+            l.period,
+        ),
+        Check::most_of(
+            code,
+            "elf_damping",
+            subject("damping, equivalent lateral force as the only procedure"),
+            l.damping,
+        ),
+        Check::least_of(
+            code,
+            "elf_period_ratio",
+            subject("T_M over T_fb, equivalent lateral force as the only procedure"),
+            l.period / fixed_base,
+        ),
         Check::least_of(
             code,
             "elf_stiffness",
-            subject("K_eff over that at a fifth of D_M, lateral force alone"),
+            subject("K_eff over that at a fifth of D_M, equivalent lateral force as the only procedure"),
             l.stiffness / fifth,
         ),
     ];

@@ -190,7 +190,9 @@ fn syntax_error(e: &toml::de::Error, text: &str, source: SourceId) -> StudyError
         d.add_suggestion(word, nearest(word, known.iter().copied()));
         let table = text.parse::<toml::Table>().unwrap_or_default();
         if table.contains_key("script") && !table.contains_key("model") {
-            d = d.help("a study with \"script\" is an isolation study: isolate, ida, fragility and response-spectrum run it");
+            d = d.help(
+                "a study with \"script\" is an isolation study: isolate, ida, fragility and response-spectrum run it",
+            );
         }
     }
     Box::new(d)

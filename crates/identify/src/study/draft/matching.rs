@@ -36,13 +36,15 @@ pub(super) struct Match {
     pub(super) factor: f64,
     /// Names agree.
     pub(super) by_name: bool,
+    /// Quantities are known and agree.
+    pub(super) by_quantity: bool,
 }
 
 impl Match {
     /// Returns true if the channel is a response to compare, and not the imposed motion or a chance resemblance.
     pub(super) fn is_response(&self) -> bool {
         let is_imposed = self.correlation.abs() > IMPOSED_CORRELATION;
-        !is_imposed && (self.by_name || self.correlation.abs() >= MIN_CORRELATION)
+        !is_imposed && (self.by_name || self.by_quantity || self.correlation.abs() >= MIN_CORRELATION)
     }
 
     /// Returns true if the output is the recorded motion itself.
@@ -120,16 +122,16 @@ fn best(column: &Column, times: &[f64], candidates: &[Candidate<'_>]) -> Option<
         }
         let (correlation, factor) = correlation(&column.values, &c.trace.sample(c.column, times));
         let stem = c.file.rsplit('/').next().unwrap_or(c.file).split('.').next().unwrap_or_default().to_lowercase();
-        let by_name = !stem.is_empty() && (name.contains(&stem) || stem.contains(&name))
-            || quantity.is_some() && quantity == other;
+        let by_name = !stem.is_empty() && (name.contains(&stem) || stem.contains(&name));
+        let by_quantity = quantity.is_some() && quantity == other;
         let strength = if correlation.is_nan() { 0.0 } else { correlation.abs() };
         // The two ends of an element have forces of opposite signs: the one with the sign of the recording.
         let sign = if correlation > 0.0 { SIGN_WORTH } else { 0.0 };
-        let score = strength + sign + if by_name { NAME_WORTH } else { 0.0 };
+        let score = strength + sign + if by_name || by_quantity { NAME_WORTH } else { 0.0 };
         // The first of equal ones: columns of one file follow each other.
         if score > 0.0 && best.as_ref().is_none_or(|(s, _)| score > s + 1e-9) {
             let (file, place) = (c.file.to_owned(), c.place.to_owned());
-            best = Some((score, Match { file, column: c.column, place, correlation, factor, by_name }));
+            best = Some((score, Match { file, column: c.column, place, correlation, factor, by_name, by_quantity }));
         }
     }
     best.map(|(_, m)| m)

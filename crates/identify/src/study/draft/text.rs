@@ -172,7 +172,11 @@ fn varies(column: &Column) -> bool {
 
 /// Certainty of a match, in words.
 fn certainty(m: &Match) -> String {
-    let name = if m.by_name { "the names agree" } else { "the names do not tell" };
+    let name = match (m.by_name, m.by_quantity) {
+        (true, _) => "the names agree",
+        (false, true) => "the quantities agree, the names do not tell",
+        (false, false) => "the names do not tell",
+    };
     match m.correlation.is_nan() {
         true => format!("{name}, no correlation"),
         false => format!("{name}, correlation {:.3}", m.correlation),
