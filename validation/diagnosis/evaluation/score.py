@@ -42,7 +42,7 @@ def overlap(a, b):
 def located(truth, mismatch):
     """(1 if the first mismatch is in a run and channel that hold the effect, overlap of its windows); empty where there is nothing to compare."""
     where = truth["where"]
-    if not where or not mismatch:
+    if not where or not mismatch or "accept_runs" not in where:
         return "", ""
     first = mismatch[0]
     place = first["run"] in where["accept_runs"] and first["channel"] in where["accept_channels"]
