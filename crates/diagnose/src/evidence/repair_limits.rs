@@ -74,7 +74,7 @@ impl VerdictEvidence {
         );
         let limit = ProbabilityLimit::new(&repair.cause, taken, reason);
         let is_adequate = before.max(self.nmse_before) <= REPEATED_NMSE && taken < MIN_TAKEN_SHARE;
-        is_adequate.then(|| ProbabilityLimit { for_complete_model: true, ..limit })
+        is_adequate.then_some(ProbabilityLimit { for_complete_model: true, ..limit })
     }
 
     fn hypothesis(&self, cause: &str, also: Option<&str>) -> Option<&HypothesisEvidence> {
