@@ -74,7 +74,7 @@ fn count(interp: &Tcl, severity: Severity) -> usize {
     interp.warnings.iter().filter(|w| w.severity == severity).map(|w| w.count).sum()
 }
 
-/// What a check without errors has found, in words.
+/// The result of a check without errors, in words.
 pub(super) fn found(interp: &Tcl) -> String {
     match count(interp, Severity::Warning) {
         0 => "no mistakes".into(),

@@ -61,7 +61,7 @@ pub struct ProbabilityLimit {
     pub most: f64,
     /// What speaks against the cause, in words.
     pub reason: String,
-    /// What the cause loses speaks for a complete model.
+    /// The probability that the cause loses goes to `none`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub for_complete_model: bool,
 }
