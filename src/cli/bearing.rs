@@ -391,7 +391,9 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     let (u, f) = (&columns[1..=bearing.ndm], &columns[bearing.ndm + 1..]);
     let table = measure(args, columns[0], u, f)?;
     hysteron_files::write(in_folder("cycles.csv"), table.csv()).map_err(cannot)?;
-    eprintln!("test.tcl, loops.csv, cycles.csv and loops.svg are in {folder}");
+    if args.report.is_text() {
+        eprintln!("test.tcl, loops.csv, cycles.csv and loops.svg are in {folder}");
+    }
     run::print(Ok(args.report.format(&table)));
     Ok(status)
 }

@@ -125,6 +125,11 @@ impl ReportArgs {
         Ok(table)
     }
 
+    /// Returns true if the table is for a reader and not for a program.
+    pub(super) fn is_text(&self) -> bool {
+        matches!(self.table, TableFormat::Text)
+    }
+
     /// A table in the chosen format.
     pub(super) fn format(&self, table: &Table) -> String {
         match self.table {

@@ -69,7 +69,7 @@ fn block_of_facts() {
          element zeroLength 1 1 2 -mat 1 -dir 1\neigen 1\n",
         "--show-output",
     );
-    assert!(out.contains("  first period  1.257\n"), "{out}");
+    assert!(out.contains("  first period  1.257, with the first stiffness\n"), "{out}");
     // Without an analysis there is no block.
     let (_, out, _) = check("model basic -ndm 1 -ndf 1\nnode 1 0\n", "--show-output");
     assert_eq!(out, "m.tcl: no mistakes\n");
