@@ -7,7 +7,7 @@ use crate::memory::competition::FamilyResult;
 use crate::memory::family::Family;
 use crate::prior::{
     FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE, MIN_TAKEN_SHARE,
-    MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST, PARTIAL_SENSOR_PROBABILITY, REPEATED_NMSE, UNKNOWN_PER_SHARE_LEFT,
+    MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST, PARTIAL_SENSOR_PROBABILITY, UNKNOWN_PER_SHARE_LEFT,
 };
 
 /// Share of the error above the noise that a repair takes away.
@@ -38,8 +38,7 @@ impl VerdictEvidence {
             return better.map(|f| memory_limit(f, h, repair)).into_iter().collect();
         }
         let mut out: Vec<ProbabilityLimit> = vec![];
-        let limit = ProbabilityLimit::new;
-        out.extend(self.limit_of_adequate_model(repair).filter(|_| !is_visible(h)));
+        let limit = |cause: &str, most: f64, reason: String| ProbabilityLimit { cause: cause.into(), most, reason };
         let better = self.better_memory(h, repair);
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));
@@ -59,22 +58,6 @@ impl VerdictEvidence {
             out.push(limit("unknown", most, reason));
         }
         out
-    }
-
-    /// Limit of a repair that hardly predicts better than a model whose error may be what a test does not repeat.
-    fn limit_of_adequate_model(&self, repair: &RepairEvidence) -> Option<ProbabilityLimit> {
-        let errors = repair.errors?;
-        let before = errors.before?;
-        let taken = (1.0 - errors.after.unwrap_or(before) / before).max(0.0);
-        let percent = |x: f64| format!("{:.2} %", 100.0 * x);
-        let reason = format!(
-            "your model predicts the runs held out within {} of the variance, and the repair within {}: a test hardly repeats better",
-            percent(before),
-            percent(before * (1.0 - taken))
-        );
-        let limit = ProbabilityLimit::new(&repair.cause, taken, reason);
-        let is_adequate = before.max(self.nmse_before) <= REPEATED_NMSE && taken < MIN_TAKEN_SHARE;
-        is_adequate.then_some(ProbabilityLimit { for_complete_model: true, ..limit })
     }
 
     fn hypothesis(&self, cause: &str, also: Option<&str>) -> Option<&HypothesisEvidence> {
@@ -246,7 +229,7 @@ fn is_visible(h: &HypothesisEvidence) -> bool {
 /// Limit of a cause that leaves what a kind of memory explains.
 fn memory_limit(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> ProbabilityLimit {
     let reason = memory_reason(f, h, repair);
-    ProbabilityLimit::new(&repair.cause, MEMORY_PROBABILITY, reason)
+    ProbabilityLimit { cause: repair.cause.clone(), most: MEMORY_PROBABILITY, reason }
 }
 
 fn memory_reason(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> String {
@@ -335,24 +318,6 @@ mod tests {
         let of = |cause: &str, after| limits(&case(cause, after, vec![])).into_iter().find(|l| l.0 == cause);
         assert_eq!(of("sensor_lag", 0.045), Some(("sensor_lag".to_owned(), 0.3)));
         assert_eq!((of("sensor_lag", 0.01), of("friction", 0.045)), (None, None));
-    }
-
-    /// A repair that predicts hardly better than an adequate model gives its probability to `none`; one that takes most of the
-    /// error, or the error of a model that is not adequate, keeps it.
-    #[test]
-    fn a_small_gain_over_an_adequate_model_speaks_for_a_complete_one() {
-        let of = |before: f64, after: f64| {
-            let (mut e, mut repair) = case("friction", 0.5 * before, vec![]);
-            e.nmse_before = before;
-            e.recorded.noise = Some(0.1 * before);
-            e.recorded.noise_held_out = Some(0.1 * before);
-            repair.errors = Some(HeldOutErrors { before: Some(before), after: Some(after), noise: 0.1 * before });
-            e.limits = e.limits_of_repair(&repair);
-            cause_probabilities(&e)[0]
-        };
-        assert!(matches!(of(0.002, 0.0018), ("none", p) if p > 0.5), "{:?}", of(0.002, 0.0018));
-        assert_eq!(of(0.002, 0.0004).0, "friction");
-        assert_ne!(of(0.02, 0.018).0, "none");
     }
 
     /// A sensor gives way to a memory that explains about as much and holds in other runs.
