@@ -1,9 +1,9 @@
-//! What commands leave behind in a model.
+//! Effects of commands on a model.
 
 use crate::Command;
 use hysteron_tcl::Value;
 
-/// What a call leaves behind in the model that it was made of.
+/// Effect of a call on the model that it was made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// The model is as before, and the answer is all that the call gives.
@@ -18,7 +18,7 @@ pub enum Effect {
     ReadsState,
 }
 
-/// What a call of a command leaves behind; `first` is its first argument. Recorders are not of the model.
+/// Effect of a call of a command; `first` is its first argument. Recorders are not of the model.
 pub fn effect(command: &Command, first: Option<&Value>) -> Effect {
     let is_recorder = || first.is_some_and(|w| w.as_str().starts_with("recorder"));
     if command.name == "remove" && is_recorder() { Effect::Nothing } else { command.effect }

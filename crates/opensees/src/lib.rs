@@ -76,7 +76,7 @@ pub struct Command {
     kinds: fn() -> Vec<KindUsage>,
     /// Kinds of things that it defines, and the position of the tag among its words.
     defines: (&'static [&'static str], usize),
-    /// What a call of it leaves behind.
+    /// Effect of a call of it on the model.
     effect: Effect,
 }
 

@@ -1,5 +1,6 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
+use super::basic_forces::{BASIC_DEFORMATIONS, basic_force_names};
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
@@ -392,10 +393,7 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
                 let names: &[&str] = if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
                 Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))))
             }
-            "basicForce" | "basicForces" => Probe::new(
-                BASIC_FORCE,
-                if plane { &["N", "M_1", "M_2"][..] } else { &BASIC_FORCES[..] }.iter().copied(),
-            ),
+            "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, basic_force_names(plane).iter().copied()),
             "deformatons" | "deformations" | "basicDeformation" | "basicDeformations" | "chordRotation"
             | "chordDeformation" => {
                 let names = if plane { &["eps", "theta1", "theta2"][..] } else { &BASIC_DEFORMATIONS[..] };
@@ -496,6 +494,3 @@ impl<const N: usize, const B: usize> LinearBeam for ElasticBeam<N, B> {
         })
     }
 }
-
-pub(super) const BASIC_FORCES: [&str; 6] = ["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"];
-pub(super) const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];

@@ -16,7 +16,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::basic::Basic;
-use super::elastic::{BASIC_DEFORMATIONS, BASIC_FORCES, consistent_mass, euler_load, lumped_mass, rigidities};
+use super::basic_forces::{BASIC_DEFORMATIONS, basic_force_names};
+use super::elastic::{consistent_mass, euler_load, lumped_mass, rigidities};
 use super::per_section::PerSection;
 use super::shortfall::exhausted;
 
@@ -351,10 +352,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
                 let names: &[&str] = if plane { &["N", "V", "M"] } else { &["N", "Vy", "Vz", "T", "My", "Mz"] };
                 Probe::new(LOCAL_FORCE, (1..=2).flat_map(|e| names.iter().map(move |n| format!("{n}_{e}"))))
             }
-            "basicForce" | "basicForces" => Probe::new(
-                BASIC_FORCE,
-                if plane { &["N", "M_1", "M_2"][..] } else { &BASIC_FORCES[..] }.iter().copied(),
-            ),
+            "basicForce" | "basicForces" => Probe::new(BASIC_FORCE, basic_force_names(plane).iter().copied()),
             "chordRotation" | "chordDeformation" | "basicDeformation" | "basicDeformations" | "deformations" => {
                 let names = if plane { &["eps", "theta_1", "theta_2"][..] } else { &BASIC_DEFORMATIONS[..] };
                 Probe::new(DEFORMATION, names.iter().copied())
