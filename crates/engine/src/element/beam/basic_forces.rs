@@ -6,14 +6,6 @@ use super::member::{FiberBeam, Formulation};
 use crate::element::damping::BasicForces;
 use crate::element::transform::Transform;
 
-/// Names of the basic deformations of a beam in space.
-pub(super) const BASIC_DEFORMATIONS: [&str; 6] = ["eps", "thetaZ_1", "thetaZ_2", "thetaY_1", "thetaY_2", "thetaX"];
-
-/// Names of the basic forces of a beam.
-pub(super) fn basic_force_names(plane: bool) -> &'static [&'static str] {
-    if plane { &["N", "M_1", "M_2"] } else { &["N", "Mz_1", "Mz_2", "My_1", "My_2", "T"] }
-}
-
 /// Adds the global forces of basic forces without member loads.
 fn add_global<const N: usize, const B: usize>(
     transform: &dyn Transform<N, B>,

@@ -1,6 +1,6 @@
 //! `elasticBeamColumn` in the plane and in space: Euler-Bernoulli or, with shear areas, Timoshenko.
 
-use super::basic_forces::{BASIC_DEFORMATIONS, basic_force_names};
+use super::basic::{BASIC_DEFORMATIONS, basic_force_names};
 use crate::element::load::{ElementLoad, EndActions};
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
