@@ -15,8 +15,7 @@ use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection, of_length
 use std::fmt;
 use std::sync::Arc;
 
-use super::basic::Basic;
-use super::basic::{BASIC_DEFORMATIONS, basic_force_names};
+use super::basic::{BASIC_DEFORMATIONS, Basic, basic_force_names};
 use super::elastic::{consistent_mass, euler_load, lumped_mass, rigidities};
 use super::per_section::PerSection;
 use super::shortfall::exhausted;
