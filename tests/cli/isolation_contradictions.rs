@@ -157,6 +157,16 @@ fn units_of_another_name() {
     Case { in_study: &label(""), ..BUILDING }.accepted();
 }
 
+/// A factor beside `scale` has no effect on the size of a motion; a turned sign has.
+#[test]
+fn factors_of_motions_beside_their_scaling() {
+    let factor = |words: &'static str| [("dt = 0.02", words)];
+    let told = ["Rio Dell 1992: its factor of 1.2 changes nothing"];
+    Case { in_study: &factor("dt = 0.02\nfactor = 1.2"), ..BUILDING }.warned("check", &told);
+    let (_, said) = Case { in_study: &factor("dt = 0.02\nfactor = -1.0"), ..BUILDING }.run("check");
+    assert!(!said.contains("changes nothing"), "{said}");
+}
+
 /// Motions that cannot be applied are refused; supports that move are compared.
 #[test]
 fn scripts_without_a_uniform_excitation() {

@@ -224,4 +224,17 @@ mod tests {
         let checks = acceptance(&sequence(far, durable), &NOMINAL, &DESIGN, &code);
         assert_eq!(failed(&checks).len(), 4, "{checks:?}");
     }
+
+    /// The mean of one test is no reference for that test; a value of the design, or the mean of two tests, is.
+    #[test]
+    fn nominal_values_of_one_test_do_not_check_it() {
+        let cycle = TestCycle { amplitude: 0.3, k_eff: 1.0, q_d: 0.09, k_d: 0.7, edc: 0.1, ..TestCycle::default() };
+        let code = Code::named("asce7-16").expect("a code");
+        let statuses = |tests: usize| -> Vec<Status> {
+            let checks = acceptance(&[test(vec![cycle; 3])], &Nominal { tests, ..NOMINAL }, &DESIGN, &code);
+            checks.iter().filter(|c| c.subject.contains("against nominal")).map(|c| c.status).collect()
+        };
+        assert!(statuses(1).iter().all(|s| *s == Status::NotChecked) && !statuses(1).is_empty());
+        assert!([0, 2].iter().all(|n| statuses(*n).iter().all(|s| *s != Status::NotChecked)));
+    }
 }

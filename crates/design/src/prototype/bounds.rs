@@ -183,6 +183,17 @@ mod tests {
         assert!((b.upper.q_d - 100.0 * (1.0 + 0.75 * 0.4) * 1.2 * 1.15).abs() < 1e-9);
         assert!((b.lower.q_d - 100.0 * (1.0 - 0.75 * 0.1) * 0.7 * 0.85).abs() < 1e-9);
         assert!((b.upper.k_d - 500.0 * 1.02 * 1.15).abs() < 1e-9 && (b.lower.k_d - 500.0 * 0.96 * 0.85).abs() < 1e-9);
-        assert!(Nominal::of(&tests, Some(1.0)).is_err());
+        assert!(Nominal::of(&tests, Some(1.0)).is_err_and(|e| e.contains("the amplitudes are 0.3000")));
+    }
+
+    /// Loops of a turned force supply energy; loops of too much energy are not bilinear, and nothing is turned.
+    #[test]
+    fn a_turned_force_is_told() {
+        let refused = |edc: f64| {
+            let cycle = TestCycle { amplitude: 0.3, edc, q_d: f64::NAN, ..TestCycle::default() };
+            let tests = [PrototypeTest { name: "t".into(), cycles: vec![cycle] }];
+            Nominal::of(&tests, None).expect_err("no bilinear loop").contains("--force-factor -1")
+        };
+        assert!(refused(-1.0) && !refused(1.0));
     }
 }
