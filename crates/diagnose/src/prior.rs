@@ -328,6 +328,13 @@ prior! {
     /// Share of the error above the noise that a repair must take away, on blocks held back and in runs held out, to have a
     /// name. A choice.
     MIN_TAKEN_SHARE: f64 = 0.5, "share";
+    /// Error in the fitted runs and in those held out, NMSE, up to which a model is not told from what a test does not repeat:
+    /// 7 % of the r.m.s. value. A choice: a quarter of the least difference, 0.02 to 0.06, of repeated runs on measured rigs.
+    REPEATED_NMSE: f64 = 0.005, "NMSE";
+    /// Share of so small an error that a repair must take away, on blocks held back or in runs held out. A choice.
+    MIN_TAKEN_OF_SMALL_ERROR: f64 = 0.67, "share";
+    /// Share of the structure in so small an error from which a repair explains it, however small its gain. A choice.
+    MIN_EXPLAINED_STRUCTURE: f64 = 0.9, "share";
     /// The same of a fault of a sensor, which claims that the model is right but for it. A choice.
     MIN_TAKEN_SHARE_OF_SENSOR: f64 = 0.75, "share";
     /// Largest probability of a fault of a sensor that takes away less. A choice.

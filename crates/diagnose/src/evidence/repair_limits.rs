@@ -6,8 +6,8 @@ use crate::hypothesis::{self, is_sensor_fault};
 use crate::memory::competition::FamilyResult;
 use crate::memory::family::Family;
 use crate::prior::{
-    FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE, MIN_TAKEN_SHARE,
-    MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST, PARTIAL_SENSOR_PROBABILITY, UNKNOWN_PER_SHARE_LEFT,
+    FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE,
+    MIN_EXPLAINED_STRUCTURE, MIN_TAKEN_OF_SMALL_ERROR, MIN_TAKEN_SHARE, MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST, PARTIAL_SENSOR_PROBABILITY, REPEATED_NMSE, UNKNOWN_PER_SHARE_LEFT,
 };
 
 /// Share of the error above the noise that a repair takes away.
@@ -38,7 +38,8 @@ impl VerdictEvidence {
             return better.map(|f| memory_limit(f, h, repair)).into_iter().collect();
         }
         let mut out: Vec<ProbabilityLimit> = vec![];
-        let limit = |cause: &str, most: f64, reason: String| ProbabilityLimit { cause: cause.into(), most, reason };
+        let limit = ProbabilityLimit::new;
+        out.extend(self.limit_of_adequate_model(h, repair).filter(|_| !is_visible(h)));
         let better = self.better_memory(h, repair);
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));
@@ -58,6 +59,26 @@ impl VerdictEvidence {
             out.push(limit("unknown", most, reason));
         }
         out
+    }
+
+    /// Limit of a repair that takes little from a model whose error may be what a test does not repeat, and that leaves
+    /// structure itself: model and repair are both roughly right. A small effect that is the whole of the error keeps its name.
+    fn limit_of_adequate_model(&self, h: &HypothesisEvidence, repair: &RepairEvidence) -> Option<ProbabilityLimit> {
+        let errors = repair.errors?;
+        let before = errors.before?;
+        let share = |before: f64, after: f64| 1.0 - after / before;
+        let runs = share(before, errors.after.unwrap_or(before));
+        let taken = runs.max(share(self.nmse_before, h.held_back.unwrap_or(h.nmse))).max(0.0);
+        let percent = |x: f64| format!("{:.2} %", 100.0 * x);
+        let reason = format!(
+            "your model predicts the runs held out within {} of the variance, and the repair within {}: a test hardly repeats better",
+            percent(before),
+            percent(before * (1.0 - runs))
+        );
+        let is_adequate = before.max(self.nmse_before) <= REPEATED_NMSE;
+        let takes_little = taken < MIN_TAKEN_OF_SMALL_ERROR && self.explained_share < MIN_EXPLAINED_STRUCTURE;
+        let limit = ProbabilityLimit::new(&repair.cause, runs.max(0.0), reason);
+        (is_adequate && takes_little).then_some(ProbabilityLimit { for_complete_model: true, ..limit })
     }
 
     fn hypothesis(&self, cause: &str, also: Option<&str>) -> Option<&HypothesisEvidence> {
@@ -229,7 +250,7 @@ fn is_visible(h: &HypothesisEvidence) -> bool {
 /// Limit of a cause that leaves what a kind of memory explains.
 fn memory_limit(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> ProbabilityLimit {
     let reason = memory_reason(f, h, repair);
-    ProbabilityLimit { cause: repair.cause.clone(), most: MEMORY_PROBABILITY, reason }
+    ProbabilityLimit::new(&repair.cause, MEMORY_PROBABILITY, reason)
 }
 
 fn memory_reason(f: &FamilyResult, h: &HypothesisEvidence, repair: &RepairEvidence) -> String {
@@ -318,6 +339,26 @@ mod tests {
         let of = |cause: &str, after| limits(&case(cause, after, vec![])).into_iter().find(|l| l.0 == cause);
         assert_eq!(of("sensor_lag", 0.045), Some(("sensor_lag".to_owned(), 0.3)));
         assert_eq!((of("sensor_lag", 0.01), of("friction", 0.045)), (None, None));
+    }
+
+    /// A repair that takes little from an adequate model and leaves structure gives its probability to `none`. One that takes
+    /// most of the error, or all of its structure, or repairs a model that is not adequate, keeps it.
+    #[test]
+    fn a_small_gain_over_an_adequate_model_speaks_for_a_complete_one() {
+        let of = |before: f64, after: f64, explained: f64| {
+            let (mut e, mut repair) = case("friction", after, vec![]);
+            (e.nmse_before, e.explained_share) = (before, explained);
+            e.hypotheses.iter_mut().filter(|h| h.cause == "none").for_each(|h| h.held_back = Some(before));
+            e.recorded.noise = Some(0.1 * before);
+            e.recorded.noise_held_out = Some(0.1 * before);
+            repair.errors = Some(HeldOutErrors { before: Some(before), after: Some(after), noise: 0.1 * before });
+            e.limits = e.limits_of_repair(&repair);
+            cause_probabilities(&e)[0]
+        };
+        assert!(matches!(of(0.002, 0.0012, 0.8), ("none", p) if p > 0.5), "{:?}", of(0.002, 0.0012, 0.8));
+        assert_eq!(of(0.002, 0.0004, 0.8).0, "friction");
+        assert_ne!(of(0.002, 0.0009, 1.0).0, "none");
+        assert_ne!(of(0.02, 0.012, 0.8).0, "none");
     }
 
     /// A sensor gives way to a memory that explains about as much and holds in other runs.

@@ -61,6 +61,16 @@ pub struct ProbabilityLimit {
     pub most: f64,
     /// What speaks against the cause, in words.
     pub reason: String,
+    /// The probability that the cause loses goes to `none`.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub for_complete_model: bool,
+}
+
+impl ProbabilityLimit {
+    /// A limit for a reason. What it takes goes to the other causes.
+    pub(crate) fn new(cause: &str, most: f64, reason: String) -> Self {
+        Self { cause: cause.into(), most, reason, for_complete_model: false }
+    }
 }
 
 /// Evidence for one hypothesis.

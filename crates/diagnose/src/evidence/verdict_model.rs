@@ -242,8 +242,23 @@ pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     let sum: f64 = by_memory.iter().sum();
     let p = by_memory.into_iter().map(|p| (1.0 - LAPSE_SHARE) * p / sum + equal);
     let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
+    favour_complete_model(evidence, &mut all);
     limit_probabilities(evidence, &mut all);
     sorted(all)
+}
+
+/// Gives to `none` what the limits that speak for a complete model take from the causes.
+fn favour_complete_model(evidence: &VerdictEvidence, all: &mut CauseProbabilities) {
+    let mut taken = 0.0;
+    for l in evidence.limits.iter().filter(|l| l.for_complete_model) {
+        for (_, p) in all.iter_mut().filter(|(cause, p)| *cause == l.cause && *p > l.most) {
+            taken += *p - l.most;
+            *p = l.most;
+        }
+    }
+    if let Some(none) = all.iter_mut().find(|(cause, _)| *cause == "none") {
+        none.1 += taken;
+    }
 }
 
 /// Keeps probabilities within their limits. What a limit takes from a cause goes to the others in proportion, and to
@@ -412,7 +427,7 @@ pub(crate) mod tests {
     fn limits_hold() {
         let mut e = evidence(&[("friction", None, 60.0), ("damping", None, 50.0)]);
         let before = cause_probabilities(&e);
-        let limit = |most: f64| ProbabilityLimit { cause: "friction".into(), most, reason: String::new() };
+        let limit = |most: f64| ProbabilityLimit::new("friction", most, String::new());
         e.limits = vec![limit(0.5)];
         let half = cause_probabilities(&e);
         assert_eq!(probability(&half, "friction"), 0.5);

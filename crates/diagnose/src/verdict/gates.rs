@@ -53,7 +53,7 @@ impl GatedRepair<'_> {
     pub(super) fn limits(&self) -> Vec<ProbabilityLimit> {
         let Some(proposal) = &self.variant.proposal else { return vec![] };
         let faults = self.variant.channel_faults(self.values);
-        let limit = |most: f64| move |reason| ProbabilityLimit { cause: proposal.cause.into(), most, reason };
+        let limit = |most: f64| move |reason| ProbabilityLimit::new(proposal.cause, most, reason);
         let mut out: Vec<ProbabilityLimit> = vec![];
         out.extend(impossible_heat(self.variant, self.values, self.responses.largest_work()).map(limit(0.0)));
         out.extend(eccentricity(self.variant, self.values, self.extent).map(limit(0.0)));

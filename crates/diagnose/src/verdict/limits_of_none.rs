@@ -10,12 +10,11 @@ use hysteron_identify::calibrate::Judgement;
 pub(super) fn limit_by_judgement(judgement: &Judgement) -> Option<ProbabilityLimit> {
     let noise = judgement.noise?;
     let times = noise.nmse / noise.noise;
-    (times > MAX_NOISE_OF_COMPLETE_MODEL && !judgement.structured.is_empty()).then(|| ProbabilityLimit {
-        cause: "none".into(),
-        most: INCOMPLETE_PROBABILITY,
-        reason: format!(
+    (times > MAX_NOISE_OF_COMPLETE_MODEL && !judgement.structured.is_empty()).then(|| {
+        let reason = format!(
             "your model leaves {times:.0} times the noise of the recordings, and a part of it follows the motion"
-        ),
+        );
+        ProbabilityLimit::new("none", INCOMPLETE_PROBABILITY, reason)
     })
 }
 
