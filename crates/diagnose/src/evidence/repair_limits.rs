@@ -171,10 +171,14 @@ impl VerdictEvidence {
 
     /// Log odds of a cause by the distance of its kinds of memory from the best, at most 0, nats.
     ///
-    /// They count where the best kind explains the device as well as the best cause of the library does.
+    /// They count where the best kind explains the device as well as the best cause of the library does. A cause without memory
+    /// that itself explains as much needs none: the law learned of a shape alone may be coarser than its own.
     pub(crate) fn memory_log_odds(&self, cause: &str) -> f64 {
         let Some(best) = self.recorded.families.first() else { return 0.0 };
-        let library = self.hypotheses.iter().filter_map(|h| h.device_held_back).fold(f64::INFINITY, f64::min);
+        let left = |of: &dyn Fn(&str) -> bool| {
+            let all = self.hypotheses.iter().filter(|h| of(&h.cause)).filter_map(|h| h.device_held_back);
+            all.fold(f64::INFINITY, f64::min)
+        };
         let behind = |f: &Family| {
             let of_family = self.recorded.families.iter().filter(|r| r.family == f.name());
             of_family.map(|r| r.behind).fold(f64::INFINITY, f64::min)
@@ -185,10 +189,12 @@ impl VerdictEvidence {
         }
         let own = memory_of(cause);
         let least = own.iter().map(behind).fold(f64::INFINITY, f64::min);
-        if best.blocks > MEMORY_ERROR_RATIO * library || !least.is_finite() {
+        if best.blocks > MEMORY_ERROR_RATIO * left(&|_| true) || !least.is_finite() {
             return 0.0;
         }
-        -MEMORY_LOG_ODDS * least.min(1.0)
+        let needs_none = own.contains(&Family::Shape);
+        let of_cause = (left(&|c| c == cause) / best.blocks).ln().max(0.0);
+        -MEMORY_LOG_ODDS * least.min(if needs_none { of_cause } else { 1.0 }).min(1.0)
     }
 
     /// Log odds that a cause loses for its distance from the best one beyond what the fitted weights count, nats.
@@ -382,6 +388,18 @@ mod tests {
         };
         assert_eq!(of(0.03, 0.03), [("none".to_owned(), 0.1)]);
         assert!(of(0.09, 0.03).is_empty() && of(0.03, 0.09).is_empty());
+    }
+
+    /// A cause without memory that explains as much as the best kind of memory loses nothing; one that explains less does.
+    #[test]
+    fn what_explains_as_much_without_memory_needs_none() {
+        let families =
+            vec![family("side", 0.002, 0.0), family("shape", 0.0035, 0.56), family("largest_deformation", 0.0045, 0.8)];
+        let odds = |cause: &str, after| case(cause, after, families.clone()).0.memory_log_odds(cause);
+        assert_eq!(odds("strain_stiffening", 0.002), 0.0);
+        assert!(odds("strain_stiffening", 0.0028) < -0.6, "{}", odds("strain_stiffening", 0.0028));
+        // Softening is of another memory, however well it is fitted.
+        assert!(odds("mullins_softening", 0.002) < -1.0, "{}", odds("mullins_softening", 0.002));
     }
 
     #[test]

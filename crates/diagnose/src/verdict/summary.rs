@@ -121,7 +121,7 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
     };
     let noise = judgement
         .and_then(|j| j.noise)
-        .map_or_else(String::new, |n| format!(" The noise of the recordings is {}.", variance(n.noise)));
+        .map_or_else(String::new, |n| noise_in_words(c.baseline.fit_nmse, n.noise));
     let reasons = match judgement.filter(|_| !is_explained) {
         Some(j) => j.reasons().join("; "),
         None => "the remaining error looks like noise".into(),
@@ -136,6 +136,14 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
         gain: format!("The fitted model misses {} of the fitted runs{after}.{noise}", variance(c.baseline.fit_nmse)),
         ..Summary::default()
     }
+}
+
+/// The noise of the recordings after an error. An estimate above the error is no more than a limit of the noise.
+fn noise_in_words(error: f64, noise: f64) -> String {
+    if noise > error {
+        return " The noise of the recordings is no larger than that.".into();
+    }
+    format!(" The noise of the recordings is {}.", variance(noise))
 }
 
 fn of_unknown(c: &SummaryContext<'_>) -> Summary {
@@ -435,7 +443,13 @@ fn wrapped(text: &str, width: usize, indent: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Summary, wrapped};
+    use super::{Summary, noise_in_words, wrapped};
+
+    #[test]
+    fn an_estimate_of_the_noise_above_the_error_is_a_limit() {
+        assert_eq!(noise_in_words(0.002, 0.003), " The noise of the recordings is no larger than that.");
+        assert!(noise_in_words(0.004, 0.003).contains("0.3 %"), "{}", noise_in_words(0.004, 0.003));
+    }
 
     #[test]
     fn lines_are_no_longer_than_the_width() {
