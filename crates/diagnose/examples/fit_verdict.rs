@@ -26,25 +26,18 @@ type Hessian = SMatrix<f64, FEATURE_COUNT, FEATURE_COUNT>;
 /// Ridges that cross-validation chooses from.
 const RIDGES: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
 /// Features whose weight cannot be negative: more of them speaks for the candidate.
-const POSITIVE: [&str; 15] = [
+const POSITIVE: [&str; 8] = [
     "gain",
     "ln_gap_of_look_alike",
     "auxiliary",
-    "equal_gain",
     "predicted",
     "none_first",
-    "ln_chance",
-    "unknown_remaining",
-    "unknown_held_out",
-    "unknown_structure",
     "unknown_structure_unexplained",
     "unknown_structure_without_cause",
     "unknown_motion",
-    "unknown_recurrence",
-    "unknown_line",
 ];
 /// Features whose weight cannot be positive.
-const NEGATIVE: [&str; 4] = ["ln_gap", "at_bound", "coincidence", "none_structure"];
+const NEGATIVE: [&str; 3] = ["ln_gap", "at_bound", "coincidence"];
 
 /// Largest number of Newton steps.
 const STEPS: usize = 60;
