@@ -1,19 +1,14 @@
 //! Concrete of Kent, Scott and Park with debris in its cracks (Stanton and McNiven, 1979).
 
-use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw, finite};
+use super::karsan_jirsa::KarsanJirsa;
+use super::{Concrete01, MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw, finite};
 use crate::state_struct::StateStruct;
 
 /// Concrete without tensile strength, in which cracks close before they are shut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concrete01Sitc {
-    /// Compressive strength, negative.
-    pub fc: f64,
-    /// Strain at the strength, negative.
-    pub epsc0: f64,
-    /// Crushing strength, negative.
-    pub fcu: f64,
-    /// Strain at the crushing strength, negative.
-    pub epscu: f64,
+    /// The same concrete without debris.
+    pub concrete: Concrete01,
     /// Strain at which the debris has no stress.
     pub end: f64,
 }
@@ -44,40 +39,10 @@ const DEBRIS: f64 = 3.0;
 const OPEN: f64 = 5.0;
 
 impl Concrete01Sitc {
-    fn modulus(&self) -> f64 {
-        2.0 * self.fc / self.epsc0
-    }
-
-    fn envelope(&self, e: f64) -> (f64, f64) {
-        if e > self.epsc0 {
-            let eta = e / self.epsc0;
-            (self.fc * (2.0 * eta - eta * eta), self.modulus() * (1.0 - eta))
-        } else if e > self.epscu {
-            let slope = (self.fc - self.fcu) / (self.epsc0 - self.epscu);
-            (self.fc + slope * (e - self.epsc0), slope)
-        } else {
-            (self.fcu, 0.0)
-        }
-    }
-
     /// Slopes and strain of zero stress of unloading from the envelope (Karsan and Jirsa, 1969).
     fn unload(&self, t: &mut History) {
-        let eta = t.least.max(self.epscu) / self.epsc0;
-        let ratio = if eta < 2.0 { 0.145 * eta * eta + 0.13 * eta } else { 0.707 * (eta - 2.0) + 0.834 };
-        t.zero = ratio * self.epsc0;
         t.debris = t.stress / (t.least - self.end);
-        let modulus = self.modulus();
-        let (permanent, elastic) = (t.least - t.zero, t.stress / modulus);
-        t.unloading = modulus;
-        if permanent > -f64::EPSILON {
-            return;
-        }
-        if permanent <= elastic {
-            t.unloading = t.stress / permanent;
-            t.zero = t.least - permanent;
-        } else {
-            t.zero = t.least - elastic;
-        }
+        (t.zero, t.unloading) = self.concrete.unload(t.least, t.stress);
     }
 
     /// Branch at a strain off the envelope in compression.
@@ -112,8 +77,8 @@ impl Concrete01Sitc {
         let mut t = History { strain: e, ..*c };
         if d.abs() < f64::EPSILON {
             let tangent = match c.branch {
-                0.0 => self.modulus(),
-                ENVELOPE => self.envelope(e).1,
+                0.0 => self.concrete.modulus(),
+                ENVELOPE => self.concrete.envelope(e).1,
                 UNLOADING => c.unloading,
                 DEBRIS => c.debris,
                 _ => 0.0,
@@ -121,7 +86,7 @@ impl Concrete01Sitc {
             return Ok((Stress { value: c.stress, tangent, damping: 0.0 }, *c));
         }
         if e < 0.0 && e <= c.least && !(fiber && e >= self.end) {
-            let (value, tangent) = self.envelope(e);
+            let (value, tangent) = self.concrete.envelope(e);
             (t.least, t.stress, t.branch) = (e, value, ENVELOPE);
             self.unload(&mut t);
             return finite(Self::NAME, e, value, tangent, t);
@@ -174,6 +139,6 @@ impl UniaxialLaw for Concrete01Sitc {
     }
 
     fn initial_tangent(&self) -> f64 {
-        self.modulus()
+        self.concrete.modulus()
     }
 }

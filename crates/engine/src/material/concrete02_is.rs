@@ -1,9 +1,9 @@
 //! Concrete as by Yassin (1994), with a modulus of its own: Popovics' curve up to the strength.
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use super::yassin::{Crushing, History, Yassin};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, finite, popovics};
+use crate::state_struct::StateStruct;
 
-/// Exponent of the curve where the modulus is not above the secant modulus of the strength.
-const LINEAR_EXPONENT: f64 = 400.0;
 /// Stress and tangent of a branch without stress; a positive value keeps the stiffness matrix regular.
 const FLAT: f64 = 1.0e-10;
 
@@ -28,30 +28,22 @@ pub struct Concrete02Is {
     pub ets: f64,
 }
 
-crate::state_struct! {
-    /// History of [`Concrete02Is`].
-    pub struct History {
-        /// Strain.
-        strain: f64,
-        /// Stress.
-        stress: f64,
-        /// Initial modulus minus the tangent.
-        softening: f64,
-        /// Smallest strain.
-        min: f64,
-        /// Largest tensile strain, measured from the end of unloading.
-        tension: f64,
+impl Yassin for Concrete02Is {
+    fn modulus(&self) -> f64 {
+        self.e0
     }
-}
 
-impl Concrete02Is {
+    fn crushing(&self) -> Crushing {
+        Crushing { fcu: self.fcu, epscu: self.epscu, ratio: self.ratio }
+    }
+
+    fn unloading(&self, _: f64, through: f64) -> f64 {
+        through
+    }
+
     fn compression(&self, e: f64) -> (f64, f64) {
         if e >= self.epsc0 {
-            let secant = self.fc / self.epsc0;
-            let r = if secant >= self.e0 { LINEAR_EXPONENT } else { self.e0 / (self.e0 - secant) };
-            let eta = e / self.epsc0;
-            let d = r - 1.0 + eta.powf(r);
-            return (self.fc * eta * r / d, self.fc * r * (r - 1.0) * (1.0 - eta.powf(r)) / (d * d * self.epsc0));
+            return popovics::compression([self.fc, self.epsc0], self.e0, e);
         }
         if e > self.epscu {
             let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
@@ -78,35 +70,11 @@ impl UniaxialLaw for Concrete02Is {
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let e = strain.value;
-        let step = e - c.strain;
-        if step.abs() < f64::EPSILON {
-            return Ok((Stress { value: c.stress, tangent: self.e0 - c.softening, damping: 0.0 }, *c));
-        }
-        let mut t = History { strain: e, ..*c };
-        let (value, tangent) = if e < c.min {
-            t.min = e;
-            self.compression(e)
-        } else {
-            // All reloading branches meet in R (equations 2.31 and 2.32).
-            let r = (self.fcu - self.ratio * self.e0 * self.epscu) / (self.e0 * (1.0 - self.ratio));
-            let low = self.compression(c.min).0;
-            let slope = (low - self.e0 * r) / (c.min - r);
-            let end = c.min - low / slope;
-            if e <= end {
-                let (lower, upper) = (low + slope * (e - c.min), 0.5 * slope * (e - end));
-                let elastic = c.stress + self.e0 * step;
-                let (f, k) = if elastic <= lower { (lower, slope) } else { (elastic, self.e0) };
-                if f >= upper { (upper, 0.5 * slope) } else { (f, k) }
-            } else if e <= end + c.tension {
-                let k = if c.tension == 0.0 { self.e0 } else { self.tension(c.tension).0 / c.tension };
-                (k * (e - end), k)
-            } else {
-                t.tension = e - end;
-                self.tension(e - end)
-            }
-        };
-        (t.stress, t.softening) = (value, self.e0 - tangent);
-        finite(Self::NAME, e, value, tangent, t)
+        let mut words = [0.0; History::LEN];
+        c.write(&mut words);
+        let branch = if e < c.min { self.crushes(words, e) } else { self.inside(words, e) };
+        let (next, value, tangent) = self.step(words, e, &branch);
+        finite(Self::NAME, e, value, tangent, History::read(&next))
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -1,9 +1,7 @@
 //! Concrete by Popovics' curve, with linear unloading and exponential softening in tension (Popovics, 1973; Karsan and Jirsa, 1969).
 
-use super::{MaterialError, Strain, Stress, UniaxialLaw};
-
-/// Exponent of Popovics' curve if the secant at the strength is as stiff as the initial modulus.
-const STEEPEST: f64 = 400.0;
+use super::karsan_jirsa::{permanent_strain, unloading_line};
+use super::{MaterialError, Strain, Stress, UniaxialLaw, popovics};
 
 /// Concrete in compression and tension.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,29 +50,9 @@ impl Concrete04 {
         if x < self.epscu {
             return (0.0, 0.0);
         }
-        let secant = self.fc / self.epsc0;
-        let r = if secant >= self.ec0 { STEEPEST } else { self.ec0 / (self.ec0 - secant) };
-        let eta = x / self.epsc0;
-        let power = eta.powf(r);
-        let denominator = r - 1.0 + power;
-        let slope = self.fc * r * (r - 1.0) * (1.0 - power) / (denominator.powi(2) * self.epsc0);
+        let (stress, slope) = popovics::compression([self.fc, self.epsc0], self.ec0, x);
         // The power may overflow far beyond the strength.
-        (self.fc * eta * r / denominator, if slope.is_finite() { slope } else { 0.0 })
-    }
-
-    /// Strain of zero stress and slope of unloading, from a point on the envelope.
-    fn unloading(&self, least: f64, stress: f64) -> (f64, f64) {
-        let eta = least.max(self.epscu) / self.epsc0;
-        let ratio = if eta < 2.0 { 0.145 * eta * eta + 0.13 * eta } else { 0.707 * (eta - 2.0) + 0.834 };
-        let end = ratio * self.epsc0;
-        let (distance, elastic) = (least - end, stress / self.ec0);
-        if distance > -f64::EPSILON {
-            (end, self.ec0)
-        } else if distance <= elastic {
-            (least - distance, stress / distance)
-        } else {
-            (least - elastic, self.ec0)
-        }
+        (stress, if slope.is_finite() { slope } else { 0.0 })
     }
 
     /// Stress and slope on the envelope in tension.
@@ -104,7 +82,8 @@ impl Concrete04 {
         } else if d <= 0.0 && x <= c.least {
             t.least = x;
             let (stress, slope) = self.compression(x);
-            let (end, unloading) = self.unloading(x, stress);
+            let permanent = permanent_strain(x, self.epsc0, self.epscu);
+            let (end, unloading) = unloading_line([x, stress], permanent, self.ec0);
             (t.end, t.unloading) = (end, unloading - self.ec0);
             (stress, slope)
         } else if x <= c.end {
