@@ -1,7 +1,8 @@
 //! Concrete as by Yassin (1994), with a modulus of its own: Popovics' curve up to the strength.
 
+use crate::material::concrete::popovics;
 use crate::material::concrete::yassin::{Crushing, History, Yassin};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite, popovics};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
 use crate::state_struct::StateStruct;
 
 /// Stress and tangent of a branch without stress; a positive value keeps the stiffness matrix regular.

@@ -1,7 +1,8 @@
 //! Concrete by Popovics' curve, with linear unloading and exponential softening in tension (Popovics, 1973; Karsan and Jirsa, 1969).
 
 use crate::material::concrete::karsan_jirsa::{permanent_strain, unloading_line};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, popovics};
+use crate::material::concrete::popovics;
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 
 /// Concrete in compression and tension.
 #[derive(Clone, Debug, PartialEq)]

@@ -100,8 +100,8 @@ impl fmt::Display for OutOfRange {
 
 /// Built-in tables: name of the compound and text of its file in `models/compounds/`.
 const BUILT_IN: [(&str, &str); 2] = [
-    ("HDR2", include_str!("../../../../../models/compounds/HDR2.txt")),
-    ("HDR3", include_str!("../../../../../models/compounds/HDR3.txt")),
+    ("HDR2", include_str!("../../../../../../models/compounds/HDR2.txt")),
+    ("HDR3", include_str!("../../../../../../models/compounds/HDR3.txt")),
 ];
 
 impl Compound {
