@@ -4,6 +4,7 @@ mod backbone;
 mod opensees;
 mod rules;
 
+use super::hinge::{Envelope, FLAT, NOTHING, no_force, of_hinge, of_member};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 pub use backbone::BilinSide;
@@ -11,10 +12,6 @@ use backbone::{Backbone, Line, meet};
 use rules::Rules;
 use std::cmp::Ordering;
 
-/// Slope of a horizontal branch; the rules recognise a branch without force by it.
-const FLAT: f64 = 1e-7;
-/// Force of a hinge without strength, as in OpenSees; positive on both sides if the strength is lost within a step.
-const NOTHING: f64 = 1e-10;
 /// Smallest unloading stiffness divided by the initial one.
 const LEAST_UNLOADING: f64 = 0.1;
 /// Post-capping slope divided by the initial stiffness below which a branch counts as horizontal.
@@ -32,7 +29,7 @@ pub struct Deterioration {
 
 impl Deterioration {
     /// β for the energy of an excursion and the remaining reference energy.
-    fn beta(&self, excursion: f64, left: f64) -> f64 {
+    pub(super) fn beta(&self, excursion: f64, left: f64) -> f64 {
         if self.capacity == 0.0 {
             return 0.0;
         }
@@ -130,16 +127,6 @@ impl<R: Rules> Bilin<R> {
         self.ke * (1.0 + self.n)
     }
 
-    /// Slope ratio of the hinge for a slope ratio of member and hinge together.
-    fn of_hinge(&self, ratio: f64) -> f64 {
-        ratio / (1.0 + self.n * (1.0 - ratio))
-    }
-
-    /// Slope ratio of member and hinge together for a slope ratio of the hinge.
-    fn of_member(&self, ratio: f64) -> f64 {
-        ratio * (1.0 + self.n) / (1.0 + self.n * ratio)
-    }
-
     /// The virgin state.
     fn virgin(&self) -> History {
         let k = self.k();
@@ -156,20 +143,18 @@ impl<R: Rules> Bilin<R> {
     }
 
     fn virgin_side(&self, side: &BilinSide) -> Backbone {
-        let (k, hardening) = (self.k(), self.of_hinge(side.hardening));
-        let peak = side.strength + k * hardening * side.plastic;
-        let cap_slope = self.of_hinge(-peak / (side.post_capping * self.ke));
-        let cap = side.plastic + side.strength / k;
+        let (Envelope { stiffness, strength, hardening, softening, cap }, cap_force, cap_intercept) =
+            Envelope::virgin(side, self.ke, self.n);
         Backbone {
-            strength: side.strength,
+            strength,
             hardening,
-            cap_slope,
-            first_cap_slope: cap_slope,
+            cap_slope: softening,
+            first_cap_slope: softening,
             cap,
-            cap_force: peak,
-            cap_intercept: peak - cap_slope * k * cap,
-            reach: side.strength / k,
-            target_force: side.strength,
+            cap_force,
+            cap_intercept,
+            reach: strength / stiffness,
+            target_force: strength,
             ..Backbone::default()
         }
     }
@@ -238,8 +223,8 @@ impl<R: Rules> Bilin<R> {
             beta = 1.0;
         }
         let left = t.stiffness_left * (1.0 - beta);
-        t.unloading = if t.settled == 0.0 { k * self.of_hinge(left) } else { t.excursion_unloading };
-        t.unloading = t.unloading.max(self.of_hinge(LEAST_UNLOADING) * k);
+        t.unloading = if t.settled == 0.0 { k * of_hinge(self.n, left) } else { t.excursion_unloading };
+        t.unloading = t.unloading.max(of_hinge(self.n, LEAST_UNLOADING) * k);
         t.stiffness_left = left;
     }
 
@@ -377,7 +362,7 @@ impl<R: Rules> Bilin<R> {
         (t.excursion_energy, t.excursion_unloading) = (0.0, t.unloading);
         let mut side = t.sides[s.ahead];
         side.strength *= 1.0 - by_strength * rule.rate;
-        side.hardening = self.of_hinge(self.of_member(side.hardening) * (1.0 - by_strength * rule.rate));
+        side.hardening = of_hinge(self.n, of_member(self.n, side.hardening) * (1.0 - by_strength * rule.rate));
         side.cap_intercept *= 1.0 - by_cap * rule.rate;
         let residual = rule.residual * rule.strength;
         if side.strength <= residual {
@@ -386,7 +371,7 @@ impl<R: Rules> Bilin<R> {
             t.settled = 1.0;
         } else if !self.steady_cap {
             let kept = ((residual - side.strength) / (residual - rule.strength)).abs();
-            side.cap_slope = self.of_hinge(self.of_member(side.first_cap_slope) * kept);
+            side.cap_slope = of_hinge(self.n, of_member(self.n, side.first_cap_slope) * kept);
             if side.cap_slope >= 0.0 {
                 side.cap_slope = -1e-6;
             }
@@ -471,7 +456,7 @@ impl<R: Rules> UniaxialLaw for Bilin<R> {
         let value = sign * answer.0;
         let tangent = R::tangent(answer.1, slope);
         if !(value.is_finite() && tangent.is_finite() && t.energy.is_finite() && t.unloading.is_finite()) {
-            return Err(MaterialError(format!("Bilin has no force at a deformation of {:.6e}", strain.value)));
+            return Err(no_force(Self::NAME, strain.value));
         }
         if answer.1.abs() <= FLAT && answer.2 != 0.0 {
             t.sides[if sign * answer.2 > 0.0 { 0 } else { 1 }].level = 1.0;

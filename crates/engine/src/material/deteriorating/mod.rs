@@ -3,6 +3,7 @@
 mod bar_slip;
 mod bilin;
 mod gallardo_shear;
+mod hinge;
 mod hysteretic;
 mod hysteretic_sm;
 mod imk;

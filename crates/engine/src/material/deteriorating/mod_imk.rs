@@ -1,17 +1,11 @@
 //! Deteriorating plastic hinges: the modified Ibarra-Medina-Krawinkler laws with peak-oriented and pinched hysteresis (Ibarra, Medina
 //! and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and Krawinkler, 2012).
 
-mod envelope;
-
+use super::hinge::{Envelope, FLAT, no_force, of_hinge, of_member, sign};
 use crate::material::{BilinSide, Deterioration, MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
-use envelope::Envelope;
 use std::fmt;
 
-/// Slope of a horizontal branch.
-const FLAT: f64 = 1e-7;
-/// Force of a hinge at its ultimate deformation.
-const NOTHING: f64 = 1e-10;
 /// Deformations and forces that are closer than this are equal.
 const CLOSE: f64 = 1e-10;
 /// Deformation of zero force that is not zero, for a hinge that comes back to zero.
@@ -140,11 +134,6 @@ crate::state_struct! {
     }
 }
 
-/// Sign of a side by its index.
-fn sign(side: usize) -> f64 {
-    if side == 0 { 1.0 } else { -1.0 }
-}
-
 impl ModImkPeakOriented {
     /// The same hinge by other rules.
     pub fn with<R>(self, rules: R) -> ModImkPeakOriented<R> {
@@ -159,32 +148,13 @@ impl<R: Rules> ModImkPeakOriented<R> {
         self.ke * (1.0 + self.n)
     }
 
-    /// Slope ratio of the hinge for a slope ratio of member and hinge together.
-    fn of_hinge(&self, ratio: f64) -> f64 {
-        ratio / (1.0 + self.n * (1.0 - ratio))
-    }
-
-    /// Slope ratio of member and hinge together for a slope ratio of the hinge.
-    fn of_member(&self, ratio: f64) -> f64 {
-        ratio * (1.0 + self.n) / (1.0 + self.n * ratio)
-    }
-
     fn virgin(&self) -> History {
         let k = self.k();
         let sides = self.sides.map(|s| {
-            let hardening = self.of_hinge(s.hardening);
-            let (yields, peak) = (s.strength / k, s.strength + k * hardening * s.plastic);
-            let softening = self.of_hinge(-peak / (s.post_capping * self.ke));
-            Backbone {
-                strength: s.strength,
-                hardening,
-                softening,
-                cap: yields + s.plastic,
-                intercept: -softening * k * (s.plastic + yields) + peak,
-                reach: [yields, s.strength],
-                last: [yields, s.strength],
-                zero: 0.0,
-            }
+            let (Envelope { strength, hardening, softening, cap, .. }, _, intercept) =
+                Envelope::virgin(&s, self.ke, self.n);
+            let yielded = [strength / k, strength];
+            Backbone { strength, hardening, softening, cap, intercept, reach: yielded, last: yielded, zero: 0.0 }
         });
         History { tangent: k, unloading: k, stiffness_left: 1.0, sides, ..History::default() }
     }
@@ -214,17 +184,10 @@ impl<R: Rules> ModImkPeakOriented<R> {
         }
         let positive_yield = t.sides[0].reach[0] > self.sides[0].strength / k;
         if capacity != 0.0 && (!pinched || R::softens(side == 0, positive_yield)) {
-            let power = ((t.excursion - stored) / (capacity - spent)).powf(self.stiffness.exponent);
-            // The power is undefined if an excursion returned more energy than it took.
-            let beta = if spent >= capacity {
-                1.0
-            } else if power.is_nan() {
-                0.0
-            } else {
-                power
-            };
+            let beta =
+                if spent >= capacity { 1.0 } else { self.stiffness.beta(t.excursion - stored, capacity - spent) };
             t.stiffness_left *= 1.0 - beta;
-            t.unloading = k * self.of_hinge(t.stiffness_left);
+            t.unloading = k * of_hinge(self.n, t.stiffness_left);
             if pinched {
                 let [a, b] = [t.sides[0].reach, t.sides[1].reach];
                 t.unloading = t.unloading.max((a[1] + b[1]) / (a[0] + b[0]));
@@ -325,31 +288,22 @@ impl<R: Rules> ModImkPeakOriented<R> {
             [0.0, 0.0, 1.0]
         } else {
             [0, 1, 2].map(|i| {
-                if capacity[i] == 0.0 {
-                    return 0.0;
-                }
-                let beta = (t.excursion / (capacity[i] - t.energy)).powf(modes[i].exponent);
+                let beta = modes[i].beta(t.excursion, capacity[i] - t.energy);
                 if pinched && beta.abs() >= 1.0 {
                     t.stopped = 1.0;
                 }
-                if beta.is_nan() {
-                    0.0
-                } else if beta.abs() >= 1.0 {
-                    1.0
-                } else {
-                    beta
-                }
+                if beta.abs() >= 1.0 { 1.0 } else { beta }
             })
         };
         t.excursion = 0.0;
         let rule = &self.sides[side];
         let mut b = t.sides[side];
         b.strength *= 1.0 - by_strength * rule.rate;
-        b.hardening = self.of_hinge(self.of_member(b.hardening) * (1.0 - by_strength * rule.rate));
+        b.hardening = of_hinge(self.n, of_member(self.n, b.hardening) * (1.0 - by_strength * rule.rate));
         b.intercept *= 1.0 - by_capping * rule.rate;
         if self.n > 0.0 {
             // The largest deformation of member and hinge together grows.
-            let (hardening, softening) = (self.of_member(b.hardening), self.of_member(b.softening));
+            let (hardening, softening) = (of_member(self.n, b.hardening), of_member(self.n, b.softening));
             let mut member = Envelope { stiffness: self.ke, strength: b.strength, hardening, softening, cap: 0.0 };
             member.cap = member.cap_for(b.intercept);
             let total = (b.reach[0] + b.reach[1] / self.ke) * (1.0 + by_reloading);
@@ -424,10 +378,6 @@ impl<R: Rules> ModImkPeakOriented<R> {
 fn nearer(elastic: f64, line: f64, unloading: f64, slope: f64) -> (f64, f64) {
     let force = elastic.min(line);
     (force, if (force - elastic).abs() < CLOSE { unloading } else { slope })
-}
-
-fn no_force(name: &str, strain: f64) -> MaterialError {
-    MaterialError(format!("{name} has no force at a deformation of {strain:.6e}"))
 }
 
 impl<R: Rules> UniaxialLaw for ModImkPeakOriented<R> {

@@ -1,6 +1,6 @@
 //! Backbone of a deteriorating hinge on one side.
 
-use super::FLAT;
+use crate::material::deteriorating::hinge::Envelope;
 
 /// Slope of the residual branch in intersections, as in OpenSees.
 const RESIDUAL_SLOPE: f64 = 1e-10;
@@ -108,26 +108,8 @@ impl Backbone {
 
     /// Force and slope on the backbone.
     pub fn at(&self, rule: &BilinSide, x: f64, k: f64) -> (f64, f64) {
-        let yielded = self.strength / k;
-        let early = yielded > self.cap;
-        let (slope, top) = if early {
-            (k, k * self.cap)
-        } else {
-            (k * self.hardening, self.strength + self.hardening * k * (self.cap - yielded))
-        };
-        let residual = rule.residual * if early { top } else { rule.strength };
-        let end = self.cap + (residual - top) / (self.cap_slope * k);
-        if x < 0.0 {
-            (0.0, FLAT)
-        } else if x <= yielded.min(self.cap) {
-            (k * x, k)
-        } else if x <= self.cap {
-            (self.strength + slope * (x - yielded), slope)
-        } else if x <= end {
-            (top + self.cap_slope * k * (x - self.cap), self.cap_slope * k)
-        } else {
-            (residual + x * FLAT, FLAT)
-        }
+        let Self { strength, hardening, cap_slope: softening, cap, .. } = *self;
+        Envelope { stiffness: k, strength, hardening, softening, cap }.at(rule, x)
     }
 
     /// Sets the target to the intersection of an unloading line from the other side with the backbone.

@@ -4,7 +4,8 @@
 //! from one side beyond the cap of the other may lose all strength or have none. The unloading stiffness deteriorates by
 //! different rules on the two sides. A jump to the residual strength needs no path.
 
-use super::{FLAT, Rules, lower};
+use super::{Rules, lower};
+use crate::material::deteriorating::hinge::FLAT;
 use crate::rules::OpenSees;
 
 impl Rules for OpenSees {

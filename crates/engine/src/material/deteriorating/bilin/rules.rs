@@ -1,6 +1,7 @@
 //! Rules of `Bilin` that OpenSees has otherwise.
 
-use super::{FLAT, lower};
+use super::lower;
+use crate::material::deteriorating::hinge::FLAT;
 use crate::rules::Consistent;
 use std::fmt;
 

@@ -1,6 +1,7 @@
 //! Bilinear hysteresis.
 
-use super::{ImkDeterioration, ImkSide, Rules, not_flat, sign};
+use super::{Curve, ImkDeterioration, ImkSide, Motion, Rules};
+use crate::material::deteriorating::hinge::{no_force, sign};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 
@@ -38,89 +39,43 @@ pub struct ImkBilin<R = Consistent> {
 }
 
 crate::state_struct! {
-    /// Backbone of one side, with positive deformations and forces.
-    pub struct Backbone {
-        /// Yield strength.
-        strength: f64,
-        /// Deformation at the cap.
-        cap: f64,
-        /// Force at the cap.
-        cap_force: f64,
-        /// Slope before the cap.
-        hardening: f64,
-        /// Slope beyond the cap.
-        softening: f64,
-    }
-}
-
-crate::state_struct! {
     /// History of [`ImkBilin`].
     pub struct History {
-        /// 1 after the first step.
-        started: f64,
-        /// Deformation.
-        strain: f64,
-        /// Force.
-        stress: f64,
-        /// Tangent.
-        tangent: f64,
-        /// Unloading stiffness.
-        unloading: f64,
-        /// Dissipated and stored energy.
-        energy: f64,
-        /// The same at the start of the excursion.
-        spent: f64,
+        /// Motion and energy.
+        motion: Motion,
         /// 1 on the backbone.
         on_backbone: f64,
         /// Stage of the loss of strength.
         stage: f64,
         /// Backbones.
-        sides: [Backbone; 2],
+        sides: [Curve; 2],
     }
 }
 
 impl<R: Rules> ImkBilin<R> {
     fn virgin(&self) -> History {
-        let sides = self.sides.map(|s| {
-            let cap_force = s.peak * s.strength;
-            Backbone {
-                strength: s.strength,
-                cap: s.strength / self.ke + s.plastic,
-                cap_force,
-                hardening: (cap_force - s.strength) / s.plastic,
-                softening: -cap_force / s.post_capping,
-            }
-        });
-        History { started: 1.0, tangent: self.ke, unloading: self.ke, sides, ..History::default() }
+        let sides = self.sides.map(|s| Curve::virgin(&s, self.ke));
+        History { motion: Motion::virgin(self.ke), sides, ..History::default() }
     }
 
     /// Deterioration of the backbone ahead at the start of an excursion. Returns true if no strength is left.
     fn deteriorate(&self, side: usize, c: &History, t: &mut History) -> bool {
         let fy = self.sides[0].strength;
-        let excursion = (c.energy - c.spent).max(0.0);
-        let (by_strength, no_strength) = self.strength.beta(fy, excursion, c.energy);
-        let (by_capping, no_cap) = self.capping.beta(fy, excursion, c.energy);
-        t.spent = c.energy;
+        let excursion = c.motion.excursion();
+        let (by_strength, no_strength) = self.strength.beta(fy, excursion, c.motion.energy);
+        let (by_capping, no_cap) = self.capping.beta(fy, excursion, c.motion.energy);
+        t.motion.spent = c.motion.energy;
         let (rule, s) = (&self.sides[side], sign(side));
-        let (residual, u, f) = (rule.residual_strength(), s * c.strain, s * c.stress);
+        let (residual, u, f) = (rule.residual_strength(), s * c.motion.strain, s * c.motion.stress);
         let b = &mut t.sides[side];
-        let intercept = (b.cap_force - b.softening * b.cap) * (1.0 - by_capping * rule.rate);
-        b.strength *= 1.0 - by_strength * rule.rate;
-        b.hardening *= 1.0 - by_strength * rule.rate;
         let softening = rule.peak * rule.strength / rule.post_capping;
-        b.softening =
-            if b.strength < residual { 0.0 } else { -softening * (b.strength - residual) / (rule.strength - residual) };
-        let hardening_intercept = b.strength - b.hardening * (b.strength / self.ke);
-        b.cap = if b.hardening <= b.softening {
-            0.0
-        } else {
-            (intercept - hardening_intercept) / (b.hardening - b.softening)
-        };
-        b.cap_force = hardening_intercept + b.hardening * b.cap;
+        b.deteriorate(self.ke, [by_strength, by_capping].map(|beta| 1.0 - beta * rule.rate), |b| {
+            if b.strength < residual { 0.0 } else { -softening * (b.strength - residual) / (rule.strength - residual) }
+        });
         // Slope from the unloading line at the residual strength to the cap.
-        let least = (b.cap_force - residual) / (b.cap - u - (residual - f) / t.unloading);
-        if b.cap_force < residual {
-            *b = Backbone { strength: residual, cap_force: residual, ..Backbone::default() };
+        let least = (b.cap[1] - residual) / (b.cap[0] - u - (residual - f) / t.motion.unloading);
+        if b.cap[1] < residual {
+            *b = Curve { strength: residual, cap: [0.0, residual], ..Curve::default() };
         } else if least > 0.0 && b.hardening > least {
             b.hardening = least;
         }
@@ -133,8 +88,8 @@ impl<R: Rules> ImkBilin<R> {
         if t.stage == lost(side) {
             return (0.0, 0.0);
         }
-        let slope = if x < b.cap { b.hardening } else { b.softening };
-        let force = b.cap_force + (x - b.cap) * slope;
+        let slope = if x < b.cap[0] { b.hardening } else { b.softening };
+        let force = b.cap[1] + (x - b.cap[0]) * slope;
         if force < residual || t.stage == lost(1 - side) { (residual, 0.0) } else { (force, slope) }
     }
 
@@ -142,9 +97,9 @@ impl<R: Rules> ImkBilin<R> {
     fn is_residual(&self, side: usize, t: &History) -> bool {
         let (b, residual, s) = (&t.sides[side], self.sides[side].residual_strength(), sign(side));
         if b.softening == 0.0 {
-            return s * t.stress == residual;
+            return s * t.motion.stress == residual;
         }
-        s * t.strain >= (residual - b.cap_force + b.softening * b.cap) / b.softening
+        s * t.motion.strain >= (residual - b.cap[1] + b.softening * b.cap[0]) / b.softening
     }
 
     /// Moves to a trial deformation. Returns the slope of the branch.
@@ -152,39 +107,37 @@ impl<R: Rules> ImkBilin<R> {
         let side = usize::from(du < 0.0);
         let s = sign(side);
         let mut exhausted = false;
-        let on_backbone = c.on_backbone == 1.0;
-        if on_backbone && (c.stress * du < 0.0 || (c.stress == 0.0 && c.strain * du <= 0.0)) {
+        if c.on_backbone == 1.0 && c.motion.reverses(du) {
             t.on_backbone = 0.0;
-            let stored = 0.5 * (c.stress / c.unloading) * c.stress;
-            let (beta, fails) =
-                self.stiffness.beta(self.sides[0].strength, c.energy - c.spent - stored, c.energy - stored);
-            t.unloading *= 1.0 - beta;
+            let (beta, fails) = self.stiffness.beta_of_unloading(self.sides[0].strength, &c.motion);
+            t.motion.unloading *= 1.0 - beta;
             if c.stage > YIELDED {
-                t.unloading = UNLOADING_AT_RESIDUAL * self.ke;
+                t.motion.unloading = UNLOADING_AT_RESIDUAL * self.ke;
             }
             exhausted = fails;
         }
-        t.stress = c.stress + t.unloading * du;
-        let mut slope = t.unloading;
-        if t.on_backbone == 0.0 && c.stress * t.stress <= 0.0 && c.stage > 0.0 {
+        t.motion.stress = c.motion.stress + t.motion.unloading * du;
+        let mut slope = t.motion.unloading;
+        if t.on_backbone == 0.0 && c.motion.stress * t.motion.stress <= 0.0 && c.stage > 0.0 {
             exhausted |= self.deteriorate(side, c, t);
         }
-        let (force, on) = self.backbone(side, s * t.strain, t);
-        if s * t.stress > force {
-            (t.stress, slope) = (s * force, on);
+        let (force, on) = self.backbone(side, s * t.motion.strain, t);
+        if s * t.motion.stress > force {
+            (t.motion.stress, slope) = (s * force, on);
             t.on_backbone = 1.0;
         }
         let residual = self.is_residual(0, t) || self.is_residual(1, t);
-        let breaks = s * t.strain >= self.sides[side].ultimate || (t.on_backbone == 1.0 && s * t.stress <= 0.0);
+        let breaks =
+            s * t.motion.strain >= self.sides[side].ultimate || (t.on_backbone == 1.0 && s * t.motion.stress <= 0.0);
         if exhausted || breaks {
-            (t.stress, slope) = (0.0, 0.0);
+            (t.motion.stress, slope) = (0.0, 0.0);
             t.stage = if exhausted || t.stage == lost(1 - side) { LOST } else { lost(side) };
         } else if t.stage < RESIDUAL && residual {
             t.stage = RESIDUAL;
         } else if t.stage == 0.0 && t.on_backbone == 1.0 {
             t.stage = YIELDED;
         }
-        t.energy += 0.5 * (t.stress + c.stress) * du;
+        t.motion.energy += 0.5 * (t.motion.stress + c.motion.stress) * du;
         slope
     }
 }
@@ -198,22 +151,16 @@ impl<R: Rules> UniaxialLaw for ImkBilin<R> {
     }
 
     fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let begun = |h: &History| if h.started == 0.0 { self.virgin() } else { *h };
+        let begun = |h: &History| if h.motion.started == 0.0 { self.virgin() } else { *h };
         let (c, last) = (begun(c), begun(last));
-        let mut t = History { strain: strain.value, ..c };
-        let du = strain.value - c.strain;
-        if c.stage == LOST || du == 0.0 {
-            t.stress = if c.stage == LOST { 0.0 } else { c.stress };
-            t.tangent = R::tangent_at_rest(c.tangent, last.tangent);
-        } else {
-            let slope = self.advance(du, &c, &mut t);
-            t.tangent = R::tangent(slope, (t.stress - c.stress) / du);
+        let (mut t, failed, du) = (c, c.stage == LOST, strain.value - c.motion.strain);
+        t.motion.strain = strain.value;
+        let slope = (!failed && du != 0.0).then(|| self.advance(du, &c, &mut t));
+        if failed {
+            t.motion.stress = 0.0;
         }
-        t.tangent = not_flat(t.tangent);
-        if !(t.stress.is_finite() && t.tangent.is_finite()) {
-            return Err(MaterialError(format!("IMKBilin has no force at a deformation of {:.6e}", strain.value)));
-        }
-        Ok((Stress { value: t.stress, tangent: t.tangent, damping: 0.0 }, t))
+        let answer = t.motion.finish::<R>(&c.motion, &last.motion, slope);
+        answer.map(|stress| (stress, t)).ok_or_else(|| no_force(Self::NAME, strain.value))
     }
 
     fn initial_tangent(&self) -> f64 {

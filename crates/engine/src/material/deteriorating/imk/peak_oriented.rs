@@ -1,6 +1,7 @@
 //! Peak-oriented and pinched hysteresis.
 
-use super::{ImkDeterioration, ImkSide, Rules, not_flat, sign};
+use super::{Curve, ImkDeterioration, ImkSide, Motion, Rules};
+use crate::material::deteriorating::hinge::{no_force, sign};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 
@@ -57,42 +58,24 @@ pub struct ImkPinching<R = Consistent> {
 crate::state_struct! {
     /// Backbone and peaks of one side, with positive deformations and forces.
     pub struct Backbone {
-        /// Yield strength.
-        strength: f64,
-        /// Deformation and force at the cap.
-        cap: [f64; 2],
+        /// Curve.
+        curve: Curve,
         /// Deformation and force at the last peak.
         local: [f64; 2],
         /// Deformation and force at the largest peak.
         global: [f64; 2],
         /// Deformation at which the residual strength is reached.
         residual: f64,
-        /// Slope before the cap.
-        hardening: f64,
-        /// Slope beyond the cap.
-        softening: f64,
     }
 }
 
 crate::state_struct! {
     /// History of [`ImkPeakOriented`] and [`ImkPinching`].
     pub struct History {
-        /// 1 after the first step.
-        started: f64,
-        /// Deformation.
-        strain: f64,
-        /// Force.
-        stress: f64,
-        /// Tangent.
-        tangent: f64,
+        /// Motion and energy.
+        motion: Motion,
         /// Reloading stiffness.
         reloading: f64,
-        /// Unloading stiffness.
-        unloading: f64,
-        /// Dissipated and stored energy.
-        energy: f64,
-        /// The same at the start of the excursion.
-        spent: f64,
         /// Branch, with the sign of its side.
         branch: f64,
         /// 1 without strength.
@@ -125,80 +108,61 @@ fn mirrored(s: f64, point: [f64; 2]) -> [f64; 2] {
 impl<R: Rules> ImkPeakOriented<R> {
     fn virgin(&self) -> History {
         let sides = self.sides.map(|s| {
-            let (yields, force) = (s.strength / self.ke, s.peak * s.strength);
-            let (cap, softening) = (yields + s.plastic, -force / s.post_capping);
-            Backbone {
-                strength: s.strength,
-                cap: [cap, force],
-                local: [yields, s.strength],
-                global: [yields, s.strength],
-                residual: (s.residual_strength() - force) / softening + cap,
-                hardening: (force - s.strength) / s.plastic,
-                softening,
-            }
+            let (curve, yields) = (Curve::virgin(&s, self.ke), [s.strength / self.ke, s.strength]);
+            let residual = (s.residual_strength() - curve.cap[1]) / curve.softening + curve.cap[0];
+            Backbone { curve, local: yields, global: yields, residual }
         });
-        let ke = self.ke;
-        History { started: 1.0, tangent: ke, reloading: ke, unloading: ke, sides, ..History::default() }
+        History { motion: Motion::virgin(self.ke), reloading: self.ke, sides, ..History::default() }
     }
 
     /// Peaks and unloading stiffness at a reversal. Returns true if no strength is left.
     fn unload(&self, c: &History, t: &mut History) -> bool {
         t.branch = UNLOADING;
-        let side = usize::from(c.stress <= 0.0);
-        let peak = mirrored(sign(side), [c.strain, c.stress]);
+        let side = usize::from(c.motion.stress <= 0.0);
+        let peak = mirrored(sign(side), [c.motion.strain, c.motion.stress]);
         let b = &mut t.sides[side];
         b.local = peak;
         if peak[0] > b.global[0] {
             b.global = peak;
         }
-        let stored = 0.5 * (c.stress / c.unloading) * c.stress;
-        let fy = self.sides[0].strength;
-        let (beta, fails) = self.stiffness.beta(fy, c.energy - c.spent - stored, c.energy - stored);
-        t.unloading *= 1.0 - beta;
+        let (beta, fails) = self.stiffness.beta_of_unloading(self.sides[0].strength, &c.motion);
+        t.motion.unloading *= 1.0 - beta;
         fails
     }
 
     /// Deterioration of the backbone ahead at the start of an excursion. Returns true if no strength is left.
     fn deteriorate(&self, side: usize, c: &History, t: &mut History) -> bool {
         let fy = self.sides[0].strength;
-        let excursion = (c.energy - c.spent).max(0.0);
-        let modes = [&self.strength, &self.capping, &self.reloading].map(|m| m.beta(fy, excursion, c.energy));
+        let excursion = c.motion.excursion();
+        let modes = [&self.strength, &self.capping, &self.reloading].map(|m| m.beta(fy, excursion, c.motion.energy));
         let [by_strength, by_capping, by_reloading] = modes.map(|m| m.0);
-        t.spent = c.energy;
+        t.motion.spent = c.motion.energy;
         let rule = &self.sides[side];
         let (b, residual) = (&mut t.sides[side], rule.residual_strength());
-        let intercept = (b.cap[1] - b.softening * b.cap[0]) * (1.0 - by_capping * rule.rate);
-        b.strength *= 1.0 - by_strength * rule.rate;
-        b.hardening *= 1.0 - by_strength * rule.rate;
+        let kept = [by_strength, by_capping].map(|beta| 1.0 - beta * rule.rate);
+        b.curve.deteriorate(self.ke, kept, |curve| curve.softening);
         b.global[0] *= 1.0 + by_reloading * rule.rate;
-        let yields = b.strength / self.ke;
-        let hardening_intercept = b.strength - b.hardening * yields;
-        b.cap[0] = if b.hardening <= b.softening {
-            0.0
-        } else {
-            (intercept - hardening_intercept) / (b.hardening - b.softening)
-        };
-        b.cap[1] = hardening_intercept + b.hardening * b.cap[0];
+        let yields = b.curve.strength / self.ke;
         let x = b.global[0];
         let force = if x < yields {
             self.ke * x
-        } else if x < b.cap[0] {
-            b.strength + b.hardening * (x - yields)
+        } else if x < b.curve.cap[0] {
+            b.curve.strength + b.curve.hardening * (x - yields)
         } else {
-            b.cap[1] + b.softening * (x - b.cap[0])
+            b.curve.cap[1] + b.curve.softening * (x - b.curve.cap[0])
         };
         b.global[1] = if force < residual { residual } else { force };
-        b.residual = (residual - b.cap[1] + b.softening * b.cap[0]) / b.softening;
+        b.residual = (residual - b.curve.cap[1] + b.curve.softening * b.curve.cap[0]) / b.curve.softening;
         modes.iter().any(|m| m.1)
     }
 
     /// Chooses the branch at the start of an excursion.
     fn reload(&self, side: usize, pinching: Option<&Pinching>, c: &History, t: &mut History) {
         let (s, b) = (sign(side), t.sides[side]);
-        let zero = [s * (c.strain - c.stress / t.unloading), 0.0];
+        let zero = [s * (c.motion.strain - c.motion.stress / t.motion.unloading), 0.0];
         let (to_global, to_local) = (slope(zero, b.global), slope(zero, b.local));
         if let Some(p) = pinching {
-            let permanent = b.global[0] - b.global[1] / t.unloading;
+            let permanent = b.global[0] - b.global[1] / t.motion.unloading;
             let x = (1.0 - p.deformation) * permanent;
             let pinch = [x, p.force * b.global[1] * (x - zero[0]) / (b.global[0] - zero[0])];
             t.pinch = mirrored(s, pinch);
@@ -218,14 +182,14 @@ impl<R: Rules> ImkPeakOriented<R> {
     fn leave(&self, pinches: bool, c: &History, t: &mut History) {
         if t.branch == ELASTIC {
             for side in [0, 1] {
-                if sign(side) * t.strain > t.sides[side].strength / self.ke {
+                if sign(side) * t.motion.strain > t.sides[side].curve.strength / self.ke {
                     t.branch = sign(side) * HARDENING;
                 }
             }
-        } else if t.branch == UNLOADING && c.stress != 0.0 {
-            let side = usize::from(c.stress < 0.0);
+        } else if t.branch == UNLOADING && c.motion.stress != 0.0 {
+            let side = usize::from(c.motion.stress < 0.0);
             let (s, b) = (sign(side), t.sides[side]);
-            if s * t.strain <= b.local[0] {
+            if s * t.motion.strain <= b.local[0] {
                 return;
             }
             let (pinch, to_global) = (mirrored(s, t.pinch), slope(b.local, b.global));
@@ -245,7 +209,7 @@ impl<R: Rules> ImkPeakOriented<R> {
             return;
         }
         let s = t.branch.signum();
-        let (x, pinch, b) = (s * t.strain, mirrored(s, t.pinch), t.sides[usize::from(s < 0.0)]);
+        let (x, pinch, b) = (s * t.motion.strain, mirrored(s, t.pinch), t.sides[usize::from(s < 0.0)]);
         let mut branch = t.branch.abs();
         if branch == PINCHED && x > pinch[0] {
             let (to_global, to_local) = (slope(pinch, b.global), slope(pinch, b.local));
@@ -256,7 +220,7 @@ impl<R: Rules> ImkPeakOriented<R> {
         if branch == TO_LOCAL && x > b.local[0] {
             (branch, t.reloading) = (TO_GLOBAL, slope(b.local, b.global));
         }
-        for (from, end) in [(TO_GLOBAL, b.global[0]), (HARDENING, b.cap[0]), (SOFTENING, b.residual)] {
+        for (from, end) in [(TO_GLOBAL, b.global[0]), (HARDENING, b.curve.cap[0]), (SOFTENING, b.residual)] {
             if branch == from && x > end {
                 branch = from + 1.0;
             }
@@ -267,19 +231,19 @@ impl<R: Rules> ImkPeakOriented<R> {
     /// Force and slope on the branch.
     fn respond(&self, c: &History, t: &History) -> (f64, f64) {
         if t.branch == ELASTIC {
-            return (self.ke * t.strain, self.ke);
+            return (self.ke * t.motion.strain, self.ke);
         } else if t.branch == UNLOADING {
-            return (c.stress + t.unloading * (t.strain - c.strain), t.unloading);
+            return (c.motion.stress + t.motion.unloading * (t.motion.strain - c.motion.strain), t.motion.unloading);
         }
         let s = t.branch.signum();
         let side = usize::from(s < 0.0);
-        let (x, b) = (s * t.strain, &t.sides[side]);
+        let (x, b) = (s * t.motion.strain, &t.sides[side]);
         let (point, slope) = match t.branch.abs() {
             PINCHED => (mirrored(s, t.pinch), t.reloading),
             TO_LOCAL => (b.local, t.reloading),
             TO_GLOBAL => (b.global, t.reloading),
-            HARDENING => (b.cap, b.hardening),
-            SOFTENING => (b.cap, b.softening),
+            HARDENING => (b.curve.cap, b.curve.hardening),
+            SOFTENING => (b.curve.cap, b.curve.softening),
             _ => return (s * self.sides[side].residual_strength(), 0.0),
         };
         (s * (point[1] + slope * (x - point[0])), slope)
@@ -290,47 +254,38 @@ impl<R: Rules> ImkPeakOriented<R> {
         let side = usize::from(du < 0.0);
         let mut exhausted = false;
         let on_path = c.branch != ELASTIC && c.branch != UNLOADING;
-        if on_path && (c.stress * du < 0.0 || (c.stress == 0.0 && c.strain * du <= 0.0)) {
+        if on_path && c.motion.reverses(du) {
             exhausted = self.unload(c, t);
         }
-        if t.branch == UNLOADING && c.stress * (c.stress + t.unloading * du) <= 0.0 {
+        if t.branch == UNLOADING && c.motion.stress * (c.motion.stress + t.motion.unloading * du) <= 0.0 {
             exhausted |= self.deteriorate(side, c, t);
             self.reload(side, pinching, c, t);
         }
         self.leave(pinching.is_some(), c, t);
         Self::shift(t);
         let (force, mut slope) = self.respond(c, t);
-        t.stress = force;
+        t.motion.stress = force;
         let gone = t.sides.iter().any(|b| b.global[1] == 0.0);
-        let breaks = sign(side) * t.strain >= self.sides[side].ultimate;
-        let no_residual = t.branch.abs() == RESIDUAL && t.branch.signum() * t.stress <= 0.0;
+        let breaks = sign(side) * t.motion.strain >= self.sides[side].ultimate;
+        let no_residual = t.branch.abs() == RESIDUAL && t.branch.signum() * t.motion.stress <= 0.0;
         if exhausted || gone || breaks || no_residual {
-            (t.stress, slope, t.failed) = (0.0, 0.0, 1.0);
+            (t.motion.stress, slope, t.failed) = (0.0, 0.0, 1.0);
         }
-        t.energy += 0.5 * (t.stress + c.stress) * du;
+        t.motion.energy += 0.5 * (t.motion.stress + c.motion.stress) * du;
         slope
     }
 
     fn step(&self, pinching: Option<&Pinching>, c: &History, last: &History, strain: f64) -> Option<(Stress, History)> {
-        let begun = |h: &History| if h.started == 0.0 { self.virgin() } else { *h };
+        let begun = |h: &History| if h.motion.started == 0.0 { self.virgin() } else { *h };
         let (c, last) = (begun(c), begun(last));
-        let mut t = History { strain, ..c };
-        let du = strain - c.strain;
-        if c.failed != 0.0 || du == 0.0 {
-            t.stress = if c.failed != 0.0 { 0.0 } else { c.stress };
-            t.tangent = R::tangent_at_rest(c.tangent, last.tangent);
-        } else {
-            let slope = self.advance(pinching, du, &c, &mut t);
-            t.tangent = R::tangent(slope, (t.stress - c.stress) / du);
+        let (mut t, failed, du) = (c, c.failed != 0.0, strain - c.motion.strain);
+        t.motion.strain = strain;
+        let slope = (!failed && du != 0.0).then(|| self.advance(pinching, du, &c, &mut t));
+        if failed {
+            t.motion.stress = 0.0;
         }
-        t.tangent = not_flat(t.tangent);
-        let finite = t.stress.is_finite() && t.tangent.is_finite();
-        finite.then_some((Stress { value: t.stress, tangent: t.tangent, damping: 0.0 }, t))
+        t.motion.finish::<R>(&c.motion, &last.motion, slope).map(|stress| (stress, t))
     }
-}
-
-fn no_force(name: &str, strain: f64) -> MaterialError {
-    MaterialError(format!("{name} has no force at a deformation of {strain:.6e}"))
 }
 
 impl<R: Rules> UniaxialLaw for ImkPeakOriented<R> {
