@@ -1,8 +1,8 @@
 //! Concrete without tension: Kent, Scott and Park.
 
 use crate::material::concrete::karsan_jirsa::{History, KarsanJirsa, permanent_strain, unloading_line};
-use crate::material::lanes::{BlockLaw, LaneInput, Response, update_blocks};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
 
@@ -86,15 +86,7 @@ impl UniaxialLaw for Concrete01 {
         Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
     }
 
-    fn update_points(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_blocks(self, committed, strains, next, stresses)
-    }
+    updates_blocks!();
 
     fn initial_tangent(&self) -> f64 {
         self.modulus()

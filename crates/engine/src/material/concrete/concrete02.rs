@@ -1,8 +1,8 @@
 //! Concrete with tension softening: Yassin.
 
 use crate::material::concrete::yassin::{Branch, Crushing, History, Yassin};
-use crate::material::lanes::{PointLaw, update_blocks};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::lanes::{PointLaw, updates_blocks};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -80,15 +80,7 @@ impl UniaxialLaw for Concrete02 {
         Ok(self.respond_to(c, strain.value))
     }
 
-    fn update_points(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_blocks(self, committed, strains, next, stresses)
-    }
+    updates_blocks!();
 
     fn initial_tangent(&self) -> f64 {
         self.modulus()

@@ -1,7 +1,7 @@
 //! Superelastic shape-memory alloy with linear transformations (Auricchio, Taylor and Lubliner, 1997).
 
-use crate::material::lanes::{PointLaw, update_blocks};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::lanes::{PointLaw, updates_blocks};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct as _;
 
@@ -84,15 +84,7 @@ impl UniaxialLaw for Sma {
         Ok(self.respond_to(c, strain.value))
     }
 
-    fn update_points(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_blocks(self, committed, strains, next, stresses)
-    }
+    updates_blocks!();
 
     fn initial_tangent(&self) -> f64 {
         self.e

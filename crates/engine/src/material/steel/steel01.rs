@@ -1,7 +1,7 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
-use crate::material::lanes::{BlockLaw, LaneInput, Response, update_blocks};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -88,15 +88,7 @@ impl UniaxialLaw for Steel01 {
         Ok((Stress { value, tangent, damping: 0.0 }, next))
     }
 
-    fn update_points(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_blocks(self, committed, strains, next, stresses)
-    }
+    updates_blocks!();
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
         let place = match name {

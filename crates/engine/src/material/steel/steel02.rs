@@ -1,7 +1,7 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use crate::material::lanes::{BlockLaw, LaneInput, Response, no_stress, update_blocks};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, Response, no_stress, updates_blocks};
+use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
 use crate::numeric::sign;
@@ -235,15 +235,7 @@ impl UniaxialLaw for Steel02 {
         Ok((Stress { value, tangent, damping: 0.0 }, t))
     }
 
-    fn update_points(
-        &self,
-        committed: &[f64],
-        strains: &Strains<'_>,
-        next: &mut [f64],
-        stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
-        update_blocks(self, committed, strains, next, stresses)
-    }
+    updates_blocks!();
 
     fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
         let place = match name {
@@ -275,8 +267,8 @@ impl UniaxialLaw for Steel02 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::Uniaxial;
     use crate::material::roles::PointLayout;
+    use crate::material::{Strains, Stresses, Uniaxial};
 
     #[test]
     fn many_points_have_the_bits_of_single_ones() {
