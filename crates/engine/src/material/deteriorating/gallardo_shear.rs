@@ -67,7 +67,7 @@ crate::state_struct! {
         /// Shear strain γ.
         strain: f64,
         /// Sign of the last increment.
-        way: f64,
+        direction: f64,
         /// γ_s.
         followed: [f64; 2],
         /// Largest strain.
@@ -118,7 +118,7 @@ impl GallardoShear {
     fn hysteretic(&self, z: f64, phi: f64, d: f64) -> Option<(f64, f64)> {
         let rate = self.ky / self.fy;
         // In the direction of the increment.
-        let (old, reach, way) = (sign(d) * z, rate * d.abs(), sign(d));
+        let (old, reach, direction) = (sign(d) * z, rate * d.abs(), sign(d));
         let shape = |y: f64| {
             let middle = 0.5 * (old + y);
             let c = if middle > 0.0 { 1.0 - 2.0 * phi } else { 1.0 - 2.0 * self.beta };
@@ -136,7 +136,7 @@ impl GallardoShear {
         let bracket = if old < other { (old, other) } else { (other, old) };
         let y = bracketed_root(equation, bracket, old.clamp(bracket.0, bracket.1), limit, ITERATIONS)?;
         let (free, steep) = shape(y);
-        Some((way * y, rate * free / (1.0 + reach * steep)))
+        Some((direction * y, rate * free / (1.0 + reach * steep)))
     }
 }
 
@@ -152,15 +152,15 @@ impl UniaxialLaw for GallardoShear {
         let none =
             || MaterialError(format!("HDR_mat found no hysteretic force at a displacement of {:.6e}", strain.value));
         let (z, by_strain) = if d == 0.0 {
-            let way = if c.way == 0.0 { 1.0 } else { c.way };
-            (c.z, self.hysteretic(c.z, c.phi, way * f64::MIN_POSITIVE).ok_or_else(none)?.1)
+            let direction = if c.direction == 0.0 { 1.0 } else { c.direction };
+            (c.z, self.hysteretic(c.z, c.phi, direction * f64::MIN_POSITIVE).ok_or_else(none)?.1)
         } else {
-            next.way = sign(d);
+            next.direction = sign(d);
             self.hysteretic(c.z, c.phi, d).ok_or_else(none)?
         };
         next.z = z;
         let yielded = self.fy / self.ky;
-        if next.way * c.way < 0.0 {
+        if next.direction * c.direction < 0.0 {
             next.reach = (c.strain - yielded).abs();
         }
         if sign(z) != sign(c.z) {

@@ -3,7 +3,7 @@
 pub(super) mod cycle;
 
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
-use cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
+use cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
 
 /// The envelope on one side: stresses and strains of its three points, positive on both sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,7 +135,7 @@ impl Enveloped for Hysteretic {
         let zero = s * t.unloaded[behind];
         let release = rear.exhausted(c.extreme[behind]).map_or(zero, |limit| zero.max(-limit));
         let full = target - (1.0 - self.pinch_y) * peak / k_front;
-        let way = Way {
+        let reloading = Reloading {
             zero,
             release,
             pinch: release + (full - release) * self.pinch_x,
@@ -144,7 +144,7 @@ impl Enveloped for Hysteretic {
             slopes: [k_rear, k_front],
             elastic: [rear.unloading, front.unloading],
         };
-        way.at(x, d, sig_c)
+        reloading.at(x, d, sig_c)
     }
 }
 

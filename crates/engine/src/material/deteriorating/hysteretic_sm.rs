@@ -1,7 +1,7 @@
 //! Multilinear hysteresis with pinching, damage, degraded unloading and degrading envelopes (Mazzoni, 2023, after Scott
 //! and Filippou, 2000).
 
-use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
+use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 
 /// Number of points of an envelope.
@@ -221,7 +221,7 @@ impl Enveloped for HystereticSm {
         let zero = s * t.unloaded[behind];
         let release = rear.exhausted(extreme[behind]).map_or(zero, |limit| zero.max(-limit));
         let full = target - (1.0 - self.pinch[1]) * peak / k_front;
-        let way = Way {
+        let reloading = Reloading {
             zero,
             release,
             pinch: release + (full - release) * self.pinch[0],
@@ -230,7 +230,7 @@ impl Enveloped for HystereticSm {
             slopes: [k_rear, k_front],
             elastic: [rear.unloading, front.unloading],
         };
-        way.at(s * t.strain, s * d, s * c.cycle.stress)
+        reloading.at(s * t.strain, s * d, s * c.cycle.stress)
     }
 }
 

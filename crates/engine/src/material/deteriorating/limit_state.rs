@@ -3,7 +3,7 @@
 mod curve;
 mod rotation_shear;
 
-use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Way};
+use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
 use crate::material::{Envelope, MaterialError, Strain, Stress, UniaxialLaw, finite};
 use crate::probe::Probe;
 pub use curve::{ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitSurface};
@@ -176,7 +176,7 @@ impl Enveloped for LimitState {
         };
         let near = release + self.pinch[1] * (target - release);
         let full = target - (1.0 - self.pinch[1]) * peak / k_front;
-        let way = Way {
+        let reloading = Reloading {
             zero,
             release,
             pinch: near + (full - near) * self.pinch[0],
@@ -185,7 +185,7 @@ impl Enveloped for LimitState {
             slopes: [k_rear, k_front],
             elastic: [rear.slope[0], front.slope[0]],
         };
-        way.at(x, s * d, sig_c)
+        reloading.at(x, s * d, sig_c)
     }
 }
 

@@ -92,8 +92,8 @@ pub(in crate::material) trait Enveloped {
     }
 }
 
-/// Way from unloading to the largest strain ahead, by a point of pinching. All counts towards the side ahead.
-pub(in crate::material) struct Way {
+/// Path from unloading to the largest strain ahead, by a point of pinching. All counts towards the side ahead.
+pub(in crate::material) struct Reloading {
     /// Strains where unloading ends, where reloading begins, and of pinching.
     pub(in crate::material) zero: f64,
     pub(in crate::material) release: f64,
@@ -108,7 +108,7 @@ pub(in crate::material) struct Way {
     pub(in crate::material) elastic: [f64; 2],
 }
 
-impl Way {
+impl Reloading {
     /// Stress and slope at a strain `x`, which is `d` more than the committed one.
     pub(in crate::material) fn at(&self, x: f64, d: f64, stress: f64) -> (f64, f64) {
         let [k_rear, k_front] = self.slopes;
