@@ -16,7 +16,7 @@ impl Run {
 
 /// Outcome of an analysis that waited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Made {
+pub enum Execution {
     /// It has been made side by side with others.
     SideBySide,
     /// It has been made by itself.
@@ -26,8 +26,8 @@ pub enum Made {
 }
 
 /// Make the analyses of runs that wait: of all side by side, or else of each by itself. The results are the same.
-pub fn analyze(runs: &mut [&mut Run]) -> Vec<Made> {
-    let mut all = vec![Made::No; runs.len()];
+pub fn analyze(runs: &mut [&mut Run]) -> Vec<Execution> {
+    let mut all = vec![Execution::No; runs.len()];
     // A script that has stopped before its analysis does not keep the others from going side by side.
     let waiting = runs.iter_mut().enumerate().filter(|(_, run)| run.waits().is_some());
     let (places, mut waiting): (Vec<usize>, Vec<&mut Run>) = waiting.map(|(i, run)| (i, &mut **run)).unzip();
@@ -38,15 +38,15 @@ pub fn analyze(runs: &mut [&mut Run]) -> Vec<Made> {
 }
 
 /// Make the analysis of a run by itself.
-fn by_itself(run: &mut Run) -> Made {
-    let Some(steps) = run.waits() else { return Made::No };
+fn by_itself(run: &mut Run) -> Execution {
+    let Some(steps) = run.waits() else { return Execution::No };
     let session = &mut run.interp.host;
     let done = session.engine.analyze(steps, 0.0, &mut session.output.recorders);
-    if done.is_ok() { Made::ByItself } else { Made::No }
+    if done.is_ok() { Execution::ByItself } else { Execution::No }
 }
 
 /// Make the analyses side by side; `None` where they are not made for it, and nothing has been done then.
-fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
+fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Execution>> {
     let steps = runs.first()?.waits()?;
     let mut numbers: Option<Vec<(bool, Vec<Recorded>)>> = None;
     for run in runs.iter_mut() {
@@ -84,6 +84,6 @@ fn side_by_side(runs: &mut [&mut Run]) -> Option<Vec<Made>> {
         }
     };
     let failed = lockstep(&mut engines, steps, &all, &mut take)?;
-    let of = |(made, failed): (bool, bool)| if made && !failed { Made::SideBySide } else { Made::No };
+    let of = |(made, failed): (bool, bool)| if made && !failed { Execution::SideBySide } else { Execution::No };
     Some(made.into_iter().zip(failed).map(of).collect())
 }

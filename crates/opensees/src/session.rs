@@ -12,7 +12,7 @@ use crate::index::Index;
 use crate::material::MaterialTests;
 use crate::model::parameter_change::{ParameterChanges, ScriptStart};
 use crate::output::Balances;
-use crate::output::model_file::MadeOf;
+use crate::output::model_file::Components;
 use crate::output::recorders::Recorders;
 use crate::parameter::Parameter;
 use crate::recipes::WordsOfElement;
@@ -63,7 +63,7 @@ pub struct ModelBuilder {
     /// Materials, series, sections and the like, by tag.
     pub definitions: Definitions,
     /// Definitions that each element was made of.
-    pub(crate) made_of: MadeOf,
+    pub(crate) components: Components,
     /// Words that each element between two nodes was made from.
     pub(crate) element_words: BTreeMap<Tag, WordsOfElement>,
     /// Place in the script of the command that made each element.
@@ -94,7 +94,7 @@ impl ModelBuilder {
     /// Tags of the uniaxial materials that elements take themselves. Other materials are those of sections and wrappers.
     pub fn materials_of_elements(&self) -> BTreeSet<Tag> {
         let kind = self.definitions.materials.kind;
-        self.made_of.values().flatten().filter(|(k, _)| *k == kind).map(|(_, tag)| *tag).collect()
+        self.components.values().flatten().filter(|(k, _)| *k == kind).map(|(_, tag)| *tag).collect()
     }
 
     /// The state after `wipe`: tags of constraints go on.

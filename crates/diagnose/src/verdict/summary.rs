@@ -119,9 +119,8 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
     } else {
         "No effect of the library improves your model (none). That it is complete is not shown."
     };
-    let noise = judgement
-        .and_then(|j| j.noise)
-        .map_or_else(String::new, |n| noise_in_words(c.baseline.fit_nmse, n.noise));
+    let noise =
+        judgement.and_then(|j| j.noise).map_or_else(String::new, |n| noise_in_words(c.baseline.fit_nmse, n.noise));
     let reasons = match judgement.filter(|_| !is_explained) {
         Some(j) => j.reasons().join("; "),
         None => "the remaining error looks like noise".into(),

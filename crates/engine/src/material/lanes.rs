@@ -179,6 +179,22 @@ impl<L: BlockLaw<Q>, const Q: usize> Lanes for Points<'_, L, Q> {
     }
 }
 
+/// Writes [`UniaxialLaw::update_points`] of a law that is evaluated in blocks.
+macro_rules! updates_blocks {
+    () => {
+        fn update_points(
+            &self,
+            committed: &[f64],
+            strains: &$crate::material::Strains<'_>,
+            next: &mut [f64],
+            stresses: &mut $crate::material::Stresses<'_>,
+        ) -> Result<(), $crate::material::MaterialError> {
+            $crate::material::lanes::update_blocks(self, committed, strains, next, stresses)
+        }
+    };
+}
+pub(crate) use updates_blocks;
+
 /// Evaluates points in blocks, as [`UniaxialLaw::update_points`] does.
 ///
 /// # Errors

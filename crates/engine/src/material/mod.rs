@@ -5,194 +5,76 @@
 //! [`Slot`]. A law has no units: stress and strain may be force and displacement.
 
 mod any_law;
-mod asd_concrete_1d;
-mod axial_spring;
-mod backbone;
-mod bar_slip;
-mod bilin;
-mod bilinear_oil_damper;
-mod bond_sp01;
-mod bouc_wen;
-mod bwbn;
-mod cast;
 mod column_watch;
-mod concrete01;
-mod concrete01_sitc;
-mod concrete02;
-mod concrete02_is;
-mod concrete04;
-mod concrete06;
-mod concrete07;
-mod concrete_cm;
-mod concrete_d;
-mod concrete_w_beta;
-mod confined_concrete01;
-mod coulomb_damper;
-mod dodd_restrepo;
-mod ecc01;
+mod concrete;
+mod damper;
+mod deteriorating;
 mod elastic;
-mod elastic_multi_linear;
-mod elastic_power;
-mod elastic_pp;
-mod elastic_pp_gap;
-mod fatigue;
-mod frp_confined_concrete02;
-mod gallardo_shear;
-mod gng;
-mod hardening;
-pub mod hdr;
-mod hertz_damp;
-mod hook_gap;
-mod hyperbolic_gap;
-mod hysteretic;
-mod hysteretic_asym;
-mod hysteretic_poly;
-mod hysteretic_sm;
-mod hysteretic_smooth;
-mod imk;
-mod impact;
-mod jankowski_impact;
-mod kikuchi_aiken;
-mod kikuchi_aiken_hdr;
-mod kikuchi_aiken_lrb;
+mod gap;
 mod lanes;
-mod limit_state;
-mod masonry;
 #[allow(clippy::module_inception)]
 mod material;
-mod maxwell;
-mod mod_imk;
-mod multi_linear;
 pub mod multiaxial;
-mod no_tension;
-mod parallel;
-mod pinching4;
-mod ratchet;
-mod reinforcing_steel;
 pub mod roles;
-mod saws;
-mod self_centering;
-mod series;
+mod rubber;
 mod shared;
 mod slot;
-mod sma;
-mod sma_3k;
-mod softening;
-mod soil_spring;
-mod steel01;
-mod steel02;
-mod steel03;
-mod steel4;
-mod steel_brb;
-mod steel_drc;
-mod steel_fracture_di;
-mod steel_mpf;
-mod uvc_uniaxial;
-mod viscoelastic_gap;
-mod viscous;
-mod viscous_damper;
-mod wrapped;
+mod smooth;
+mod soil;
+mod steel;
 mod wrapper;
 
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::fmt;
 
-pub use asd_concrete_1d::AsdConcrete1d;
-pub use axial_spring::{AxialParameters, AxialSp, AxialSpHD, AxialSpring};
-pub use backbone::{Backbone, BackboneElastic, SoilCurve};
-pub use bar_slip::{BarPlace, BarSlip, Bond, BondDamage, StressUnit};
-pub use bilin::{Bilin, BilinSide, Deterioration};
-pub use bilinear_oil_damper::BilinearOilDamper;
-pub use bond_sp01::BondSp01;
-pub use bouc_wen::BoucWen;
-pub use bwbn::Bwbn;
-pub use cast::Cast;
 pub(crate) use column_watch::observe_points;
 pub use column_watch::{ObservedColumns, WatchesColumns};
-pub use concrete_cm::{ConcreteCm, History as ConcreteHistory, TsaiEnvelope};
-pub use concrete_d::ConcreteD;
-pub use concrete_w_beta::ConcreteWBeta;
-pub use concrete01::Concrete01;
-pub use concrete01_sitc::Concrete01Sitc;
-pub use concrete02::Concrete02;
-pub use concrete02_is::Concrete02Is;
-pub use concrete04::Concrete04;
-pub use concrete06::Concrete06;
-pub use concrete07::Concrete07;
-pub use confined_concrete01::{ConfinedConcrete01, Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
-pub use coulomb_damper::CoulombDamper;
-pub use dodd_restrepo::DoddRestrepo;
-pub use ecc01::Ecc01;
-pub use elastic::Elastic;
-pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
-pub use elastic_power::ElasticPower;
-pub use elastic_pp::ElasticPP;
-pub use elastic_pp_gap::ElasticPPGap;
-pub use fatigue::{Fatigue, FatigueCount, FatigueParameters};
-pub use frp_confined_concrete02::{FrpConfinedConcrete02, Jacket};
-pub use gallardo_shear::{Decay, GallardoShear};
-pub use gng::Gng;
-pub use hardening::Hardening;
-pub use hdr::HdrRheology;
-pub use hertz_damp::HertzDamp;
-pub use hook_gap::HookGap;
-pub use hyperbolic_gap::HyperbolicGap;
-pub use hysteretic::{Envelope, Hysteretic};
-pub use hysteretic_asym::HystereticAsym;
-pub use hysteretic_poly::HystereticPoly;
-pub use hysteretic_sm::{HystereticSm, SmEnvelope};
-pub use hysteretic_smooth::HystereticSmooth;
-pub use imk::{ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Pinching};
-pub use impact::Impact;
-pub use jankowski_impact::JankowskiImpact;
-pub use kikuchi_aiken::{Device, ElasticRange, KikuchiAiken, Shape};
-pub use kikuchi_aiken_hdr::{COMPOUNDS, Compound, HighDampingRubber};
-pub use kikuchi_aiken_lrb::{LeadRubber, LeadRubberParameters};
-pub use limit_state::{
-    Column, ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, RotationLimit,
-    RotationShear,
+pub use concrete::{
+    AsdConcrete1d, Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07,
+    ConcreteCm, ConcreteD, ConcreteHistory, ConcreteWBeta, ConfinedConcrete01, Confinement, ConfinementSection,
+    Dilation, Ecc01, FrpConfinedConcrete02, Hoop, Jacket, Masonry, TsaiEnvelope, UltimateStrain,
 };
-pub use masonry::Masonry;
+pub use damper::{BilinearOilDamper, CoulombDamper, IntegrationMethod, Maxwell, Viscous, ViscousDamper};
+pub use deteriorating::{
+    BarPlace, BarSlip, Bilin, BilinSide, Bond, BondDamage, Column, ColumnResponse, Damage, Decay, Deterioration,
+    Envelope, GallardoShear, Hysteretic, HystereticSm, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching,
+    ImkSide, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, LinearDamage, ModImkPeakOriented,
+    ModImkPinching, Pinching, Pinching4, Pinching4Parameters, Pinching4Side, PinchingPoint, RotationLimit,
+    RotationShear, Saws, SawsParameters, SmEnvelope, StressUnit,
+};
+pub use elastic::{Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPower, MultiLinear, NoTension};
+pub use gap::{
+    ElasticPPGap, Gng, HertzDamp, HookGap, HyperbolicGap, Impact, JankowskiImpact, Ratchet, Teeth, ViscoelasticGap,
+};
 pub use material::{Material, Recipe, SharedUniaxial, of_length};
-pub use maxwell::Maxwell;
-pub use mod_imk::{ModImkPeakOriented, ModImkPinching, PinchingPoint};
-pub use multi_linear::MultiLinear;
 pub use multiaxial::{
     AsdConcrete, BEAM_FIBRE, BeamJ2, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters,
     HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE,
     PLANE_BEAM_FIBRE, ParallelSolids, Plane, SOLID, SeriesSolids, SeriesTolerance, SharedMultiaxial, SimplifiedJ2,
     THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
 };
-pub use no_tension::NoTension;
-pub use parallel::{Parallel, WeightedSum};
-pub use pinching4::{Damage, LinearDamage, Pinching4, Pinching4Parameters, Pinching4Side};
-pub use ratchet::{Ratchet, Teeth};
-pub use reinforcing_steel::{BarFatigue, Buckling, ReinforcingSteel};
 pub use roles::UniaxialRoles;
-pub use saws::{Saws, SawsParameters};
-pub use self_centering::SelfCentering;
-pub use series::{CommonStress, Iteration, Series};
+pub use rubber::{
+    AxialParameters, AxialSp, AxialSpHD, AxialSpring, COMPOUNDS, Compound, Device, ElasticRange, HdrRheology,
+    HighDampingRubber, KikuchiAiken, LeadRubber, LeadRubberParameters, Shape, hdr,
+};
 pub(crate) use slot::write_linear;
 pub use slot::{Shift, Slot};
-pub use sma::Sma;
-pub use sma_3k::Sma3k;
-pub use softening::{Mullins, Peak, Softening, SofteningFactor};
-pub use soil_spring::{PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilSpring, TzBackbone, TzSimple1};
-pub use steel_brb::{BrbBranch, SteelBrb};
-pub use steel_drc::{BauschingerKind, ReportedStiffness, SteelDrc};
-pub use steel_fracture_di::SteelFractureDi;
-pub use steel_mpf::SteelMpf;
-pub use steel01::Steel01;
-pub use steel02::Steel02;
-pub use steel03::Steel03;
-pub use steel4::{Steel4, Steel4Side};
-pub use uvc_uniaxial::{MAX_BACKSTRESSES, UvcUniaxial};
-pub use viscoelastic_gap::ViscoelasticGap;
-pub use viscous::Viscous;
-pub use viscous_damper::{IntegrationMethod, ViscousDamper};
-pub use wrapped::{InitialState, MinMax, StrainLimits};
-pub use wrapper::{Wrapped, Wrapper};
+pub use smooth::{BoucWen, Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth};
+pub use soil::{
+    Backbone, BackboneElastic, PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilCurve, SoilSpring, TzBackbone,
+    TzSimple1,
+};
+pub use steel::{
+    BarFatigue, BauschingerKind, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Hardening, MAX_BACKSTRESSES,
+    ReinforcingSteel, ReportedStiffness, SelfCentering, Sma, Sma3k, Steel01, Steel02, Steel03, Steel4, Steel4Side,
+    SteelBrb, SteelDrc, SteelFractureDi, SteelMpf, UvcUniaxial,
+};
+pub use wrapper::{
+    CommonStress, Fatigue, FatigueCount, FatigueParameters, InitialState, Iteration, MinMax, Mullins, Parallel, Peak,
+    Series, Softening, SofteningFactor, StrainLimits, WeightedSum, Wrapped, Wrapper,
+};
 
 /// A trial strain, with the rate and the time that rate-dependent laws need.
 #[derive(Clone, Copy, Debug, Default)]

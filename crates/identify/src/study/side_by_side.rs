@@ -2,7 +2,7 @@
 
 use super::script_simulator::{BegunRun, RunMode, ScriptSimulator};
 use super::simulator::{Channels, SimulationError, Simulator as _};
-use hysteron_opensees::lockstep::{self, Course, Made};
+use hysteron_opensees::lockstep::{self, Course, Execution};
 use std::sync::atomic::Ordering;
 
 /// Fewest candidates that are quicker side by side than one after the other.
@@ -27,10 +27,10 @@ impl ScriptSimulator {
             self.beside.iter().zip(values).map(|(s, v)| s.begin(run, Some(v), mode())).collect();
         let mut scripts: Vec<_> = begun.iter_mut().map(|b| &mut b.script).collect();
         let made = lockstep::analyze(&mut scripts);
-        let channels = |(i, (begun, made)): (usize, (BegunRun, Made))| {
+        let channels = |(i, (begun, made)): (usize, (BegunRun, Execution))| {
             let simulator = &mut self.beside[i];
             let ended = begun.conclude();
-            if made == Made::No {
+            if made == Execution::No {
                 return simulator.simulate(run, values[i]);
             }
             match simulator.error(&ended, run) {

@@ -48,10 +48,10 @@ fn mix(choice: TangentChoice) -> TangentMix {
     }
 }
 
-type Made = Result<Box<dyn Algorithm>, Exception>;
+type AlgorithmResult = Result<Box<dyn Algorithm>, Exception>;
 
 /// A kind of algorithm, made from the words after its name.
-type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Made>;
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> AlgorithmResult>;
 
 const KINDS: &[Kind] = &[
     Kind {
@@ -121,7 +121,7 @@ const KINDS: &[Kind] = &[
     },
 ];
 
-fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn raphson(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let Tangents { increment, iterate, once, .. } = accelerated(interp, a, false)?.tangents;
     let Some(iterate) = iterate else { return Ok(Box::new(ModifiedNewton::new(increment, once))) };
     Ok(Box::new(Newton::new(if iterate == increment {
@@ -147,7 +147,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let mut search = LineSearch::new(SearchKind::InitialInterpolated);
     // The old form: a number is the tolerance.
     if let Some(tolerance) = a.optional_float("tolerance of the line search")? {
@@ -232,13 +232,13 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
     Ok(o)
 }
 
-fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn krylov(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let o = accelerated(interp, a, false)?;
     Ok(krylov_newton(o.tangents))
 }
 
 /// `SecantNewton`, and with `periodic` the same without its terms.
-fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> Made {
+fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> AlgorithmResult {
     let o = accelerated(interp, a, !periodic)?;
     let terms = if periodic { 0 } else { o.terms };
     Ok(secant_newton(o.tangents, terms, o.cut_out))
@@ -276,7 +276,7 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
     Ok((mix, count))
 }
 
-fn express(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn express(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let corrections = if a.at_number() { a.count("number of corrections")? } else { 2 };
     let factor = if a.at_number() { a.positive("factor of the stiffness")? } else { 1.0 };
     let (mut initial, mut once) = (false, false);

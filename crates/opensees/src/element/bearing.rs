@@ -131,16 +131,32 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) 
     Ok(c)
 }
 
+/// Strength of the hysteretic part, stiffnesses of the parts, and exponent of the nonlinear hardening.
+struct Stiffnesses {
+    k0: f64,
+    qd: f64,
+    k2: f64,
+    k3: f64,
+    mu: f64,
+}
+
+impl Stiffnesses {
+    fn read(a: &mut Args<'_>) -> Result<Self, Exception> {
+        let k_init = a.positive("initial stiffness kInit")?;
+        let qd = a.positive("characteristic strength qd")?;
+        let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
+        if alpha1 >= 1.0 {
+            return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
+        }
+        let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
+        let mu = hardening_exponent(a, alpha2)?;
+        Ok(Self { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu })
+    }
+}
+
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let k_init = a.positive("initial stiffness kInit")?;
-    let qd = a.positive("characteristic strength qd")?;
-    let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
-    if alpha1 >= 1.0 {
-        return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
-    }
-    let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
-    let mu = hardening_exponent(a, alpha2)?;
+    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(a)?;
     let eta = a.positive("yielding exponent eta")?;
     let beta = a.float("first loop parameter beta")?;
     let gamma = a.float("second loop parameter gamma")?;
@@ -151,17 +167,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         ));
     }
     let c = common(interp, a, ends, nodes)?;
-    let shear = BoucWenShear {
-        k0: (1.0 - alpha1) * k_init,
-        qd,
-        k2: alpha1 * k_init,
-        k3: alpha2 * k_init,
-        mu,
-        eta,
-        beta,
-        gamma,
-        compat: interp.host.follows(&[slips::BOUC_WEN_TANGENT]),
-    };
+    let shear =
+        BoucWenShear { k0, qd, k2, k3, mu, eta, beta, gamma, compat: interp.host.follows(&[slips::BOUC_WEN_TANGENT]) };
     around(a, shear, c, ends)
 }
 
@@ -179,17 +186,10 @@ fn hardening_exponent(a: &mut Args<'_>, alpha2: f64) -> Result<f64, Exception> {
 
 fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let k_init = a.positive("initial stiffness kInit")?;
-    let qd = a.positive("characteristic strength qd")?;
-    let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
-    if alpha1 >= 1.0 {
-        return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
-    }
-    let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
-    let mu = hardening_exponent(a, alpha2)?;
+    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(a)?;
     let c = common(interp, a, ends, nodes)?;
     let compat = interp.host.follows(&[slips::PLASTICITY_TRIAL]);
-    let shear = PlasticShear { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu, compat };
+    let shear = PlasticShear { k0, qd, k2, k3, mu, compat };
     around(a, shear, c, ends)
 }
 

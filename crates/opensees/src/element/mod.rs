@@ -211,7 +211,7 @@ fn element(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     finish(interp, &a)?;
     interp.host.engine.add_element(tag, nodes, made);
-    interp.host.builder.made_of.insert(tag, a.taken);
+    interp.host.builder.components.insert(tag, a.taken);
     if let Some(span) = call.whole_span() {
         interp.host.builder.made_at.insert(tag, span);
     }

@@ -13,8 +13,8 @@ use std::sync::Arc;
 /// Word of `element` that follows its tag.
 const FIRST: usize = 3;
 
-/// An element that has been made again.
-struct MadeAgain {
+/// An element with one number changed.
+struct ChangedElement {
     element: Arc<dyn Element>,
     /// Value of the number before.
     before: f64,
@@ -23,7 +23,7 @@ struct MadeAgain {
 }
 
 /// An element, and the places of its numbers among the words with their names.
-type Made = (Arc<dyn Element>, Vec<(usize, String)>);
+type NumberedElement = (Arc<dyn Element>, Vec<(usize, String)>);
 
 /// The words that an element has been made from.
 pub(super) fn words_of(call: &Call<'_>, ends: &Ends, made: &Arc<dyn Element>) -> WordsOfElement {
@@ -32,7 +32,7 @@ pub(super) fn words_of(call: &Call<'_>, ends: &Ends, made: &Arc<dyn Element>) ->
 }
 
 /// The element of some words in the model of the session.
-fn make(recipe: &WordsOfElement, interp: &mut Tcl, words: &[String]) -> Result<Made, ParameterError> {
+fn make(recipe: &WordsOfElement, interp: &mut Tcl, words: &[String]) -> Result<NumberedElement, ParameterError> {
     let kind = KINDS.iter().find(|k| k.names.contains(&words[1].as_str())).ok_or(ParameterError::Unknown)?;
     let Make::TwoNodes(make) = &kind.make else { return Err(ParameterError::Unknown) };
     let values: Vec<Value> = words.iter().map(|w| Value::from(w.as_str())).collect();
@@ -108,7 +108,7 @@ fn made_again(
     element: &Arc<dyn Element>,
     words: &[&str],
     value: Option<f64>,
-) -> Result<MadeAgain, ParameterError> {
+) -> Result<ChangedElement, ParameterError> {
     let Some(recipe) = interp.host.builder.element_words.remove(&tag) else { return Err(ParameterError::Unknown) };
     let made = if Arc::ptr_eq(&recipe.made, element) {
         in_scratch(interp, |interp| of_recipe(&recipe, interp, &words.join(" "), value))
@@ -124,16 +124,16 @@ fn of_recipe(
     interp: &mut Tcl,
     name: &str,
     value: Option<f64>,
-) -> Result<MadeAgain, ParameterError> {
+) -> Result<ChangedElement, ParameterError> {
     let mut words = recipe.texts();
     let (element, names) = make(recipe, interp, &words)?;
     let place = names.iter().find(|(_, n)| n == name).map(|(i, _)| *i).ok_or(ParameterError::Unknown)?;
     let before = Value::from(words[place].as_str()).as_f64().ok_or(ParameterError::Unknown)?;
-    let Some(value) = value else { return Ok(MadeAgain { element, before, words }) };
+    let Some(value) = value else { return Ok(ChangedElement { element, before, words }) };
     words[place] = format!("{value:e}");
     let (new, _) = make(recipe, interp, &words)?;
     if new.state_len() != element.state_len() || new.dofs() != element.dofs() {
         return Err(ParameterError::Refused(format!("it keeps another number of state variables with {name}")));
     }
-    Ok(MadeAgain { element: new, before, words })
+    Ok(ChangedElement { element: new, before, words })
 }

@@ -57,7 +57,7 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
 };
 
-type Made = Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
+type WallResult = Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
 
 /// Options of walls, with those that a kind does not have left empty.
 struct Strips {
@@ -261,7 +261,7 @@ fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<Corners, Exception> {
     Ok((nodes, corners, a.last_span()))
 }
 
-fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
     let density = a.not_negative("density")?;
     let (nodes, height) = ends(interp, a)?;
     let count = count(a)?;
@@ -274,7 +274,7 @@ fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok((nodes, WallLines::new("MVLEM", fibres, shear, shape).shared()))
 }
 
-fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
     let (nodes, corners, place) = corners(interp, a)?;
     let count = count(a)?;
     let mut s = Strips::take(interp, a, count, LINES, true)?;
@@ -285,7 +285,7 @@ fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok((nodes, WallLines::new("MVLEM_3D", fibres, shear, shape).shared()))
 }
 
-fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
+fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> WallResult {
     let (nodes, height) = ends(interp, a)?;
     let count = count(a)?;
     let centre = centre(a)?;
@@ -296,7 +296,7 @@ fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, Pane
     Ok((nodes, WallPanels::new(class, strips, kind, shape).shared()))
 }
 
-fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> Made {
+fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> WallResult {
     let (nodes, corners, place) = corners(interp, a)?;
     let count = count(a)?;
     let s = Strips::take(interp, a, count, PANELS, true)?;

@@ -250,9 +250,9 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
 const END_OF_DEBRIS: f64 = 0.03;
 
 fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
+    let [fpc, epsc0, fpcu, epscu] = compression(interp, a)?;
     let end = a.optional_float("strain of the debris without stress endStrainSITC")?.unwrap_or(END_OF_DEBRIS);
-    Ok(Concrete01Sitc { fc, epsc0, fcu, epscu, end }.shared())
+    Ok(Concrete01Sitc { concrete: Concrete01 { fpc, epsc0, fpcu, epscu }, end }.shared())
 }
 
 fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -80,14 +80,20 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
                 return Err(a.refuse(format!("there is no method {n}"), label));
             }
         };
-        law.relative = a.not_negative("relative tolerance relTol")?;
-        law.absolute = a.not_negative("absolute tolerance absTol")?;
-        law.max_halvings = a.int("largest number of halvings maxHalf")?;
-        if !(0..=20).contains(&law.max_halvings) {
-            return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
-        }
+        (law.relative, law.absolute, law.max_halvings) = tolerances(a)?;
     }
     Ok(law.shared())
+}
+
+/// Relative and absolute tolerance of the integration, and the largest number of halvings.
+fn tolerances(a: &mut Args<'_>) -> Result<(f64, f64, i32), Exception> {
+    let (relative, absolute) =
+        (a.not_negative("relative tolerance relTol")?, a.not_negative("absolute tolerance absTol")?);
+    let max_halvings = a.int("largest number of halvings maxHalf")?;
+    if !(0..=20).contains(&max_halvings) {
+        return Err(a.refuse(format!("maxHalf is {max_halvings}"), "expected maxHalf, 0 to 20"));
+    }
+    Ok((relative, absolute, max_halvings))
 }
 
 fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -119,12 +125,7 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
                 return Err(a.refuse(format!("there is no method {n}"), label));
             }
         };
-        law.relative = a.not_negative("relative tolerance relTol")?;
-        law.absolute = a.not_negative("absolute tolerance absTol")?;
-        law.max_halvings = a.int("largest number of halvings maxHalf")?;
-        if !(0..=20).contains(&law.max_halvings) {
-            return Err(a.refuse(format!("maxHalf is {}", law.max_halvings), "expected maxHalf, 0 to 20"));
-        }
+        (law.relative, law.absolute, law.max_halvings) = tolerances(a)?;
     }
     Ok(law.shared())
 }

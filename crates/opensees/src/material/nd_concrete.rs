@@ -54,37 +54,66 @@ impl Lists {
     }
 }
 
+/// Options of either law.
+#[derive(Default)]
+struct Common {
+    tension: Lists,
+    compression: Lists,
+    eta: f64,
+    implex: bool,
+    factor: Option<f64>,
+    control: Option<[f64; 2]>,
+    tangent: bool,
+    reference_length: Option<f64>,
+}
+
+impl Common {
+    /// Reads the words of an option. Returns false if it is none of these.
+    fn read(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
+        match option {
+            "-Te" => self.tension.0[0] = a.floats("strain in tension")?,
+            "-Ts" => self.tension.0[1] = a.floats("stress in tension")?,
+            "-Td" => self.tension.0[2] = a.floats("damage in tension")?,
+            "-Ce" => self.compression.0[0] = a.floats("strain in compression")?,
+            "-Cs" => self.compression.0[1] = a.floats("stress in compression")?,
+            "-Cd" => self.compression.0[2] = a.floats("damage in compression")?,
+            "-eta" => self.eta = a.not_negative("viscosity eta")?,
+            "-implex" => self.implex = true,
+            "-implexControl" => {
+                self.control =
+                    Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
+            }
+            "-implexAlpha" => self.factor = Some(a.not_negative("factor of the extrapolation")?),
+            "-tangent" => self.tangent = true,
+            "-autoRegularization" => self.reference_length = Some(a.positive("length for which the curves hold")?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn extrapolation(&self) -> Option<Extrapolation> {
+        self.implex.then_some(Extrapolation { factor: self.factor.unwrap_or(1.0), control: self.control })
+    }
+}
+
 pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let e = a.positive("modulus of elasticity E")?;
     let nu = a.float("Poisson's ratio nu")?;
     if !(nu > -1.0 && nu < 0.5) {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, less than 0.5"));
     }
-    let (mut tension, mut compression) = (Lists::default(), Lists::default());
-    let (mut rho, mut kc, mut eta, mut cross_damage) = (0.0, KC, 0.0, 0.0);
-    let (mut implex, mut factor, mut control, mut tangent, mut reference_length) = (false, 1.0, None, false, None);
+    let (mut rho, mut kc, mut cross_damage, mut common) = (0.0, KC, 0.0, Common::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-Te" => tension.0[0] = a.floats("strain in tension")?,
-            "-Ts" => tension.0[1] = a.floats("stress in tension")?,
-            "-Td" => tension.0[2] = a.floats("damage in tension")?,
-            "-Ce" => compression.0[0] = a.floats("strain in compression")?,
-            "-Cs" => compression.0[1] = a.floats("stress in compression")?,
-            "-Cd" => compression.0[2] = a.floats("damage in compression")?,
             "-rho" => rho = a.not_negative("mass per volume rho")?,
             "-Kc" => kc = shape(a)?,
-            "-eta" => eta = a.not_negative("viscosity eta")?,
             "-cdf" => cross_damage = a.not_negative("share of damage in tension that counts in compression")?,
-            "-implex" => implex = true,
-            "-implexControl" => {
-                control = Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
-            }
-            "-implexAlpha" => factor = a.not_negative("factor of the extrapolation")?,
-            "-tangent" => tangent = true,
-            "-autoRegularization" => reference_length = Some(a.positive("length for which the curves hold")?),
+            option if common.read(option, a)? => {}
             _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
+    let extrapolation = common.extrapolation();
+    let Common { tension, compression, eta, tangent, reference_length, .. } = common;
     let law = AsdConcrete {
         e,
         nu,
@@ -94,7 +123,7 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exc
         cross_damage,
         tension: tension.curve(a, e, "T")?,
         compression: compression.curve(a, e, "C")?,
-        extrapolation: implex.then_some(Extrapolation { factor, control }),
+        extrapolation,
         tangent,
         reference_length,
     };
@@ -138,35 +167,21 @@ const OPTIONS_1D: &[&str] = &[
 
 fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = a.positive("modulus of elasticity E")?;
-    let (mut tension, mut compression) = (Lists::default(), Lists::default());
-    let (mut fc, mut ft, mut eta, mut reference_length) = (None, None, 0.0, None);
-    let (mut implex, mut factor, mut control, mut tangent) = (false, 1.0, None, false);
+    let (mut fc, mut ft, mut common) = (None, None, Common::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-fc" => fc = Some(a.positive("compressive strength fc in MPa")?),
             "-ft" => ft = Some(a.positive("tensile strength ft in MPa")?),
-            "-Te" => tension.0[0] = a.floats("strain in tension")?,
-            "-Ts" => tension.0[1] = a.floats("stress in tension")?,
-            "-Td" => tension.0[2] = a.floats("damage in tension")?,
-            "-Ce" => compression.0[0] = a.floats("strain in compression")?,
-            "-Cs" => compression.0[1] = a.floats("stress in compression")?,
-            "-Cd" => compression.0[2] = a.floats("damage in compression")?,
-            "-eta" => eta = a.not_negative("viscosity eta")?,
-            "-implex" => implex = true,
-            "-implexControl" => {
-                control = Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
-            }
-            "-implexAlpha" => factor = a.not_negative("factor of the extrapolation")?,
-            "-tangent" => tangent = true,
-            "-autoRegularization" => reference_length = Some(a.positive("length for which the curves hold")?),
+            option if common.read(option, a)? => {}
             _ => ignore_option(interp, a, OPTIONS_1D)?,
         }
     }
+    let extrapolation = common.extrapolation();
+    let Common { tension, compression, eta, tangent, reference_length, .. } = common;
     let curves = match fc {
         Some(fc) => AsdConcrete1d::curves_of_strength(e, fc, ft.unwrap_or(0.1 * fc), reference_length)
             .ok_or_else(|| a.refuse("the strengths make no curve", "expected MPa and mm"))?,
         None => [tension.curve(a, e, "T")?, compression.curve(a, e, "C")?],
     };
-    let extrapolation = implex.then_some(Extrapolation { factor, control });
     Ok(AsdConcrete1d { e, eta, curves, extrapolation, tangent, reference_length }.shared())
 }

@@ -8,13 +8,13 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
 /// Definitions that each element was made of: kind and tag, in the order of its words.
-pub(crate) type MadeOf = BTreeMap<Tag, Vec<(&'static str, Tag)>>;
+pub(crate) type Components = BTreeMap<Tag, Vec<(&'static str, Tag)>>;
 
 /// The whole document.
-pub(super) fn model_file(model: &Model, definitions: &Definitions, made_of: &MadeOf) -> String {
+pub(super) fn model_file(model: &Model, definitions: &Definitions, components: &Components) -> String {
     let dimensions = model.nodes.first().map_or(3, Node::ndm);
     let nodes: Vec<Value> = model.nodes_by_tag().map(|id| node(&model.nodes[id.0])).collect();
-    let of_element = |e: &ElementEntry| element(model, e, made_of.get(&e.tag), definitions);
+    let of_element = |e: &ElementEntry| element(model, e, components.get(&e.tag), definitions);
     let elements: Vec<Value> = model.elements_by_tag().map(|id| of_element(&model.elements[id.0])).collect();
     let fixes = model.fixes.iter().map(|f| fix(model, f));
     let constraints: Vec<Value> = model.multi_points.iter().map(|m| multi_point(model, m)).chain(fixes).collect();
@@ -51,7 +51,7 @@ fn node(n: &Node) -> Value {
 fn element(
     model: &Model,
     e: &ElementEntry,
-    made_of: Option<&Vec<(&'static str, Tag)>>,
+    components: Option<&Vec<(&'static str, Tag)>>,
     definitions: &Definitions,
 ) -> Value {
     let nodes: Vec<Tag> = e.nodes.iter().map(|n| model.nodes[n.0].tag).collect();
@@ -60,7 +60,7 @@ fn element(
     out.insert("type".into(), json!(e.element.class()));
     out.insert("nodes".into(), json!(nodes));
     let d = definitions;
-    let taken: &[(&str, Tag)] = made_of.map_or(&[], Vec::as_slice);
+    let taken: &[(&str, Tag)] = components.map_or(&[], Vec::as_slice);
     let of = |kind: &'static str| taken.iter().filter(move |(k, _)| *k == kind).map(|(_, tag)| *tag);
     let texts = |tags: Vec<Tag>| json!(tags.iter().map(Tag::to_string).collect::<Vec<_>>());
     let in_rules = of(d.integrations.kind).filter_map(|t| d.integrations.get(t)).flat_map(|i| &i.sections);

@@ -62,7 +62,7 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let text = if w.json {
         let builder = &interp.host.builder;
-        model_file(interp.host.engine.model(), &builder.definitions, &builder.made_of)
+        model_file(interp.host.engine.model(), &builder.definitions, &builder.components)
     } else {
         text(interp, &w)
     };

@@ -140,13 +140,13 @@ fn catch<H>(interp: &mut Interp<H>, call: &Call<'_>) -> Result<Value, Exception>
 
 /// A handler of `try`.
 struct Handler {
-    wanted: Wanted,
+    condition: Condition,
     vars: Value,
     /// Index of the word that is its body.
     body: usize,
 }
 
-enum Wanted {
+enum Condition {
     Code(i32),
     Error(Value),
 }
@@ -181,12 +181,12 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
                     };
                     return Err(bad_handler(message.to_owned(), &[clause, "ARGUMENT"]));
                 }
-                let wanted = if kind == 1 {
+                let condition = if kind == 1 {
                     let names = ["ok", "error", "return", "break", "continue"];
                     let word = call.arg(i + 1);
                     let code = names.iter().position(|n| *n == word.as_str()).map(|c| c as i32);
                     match code.or_else(|| word.to_i64().ok().and_then(|c| i32::try_from(c).ok())) {
-                        Some(code) => Wanted::Code(code),
+                        Some(code) => Condition::Code(code),
                         None => {
                             let list = "ok, error, return, break, continue, or an integer";
                             let message = format!("bad completion code \"{word}\": must be {list}");
@@ -198,9 +198,9 @@ fn handlers(call: &Call<'_>) -> Result<(Vec<Handler>, Option<usize>), Exception>
                         let message = format!("bad prefix '{}': must be a list", call.arg(i + 1));
                         return Err(bad_handler(message, &["TRAP", "EXNFORMAT"]));
                     }
-                    Wanted::Error(call.arg(i + 1).clone())
+                    Condition::Error(call.arg(i + 1).clone())
                 };
-                all.push(Handler { wanted, vars: call.arg(i + 2).clone(), body: i + 3 });
+                all.push(Handler { condition, vars: call.arg(i + 2).clone(), body: i + 3 });
                 i += 4;
             }
         }
@@ -245,9 +245,9 @@ fn handle<H>(
         Some(Exception::Error(e)) => e.error_code.clone().unwrap_or_else(|| Value::from("NONE")),
         _ => Value::EMPTY,
     };
-    let fits = |h: &Handler| match &h.wanted {
-        Wanted::Code(code) => *code == outcome.code,
-        Wanted::Error(prefix) => {
+    let fits = |h: &Handler| match &h.condition {
+        Condition::Code(code) => *code == outcome.code,
+        Condition::Error(prefix) => {
             let prefix = prefix.to_list().unwrap_or_default();
             outcome.code == 1 && code.to_list().is_ok_and(|c| c.starts_with(&prefix))
         }

@@ -9,13 +9,11 @@ mod quadrilateral;
 mod triangle;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use super::{MAX, NODE, Row, SINGLE_POINT, STRAINS, STRESSES, work};
+use super::{MAX, NODE, PROBE_NAMES, Row, STRAINS, STRESSES, probe, work};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::plate::{
-    self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateState, PlateTangent, SharedPlateSection,
-};
+use crate::section::plate::{PLATE_ORDER, PlateState, PlateTangent, SharedPlateSection};
 use crate::state_struct::StateStruct;
 use frame::{Following, Frame, NodalTurns};
 use nalgebra::{Matrix4, Vector3, Vector4};
@@ -453,20 +451,11 @@ impl Element for EnhancedShell {
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         // A triangle of one point has three times the same, as in OpenSees.
-        let all = |names: [&'static str; PLATE_ORDER]| self.nodes.iter().flat_map(move |_| names);
-        Some(match words {
-            ["stresses", ..] => Probe::new(STRESSES, all(PLATE_RESULTANTS)),
-            ["strains", ..] => Probe::new(STRAINS, all(PLATE_DEFORMATIONS)),
-            ["material" | "Material" | "section", point, words @ ..] => {
-                let point = point.parse::<u32>().ok().filter(|p| (1..=self.fixed.len() as u32).contains(p))? - 1;
-                return Some(plate::probe(&*self.section, words)?.inside(&[SINGLE_POINT, point]));
-            }
-            _ => return None,
-        })
+        probe(&*self.section, words, self.fixed.len(), self.nodes.len())
     }
 
     fn probe_names(&self) -> Vec<&'static str> {
-        vec!["stresses", "strains", "material"]
+        PROBE_NAMES.to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {

@@ -14,7 +14,9 @@ use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, M
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
-use crate::section::plate::{self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateState, SharedPlateSection};
+use crate::section::plate::{
+    self, PLATE_DEFORMATIONS, PLATE_ORDER, PLATE_RESULTANTS, PlateSection, PlateState, SharedPlateSection,
+};
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -282,20 +284,11 @@ impl Element for Shell {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let all = |names: [&'static str; PLATE_ORDER]| self.points.iter().flat_map(move |_| names);
-        Some(match words {
-            ["stresses", ..] => Probe::new(STRESSES, all(PLATE_RESULTANTS)),
-            ["strains", ..] => Probe::new(STRAINS, all(PLATE_DEFORMATIONS)),
-            ["material" | "Material" | "section", point, words @ ..] => {
-                let point = point.parse::<u32>().ok().filter(|p| (1..=self.points.len() as u32).contains(p))? - 1;
-                return Some(plate::probe(&*self.section, words)?.inside(&[SINGLE_POINT, point]));
-            }
-            _ => return None,
-        })
+        probe(&*self.section, words, self.points.len(), self.points.len())
     }
 
     fn probe_names(&self) -> Vec<&'static str> {
-        vec!["stresses", "strains", "material"]
+        PROBE_NAMES.to_vec()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -312,6 +305,23 @@ impl Element for Shell {
             _ => read(path[1] as usize, &path[2..], out),
         }
     }
+}
+
+/// Words of the responses.
+const PROBE_NAMES: [&str; 3] = ["stresses", "strains", "material"];
+
+/// A response of all points or of the section of one. A shell may show more points than it has.
+fn probe(section: &dyn PlateSection, words: &[&str], points: usize, shown: usize) -> Option<Probe> {
+    let all = |names: [&'static str; PLATE_ORDER]| (0..shown).flat_map(move |_| names);
+    Some(match words {
+        ["stresses", ..] => Probe::new(STRESSES, all(PLATE_RESULTANTS)),
+        ["strains", ..] => Probe::new(STRAINS, all(PLATE_DEFORMATIONS)),
+        ["material" | "Material" | "section", point, words @ ..] => {
+            let point = point.parse::<u32>().ok().filter(|p| (1..=points as u32).contains(p))? - 1;
+            return Some(plate::probe(section, words)?.inside(&[SINGLE_POINT, point]));
+        }
+        _ => return None,
+    })
 }
 
 impl Inertia for Shell {

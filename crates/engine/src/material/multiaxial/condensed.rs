@@ -1,5 +1,6 @@
 //! Laws of which some strains are zero, and some follow from stresses that are zero.
 
+use super::plain_methods::properties_of_inner;
 use super::{
     BEAM_FIBRE, Elastic, LAYER, Multiaxial, PLANE, PLANE_BEAM_FIBRE, SOLID, STRIP, SharedMultiaxial, THICK_PLANE,
     Tangent,
@@ -233,18 +234,7 @@ impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
     fn is_linear(&self) -> bool {
         self.law.is_linear()
     }
-    fn is_symmetric(&self) -> bool {
-        self.law.is_symmetric()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.law.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.law.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.law.reinforcement()
-    }
+    properties_of_inner! { law }
 
     fn update(
         &self,

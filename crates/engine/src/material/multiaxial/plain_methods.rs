@@ -40,3 +40,23 @@ macro_rules! plain_methods {
 }
 
 pub(crate) use plain_methods;
+
+/// Writes the constant properties of a law around another, which are those of the other.
+macro_rules! properties_of_inner {
+    ($inner:ident) => {
+        fn is_symmetric(&self) -> bool {
+            self.$inner.is_symmetric()
+        }
+        fn depends_on_time(&self) -> bool {
+            self.$inner.depends_on_time()
+        }
+        fn density(&self) -> f64 {
+            self.$inner.density()
+        }
+        fn reinforcement(&self) -> f64 {
+            self.$inner.reinforcement()
+        }
+    };
+}
+
+pub(crate) use properties_of_inner;

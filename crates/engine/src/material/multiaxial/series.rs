@@ -1,6 +1,6 @@
 //! Laws in space in series: one stress, and strains that add up with weights.
 
-use super::plain_methods::plain_methods;
+use super::plain_methods::{plain_methods, properties_of_inner};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::probe::Probe;
@@ -135,18 +135,7 @@ impl Multiaxial<SOLID> for SeriesSolids {
     fn is_linear(&self) -> bool {
         self.laws.is_linear()
     }
-    fn is_symmetric(&self) -> bool {
-        self.laws.is_symmetric()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.laws.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.laws.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.laws.reinforcement()
-    }
+    properties_of_inner! { laws }
 
     fn update(
         &self,

@@ -1,6 +1,6 @@
 //! Laws in space around others: an initial strain, and a weighted sum.
 
-use super::plain_methods::plain_methods;
+use super::plain_methods::{plain_methods, properties_of_inner};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::MaterialError;
 use crate::numeric::axpy;
@@ -63,18 +63,7 @@ impl Multiaxial<SOLID> for InitialStrain {
     fn is_linear(&self) -> bool {
         false
     }
-    fn is_symmetric(&self) -> bool {
-        self.law.is_symmetric()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.law.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.law.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.law.reinforcement()
-    }
+    properties_of_inner! { law }
     fn update(
         &self,
         committed: &[f64],
@@ -122,18 +111,7 @@ impl Multiaxial<SOLID> for ParallelSolids {
     fn is_linear(&self) -> bool {
         self.laws.is_linear()
     }
-    fn is_symmetric(&self) -> bool {
-        self.laws.is_symmetric()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.laws.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.laws.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.laws.reinforcement()
-    }
+    properties_of_inner! { laws }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
         self.laws.probe(words)
     }

@@ -1,6 +1,6 @@
 //! Explicit integrators of transient analyses.
 
-use super::{Kind, Made, alpha_parameters};
+use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
@@ -50,12 +50,12 @@ pub(super) const KINDS: &[Kind] = &[
 ];
 
 /// Older scripts give factors of Rayleigh damping here.
-fn central_difference(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str, damped: bool) -> Made {
+fn central_difference(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str, damped: bool) -> IntegratorResult {
     super::rayleigh(interp, a)?;
     Ok(Box::new(CentralDifference::new(name, damped, interp.host.follows(&[slips::CENTRAL_DIFFERENCE_START]))))
 }
 
-fn central_difference_alternative(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn central_difference_alternative(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     if interp.host.follows(&[slips::CENTRAL_DIFFERENCE_START]) {
         super::rayleigh(interp, a)?;
         return Ok(Box::new(CentralDifferenceAlternative::default()));
@@ -63,7 +63,7 @@ fn central_difference_alternative(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     central_difference(interp, a, "CentralDifferenceAlternative", true)
 }
 
-fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let p = a.positive("share p of the first part of a step")?;
     if p >= 1.0 {
         return Err(a.refuse(format!("p is {p}"), "expected more than 0 and less than 1"));
@@ -73,7 +73,7 @@ fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(ExplicitBathe::new(p, interp.host.follows(&[slips::EXPLICIT_START]))))
 }
 
-fn newmark_explicit(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn newmark_explicit(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let p = alpha_parameters(1.0, 1.0, 0.0, a.positive("gamma")?);
     Ok(Box::new(ExplicitAlpha::new("NewmarkExplicit", p, true)))
 }
@@ -83,14 +83,14 @@ fn updates_elements(interp: &Tcl, a: &mut Args<'_>) -> bool {
     a.flag("-updateElemDisp") || !interp.host.follows(&[slips::EXPLICIT_ELEMENTS])
 }
 
-fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let force = a.positive("alpha")?;
     let gamma = a.optional_float("gamma")?.unwrap_or(0.5);
     let update = updates_elements(interp, a);
     Ok(Box::new(ExplicitAlpha::new("HHTExplicit", alpha_parameters(1.0, force, 0.0, gamma), update)))
 }
 
-fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (first, force) = (a.not_negative("spectral radius rhoB, or alphaI")?, a.positive("alphaF")?);
     let p = if a.at_number() {
         alpha_parameters(first, force, a.not_negative("beta")?, a.positive("gamma")?)
@@ -104,7 +104,7 @@ fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p, update)))
 }
 
-fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let rho = a.not_negative("spectral radius rhoInf")?;
     if rho > 1.0 {
         return Err(a.refuse(format!("the spectral radius is {rho}"), "expected 0 to 1"));

@@ -1,6 +1,6 @@
 //! Integrators for hybrid simulation: implicit ones with restrained or counted iterations, and operator splitting.
 
-use super::{Kind, Made, alpha_parameters};
+use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
@@ -100,7 +100,7 @@ pub(super) const KINDS: &[Kind] = &[
     },
 ];
 
-fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) -> Made {
+fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) -> IntegratorResult {
     let numbers = a.floats("parameter")?;
     let mut update_elements = false;
     while let Some(option) = a.option() {
@@ -123,7 +123,13 @@ fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) ->
     Ok(Box::new(AlphaOs::new(name, p, update_elements)))
 }
 
-fn implicit(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str, method: Method, increments: Increments) -> Made {
+fn implicit(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    name: &'static str,
+    method: Method,
+    increments: Increments,
+) -> IntegratorResult {
     let numbers = a.floats("parameter")?;
     let (mut norm, mut order) = (2, 2);
     while let Some(option) = a.option() {

@@ -1,6 +1,6 @@
 //! Implicit integrators of transient analyses.
 
-use super::{Kind, Made, alpha_parameters};
+use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
@@ -45,7 +45,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind { names: &["GimmeMCK", "ZZTop"], usage: "integrator GimmeMCK $m $c $k", make: gimme_mck },
 ];
 
-fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let gamma = a.positive("gamma")?;
     let at = a.last_span();
     let beta = a.not_negative("beta")?;
@@ -80,13 +80,13 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(Newmark::new(gamma, beta, form)))
 }
 
-fn newmark1(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn newmark1(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (gamma, beta) = (a.positive("gamma")?, a.positive("beta")?);
     super::rayleigh(interp, a)?;
     Ok(Box::new(Newmark::new(gamma, beta, Form::Displacement)))
 }
 
-fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let alpha = a.positive("alpha")?;
     let good = (2.0 / 3.0 - 1e-3..=1.0).contains(&alpha);
     if !good {
@@ -103,7 +103,7 @@ fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     })
 }
 
-fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let first = a.not_negative("spectral radius rhoInf, or alphaI")?;
     let p = if a.left() == 0 {
         AlphaParameters::spectral(first)
@@ -113,7 +113,7 @@ fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(GeneralizedAlpha::new("HHTGeneralized", p, false)))
 }
 
-fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (inertia, force) = (a.positive("alphaM")?, a.positive("alphaF")?);
     let p = if a.left() == 0 {
         AlphaParameters::second_order(inertia, force)
@@ -137,7 +137,7 @@ fn collocation_point(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f
     Ok(theta)
 }
 
-fn collocation(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn collocation(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let theta = collocation_point(interp, a, 1.0)?;
     Ok(Box::new(match a.optional_float("beta")? {
         Some(beta) if beta > 0.0 => Collocation::new(theta, beta, a.positive("gamma")?),
@@ -149,11 +149,11 @@ fn collocation(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
 /// Smallest θ for which Wilson's method is stable for every step.
 const WILSON_STABLE_THETA: f64 = 1.37;
 
-fn wilson_theta(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn wilson_theta(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     Ok(Box::new(Collocation::wilson(collocation_point(interp, a, WILSON_STABLE_THETA)?)))
 }
 
-fn gimme_mck(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn gimme_mck(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
     Ok(Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m })))
 }

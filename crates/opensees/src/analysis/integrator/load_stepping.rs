@@ -1,6 +1,6 @@
 //! Integrators of static analyses: control of loads, of a displacement, and of the length of the path.
 
-use super::{Kind, Made};
+use super::{IntegratorResult, Kind};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
@@ -47,12 +47,12 @@ fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
     Ok(Adaptive { desired_iterations: desired as usize, min, max })
 }
 
-fn load_control(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn load_control(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let step = a.float("increment of the load factor")?;
     Ok(Box::new(LoadControl::new(step, adaptive(a, step)?)))
 }
 
-fn displacement_control(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn displacement_control(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let node = node_of(interp, a, "tag of the node")?;
     let (ndf, offset) = {
         let n = &interp.host.engine.model().nodes[node.0];
@@ -71,17 +71,17 @@ fn arc(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
     Ok((length, a.optional_float("weight alpha of the load factor")?.unwrap_or(1.0)))
 }
 
-fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (length, alpha) = arc(a)?;
     Ok(Box::new(ArcLength::new(length, alpha)))
 }
 
-fn linearised_arc_length(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn linearised_arc_length(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let (length, alpha) = arc(a)?;
     Ok(Box::new(ArcLength::linearised(length, alpha)))
 }
 
-fn hyper_spherical(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hyper_spherical(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let length = a.positive("arc length")?;
     let displacement = if a.at_number() { a.positive("weight psiU of the displacements")? } else { 1.0 };
     let load = if a.at_number() { a.not_negative("weight psiF of the load")? } else { 1.0 };
@@ -101,7 +101,7 @@ const PATH_CONSTRAINTS: [PathConstraint; 8] = [
     PathConstraint::IncrementNormal,
 ];
 
-fn equilibrium_path(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn equilibrium_path(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let length = a.positive("arc length")?;
     let number = a.count("number of the constraint")?;
     let Some(constraint) = number.checked_sub(1).and_then(|i| PATH_CONSTRAINTS.get(i)) else {
@@ -110,7 +110,7 @@ fn equilibrium_path(_: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(EquilibriumPath::new(length, *constraint)))
 }
 
-fn min_unbal_disp_norm(_: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn min_unbal_disp_norm(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let increment = a.float("first increment of the load factor")?;
     let adaptive = adaptive(a, increment)?;
     let by_stiffness = a.flag("-determinant") || a.flag("-det");

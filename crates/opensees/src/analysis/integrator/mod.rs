@@ -18,10 +18,10 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR,
 
 const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";
 
-type Made = Result<Box<dyn Integrator>, Exception>;
+type IntegratorResult = Result<Box<dyn Integrator>, Exception>;
 
 /// A kind of integrator, made from the words after its name.
-type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Made>;
+type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> IntegratorResult>;
 
 const FAMILIES: &[&[Kind]] =
     &[load_stepping::KINDS, implicit::KINDS, explicit::KINDS, hybrid::KINDS, trapezoidal::KINDS];

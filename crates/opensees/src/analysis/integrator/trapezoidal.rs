@@ -1,6 +1,6 @@
 //! `integrator HHT_TP` and its kin: the trapezoidal rule weights the forces of both ends of a step.
 
-use super::{Kind, Made, alpha_parameters};
+use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::slips;
 use crate::{Tcl, ignore_option};
@@ -79,7 +79,7 @@ fn positive(a: &Args<'_>, name: &str, p: AlphaParameters, explicit: bool) -> Res
     }
 }
 
-fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "HHT_TP";
     let numbers = numbers(interp, a)?;
     let p = match numbers[..] {
@@ -94,7 +94,7 @@ fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(Trapezoidal::new(NAME, positive(a, NAME, p, false)?)))
 }
 
-fn hht_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "HHTGeneralized_TP";
     let numbers = numbers(interp, a)?;
     let p = match numbers[..] {
@@ -105,7 +105,7 @@ fn hht_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(Trapezoidal::new(NAME, positive(a, NAME, p, false)?)))
 }
 
-fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "HHTExplicit_TP";
     let numbers = numbers(interp, a)?;
     let p = match numbers[..] {
@@ -116,7 +116,7 @@ fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(TrapezoidalExplicit::new(NAME, positive(a, NAME, p, true)?)))
 }
 
-fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "HHTGeneralizedExplicit_TP";
     let numbers = numbers(interp, a)?;
     let p = match numbers[..] {
@@ -133,7 +133,7 @@ fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(TrapezoidalExplicit::new(NAME, positive(a, NAME, p, true)?)))
 }
 
-fn alpha_os(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn alpha_os(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "AlphaOS_TP";
     let (numbers, update_elements) = splitting_numbers(interp, a)?;
     let p = match numbers[..] {
@@ -144,7 +144,7 @@ fn alpha_os(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(TrapezoidalSplitting::new(NAME, positive(a, NAME, p, false)?, update_elements)))
 }
 
-fn alpha_os_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn alpha_os_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "AlphaOSGeneralized_TP";
     let (numbers, update_elements) = splitting_numbers(interp, a)?;
     let p = match numbers[..] {
@@ -155,7 +155,7 @@ fn alpha_os_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
     Ok(Box::new(TrapezoidalSplitting::new(NAME, positive(a, NAME, p, false)?, update_elements)))
 }
 
-fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> Made {
+fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     const NAME: &str = "KRAlphaExplicit_TP";
     let numbers = numbers(interp, a)?;
     let [rho] = numbers[..] else { return Err(wrong_number(a, NAME, &numbers)) };

@@ -92,9 +92,9 @@ fn as_found(state: ChainState) -> ChainForce {
     ChainForce { state, k, by_normal: Vector2::zeros(), friction: [(0.0, 0.0); 3] }
 }
 
-/// A state on the way.
+/// An iterate of the displacements of the surfaces.
 #[derive(Clone)]
-struct Way {
+struct Iterate {
     d: [Vector2<f64>; 3],
     k: [Matrix2<f64>; 3],
     whole: Matrix2<f64>,
@@ -105,7 +105,7 @@ struct Way {
     found: [(Vector2<f64>, Vector2<f64>); 3],
 }
 
-impl Way {
+impl Iterate {
     fn from(c: &ChainState) -> Self {
         let memory = std::array::from_fn(|i| (two(&c.plastic, i), two(&c.back, i)));
         Self {
@@ -130,8 +130,8 @@ impl Chain {
         (tolerance, fine): (f64, f64),
         (last, dt): ([f64; 3], f64),
     ) -> ChainState {
-        let begin = Way::from(c);
-        let mut way = begin.clone();
+        let begin = Iterate::from(c);
+        let mut iterate = begin.clone();
         let (from, du) = (Vector2::from(c.u), u - Vector2::from(c.u));
         let tolerance = du.norm() * tolerance;
         let change: [f64; 3] = std::array::from_fn(|i| mu[i] - c.mu[i]);
@@ -141,9 +141,9 @@ impl Chain {
             for (now, change) in now.iter_mut().zip(&change) {
                 *now += part * change;
             }
-            let converged = self.increment(&mut way, from + gone + part * du, part * du, now, (tolerance, fine));
+            let converged = self.increment(&mut iterate, from + gone + part * du, part * du, now, (tolerance, fine));
             if !converged && halvings < HALVINGS {
-                way = begin.clone();
+                iterate = begin.clone();
                 (gone, now, steps) = (Vector2::zeros(), c.mu, 0);
                 part *= 0.5;
                 halvings += 1;
@@ -151,24 +151,24 @@ impl Chain {
                 if f64::from(steps) >= 2f64.powi(halvings) {
                     break;
                 }
-                way.memory = way.found;
+                iterate.memory = iterate.found;
                 gone += part * du;
                 steps += 1;
             }
             if dt > 0.0 {
-                speed = std::array::from_fn(|i| (way.d[i] - two(&c.d, i)).norm() / dt);
+                speed = std::array::from_fn(|i| (iterate.d[i] - two(&c.d, i)).norm() / dt);
             }
         }
         let mut s = ChainState {
-            whole: rows(&way.whole),
-            f: way.f.into(),
+            whole: rows(&iterate.whole),
+            f: iterate.f.into(),
             mu: now,
             speed,
             u: u.into(),
             ..ChainState::default()
         };
         for i in 0..3 {
-            s.set_memory(i, way.d[i], way.found[i], &way.k[i]);
+            s.set_memory(i, iterate.d[i], iterate.found[i], &iterate.k[i]);
         }
         s
     }
@@ -176,7 +176,7 @@ impl Chain {
     /// One increment `du` to displacement `u`; whether it converged.
     fn increment(
         &self,
-        way: &mut Way,
+        iterate: &mut Iterate,
         u: Vector2<f64>,
         du: Vector2<f64>,
         mu: [f64; 3],
@@ -184,38 +184,38 @@ impl Chain {
     ) -> bool {
         let mut left = du;
         let mut rounds = 1;
-        way.found = way.memory;
+        iterate.found = iterate.memory;
         while rounds == 1 || (left.norm() > tolerance && rounds <= ROUNDS) {
             rounds += 1;
-            let df = way.whole * left;
+            let df = iterate.whole * left;
             for (i, segment) in self.segments.iter().enumerate() {
-                if !pull_by(segment, way, i, df, mu[i], fine * tolerance) {
+                if !pull_by(segment, iterate, i, df, mu[i], fine * tolerance) {
                     return false;
                 }
             }
-            way.f += df;
-            left = u - (way.d[0] + way.d[1] + way.d[2]);
-            let Some(whole) = in_series(way.k) else { return false };
-            way.whole = whole;
+            iterate.f += df;
+            left = u - (iterate.d[0] + iterate.d[1] + iterate.d[2]);
+            let Some(whole) = in_series(iterate.k) else { return false };
+            iterate.whole = whole;
         }
         rounds <= ROUNDS
     }
 }
 
 /// Move segment `i` until its force has grown by `df`; whether it converged.
-fn pull_by(segment: &Segment, way: &mut Way, i: usize, df: Vector2<f64>, mu: f64, tolerance: f64) -> bool {
-    way.found[i] = way.memory[i];
-    let Some(inverse) = way.k[i].try_inverse() else { return false };
+fn pull_by(segment: &Segment, iterate: &mut Iterate, i: usize, df: Vector2<f64>, mu: f64, tolerance: f64) -> bool {
+    iterate.found[i] = iterate.memory[i];
+    let Some(inverse) = iterate.k[i].try_inverse() else { return false };
     let friction = Coefficient { mu, ..Coefficient::default() };
     let mut step = inverse * df;
     let mut rounds = 1;
     while rounds == 1 || (step.norm() > tolerance && rounds <= ROUNDS) {
         rounds += 1;
-        way.d[i] += step;
-        let p = segment.pull(way.memory[i], way.d[i], 0.0, |_| friction);
-        (way.k[i], way.found[i]) = (p.k, (p.plastic, p.back));
+        iterate.d[i] += step;
+        let p = segment.pull(iterate.memory[i], iterate.d[i], 0.0, |_| friction);
+        (iterate.k[i], iterate.found[i]) = (p.k, (p.plastic, p.back));
         let Some(inverse) = p.k.try_inverse() else { return false };
-        step = inverse * (way.f + df - p.f);
+        step = inverse * (iterate.f + df - p.f);
     }
     rounds <= ROUNDS
 }
