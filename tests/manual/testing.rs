@@ -197,7 +197,7 @@ pub(crate) fn page(sheets: &[&Sheet]) -> String {
          ## Broken on purpose\n\n\
          {}\n\
          {}",
-        "Each promise of the program has a test that fails when it is broken. Where a number is promised, an outside reference stands beside it.\n",
+        "Each promise of the program has a test that fails when it is broken. A promised number has an outside reference.\n",
         tests_table(),
         references(sheets),
         broken_on_purpose(),

@@ -28,7 +28,7 @@ hysteron_tcl::checks! {
         "Hold the node that it follows, or remove one of both.";
     LOOSE_CONSTRAINT "loose-constraint" (once):
         "A penalty is too small to keep a constraint.",
-        "The node moves by more than a hundredth beside the one it should follow. Take a larger factor, or \
+        "The node misses the one it should follow by more than a hundredth. Take a larger factor, or \
          Transformation.";
     PSEUDO_TIME "pseudo-time" (once):
         "A law that depends on the rate stands under an integrator in which no time passes.",
