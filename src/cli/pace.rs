@@ -38,7 +38,7 @@ fn in_words(made: usize, kept: usize, what: &str, seconds: f64, threads: usize) 
 /// Sets of values for which a diagnosis evaluates the fitted runs, fewest and most.
 const EVALUATIONS: [u32; 2] = [3_000, 12_000];
 /// A diagnosis that takes no longer needs no estimate.
-const MIN_ESTIMATE: Duration = Duration::from_secs(60);
+const MIN_ESTIMATE: Duration = Duration::from_secs(600);
 
 /// Says on the terminal how long a diagnosis of a study will take about; nothing of a short one.
 pub(super) fn tell_diagnosis(study: &Study, initial: &InitialRun, threads: usize) {

@@ -176,7 +176,14 @@ fn motion_without_gravity() {
     finds_nothing(&with("timeSeries Constant 3 -factor 9.81\npattern UniformExcitation 3 2 -accel 3\n"));
     // Held nodes carry their load by themselves, and a test without a ground motion asks for none.
     finds_nothing(&forgotten.replace("fix 2 0 0 1", "fix 2 0 1 1"));
-    finds_nothing(&SLIDER.replace("{load 2 0 -981 0}", "{sp 2 1 0.1}"));
+    let moved = SLIDER.replace("{load 2 0 -981 0}", "{sp 2 1 0.1}");
+    finds_nothing(&moved.replace("constraints Plain", "constraints Transformation"));
+    // A mass on rubber alone is a study of its law; a structure on rubber has a weight.
+    let slider = "flatSliderBearing 1 1 2 1 5e4 -P 1";
+    let rubber = forgotten.replace(slider, "elastomericBearingPlasticity 1 1 2 1000. 20. 0.02 0. 1. -P 1");
+    finds_nothing(&rubber);
+    let column = "node 3 0 3 -mass 50 50 1\ngeomTransf Linear 1\nelement elasticBeamColumn 2 2 3 0.16 3e7 2e-3 1\ntimeSeries Linear 1";
+    finds(&rubber.replace("timeSeries Linear 1", column), "no-gravity", "bearing 1 carries no load along 2");
     // A run says the same.
     let place = Place::new();
     place.write("gm.txt", record());

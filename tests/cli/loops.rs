@@ -44,7 +44,7 @@ fn tables_and_picture() {
 fn several_files() {
     let place = Place::new();
     place.write("a.csv", ellipse());
-    place.write("b.csv", ellipse().replace("time,u,F", "time,u,F,G"));
+    place.write("b.csv", ellipse().replace("time,u,F", "clock,u,F"));
     let columns = ["loops", "a.csv", "b.csv", "-u", "u", "-f", "F", "--units", "kN", "mm"];
     let (status, out, err) = place.run(&columns);
     assert!(status == Some(0) && out.starts_with("file ") && out.lines().count() == 2 + 4 + 4, "{out}{err}");

@@ -6,6 +6,16 @@ use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementEntry, Model, NodeId, PatternKind, Tag};
 use hysteron_tcl::diagnostic::Diagnostic;
 
+/// Parts of the class names of bearings whose shear rests on friction.
+const SLIDING: [&str; 4] = ["Slider", "Pendulum", "FP", "RJWatson"];
+
+/// Returns true if the weight matters: a bearing slides, or a structure stands on the bearings. A mass on rubber alone is a study
+/// of its law, which needs no weight.
+fn needs_weight(model: &Model, bearings: &[(&ElementEntry, usize)]) -> bool {
+    let slides = |e: &ElementEntry| SLIDING.iter().any(|part| e.element.class().contains(part));
+    bearings.iter().any(|(e, _)| slides(e)) || model.elements.iter().any(|e| !is_bearing(e.element.class()))
+}
+
 /// The vertical axis of a bearing whose upper node may sink. `None` for one that lies along the first axis, or is held.
 fn vertical_axis(engine: &Engine, e: &ElementEntry) -> Option<usize> {
     let stiffness = engine.axis_stiffness(e.tag)?;
@@ -34,7 +44,7 @@ pub(super) fn finding(engine: &Engine) -> Option<Diagnostic> {
         let force = &engine.state().force[e.force.clone()];
         has_load_along(model, *axis) || force.get(e.element.dofs() / 2 + axis).is_some_and(|f| *f != 0.0)
     };
-    if bearings.iter().any(is_loaded) {
+    if bearings.iter().any(is_loaded) || !needs_weight(model, &bearings) {
         return None;
     }
     let axis = bearings.first()?.1 + 1;
