@@ -119,9 +119,11 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
     } else {
         "No effect of the library improves your model (none). That it is complete is not shown."
     };
-    let noise = judgement
-        .and_then(|j| j.noise)
-        .map_or_else(String::new, |n| format!(" The noise of the recordings is {}.", variance(n.noise)));
+    let noise = judgement.and_then(|j| j.noise).map_or_else(String::new, |n| {
+        let held_out =
+            n.holdout_noise.map_or_else(String::new, |h| format!(", and {} of the runs held out", variance(h)));
+        format!(" The noise of the recordings is {} of the fitted runs{held_out}.", variance(n.noise))
+    });
     let reasons = match judgement.filter(|_| !is_explained) {
         Some(j) => j.reasons().join("; "),
         None => "the remaining error looks like noise".into(),
