@@ -5,7 +5,8 @@
 #   scripts/release.sh            all platforms below
 #   scripts/release.sh TARGET...  some of them, by the name of Rust's target
 #
-# A platform whose tools are missing is left out, and the last lines say so. Only the first one is required.
+# A platform whose tools are missing is left out. The last lines say for each platform what was built and tried, or why not.
+# Only the first one is required.
 #
 #   x86_64-unknown-linux-gnu     static with glibc, whose mathematics give the numbers of the validation; needs libc6-dev
 #   x86_64-pc-windows-gnu        needs gcc-mingw-w64-x86-64, or cargo-zigbuild
@@ -15,7 +16,8 @@
 set -eu
 
 native=x86_64-unknown-linux-gnu
-targets=${*:-$native x86_64-pc-windows-gnu aarch64-unknown-linux-musl x86_64-apple-darwin aarch64-apple-darwin}
+platforms="$native x86_64-pc-windows-gnu aarch64-unknown-linux-musl x86_64-apple-darwin aarch64-apple-darwin"
+targets=${*:-$platforms}
 
 cd "$(dirname "$0")/.."
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
@@ -30,6 +32,16 @@ note() { report="$report$1
 
 has() { command -v "$1" > /dev/null 2>&1; }
 
+# The tool that a target lacks here; nothing if it has all.
+lacks() {
+    case $1 in
+    "$native") ;;
+    x86_64-pc-windows-gnu)
+        has x86_64-w64-mingw32-gcc || has cargo-zigbuild || echo "there is no gcc-mingw-w64-x86-64 and no cargo-zigbuild" ;;
+    *) has cargo-zigbuild || echo "there is no cargo-zigbuild" ;;
+    esac
+}
+
 # Builds one target; the status says whether there is a binary.
 build() {
     if has rustup && ! rustup target list --installed | grep -qx "$1"; then
@@ -42,9 +54,9 @@ build() {
         if has x86_64-w64-mingw32-gcc; then
             RUSTFLAGS="-C target-feature=+crt-static" cargo build --profile dist --locked --bin hysteron --target "$1"
         else
-            has cargo-zigbuild && cargo zigbuild --profile dist --locked --bin hysteron --target "$1"
+            cargo zigbuild --profile dist --locked --bin hysteron --target "$1"
         fi ;;
-    *) has cargo-zigbuild && cargo zigbuild --profile dist --locked --bin hysteron --target "$1" ;;
+    *) cargo zigbuild --profile dist --locked --bin hysteron --target "$1" ;;
     esac
 }
 
@@ -130,13 +142,18 @@ notes() {
     [ -s "$out/hysteron-$version-notes.md" ] || { echo "CHANGELOG.md has no version $version" >&2; exit 1; }
 }
 
-# The archive is unpacked. Its program analyses a model and calibrates an example of its own in an empty folder.
+# The archive is unpacked. Its program analyses a model, writes and checks the first example, runs it, and calibrates another,
+# all in an empty folder.
 try() {
+    begun=$(date +%s)
     place=$out/trial
     mkdir -p "$place/unpacked" "$place/empty"
     tar -xzf "$out/hysteron-$version-$native.tar.gz" -C "$place/unpacked"
     home=$(cd "$place/unpacked/hysteron-$version-$native" && pwd)
-    (cd "$place/empty" && env -i PATH=/usr/bin:/bin "$home/hysteron" run "$home/tcl-like-inputs/isolated_building.tcl" &&
+    (cd "$place/empty" && env -i PATH=/usr/bin:/bin "$home/hysteron" init --new building &&
+        env -i PATH=/usr/bin:/bin "$home/hysteron" check isolated_building.tcl &&
+        env -i PATH=/usr/bin:/bin "$home/hysteron" run isolated_building.tcl &&
+        env -i PATH=/usr/bin:/bin "$home/hysteron" run "$home/tcl-like-inputs/isolated_building.tcl" &&
         env -i PATH=/usr/bin:/bin "$home/hysteron" init --new study &&
         env -i PATH=/usr/bin:/bin "$home/hysteron" calibrate study.toml)
     case $(ldd "$home/hysteron" 2>&1 || true) in
@@ -146,9 +163,15 @@ try() {
         exit 1 ;;
     esac
     rm -rf "$place"
+    note "$native: unpacked and tried in an empty folder in $(($(date +%s) - begun)) s"
 }
 
 for target in $targets; do
+    missing=$(lacks "$target")
+    if [ -n "$missing" ]; then
+        note "$target: not built, $missing"
+        continue
+    fi
     case $target in *windows*) file=hysteron.exe ;; *) file=hysteron ;; esac
     if build "$target"; then
         binary=$built/$target/dist/$file
@@ -162,13 +185,17 @@ for target in $targets; do
         stage "$target" "$binary"
         pack "$target"
         note "$target: $(wc -c < "$binary" | tr -d ' ') bytes"
-        if [ "$target" = $native ]; then try; fi
+        if [ "$target" = $native ]; then try; else note "$target: not tried, this machine is of another kind"; fi
     elif [ "$target" = $native ]; then
         exit 1
     else
-        note "$target: left out, its tools are missing or failed (see above)"
+        note "$target: not built, the compiler failed (see above)"
     fi
 done
+for target in $platforms; do
+    case " $targets " in *" $target "*) ;; *) note "$target: not built, it was not asked for" ;; esac
+done
+note "wheels for Python: not built here, scripts/wheels.sh makes them"
 rm -rf "$out/helpers" "$out"/hysteron-"$version"-*/
 notes
 if has sha256sum; then sum="sha256sum"; else sum="shasum -a 256"; fi

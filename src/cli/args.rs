@@ -176,7 +176,7 @@ pub(super) struct CheckArgs {
     /// Print the result as JSON on standard output
     #[arg(long)]
     pub(super) json: bool,
-    /// The script, or a study (.toml), whose script is run once
+    /// The script, or a study or plan (.toml), whose script is run once
     pub(super) model: String,
     /// Words that the script finds in $argv; behind "--" if they begin with a dash and are no numbers
     #[arg(allow_negative_numbers = true)]

@@ -356,7 +356,8 @@ fn run_test(args: &BearingArgs) -> Result<i32, TestError> {
     protocol.check(bearing.ndm)?;
     hysteron_files::make_folders(&folder).map_err(cannot)?;
     let script = in_folder("test.tcl");
-    hysteron_files::write(&script, protocol.script(&bearing, &folder)).map_err(cannot)?;
+    let from_test = hysteron_files::path_from(Path::new(&folder), Path::new(&file)).map_err(cannot)?;
+    hysteron_files::write(&script, protocol.script(&bearing, &from_test)).map_err(cannot)?;
     if args.script {
         return Ok(run::print(Ok(format!("{script}\n"))));
     }

@@ -6,6 +6,7 @@ use super::files::{
     write_checkpoint, write_report,
 };
 use super::messages::Messages;
+use super::pace::tell_diagnosis;
 use super::preflight::{check_channels, threads};
 use super::progress::PhaseProgress;
 use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
@@ -69,6 +70,7 @@ pub(super) fn run(args: &DiagnoseArgs) -> i32 {
         );
         return WRONG_INPUT_STATUS;
     }
+    tell_diagnosis(&study, &initial_run, threads(args.threads));
     let dir = args.out.clone().unwrap_or_else(|| "results".into());
     let saved = dir.join(CHECKPOINT_FILE);
     let _lock = match lock_folder(&dir) {

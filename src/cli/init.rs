@@ -92,12 +92,7 @@ fn example(job: Job, folder: &Path) -> i32 {
 
 /// Write an isolation study of the script; the exit status.
 fn isolation(model: &Path, out: &Path, folder: &Path, stop: &Arc<AtomicBool>) -> i32 {
-    let relative = || {
-        let (model, folder) = (model.canonicalize().ok()?, folder.canonicalize().ok()?);
-        let shown = model.strip_prefix(&folder).map(Path::to_owned).unwrap_or(model);
-        Some(shown.to_string_lossy().replace('\\', "/"))
-    };
-    let name = relative().unwrap_or_else(|| model.to_string_lossy().into_owned());
+    let name = hysteron_files::path_from(folder, model).unwrap_or_else(|_| model.to_string_lossy().into_owned());
     let text = match draft(model, &name, stop) {
         Ok(text) => text,
         Err(message) => {

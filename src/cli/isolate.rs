@@ -19,12 +19,12 @@ use std::sync::atomic::AtomicBool;
 pub(super) struct IsolateArgs {
     #[command(flatten)]
     jobs: StudyJobsArgs,
-    /// Show the difference of two results instead: the study is the folder, or the isolation.json, of the first, and this is the second
+    /// Show the difference of two results instead. The study is the folder or the isolation.json of the first, and this that of the second
     #[arg(long, value_name = "DIR")]
     compare: Option<PathBuf>,
-    /// Run draws of the properties of a type of bearing instead of bounds: its name and the posterior.json of prototype, or the
-    /// calibration.json of calibrate --posterior with the formulas of Q_d and K_d in its parameters, as in
-    /// "LRB=calibration.json;q_d=Fy*(1-b);k_d=b*k"; for several types several times
+    /// Run draws of the properties of a type of bearing instead of bounds: its name, and the posterior.json of prototype. Of the
+    /// calibration.json of calibrate --posterior, formulas of its parameters give Q_d and K_d, as in
+    /// "LRB=calibration.json;q_d=Fy*(1-b);k_d=b*k". Given once for each type
     #[arg(long, value_name = "NAME=FILE", conflicts_with = "compare")]
     posterior: Vec<String>,
     /// Draws of --posterior; the motions are taken in turn

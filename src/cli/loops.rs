@@ -10,8 +10,9 @@ use hysteron::report::{Record, Table, Units, cycle_charts, cycle_table, orbit_ch
 /// Columns of the loops, and options of the report.
 #[derive(Args, Debug)]
 pub(super) struct LoopsArgs {
-    /// File of a recorder, CSV with or without names, or any other that `recording` shows
-    file: String,
+    /// Files of recorders, CSV with or without names, or any others that `recording` shows
+    #[arg(required = true)]
+    files: Vec<String>,
     /// Column of the displacement (or strain), by name or number from 1; two for an orbit
     #[arg(long, short = 'u', value_name = "COLUMN", required = true, num_args = 1..=2)]
     displacement: Vec<String>,
@@ -33,7 +34,7 @@ pub(super) struct LoopsArgs {
     /// Cycles smaller than this part of the largest one are noise
     #[arg(long, value_name = "PART", default_value_t = CycleDetection::default().threshold)]
     threshold: f64,
-    /// Draw loops, energy, stiffness and damping into this file
+    /// Draw loops, energy, stiffness and damping of one file into this one
     #[arg(long, value_name = "FILE")]
     svg: Option<String>,
     #[command(flatten)]
@@ -140,15 +141,33 @@ impl ReportArgs {
     }
 }
 
-/// Run the command; the text of the table.
+/// Run the command; the text of the table. With several files its first column names the file.
 pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
     if a.displacement.len() != a.force.len() {
         let (u, f) = (a.displacement.len(), a.force.len());
         return Err(format!("there are {u} columns of displacements, but {f} of forces"));
     }
-    let bytes = hysteron_files::read_input(&a.file).map_err(|e| format!("cannot read \"{}\": {e}", a.file))?;
-    let of_file = |e: String| format!("\"{}\": {e}", a.file);
-    let columns = Columns::read_beside(&a.file, &bytes, &hysteron_files::read_beside(&a.file)).map_err(of_file)?;
+    if let [file] = &a.files[..] {
+        return Ok(a.report.format(&measured(a, file)?));
+    }
+    if a.svg.is_some() {
+        return Err(format!("--svg draws the loops of one file, and there are {}", a.files.len()));
+    }
+    let mut all = Table::new([("file", "")]);
+    for file in &a.files {
+        let table = measured(a, file)?;
+        all.columns.truncate(1);
+        all.columns.extend(table.columns);
+        all.rows.extend(table.rows.into_iter().map(|row| [file.clone().into()].into_iter().chain(row).collect()));
+    }
+    Ok(a.report.format(&all))
+}
+
+/// Measures of the cycles of a file.
+fn measured(a: &LoopsArgs, file: &str) -> Result<Table, String> {
+    let bytes = hysteron_files::read_input(file).map_err(|e| format!("cannot read \"{file}\": {e}"))?;
+    let of_file = |e: String| format!("\"{file}\": {e}");
+    let columns = Columns::read_beside(file, &bytes, &hysteron_files::read_beside(file)).map_err(of_file)?;
     let column = |which: &String, factor: f64, unit: Option<Unit>| {
         // A factor that is no sign is the conversion itself.
         let values = columns.column_in(which, unit.filter(|_| factor.abs() == 1.0)).map_err(of_file)?;
@@ -163,5 +182,5 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
     let record = |i: usize| Record { time: time.as_deref(), u: &u[i], f: &f[i] };
     let records: Vec<Record<'_>> = (0..u.len()).map(record).collect();
     let detection = CycleDetection { centre: a.centre, threshold: a.threshold };
-    Ok(a.report.format(&a.report.measure(&records, &detection, a.svg.as_deref())?))
+    a.report.measure(&records, &detection, a.svg.as_deref())
 }

@@ -1,6 +1,7 @@
 //! The pace of runs of many analyses.
 
-use std::time::Instant;
+use hysteron::study::{InitialRun, Role, Study};
+use std::time::{Duration, Instant};
 
 /// Clock of analyses on a number of threads.
 pub(super) struct Pace {
@@ -34,9 +35,49 @@ fn in_words(made: usize, kept: usize, what: &str, seconds: f64, threads: usize) 
     Some(format!("{made} {what} in {seconds:.2} s: {rate} a second on {threads}{kept}"))
 }
 
+/// Sets of values for which a diagnosis evaluates the fitted runs, fewest and most. `diagnose --verbose` tells 3,043 of them for
+/// `tcl-like-inputs/pad_study`; eight of ten pads of `validation/diagnosis/trials.csv` take 0.4 to 2.7 times the median
+/// of all.
+const EVALUATIONS: [u32; 2] = [1_200, 8_000];
+/// A diagnosis that takes no longer needs no estimate.
+const MIN_ESTIMATE: Duration = Duration::from_secs(600);
+
+/// Says on the terminal how long a diagnosis of a study will take about; nothing of a short one.
+pub(super) fn tell_diagnosis(study: &Study, initial: &InitialRun, threads: usize) {
+    let fitted = study.runs.iter().zip(&initial.durations).filter(|(run, _)| run.role == Role::Fit);
+    if let Some(line) = diagnosis_in_words(fitted.map(|(_, time)| *time).sum(), threads) {
+        eprintln!("{line}");
+    }
+}
+
+/// `the fitted runs take 0.25 s: a diagnosis takes about 6 to 20 min on 2 threads`.
+fn diagnosis_in_words(fitted: Duration, threads: usize) -> Option<String> {
+    let [least, most] = EVALUATIONS.map(|n| fitted * n / threads.max(1) as u32);
+    if most < MIN_ESTIMATE {
+        return None;
+    }
+    let minutes = |d: Duration| (d.as_secs_f64() / 60.0).ceil();
+    let threads = if threads == 1 { "1 thread".to_owned() } else { format!("{threads} threads") };
+    let (from, to) = (minutes(least), minutes(most));
+    Some(format!(
+        "the fitted runs take {:.2} s: a diagnosis takes about {from} to {to} min on {threads}",
+        fitted.as_secs_f64()
+    ))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::in_words;
+    use super::{diagnosis_in_words, in_words};
+    use std::time::Duration;
+
+    #[test]
+    fn the_duration_of_a_diagnosis_in_words() {
+        let of = |seconds, threads| diagnosis_in_words(Duration::from_secs_f64(seconds), threads);
+        assert_eq!(of(0.001, 1), None);
+        let told = of(0.5, 2).expect("a long one");
+        assert!(told.starts_with("the fitted runs take 0.50 s: a diagnosis takes about "), "{told}");
+        assert!(told.ends_with(" min on 2 threads"), "{told}");
+    }
 
     #[test]
     fn a_pace_in_words() {

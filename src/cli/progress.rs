@@ -179,14 +179,17 @@ impl PhaseState {
             return self.title();
         }
         let filled = (self.filled * BAR_WIDTH as f64) as usize;
-        let elapsed = self.batch_begun.elapsed();
-        let left = if done > 0 && done < total && elapsed > MIN_ESTIMATE {
-            let seconds = elapsed.as_secs_f64() * (total - done) as f64 / done as f64;
-            if seconds < 60.0 { format!(", {seconds:.0} s left") } else { format!(", {:.0} min left", seconds / 60.0) }
-        } else {
-            String::new()
-        };
-        format!("{} [{:<BAR_WIDTH$}] {done}/{total}{left}", self.title(), "=".repeat(filled))
+        format!("{} [{:<BAR_WIDTH$}] {done}/{total}{}", self.title(), "=".repeat(filled), self.left())
+    }
+
+    /// The rest of the present batch in words; empty where it cannot be estimated.
+    fn left(&self) -> String {
+        let ((done, total), elapsed) = (self.jobs, self.batch_begun.elapsed());
+        if done == 0 || done >= total || elapsed <= MIN_ESTIMATE {
+            return String::new();
+        }
+        let seconds = elapsed.as_secs_f64() * (total - done) as f64 / done as f64;
+        if seconds < 60.0 { format!(", {seconds:.0} s left") } else { format!(", {:.0} min left", seconds / 60.0) }
     }
 }
 
@@ -207,7 +210,7 @@ impl PhaseProgress {
             bar.tick();
         } else if begins || self.last_line.elapsed() > LINE_INTERVAL {
             self.last_line = Instant::now();
-            let count = if begins { String::new() } else { format!(", {done} of {total}") };
+            let count = if begins { String::new() } else { format!(", {done} of {total}{}", self.state.left()) };
             eprintln!("{}{count}", self.state.title());
         }
     }

@@ -18,6 +18,7 @@ use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
 use hysteron::analysis::{Options, RecoveryStrategy};
+use hysteron::design::batch::is_plan;
 use hysteron::design::isolate::is_isolation_study;
 use hysteron::diagnostic::Severity;
 use hysteron::opensees::files::guard::{Guard, GuardedFiles, GuardedOutputs};
@@ -45,6 +46,7 @@ pub(crate) fn main() -> i32 {
         }
         Command::View(args) => super::view::view(&args),
         Command::Check(args) if is_isolation_study(Path::new(&args.model)) => super::isolate::check(&args),
+        Command::Check(args) if is_plan(Path::new(&args.model)) => super::batch::check(&args),
         Command::Check(args) if args.model.ends_with(".toml") => super::study::check(&args),
         Command::Check(args) if args.model.ends_with(".py") => {
             super::python_check::check(&args).unwrap_or_else(|| check(&args))
@@ -164,7 +166,7 @@ pub(super) fn run_prepared(
 }
 
 /// The exit status of a script.
-fn status(end: &End) -> i32 {
+pub(super) fn status(end: &End) -> i32 {
     match end {
         End::Interrupted => interrupted_status(end.status()),
         _ => end.status(),
@@ -247,7 +249,7 @@ pub(super) fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Set
 }
 
 /// Run or check a script, and print its messages.
-fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &str, args: &[String]) -> End {
+pub(super) fn execute(run: &mut Run, progress: &ProgressLine, limits: &LimitArgs, model: &str, args: &[String]) -> End {
     let line = progress.clone();
     let mut shown = 0;
     run.interp.host.on_warning(Box::new(move |warning, sources| {

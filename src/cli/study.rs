@@ -2,6 +2,7 @@
 
 use super::args::CheckArgs;
 use super::calibrate::{FAILURE, INPUT_ERROR, PreparedStudy, prepare, print_diagnostic};
+use super::pace::tell_diagnosis;
 use super::preflight::{check_channels, threads};
 use super::script_check::MessageTable;
 use super::signals::{INTERRUPTED, on_interrupt, stopped_status};
@@ -60,6 +61,7 @@ pub(super) fn check(args: &CheckArgs) -> i32 {
             return FAILURE;
         }
     };
+    tell_diagnosis(&study, &initial_run, threads(None));
     let table = CheckTable {
         study: file.display().to_string(),
         title: &study.title,

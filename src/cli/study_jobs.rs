@@ -197,7 +197,7 @@ impl<'a> StudyJobs<'a> {
         }
     }
 
-    /// Do tasks of about `analyses` analyses on all threads; results in their order.
+    /// Do tasks of about `analyses` analyses on all threads; results in their order. Tasks behind one with an error are not begun.
     ///
     /// # Errors
     /// The first error of a task, or an interrupt.
@@ -210,7 +210,16 @@ impl<'a> StudyJobs<'a> {
         if let Some(bar) = &self.bar {
             bar.set_length(analyses as u64);
         }
-        let done = self.pool.run(tasks.iter(), work);
+        // Those before the first error are done, so that it is the same one for any number of threads.
+        let first_error = AtomicUsize::new(usize::MAX);
+        let done = self.pool.run(tasks.iter().enumerate(), |(i, task)| {
+            if first_error.load(Ordering::Relaxed) < i {
+                return Err(STOPPED.into());
+            }
+            work(task).inspect_err(|_| {
+                first_error.fetch_min(i, Ordering::Relaxed);
+            })
+        });
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }

@@ -181,3 +181,33 @@ fn job_files_name_every_part() {
         assert!(text.contains(part) && text.contains("--out 'my jobs'"), "{text}");
     }
 }
+
+/// A check reads the inputs of a plan and goes through its scripts, without a run.
+#[test]
+fn a_plan_is_checked() {
+    let place = Place::new();
+    let (status, out, err) = place.run(&["check", PLAN]);
+    assert!(
+        status == Some(0) && out.contains("12 cases of 1 script, the first of each without a mistake"),
+        "{out}{err}"
+    );
+    assert_eq!(fs::read_dir(&place.0).unwrap().count(), 0);
+    place.write("plan.toml", "scripts = [\"m.tcl\"]\nresults = [\"x\"]\n[grid]\nk = [1.0, 2.0]\n");
+    let check = |script: &str, options: &[&str]| {
+        place.write("m.tcl", script);
+        place.run(&[&["check", "plan.toml"], options].concat())
+    };
+    let (status, out, err) = check("set x 1\n", &[]);
+    assert!(
+        status == Some(2) && err.contains("\"./m.tcl\": the script has no \"pset k\"") && out.is_empty(),
+        "{out}{err}"
+    );
+    let (status, out, _) = check("pset k 3\nmodel basic -ndm 2 -ndf 3\nnod 1 0 $k\nset x 1\n", &["--json"]);
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert!(status == Some(2) && found["cases"] == 2 && found["messages"][0]["line"] == 3, "{out}");
+    let (status, _, err) = check("pset k 3\nset x $k\n", &[]);
+    assert!(status == Some(0) && err.is_empty(), "{err}");
+    place.write("plan.toml", "scripts = [\"none.tcl\"]\nresults = [\"x\"]\n");
+    let (status, _, err) = place.run(&["check", "plan.toml"]);
+    assert!(status == Some(2) && err.contains("cannot read"), "{err}");
+}

@@ -48,6 +48,17 @@ fn cycles_of_growing_amplitude() {
     let (status, _, err) = place.run(&["run", "--strict", "rubber_test/test.tcl"]);
     assert!(status == Some(0) && err.is_empty(), "{err}");
     assert_eq!(before, fs::read(place.0.join("rubber_test/force.out")).unwrap());
+    // From its own folder too, and after both have been moved.
+    fs::remove_file(place.0.join("rubber_test/force.out")).unwrap();
+    fs::create_dir(place.0.join("moved")).unwrap();
+    for name in ["rubber_test", "rubber.tcl"] {
+        fs::rename(place.0.join(name), place.0.join("moved").join(name)).unwrap();
+    }
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_hysteron"));
+    let own =
+        command.args(["run", "--strict", "test.tcl"]).current_dir(place.0.join("moved/rubber_test")).output().unwrap();
+    assert!(own.status.success(), "{}", String::from_utf8_lossy(&own.stderr));
+    assert_eq!(before, fs::read(place.0.join("moved/rubber_test/force.out")).unwrap());
 }
 
 #[test]

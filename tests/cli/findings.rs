@@ -156,6 +156,86 @@ fn bearing_on_its_side() {
     finds_nothing(&bearing.replace("ORIENT", "-orient 0 1 0 -1 0 0"));
 }
 
+/// A slab of 100 t on a slider in the plane, under gravity and then a record.
+const SLIDER: &str = "model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 0 -mass 100 100 1\nfix 1 1 1 1\nfix 2 0 0 1\n\
+    uniaxialMaterial Elastic 1 1e6\nfrictionModel Coulomb 1 0.06\n\
+    element flatSliderBearing 1 1 2 1 5e4 -P 1 -Mz 1 -orient 0 1 0 -1 0 0\n\
+    timeSeries Linear 1\npattern Plain 1 1 {load 2 0 -981 0}\nconstraints Plain\nalgorithm Newton\n\
+    integrator LoadControl 1\nanalysis Static\nanalyze 1\nloadConst -time 0\n";
+
+#[test]
+fn motion_without_gravity() {
+    let sound = format!("{SLIDER}{SHAKEN}");
+    finds_nothing(&sound);
+    let forgotten = sound.replace("{load 2 0 -981 0}", "{}");
+    finds(&forgotten, "no-gravity", "of pattern 2 begins while bearing 1 carries no load along 2");
+    // A vertical record is no gravity, and a constant acceleration is.
+    let third = "timeSeries Path 3 -dt 0.01 -filePath gm.txt -factor 9.81\npattern UniformExcitation 3 2 -accel 3\n";
+    let with = |more: &str| forgotten.replace("integrator Newmark", &format!("{more}integrator Newmark"));
+    finds(&with(third), "no-gravity", "bearing 1 carries no load along 2");
+    finds_nothing(&with("timeSeries Constant 3 -factor 9.81\npattern UniformExcitation 3 2 -accel 3\n"));
+    // Held nodes carry their load by themselves, and a test without a ground motion asks for none.
+    finds_nothing(&forgotten.replace("fix 2 0 0 1", "fix 2 0 1 1"));
+    let moved = SLIDER.replace("{load 2 0 -981 0}", "{sp 2 1 0.1}");
+    finds_nothing(&moved.replace("constraints Plain", "constraints Transformation"));
+    // A mass on rubber alone is a study of its law; a structure on rubber has a weight.
+    let slider = "flatSliderBearing 1 1 2 1 5e4 -P 1";
+    let rubber = forgotten.replace(slider, "elastomericBearingPlasticity 1 1 2 1000. 20. 0.02 0. 1. -P 1");
+    finds_nothing(&rubber);
+    let column = "node 3 0 3 -mass 50 50 1\ngeomTransf Linear 1\nelement elasticBeamColumn 2 2 3 0.16 3e7 2e-3 1\ntimeSeries Linear 1";
+    finds(&rubber.replace("timeSeries Linear 1", column), "no-gravity", "bearing 1 carries no load along 2");
+    // A run says the same.
+    let place = Place::new();
+    place.write("gm.txt", record());
+    place.write("m.tcl", forgotten);
+    let (_, _, err) = place.run(&["run", "m.tcl"]);
+    assert!(err.contains("[no-gravity]"), "{err}");
+}
+
+#[test]
+fn floor_without_mass() {
+    // The portal with two storeys on top of it, each as heavy.
+    let storey = |level: u32| {
+        let (a, b, c, d) = (2 * level, 2 * level + 2, 10 * level, 3 * level);
+        format!(
+            "node {b} 0 {d}\nnode 1{b} 5 {d}\nmass {b} 50 50 0\nmass 1{b} 50 50 0\n\
+             element elasticBeamColumn {c} {a} {b} 0.16 3e7 2e-3 1\nelement elasticBeamColumn 1{c} {from} 1{b} 0.16 3e7 2e-3 1\n\
+             element elasticBeamColumn 2{c} {b} 1{b} 0.16 3e7 2e-3 1\n",
+            from = if level == 2 { "4".to_owned() } else { format!("1{a}") },
+        )
+    };
+    let sound = format!(
+        "{}loadConst -time 0\n{SHAKEN}",
+        FRAME
+            .replace("-490.5", "-1471.5")
+            .replace("timeSeries Linear 1\n", &format!("{}{}timeSeries Linear 1\n", storey(2), storey(3)))
+    );
+    finds_nothing(&sound.replace("mass 6", "# mass 6"));
+    let forgotten = sound.replace("mass 6", "# mass 6").replace("mass 16", "# mass 16");
+    finds(
+        &forgotten,
+        "floor-without-mass",
+        "the floor at height 6, with node 6, has no mass along 1; 2 floors have one",
+    );
+    // A density gives it one.
+    finds_nothing(&forgotten.replace(
+        "element elasticBeamColumn 220 6 16 0.16 3e7 2e-3 1",
+        "element elasticBeamColumn 220 6 16 0.16 3e7 2e-3 1 -mass 20",
+    ));
+}
+
+#[test]
+fn static_analysis_of_a_record() {
+    let sound = format!("{FRAME}loadConst -time 0\n{SHAKEN}");
+    let still = sound.replace(
+        "integrator Newmark 0.5 0.25\nanalysis Transient\nanalyze 100 0.01",
+        "integrator LoadControl 0.01\nanalysis Static\nanalyze 100",
+    );
+    finds(&still, "static-ground-motion", "under the ground motion of pattern 2");
+    // Gravity as a constant acceleration.
+    finds_nothing(&still.replace("timeSeries Path 2 -dt 0.01 -filePath gm.txt -factor 9.81", "timeSeries Constant 2"));
+}
+
 /// A degree of freedom that none of the nodes of a recorder has, and a column that no response has.
 #[test]
 fn columns_that_are_not_there() {

@@ -270,4 +270,9 @@ fn a_suite_that_runs_away_is_stopped() {
     let (status, _, said) = place.run(&["isolate", "far.toml"]);
     assert!(status != Some(0) && said.contains("the suite was stopped"), "{said}");
     assert!(!place.0.join("isolation/report.html").exists());
+    // Analyses behind the first that cannot be believed are not made.
+    let (_, printed, _) = place.run(&["check", "far.toml"]);
+    let (_, _, said) = place.run(&["isolate", "far.toml", "--threads", "1", "--out", "again"]);
+    let made = fs::read_dir(place.0.join("again/analyses")).unwrap().count();
+    assert!(made == 1 && !printed.contains(": 1 analyses"), "{made}: {said}{printed}");
 }

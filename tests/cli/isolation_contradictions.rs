@@ -167,6 +167,16 @@ fn factors_of_motions_beside_their_scaling() {
     assert!(!said.contains("changes nothing"), "{said}");
 }
 
+/// A single component is told, and a pair is not.
+#[test]
+fn single_components_of_a_suite() {
+    let (_, said) = BUILDING.run("check");
+    let told: Vec<&str> = said.lines().filter(|l| l.contains("is no pair")).collect();
+    assert!(told.len() == 1 && told[0].contains("Rio Dell 1992"), "{said}");
+    let (status, said) = BRIDGE.run("check");
+    assert!(status == Some(0) && !said.contains("is no pair"), "{said}");
+}
+
 /// Motions that cannot be applied are refused; supports that move are compared.
 #[test]
 fn scripts_without_a_uniform_excitation() {

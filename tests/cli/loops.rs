@@ -41,6 +41,27 @@ fn tables_and_picture() {
 }
 
 #[test]
+fn several_files() {
+    let place = Place::new();
+    place.write("a.csv", ellipse());
+    place.write("b.csv", ellipse().replace("time,u,F", "clock,u,F"));
+    let columns = ["loops", "a.csv", "b.csv", "-u", "u", "-f", "F", "--units", "kN", "mm"];
+    let (status, out, err) = place.run(&columns);
+    assert!(
+        status == Some(0) && out.trim_start().starts_with("file ") && out.lines().count() == 2 + 4 + 4,
+        "{out}{err}"
+    );
+    assert!(out.lines().nth(5).is_some_and(|l| l.contains("a.csv")), "{out}");
+    let (_, out, _) = place.run(&[&columns[..], &["--table", "json"]].concat());
+    let cycles: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let files: Vec<&str> = cycles.as_array().unwrap().iter().filter_map(|c| c["file"].as_str()).collect();
+    assert_eq!(files, ["a.csv", "a.csv", "a.csv", "a.csv", "b.csv", "b.csv", "b.csv", "b.csv"]);
+    // One file has no such column.
+    let (_, out, _) = place.run(&["loops", "a.csv", "-u", "u", "-f", "F", "--table", "csv"]);
+    assert!(out.starts_with("cycle,"), "{out}");
+}
+
+#[test]
 fn refused() {
     let place = Place::new();
     place.write("a.csv", ellipse());
@@ -51,6 +72,11 @@ fn refused() {
         (&["c.out", "-u", "1", "-f", "2"], "cannot read \"c.out\""),
         (&["a.csv", "-u", "1", "2", "-f", "2"], "2 columns of displacements, but 1 of forces"),
         (&["a.csv", "-u", "u", "-f", "F", "--area", "1", "--thickness", "0"], "the thickness is 0"),
+        (&["a.csv", "c.out", "-u", "1", "-f", "2"], "cannot read \"c.out\""),
+        (
+            &["a.csv", "a.csv", "-u", "u", "-f", "F", "--svg", "a.svg"],
+            "--svg draws the loops of one file, and there are 2",
+        ),
     ] {
         let (status, out, err) = place.run(&[&["loops"], args].concat());
         assert!(status == Some(2) && out.is_empty() && err.contains(message), "{args:?}: {err}");

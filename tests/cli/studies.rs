@@ -293,6 +293,10 @@ fn draft_of_a_study_passes_the_check() {
     ] {
         assert!(text.contains(piece), "no {piece} in\n{text}");
     }
+    // Remarks on what is doubtful have no place here.
+    for doubt in ["CHECK:", "A GUESS", "did not end with its own values", "no range of its own", "has no value of it"] {
+        assert!(!text.contains(doubt), "{doubt} in\n{text}");
+    }
     expect(&place, 0, &text, "", &["2 of 2 parameters", "fit      test    force"]);
     let (status, _, said) = place.run(&["init", "model.tcl", "test.csv"]);
     assert!(status == Some(2) && said.contains("study.toml exists already"), "{said}");

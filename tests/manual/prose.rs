@@ -103,6 +103,37 @@ fn nine_of_ten_sentences_of_a_page_are_short() {
     assert!(long.is_empty(), "at most {MAX_WORDS} words:\n{}", long.join("\n"));
 }
 
+/// Phrases of earlier texts that a reader has to guess at.
+const UNCLEAR: [&str; 4] = ["came to no end", "comes to no end", "what it leaves of", "least unreduced force"];
+
+/// Files of source text below a folder.
+fn sources_below(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources_below(&path, found);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn unclear_phrases_are_in_no_page_and_no_message() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = vec![root.join("README.md")];
+    pages_below(&root.join("docs"), &mut files);
+    ["crates", "src", "bindings/python/src"].iter().for_each(|f| sources_below(&root.join(f), &mut files));
+    let mut found = vec![];
+    for file in files {
+        // A sentence may be broken over lines.
+        let text = fs::read_to_string(&file).unwrap();
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        found.extend(UNCLEAR.iter().filter(|p| text.contains(*p)).map(|p| format!("{}: {p}", file.display())));
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
 #[test]
 fn words_of_a_sentence_are_counted() {
     assert_eq!(sentences("One two three. Four five `six seven` [eight](nine.md) ten."), [3, 5]);

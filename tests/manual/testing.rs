@@ -197,7 +197,7 @@ pub(crate) fn page(sheets: &[&Sheet]) -> String {
          ## Broken on purpose\n\n\
          {}\n\
          {}",
-        "Each promise of the program has a test that fails when it is broken. Where a number is promised, an outside reference stands beside it.\n",
+        "Each promise of the program has a test that fails when it is broken. A promised number has an outside reference.\n",
         tests_table(),
         references(sheets),
         broken_on_purpose(),
@@ -218,7 +218,7 @@ These need more than a Rust toolchain, or hours. They are run before a release.
 | licences, sources and advisories of dependencies; the declared minimum version of Rust | `scripts/audit.sh` |
 | pages in a real browser | `tests/browser/check.py`, `tests/browser/view.py` |
 | Python | `pytest` in `bindings/python` |
-| speed beside OpenSees, with the difference of results | `benches/peer.py` |
+| speed compared with OpenSees, with the difference of results | `benches/peer.py` |
 | frames, walls and bearings drawn at random, in both programs | `benches/random_*.py` |
 | the diagnosis: trials, sealed batches, benchmark, ablation of its constants | [validation/diagnosis](../validation/diagnosis/README.md) |
 

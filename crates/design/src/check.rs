@@ -34,6 +34,25 @@ impl Status {
     }
 }
 
+/// Side of a limit on which a demand is met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// The demand may not exceed the limit.
+    AtMost,
+    /// The value may not fall below the limit.
+    AtLeast,
+}
+
+impl Sense {
+    /// Sign between demand and limit for tables.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::AtMost => "<=",
+            Self::AtLeast => ">=",
+        }
+    }
+}
+
 /// Clause of a rule and where its wording comes from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Citation {
@@ -59,6 +78,8 @@ pub struct Check {
     pub citation: Citation,
     /// Demand.
     pub demand: f64,
+    /// Side of the limit on which the demand is met.
+    pub sense: Sense,
     /// Limit.
     pub limit: f64,
     /// Demand over limit, or limit over demand for a lower limit: met up to 1.
@@ -70,26 +91,32 @@ pub struct Check {
 }
 
 impl Check {
-    fn new(subject: String, citation: Citation, demand: f64, limit: f64, is_met: bool, ratio: f64) -> Self {
-        let known = demand.is_finite() && limit.is_finite();
-        let status = match (known, is_met) {
-            (false, _) => Status::NotChecked,
-            (_, true) => Status::Met,
-            (_, false) => Status::NotMet,
+    fn new(subject: String, citation: Citation, [demand, limit]: [f64; 2], sense: Sense) -> Self {
+        let (least, most) = match sense {
+            Sense::AtMost => (demand, limit),
+            Sense::AtLeast => (limit, demand),
         };
-        Self { subject, citation, demand, limit, ratio, status, is_of_suite: false }
+        let status = match demand.is_finite() && limit.is_finite() {
+            false => Status::NotChecked,
+            true if least <= most => Status::Met,
+            true => Status::NotMet,
+        };
+        let ratio = match most == 0.0 {
+            false => least / most,
+            true if least > 0.0 => f64::INFINITY,
+            true => 0.0,
+        };
+        Self { subject, citation, demand, sense, limit, ratio, status, is_of_suite: false }
     }
 
     /// A demand that may not exceed a limit.
     pub fn at_most(subject: impl Into<String>, citation: Citation, demand: f64, limit: f64) -> Self {
-        let ratio = if limit == 0.0 { if demand > 0.0 { f64::INFINITY } else { 0.0 } } else { demand / limit };
-        Self::new(subject.into(), citation, demand, limit, demand <= limit, ratio)
+        Self::new(subject.into(), citation, [demand, limit], Sense::AtMost)
     }
 
     /// A value that may not fall below a limit.
     pub fn at_least(subject: impl Into<String>, citation: Citation, value: f64, limit: f64) -> Self {
-        let ratio = if value == 0.0 { if limit > 0.0 { f64::INFINITY } else { 0.0 } } else { limit / value };
-        Self::new(subject.into(), citation, value, limit, value >= limit, ratio)
+        Self::new(subject.into(), citation, [value, limit], Sense::AtLeast)
     }
 
     /// A demand that may not exceed a number of a rule; not checked if the code has none.
@@ -124,6 +151,7 @@ pub fn check_table(checks: &[Check]) -> Table {
         ("check", ""),
         ("clause", ""),
         ("demand", ""),
+        ("sense", ""),
         ("limit", ""),
         ("ratio", ""),
         ("result", ""),
@@ -135,6 +163,7 @@ pub fn check_table(checks: &[Check]) -> Table {
             c.subject.clone().into(),
             c.citation.clause.clone().into(),
             number(c.demand),
+            Cell::Word(c.sense.sign()),
             number(c.limit),
             number(c.ratio),
             Cell::Word(c.status.word()),
@@ -146,7 +175,7 @@ pub fn check_table(checks: &[Check]) -> Table {
 
 #[cfg(test)]
 mod tests {
-    use super::{Check, Citation, Status};
+    use super::{Check, Citation, Status, check_table};
 
     #[test]
     fn ratios_and_results_at_both_kinds_of_limits() {
@@ -157,5 +186,25 @@ mod tests {
         assert!(c.status == Status::Met && (c.ratio - 2.0 / 3.0).abs() < 1e-12);
         assert_eq!(c.or_else(Status::Scaled).status, Status::Met);
         assert_eq!(Check::at_most("a", Citation::default(), 3.0, f64::NAN).status, Status::NotChecked);
+    }
+
+    #[test]
+    fn limits_without_demand_and_demands_without_limit() {
+        let most = |demand, limit| Check::at_most("a", Citation::default(), demand, limit).ratio;
+        let least = |value, limit| Check::at_least("a", Citation::default(), value, limit).ratio;
+        assert_eq!(
+            [most(1.0, 0.0), most(0.0, 0.0), least(0.0, 1.0), least(0.0, 0.0)],
+            [f64::INFINITY, 0.0, f64::INFINITY, 0.0]
+        );
+    }
+
+    #[test]
+    fn the_table_says_which_way_a_limit_goes() {
+        let checks =
+            [Check::at_most("a", Citation::default(), 1.0, 2.0), Check::at_least("b", Citation::default(), 3.0, 2.0)];
+        let text = check_table(&checks).text();
+        let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split_whitespace().collect()).collect();
+        assert!(lines[0].starts_with(&["check", "clause", "demand", "sense", "limit"]), "{text}");
+        assert!(text.contains("<=") && text.contains(">="), "{text}");
     }
 }

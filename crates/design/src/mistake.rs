@@ -1,5 +1,6 @@
 //! Mistakes of studies: what is wrong, and the key of the file that it is about.
 
+use hysteron_identify::study::UnknownKey;
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, Span};
 use std::ops::Range;
 use toml::Spanned;
@@ -100,9 +101,47 @@ pub fn locate(text: &str, key: &[Step]) -> Option<Range<usize>> {
     Some(range.start..end)
 }
 
+/// Page of the keys of an isolation study.
+const PAGE_OF_KEYS: &str = "docs/reference/isolation-keys.md";
+
+/// The message for an error of the TOML parser. An unknown key comes with the nearest known one and the section of its page.
+pub(crate) fn form_error(e: &toml::de::Error, text: &str, at: Option<Span>) -> Diagnostic {
+    let Some(unknown) = UnknownKey::of(e) else { return Diagnostic::error(e.message()).place(at) };
+    let before = at.and_then(|s| text.get(..s.start as usize)).unwrap_or_default();
+    let is_head = |l: &&str| l.starts_with('[') && l.trim_start_matches('[').starts_with(char::is_alphabetic);
+    let table = before.lines().map(str::trim).rfind(is_head).unwrap_or("the top of the file");
+    unknown.diagnostic(at).help(format!("the keys of {table} stand in {PAGE_OF_KEYS}"))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::locate;
+    use super::{form_error, locate};
+
+    #[test]
+    fn an_unknown_key_has_the_nearest_and_the_section_of_its_page() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Entry {
+            #[serde(rename = "tags")]
+            _tags: Option<Vec<i64>>,
+        }
+        let told = |text: &str| {
+            let error = toml::from_str::<std::collections::BTreeMap<String, Vec<Entry>>>(text).expect_err("a mistake");
+            let source = hysteron_tcl::diagnostic::SourceMap::default().add("study.toml", text);
+            let at = error.span().map(|r| super::Span { source, start: r.start as u32, end: r.end as u32 });
+            form_error(&error, text, at)
+        };
+        let d = told("[[bearing]]\ntags = [\n[1],\n]\n");
+        assert!(d.help.is_empty() && !d.message.contains("unknown key"), "{d:?}");
+        let d = told("[[bearing]]\ntgas = [1]\n");
+        assert_eq!(d.message, "unknown key \"tgas\"");
+        assert_eq!(
+            d.help,
+            ["did you mean \"tags\"?", "the keys of [[bearing]] stand in docs/reference/isolation-keys.md"]
+        );
+        let d = told("[[bearing]]\nsomething = [1]\n");
+        assert_eq!(d.help, ["the keys of [[bearing]] stand in docs/reference/isolation-keys.md"]);
+    }
 
     #[test]
     fn a_key_has_the_place_of_its_value() {

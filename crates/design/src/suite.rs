@@ -375,3 +375,17 @@ fn scaled(
     let wanted: Vec<f64> = periods.iter().map(|t| target.at(*t)).collect();
     scale(&spectra, &wanted, least)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::extreme_factor;
+
+    #[test]
+    fn factors_within_the_usual_range_need_no_remark() {
+        for factor in [0.25, 1.0, 3.99, 4.0] {
+            assert_eq!(extreme_factor("A", factor), None);
+        }
+        assert_eq!(extreme_factor("A", 4.01).as_deref(), Some("A: the factor 4.01 is beyond 0.25 to 4"));
+        assert!(extreme_factor("A", 0.2).is_some());
+    }
+}

@@ -24,5 +24,7 @@ pub use read::{
 pub use result_file::ResultFile;
 pub use scratch::Scratch;
 pub use std::fs::{File, Metadata};
-pub use system::{Access, info, is_link, link_info, open, permissions, portable, remove, rename, set_modified};
+pub use system::{
+    Access, info, is_link, link_info, open, path_from, permissions, portable, remove, rename, set_modified,
+};
 pub use write::{copy, write, write_durably};

@@ -2,7 +2,7 @@
 
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io;
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 /// Use of a file that is opened.
@@ -20,6 +20,23 @@ pub struct Access {
     pub exclusive: bool,
     /// Emptied.
     pub truncate: bool,
+}
+
+/// Path of a file from a folder, with `/` between the names. It is the whole path where both share no folder but the root.
+///
+/// # Errors
+/// One of both does not exist.
+pub fn path_from(folder: &Path, file: &Path) -> io::Result<String> {
+    let (folder, file) = (folder.canonicalize()?, file.canonicalize()?);
+    let shared: Vec<Component<'_>> =
+        folder.components().zip(file.components()).take_while(|(a, b)| a == b).map(|(a, _)| a).collect();
+    let path: PathBuf = if shared.iter().any(|c| matches!(c, Component::Normal(_))) {
+        let up = folder.components().skip(shared.len()).map(|_| Component::ParentDir);
+        up.chain(file.components().skip(shared.len())).collect()
+    } else {
+        file.clone()
+    };
+    Ok(portable(path))
 }
 
 /// Open a file. A link is followed: who may not trust its folder uses [`crate::write`].

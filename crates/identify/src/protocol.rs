@@ -116,9 +116,14 @@ impl Bearing {
         )
     }
 
-    /// The commands that make it.
+    /// The commands that make it, for the current folder.
     pub fn definition(&self) -> String {
-        let source = format!("source {}\n", word(&self.file));
+        self.definition_from(&word(&self.file))
+    }
+
+    /// The commands that make it, with its script as a word of Tcl.
+    fn definition_from(&self, file: &str) -> String {
+        let source = format!("source {file}\n");
         match &self.call {
             Some(call) => {
                 let model = "model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nnode 2 0.0 0.0 0.0\n";
@@ -194,14 +199,19 @@ impl Protocol {
         }
     }
 
-    /// The script of the test. It writes displacements of the upper node, and the forces on it, to files in a folder.
-    pub fn script(&self, bearing: &Bearing, folder: &str) -> String {
+    /// The script of the test. It writes displacements of the upper node, and the forces on it, to files in its own folder.
+    /// `file` is the path of the bearing's script from there.
+    pub fn script(&self, bearing: &Bearing, file: &str) -> String {
         let mut t = String::new();
         let [lower, upper] = bearing.nodes;
-        let _ =
-            writeln!(t, "# {} of the bearing of {}, made by hysteron.", sentence(self.motion.title()), bearing.file);
+        let _ = writeln!(t, "# {} of the bearing of {file}, made by hysteron.", sentence(self.motion.title()));
         let _ = writeln!(t, "# Units are those of the bearing; times in the unit of 1/frequency.\n");
-        t += &bearing.definition();
+        let _ = writeln!(
+            t,
+            "# Paths are those from the folder of this script.\nset test_folder [file dirname [info script]]"
+        );
+        let here = |file: &str| format!("[file join $test_folder {}]", word(file));
+        t += &bearing.definition_from(&here(file));
         t.push('\n');
         let plane = bearing.ndm == 2;
         let driven = self.imposed_directions(plane);
@@ -222,11 +232,10 @@ impl Protocol {
         let dofs: Vec<String> = (1..=bearing.ndm).map(|d| d.to_string()).collect();
         let dofs = dofs.join(" ");
         let forces: Vec<String> = (1..=bearing.ndm).map(|d| (ndf + d).to_string()).collect();
-        let out = |name: &str| word(&format!("{folder}/{name}"));
         let _ = writeln!(t, "# Rows from the state at rest on.");
-        let file = out("displacement.out");
+        let file = here("displacement.out");
         let _ = writeln!(t, "recorder Node -file {file} -precision 12 -time -node {upper} -dof {dofs} disp");
-        let (file, forces) = (out("force.out"), forces.join(" "));
+        let (file, forces) = (here("force.out"), forces.join(" "));
         let _ = writeln!(t, "recorder Element -file {file} -precision 12 -time -ele 1 -dof {forces} force");
         let _ = writeln!(t, "record\n");
         if self.rates {

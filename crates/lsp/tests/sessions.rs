@@ -388,7 +388,7 @@ fn keys_of_an_isolation_study_are_told() {
     let mut e = Editor::new();
     let study = "script = \"m.tcl\"\ngravity = 9.81\ntarget = [\"asce7\"]\n[[bearing]]\nname = \"A\"\ntgas = [1]\n";
     let told = short(&e.open("study.toml", study));
-    assert!(told[0].starts_with("6:1-5 - unknown field `tgas`"), "{told:?}");
+    assert!(told[0].starts_with("6:1-5 - unknown key \"tgas\""), "{told:?}");
     assert!(e.hover("study.toml", 1, 2).contains("Acceleration of gravity"));
     assert!(e.hover("study.toml", 4, 2).contains("Name, which the script finds"));
     assert!(labels(&e.complete("study.toml", 5, 0)).contains(&"k_d"));

@@ -1,5 +1,6 @@
 //! `hysteron batch`: many runs of scripts, on one machine or as the jobs of a cluster.
 
+mod check;
 mod jobs;
 
 use super::calibrate::{FAILURE, INPUT_ERROR};
@@ -7,6 +8,7 @@ use super::files::{make_folder, make_inner_folder, write_atomically};
 use super::limits::LimitArgs;
 use super::pace::Pace;
 use super::signals::{on_interrupt, stopped_status};
+pub(super) use check::check;
 use clap::Args;
 use hysteron::design::batch::{Case, Plan, is_complete, load, run_case, table};
 use hysteron::study::WorkerPool;
@@ -69,10 +71,7 @@ pub(super) fn batch(a: &BatchArgs) -> i32 {
 /// Do what is asked for; the number of cases that failed.
 fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     let plan = load(&a.plan)?;
-    plan.notes.iter().for_each(|note| eprintln!("warning: {note}"));
-    if plan.repeated > 0 {
-        eprintln!("warning: {} cases have the inputs of another one: they are run once", plan.repeated);
-    }
+    warnings(&plan).iter().for_each(|note| eprintln!("warning: {note}"));
     make_folder(&a.out)?;
     if let Some(scheduler) = a.emit {
         write_jobs(scheduler, &a.plan, &a.out, a.jobs)?;
@@ -99,6 +98,12 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
         return Ok(0);
     }
     write_table(a, &plan, &folder)
+}
+
+/// What is to be said about a plan that has been read.
+fn warnings(plan: &Plan) -> Vec<String> {
+    let repeated = format!("{} cases have the inputs of another one: they are run once", plan.repeated);
+    plan.notes.iter().cloned().chain((plan.repeated > 0).then_some(repeated)).collect()
 }
 
 /// Run cases on all threads.

@@ -112,7 +112,6 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     let locked = hysteron_files::make_inner_folder(&part).and_then(|()| FolderLock::take(&part));
     let lock = locked.map_err(|e| e.to_string())?;
     lock.clear().map_err(|e| format!("cannot clear {}: {e}", part.display()))?;
-    let script = case.script.to_string_lossy();
     let (files, outputs) = guarded(&part).map_err(|e| format!("cannot make {}: {e}", part.display()))?;
     let inputs = InputHashes::default();
     let files = Box::new(HashedFiles::new(files, inputs.clone()));
@@ -120,9 +119,8 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     let mut run = Run::new(settings, Box::new(Silent), files, outputs);
     run.interp.interrupt = stop.clone();
     run.interp.host.stop_on(stop.clone());
-    run.interp.host.parameters = plan.parameters.iter().cloned().zip(case.values.iter().copied()).collect();
-    give_motion(plan, case, &mut run)?;
-    let end = run.script(&script, &[]);
+    prepare(plan, case, &mut run)?;
+    let end = run.script(&case.script.to_string_lossy(), &[]);
     if stop.load(Ordering::Relaxed) {
         drop(lock);
         let _ = hysteron_files::remove_folder(&part);
@@ -144,6 +142,21 @@ pub fn run_case(plan: &Plan, case: &Case, folder: &Path, resume: bool, stop: &Ar
     moved.map_err(|e| format!("cannot write {}: {e}", place.display()))
 }
 
+/// Give the script of a case its parameters and its motion, before it begins.
+///
+/// # Errors
+/// The motion cannot be set.
+pub fn prepare(plan: &Plan, case: &Case, run: &mut Run) -> Result<(), String> {
+    run.interp.host.parameters = plan.parameters.iter().cloned().zip(case.values.iter().copied()).collect();
+    give_motion(plan, case, run)
+}
+
+/// A parameter of the plan that a script which has run does not declare, in words.
+pub fn undeclared(plan: &Plan, run: &Run) -> Option<String> {
+    let missing = plan.parameters.iter().find(|p| !run.interp.host.declared.contains_key(*p));
+    missing.map(|p| format!("the script has no \"pset {p}\""))
+}
+
 /// Put the motion of a case into the array `motion` of its script.
 fn give_motion(plan: &Plan, case: &Case, run: &mut Run) -> Result<(), String> {
     let Some(m) = case.motion.map(|m| &plan.motions[m]) else { return Ok(()) };
@@ -160,10 +173,9 @@ fn give_motion(plan: &Plan, case: &Case, run: &mut Run) -> Result<(), String> {
 
 /// Status and message of a run, and the values of the results; none for one that is missing.
 fn outcome(plan: &Plan, run: &mut Run, end: &End) -> (&'static str, String, Vec<String>) {
-    let undeclared = plan.parameters.iter().find(|p| !run.interp.host.declared.contains_key(*p));
-    let (mut status, mut message) = match (end, undeclared, &run.interp.host.last_failure) {
+    let (mut status, mut message) = match (end, undeclared(plan, run), &run.interp.host.last_failure) {
         (End::Rejected(d) | End::Raised(d), _, _) => ("rejected", d.message.clone()),
-        (End::Done | End::Exit(0), Some(p), _) => ("rejected", format!("the script has no \"pset {p}\"")),
+        (End::Done | End::Exit(0), Some(missing), _) => ("rejected", missing),
         (End::Done | End::Exit(0), None, None) => (DONE, String::new()),
         (_, _, Some(failure)) => ("failed", failure.to_string()),
         _ => ("failed", "the script was not completed".into()),

@@ -6,8 +6,8 @@ mod case;
 mod plan;
 mod rows;
 
-pub use case::{Table, is_complete, run_case, table};
-pub use plan::{Case, PlanMotion, load, mistake_of_form};
+pub use case::{Table, is_complete, prepare, run_case, table, undeclared};
+pub use plan::{Case, PlanMotion, is_plan, load, mistake_of_form};
 
 use std::fmt::Write as _;
 

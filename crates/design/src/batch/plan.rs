@@ -142,6 +142,12 @@ pub fn mistake_of_form(text: &str) -> Option<(Option<std::ops::Range<usize>>, St
     toml::from_str::<PlanFile>(text).err().map(|e| (e.span(), e.message().to_owned()))
 }
 
+/// Returns true if a file is a plan: it names scripts.
+pub fn is_plan(path: &Path) -> bool {
+    let table = text_of(path).ok().and_then(|text| text.parse::<toml::Table>().ok());
+    table.is_some_and(|t| t.contains_key("scripts"))
+}
+
 /// Read a plan and its inputs; paths are relative to its folder. The hash of a case covers its script, the files that it sources
 /// by a plain name, the `files` of the plan, the results, parameters and motion.
 ///

@@ -4,7 +4,7 @@ use super::Properties;
 use super::agreement::{Agreement, StatedValues, settle};
 use super::study_file::{BearingEntry, Causes, LiveLoad, Stiffness, StudyFile, Transition};
 use crate::codes::{Code, Structure};
-use crate::mistake::{About as _, Mistake, Step, key};
+use crate::mistake::{About as _, Mistake, Step, form_error, key};
 use crate::motion::{Motion, MotionEntry, Pair, read};
 use crate::performance::Performance;
 use crate::scaling::scale;
@@ -238,7 +238,7 @@ fn parsed(path: &Path, text: &str, sources: &mut SourceMap) -> Result<StudyFile,
         let at = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
         let table = text.parse::<toml::Table>().unwrap_or_default();
         let is_other = table.contains_key("model") && !table.contains_key("script");
-        let d = Diagnostic::error(e.message()).place(at);
+        let d = form_error(&e, text, at);
         let other =
             "a study with \"model\" is for calibrate, diagnose and learn; init --isolation writes an isolation study";
         Box::new(if is_other { d.help(other) } else { d })

@@ -17,7 +17,7 @@ use crate::hypothesis;
 use crate::hypothesis::changed_condition;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRange;
-use hysteron_identify::calibrate::Uncertainty;
+use hysteron_identify::calibrate::{NoiseComparison, Uncertainty};
 use hysteron_identify::study::Study;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -119,8 +119,7 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
     } else {
         "No effect of the library improves your model (none). That it is complete is not shown."
     };
-    let noise =
-        judgement.and_then(|j| j.noise).map_or_else(String::new, |n| noise_in_words(c.baseline.fit_nmse, n.noise));
+    let noise = judgement.and_then(|j| j.noise).map_or_else(String::new, |n| noise_in_words(c.baseline.fit_nmse, &n));
     let reasons = match judgement.filter(|_| !is_explained) {
         Some(j) => j.reasons().join("; "),
         None => "the remaining error looks like noise".into(),
@@ -138,11 +137,13 @@ fn of_none(c: &SummaryContext<'_>) -> Summary {
 }
 
 /// The noise of the recordings after an error. An estimate above the error is no more than a limit of the noise.
-fn noise_in_words(error: f64, noise: f64) -> String {
-    if noise > error {
+fn noise_in_words(error: f64, noise: &NoiseComparison) -> String {
+    if noise.noise > error {
         return " The noise of the recordings is no larger than that.".into();
     }
-    format!(" The noise of the recordings is {}.", variance(noise))
+    let of_held_out = |h| format!(", and {} of the runs held out", variance(h));
+    let held_out = noise.holdout_noise.map_or_else(String::new, of_held_out);
+    format!(" The noise of the recordings is {} of the fitted runs{held_out}.", variance(noise.noise))
 }
 
 fn of_unknown(c: &SummaryContext<'_>) -> Summary {
@@ -442,12 +443,17 @@ fn wrapped(text: &str, width: usize, indent: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Summary, noise_in_words, wrapped};
+    use super::{NoiseComparison, Summary, noise_in_words, wrapped};
+    use hysteron_identify::noise::NoiseEvidence;
 
     #[test]
     fn an_estimate_of_the_noise_above_the_error_is_a_limit() {
-        assert_eq!(noise_in_words(0.002, 0.003), " The noise of the recordings is no larger than that.");
-        assert!(noise_in_words(0.004, 0.003).contains("0.3 %"), "{}", noise_in_words(0.004, 0.003));
+        let of = |noise| {
+            let evidence = NoiseEvidence::Innovations;
+            noise_in_words(0.002, &NoiseComparison { nmse: 0.002, noise, holdout_noise: Some(0.001), evidence })
+        };
+        assert_eq!(of(0.003), " The noise of the recordings is no larger than that.");
+        assert!(of(0.0015).contains("0.15 %") && of(0.0015).contains("runs held out"), "{}", of(0.0015));
     }
 
     #[test]

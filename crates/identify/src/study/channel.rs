@@ -115,7 +115,7 @@ fn measure(spans: &SourceSpans, o: &ObserveTable) -> Result<Option<LoopMeasure>,
         (LoopQuantity::from_word(known), &o.deformation, &o.deformation_column)
     else {
         let message = format!("{known} is a measure of loops over a deformation, which is not given");
-        return Err(spans.error(word, message, "expected deformation and deformation_column beside it"));
+        return Err(spans.error(word, message, "expected deformation and deformation_column with it"));
     };
     Ok(Some(LoopMeasure { quantity, output: output.get_ref().clone(), column: column_number(spans, column)? }))
 }

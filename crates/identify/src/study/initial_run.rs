@@ -63,6 +63,8 @@ pub struct InitialRun {
     pub failure: Option<SimulationError>,
     /// Limits of the runs that follow, by run of the study.
     pub limits: Vec<RunLimits>,
+    /// Time that the script took for each run of the study.
+    pub durations: Vec<Duration>,
 }
 
 impl InitialRun {
@@ -90,6 +92,7 @@ impl ScriptSimulator {
             warnings: vec![],
             failure: None,
             limits: vec![],
+            durations: vec![],
         };
         let time_limit = study.calibration.time_limit.map(Duration::from_secs_f64);
         if let Some(time) = time_limit {
@@ -129,6 +132,7 @@ impl ScriptSimulator {
                     initial.warnings.push(w);
                 }
             }
+            initial.durations.push(ended.time);
             let commands = RunLimits::UNKNOWN.commands - interp.budget.unwrap_or(0);
             let mut limits = RunLimits::from_first_run(commands, interp.host.engine.steps, 20 * ended.time);
             limits.time = time_limit.unwrap_or(limits.time);

@@ -6,6 +6,7 @@ use super::material::DeviceMaterial;
 use super::parameter::{Parameter, ParameterKind, ParameterRange, ParameterSpace, Scale};
 use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
+use super::unknown_key::UnknownKey;
 use exmex::Express as _;
 use hysteron_recordings::{Layout, Recording, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
@@ -180,14 +181,9 @@ impl Study {
 fn syntax_error(e: &toml::de::Error, text: &str, source: SourceId) -> StudyError {
     let message = e.message().trim();
     let span = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
-    let mut quoted = message.split('`').skip(1).step_by(2);
-    let unknown = message.starts_with("unknown field").then(|| quoted.next()).flatten();
-    let known: Vec<&str> = quoted.collect();
     let mut d = Diagnostic::error(message.lines().next().unwrap_or_default()).at(span, "");
-    if let Some(word) = unknown {
-        d.message = format!("unknown key \"{word}\"");
-        d.label = format!("expected one of {}", known.join(", "));
-        d.add_suggestion(word, nearest(word, known.iter().copied()));
+    if let Some(unknown) = UnknownKey::of(e) {
+        d = unknown.diagnostic(span).label(format!("expected one of {}", unknown.known.join(", ")));
         let table = text.parse::<toml::Table>().unwrap_or_default();
         if table.contains_key("script") && !table.contains_key("model") {
             d = d.help(

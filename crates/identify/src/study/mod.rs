@@ -30,6 +30,7 @@ mod simulator;
 mod standalone;
 mod study_file;
 mod trace;
+mod unknown_key;
 mod worker_pool;
 
 pub use draft::draft_study;
@@ -46,4 +47,5 @@ pub use script_simulator::{ScriptSimulator, SimulatorFactory};
 pub use simulator::{SimulationError, Simulator};
 pub use standalone::standalone_script;
 pub use trace::Trace;
+pub use unknown_key::UnknownKey;
 pub use worker_pool::WorkerPool;

@@ -19,7 +19,7 @@ pub(crate) fn lenses(view: &View<'_>) -> Vec<CodeLens> {
         FileKind::Script => &[("Run", "run"), ("View", "view"), ("Check", "check")],
         FileKind::Study => &[("Check", "check"), ("Calibrate", "calibrate"), ("Diagnose", "diagnose")],
         FileKind::Isolation => &[("Check", "check"), ("Run all analyses", "isolate")],
-        FileKind::Plan => &[("Run all cases", "batch")],
+        FileKind::Plan => &[("Check", "check"), ("Run all cases", "batch")],
         FileKind::Python if view.script().is_some() => &[("Check", "check")],
         FileKind::Python | FileKind::Other => &[],
     };

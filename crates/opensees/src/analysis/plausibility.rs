@@ -1,6 +1,7 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
 use super::again::Checked;
+use super::{massless_floors, unloaded_bearings};
 use crate::checks;
 use crate::host::Mode;
 use crate::session::Session;
@@ -56,9 +57,12 @@ pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<()
     fixed_and_tied(interp, span)?;
     growing_pattern(interp, dt, span)?;
     if interp.host.kind() != Some(Kind::Transient) {
-        return Ok(());
+        return static_ground_motion(interp, span);
     }
     excitations(interp, dt, span)?;
+    let engine = &interp.host.engine;
+    let forgotten = [unloaded_bearings::finding(engine), massless_floors::finding(engine)];
+    forgotten.into_iter().flatten().try_for_each(|d| warn_once(interp, d.place(span)))?;
     stability(interp, dt, span)
 }
 
@@ -202,6 +206,19 @@ fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exce
         }
     }
     warnings.into_iter().try_for_each(|d| warn_once(interp, d))
+}
+
+/// A record of a ground motion under a static analysis. A series without an end may be gravity.
+fn static_ground_motion(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
+    let (model, time) = (interp.host.engine.model(), interp.host.engine.state().time);
+    let shakes = |p: &Pattern| {
+        matches!(p.kind, PatternKind::Uniform(_)) && series(p).and_then(|s| s.end()).is_some_and(|end| time < end)
+    };
+    let Some((tag, _)) = model.patterns.iter().find(|(_, p)| shakes(p)) else { return Ok(()) };
+    let message = format!("a static analysis runs under the ground motion of pattern {tag}");
+    let d = Diagnostic::warning(&checks::analysis::STATIC_GROUND_MOTION, message)
+        .at(span, "no mass moves and nothing damps: expected \"analysis Transient\"");
+    warn_once(interp, d.help("gravity comes before the command \"pattern UniformExcitation\""))
 }
 
 /// An explicit integrator beyond its stable step.

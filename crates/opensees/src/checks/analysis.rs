@@ -28,7 +28,7 @@ hysteron_tcl::checks! {
         "Hold the node that it follows, or remove one of both.";
     LOOSE_CONSTRAINT "loose-constraint" (once):
         "A penalty is too small to keep a constraint.",
-        "The node moves by more than a hundredth beside the one it should follow. Take a larger factor, or \
+        "The node misses the one it should follow by more than a hundredth. Take a larger factor, or \
          Transformation.";
     PSEUDO_TIME "pseudo-time" (once):
         "A law that depends on the rate stands under an integrator in which no time passes.",
@@ -69,6 +69,17 @@ hysteron_tcl::checks! {
     RIGID_MODES "rigid-modes":
         "Modes move the model as a rigid body or a mechanism.",
         "They have no period. A model that is held everywhere has none.";
+    NO_GRAVITY "no-gravity" (once):
+        "A ground motion begins while the bearings of the model carry no vertical load.",
+        "Apply the weight in a static analysis and hold it with \"loadConst -time 0.0\". A slider without weight has no \
+         friction, and a bearing no P-Delta effect.";
+    FLOOR_WITHOUT_MASS "floor-without-mass" (once):
+        "A floor of a building has no mass along a ground motion, and other floors have one.",
+        "The command \"mass\" gives it one, at its nodes or at the retained node of its diaphragm.";
+    STATIC_GROUND_MOTION "static-ground-motion" (once):
+        "A static analysis runs under the record of a ground motion.",
+        "It has neither velocities nor inertia of the model. The commands \"analysis Transient\" and \"integrator \
+         Newmark 0.5 0.25\" follow the record.";
     GRAVITY_UPWARDS "gravity-upwards" (once):
         "The static loads are the weight of the masses and push upwards.",
         "Turn their sign. Beams and bearings would be in tension.";

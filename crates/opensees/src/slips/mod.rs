@@ -147,6 +147,10 @@ says that no test shows the difference.
 OpenSees accepts some scripts that mean nothing. There is no number to reproduce: hysteron refuses such a script, or warns, with the
 switch and without it. [Conventions](conventions.md#messages) explains the messages.
 
+A kind without a row has no known difference. That is no proof of the same numbers: the [verification](../verification/index.md)
+lists the cases and problems that each kind was compared with, and a dash stands where there is none. A command that hysteron does
+not have is refused by its name; it has no row either.
+
 Solvers and iterations differ in round-off. The cases of `validation/opensees` show agreement to the tolerances in their files.
 ";
 

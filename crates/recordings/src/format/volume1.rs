@@ -92,7 +92,7 @@ fn block(lines: &[&str], at: usize, channel: usize) -> Result<(Series, usize), F
         (duration.and_then(|d| step(d, count)).map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }), values)
     } else {
         let message = format!("the header says {count} points, but there are {} numbers", values.len());
-        return Err(Fault::in_line(at + 1, message).expected("expected as many, or a time beside each"));
+        return Err(Fault::in_line(at + 1, message).expected("expected as many, or a time with each"));
     };
     let values: Vec<f64> = values.iter().map(|x: &f64| factor * x).collect();
     let unit = unit::unit("g").ok_or_else(|| Fault::new("no unit"))?;

@@ -17,7 +17,7 @@ use hysteron_recordings::{Recording, Told, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE};
 use hysteron_tcl::top_level;
 use matching::{Candidate, Match};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -72,11 +72,7 @@ pub fn draft_study(
     let unreadable =
         |p: &Path, e: std::io::Error| Box::new(Diagnostic::error(format!("cannot read {}: {e}", p.display())));
     let folder = folder.canonicalize().map_err(|e| unreadable(folder, e))?;
-    let relative = |path: &Path| -> Result<String, StudyError> {
-        let whole = path.canonicalize().map_err(|e| unreadable(path, e))?;
-        let shown = whole.strip_prefix(&folder).unwrap_or(&whole);
-        Ok(shown.to_string_lossy().replace('\\', "/"))
-    };
+    let relative = |path: &Path| hysteron_files::path_from(&folder, path).map_err(|e| unreadable(path, e));
     let bytes = hysteron_files::read_input(model).map_err(|e| unreadable(model, e))?;
     let text = String::from_utf8(bytes).map_err(|_| unreadable(model, std::io::ErrorKind::InvalidData.into()))?;
     let outline = ScriptOutline::of(&text);
@@ -313,7 +309,25 @@ fn recorder(text: &str) -> Option<(String, String)> {
     Some((file?.trim_matches(['{', '}', '"']).to_owned(), place))
 }
 
-/// Variables with numbers, set at the outermost level, that a material or element uses directly or by other variables.
+/// Variables that loops count or go through: those of `for`, `foreach`, `lmap` and `incr`.
+fn loop_variables(text: &str) -> BTreeSet<&str> {
+    let calls = |command: &'static str| {
+        let begins = |at: usize| !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$');
+        let ends = |rest: &str| rest.starts_with([' ', '\t', '{']);
+        let found = text.match_indices(command).filter(move |(at, _)| begins(*at));
+        found.map(move |(at, _)| &text[at + command.len()..]).filter(move |rest| ends(rest)).map(str::trim_start)
+    };
+    let listed = ["foreach", "lmap"].into_iter().flat_map(calls).flat_map(|rest| match rest.strip_prefix('{') {
+        Some(list) => list.split('}').next().unwrap_or_default().split_whitespace().collect::<Vec<_>>(),
+        None => vec![word(rest)],
+    });
+    let begun = calls("for").filter_map(|rest| rest.trim_start_matches(['{', ' ']).strip_prefix("set "));
+    let begun = begun.map(|rest| word(rest.trim_start()));
+    calls("incr").map(word).chain(begun).chain(listed).collect()
+}
+
+/// Variables with numbers, set at the outermost level, that a material or element uses directly or by other variables. Those of
+/// loops are numbers of things and no properties.
 fn candidates(commands: &[Vec<&str>], text: &str) -> Vec<NumberVariable> {
     let uses = |words: &[&str], name: &str| {
         let dollar = format!("${name}");
@@ -332,9 +346,11 @@ fn candidates(commands: &[Vec<&str>], text: &str) -> Vec<NumberVariable> {
             used.push(name);
         }
     }
+    let of_loops = loop_variables(text);
     let number = |set: &&Vec<&str>| {
         let value = (set.len() == 3).then(|| set[2].parse::<f64>().ok().filter(|x| x.is_finite()))??;
-        used.contains(&set[1]).then(|| NumberVariable { name: set[1].to_owned(), value })
+        let is_property = used.contains(&set[1]) && !of_loops.contains(set[1]);
+        is_property.then(|| NumberVariable { name: set[1].to_owned(), value })
     };
     sets.iter().filter_map(number).collect()
 }
@@ -357,6 +373,12 @@ mod tests {
             (outline.place("force.out"), outline.place("d.out")),
             (Some("element 1 force"), Some("node 2 dof 1 disp"))
         );
+        // Variables of loops are no parameters; one whose name begins with a command's is.
+        let text = "set tag 0\nset i 1\nset j 2.0\nset k 3\nset incr 4.0\nset fork 5.0\n\
+                    for {set i 0} {$i < 3} {incr i} {\n incr tag 2\n foreach {j x} {1 2} {\n  foreach k {1 2} {\n   \
+                    element truss $tag $i $j $k $incr $fork\n  }\n }\n}\n";
+        let names: Vec<String> = ScriptOutline::of(text).candidates.into_iter().map(|c| c.name).collect();
+        assert_eq!(names, ["incr", "fork"]);
         let outline = ScriptOutline::of("recorder Node -file $out/base.out -time -node [master 1] -dof 1 disp\n");
         assert_eq!((outline.place("results/base.out"), outline.words("results/other.out")), (None, None));
         assert!(outline.words("results/base.out").is_some_and(|words| words.ends_with("disp")));
