@@ -130,6 +130,20 @@ fn initial_stresses_stiffen_force_based_beams() {
     }
 }
 
+/// A cantilever that shears moves by H L³/(3 E I) + H L/(G A α). A beam by displacements has no use for a shear stiffness, not
+/// even where it is zero.
+#[test]
+fn beams_of_elastic_sections_shear() {
+    let g = 0.01 * E;
+    let tip = 10.0 * L.powi(3) / (3.0 * E * I) + 10.0 * L / (g * A * 0.5);
+    for element in ["forceBeamColumn", "mixedBeamColumn"] {
+        let found = cantilever(element, &format!("section Elastic 1 {E} {A} {I} {g} 0.5"), 0.0)[0];
+        assert!((found / tip - 1.0).abs() < 1e-9, "{element}: {found} for {tip}");
+    }
+    let without = cantilever("dispBeamColumn", &format!("section Elastic 1 {E} {A} {I} 0. 0."), 0.0);
+    assert_eq!(without, cantilever("dispBeamColumn", &elastic(), 0.0));
+}
+
 /// An eccentric tendon bends a cantilever without loads. Displacements of openseespy 3.7.1.
 #[test]
 fn an_eccentric_tendon_bends_beams() {

@@ -165,6 +165,7 @@ fn warned() {
         ("section Fiber 1 { fiber 0 0 0 1; fiber 0.1 0 1 1 }", "the fiber has no area"),
         ("section Fiber 1 { patch circ 1 8 2 0 0 2 1 360 0 }", "both turned round"),
         ("section Fiber 1 -GJ 0 { fiber 0 0 1 1 }", "no torsional stiffness"),
+        ("section Elastic 1 2e8 0.1 1e-3 0 0", "no stiffness in shear"),
         ("remove element 9", "there is no element 9"),
         ("remove loadPattern 9", "there is no load pattern 9"),
         ("remove sp 2 1", "there is no such constraint"),

@@ -78,7 +78,7 @@ impl Domain {
     pub(crate) fn command(&self, py: Python<'_>, entry: &'static Entry, mut words: Vec<Value>) -> PyResult<Py<PyAny>> {
         let mut inner = self.hold()?;
         inner.owned.put_name(entry, &mut words);
-        if !entry.is_pure {
+        if !entry.asks {
             inner.reactions = None;
         }
         let run = inner.owned.run();

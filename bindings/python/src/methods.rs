@@ -4,6 +4,7 @@ use crate::answers::Answer;
 use crate::domain::Domain;
 use crate::errors::OpenSeesError;
 use crate::trace;
+use hysteron_opensees::effect::{Effect, effect};
 use hysteron_opensees::{Command, calls, commands};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -14,9 +15,6 @@ use std::sync::OnceLock;
 /// Commands that may take long: Python's other threads go on meanwhile.
 const LONG: &[&str] = &["analyze", "eigen", "modalProperties"];
 
-/// Commands that change nothing of what the queries give.
-const PURE: &[&str] = &["nodeCoord", "nodeMass", "getNodeTags", "getEleTags", "eleNodes", "eleType", "nodeEigenvector"];
-
 /// A command with what its calls from Python need to know.
 pub(crate) struct Entry {
     /// The command.
@@ -25,8 +23,8 @@ pub(crate) struct Entry {
     pub(crate) index: usize,
     /// It may take long.
     pub(crate) is_long: bool,
-    /// It changes nothing of what the queries give.
-    pub(crate) is_pure: bool,
+    /// It only asks: what queries give is as before.
+    pub(crate) asks: bool,
     /// Its last words are gathered into lists.
     pub(crate) is_block: bool,
     /// Python's object for its answer.
@@ -51,7 +49,7 @@ impl Entry {
             command,
             index,
             is_long: LONG.contains(&name),
-            is_pure: PURE.contains(&name),
+            asks: effect(command, None) == Effect::Asks,
             is_block: name.starts_with("block"),
             answer: Answer::of(name),
         }

@@ -15,7 +15,7 @@ pub(crate) fn words(entry: &Entry, args: &Bound<'_, PyTuple>) -> PyResult<Vec<Va
     let name = entry.command.name;
     let mut words = Vec::with_capacity(args.len() + 1);
     words.push(Value::EMPTY);
-    for (i, arg) in args.iter().enumerate() {
+    for (i, arg) in args.iter_borrowed().enumerate() {
         push(&mut words, &arg, 0).map_err(|e| match e {
             Refused::Python(e) => e,
             Refused::Kind(kind) => OpenSeesError::new_err(format!(
@@ -43,7 +43,12 @@ impl From<PyErr> for Refused {
 }
 
 fn push(words: &mut Vec<Value>, arg: &Bound<'_, PyAny>, depth: usize) -> Result<(), Refused> {
-    if let Ok(text) = arg.cast::<PyString>() {
+    // Most words are plain numbers, whose types need no call of Python.
+    if let Ok(x) = arg.cast_exact::<PyFloat>() {
+        words.push(Value::from(x.value()));
+    } else if arg.is_exact_instance_of::<PyInt>() {
+        words.push(integer(arg)?);
+    } else if let Ok(text) = arg.cast::<PyString>() {
         // As openseespy takes them: `'-dof '` is an option.
         words.push(Value::from(text.to_cow()?.trim_matches(|c: char| c.is_ascii_whitespace())));
     } else if let Ok(x) = arg.cast::<PyFloat>() {

@@ -26,8 +26,15 @@ fn call_in_python(usage: &str) -> String {
     // A body in braces is made of calls of their own in Python.
     let rest = rest.split('{').next().unwrap_or_default().trim_end();
     let (head, tail) = if is_name(name) { (Some(name), rest) } else { (None, usage) };
-    let mut out = String::new();
+    let (mut out, mut in_remark) = (String::new(), false);
     for word in tail.split(' ').filter(|w| !w.is_empty()) {
+        in_remark |= word.starts_with('(');
+        if in_remark {
+            out.push(' ');
+            out.push_str(word);
+            in_remark = !word.contains(')');
+            continue;
+        }
         let glued = out.is_empty() || out.ends_with("| ") || matches!(word, "|" | "or");
         out.push_str(match (glued, out.ends_with(' ') || out.is_empty()) {
             (true, true) => "",
@@ -46,7 +53,7 @@ fn call_in_python(usage: &str) -> String {
 }
 
 fn word_in_python(word: &str) -> String {
-    let core = word.trim_start_matches(['<', '(']).trim_end_matches(['>', ')', '.']);
+    let core = word.trim_start_matches('<').trim_end_matches(['>', '.']);
     let Some(at) = word.find(core).filter(|_| !core.is_empty()) else { return word.to_owned() };
     let (before, after) = (&word[..at], &word[at + core.len()..]);
     let part = |p: &str| match p.strip_prefix('$') {
@@ -68,6 +75,7 @@ mod tests {
             "section('Fiber', tag, <'-GJ', GJ | '-torsion', material>, <'-noCentroid'>)"
         );
         assert_eq!(usage_in_python("getTime"), "getTime()");
+        assert_eq!(usage_in_python("fix $node $flag (1 held, 0 free)"), "fix(node, flag (1 held, 0 free))");
         let lassign = "lassign [motionFile $series $file <-dt $dt>] dt npts: a measured file, or a series";
         assert_eq!(usage_in_python(lassign), "motionFile(series, file, <'-dt', dt>)");
     }

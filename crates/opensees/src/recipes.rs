@@ -5,9 +5,51 @@ use hysteron_engine::analysis::Options;
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Definitions;
 use hysteron_engine::parameter::ParameterError;
-use hysteron_tcl::{Exception, Interp, MemoryFiles, Silent, Value};
+use hysteron_tcl::{Exception, Form, Interp, MemoryFiles, Silent, Value};
 use std::cell::Cell;
+use std::fmt;
 use std::sync::Arc;
+
+/// A word as it was given, which shares nothing with the value of the call: numbers are texts only once they are read again.
+#[derive(Clone)]
+pub(crate) enum OwnWord {
+    /// A whole number.
+    Int(i64),
+    /// A number.
+    Double(f64),
+    /// Any other word.
+    Text(String),
+}
+
+impl OwnWord {
+    /// Of a word of a call.
+    pub(crate) fn of(word: &Value) -> Self {
+        match word.form() {
+            Form::Int(i) => Self::Int(i),
+            Form::Double(x) => Self::Double(x),
+            _ => Self::Text(word.as_str().into_owned()),
+        }
+    }
+
+    /// The number that the word is, if it is one.
+    pub(crate) fn number(&self) -> Option<f64> {
+        match self {
+            Self::Int(i) => Some(*i as f64),
+            Self::Double(x) => Some(*x),
+            Self::Text(text) => Value::from(text.as_str()).as_f64(),
+        }
+    }
+}
+
+impl fmt::Display for OwnWord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Int(i) => write!(f, "{i}"),
+            Self::Double(x) => write!(f, "{}", Value::from(*x)),
+            Self::Text(text) => f.write_str(text),
+        }
+    }
+}
 
 /// The words that an element between two nodes was made from.
 pub(crate) struct WordsOfElement {

@@ -3,8 +3,6 @@
 ``import hysteron.opensees as ops`` in the place of ``import openseespy.opensees as ops``.
 """
 
-import difflib as _difflib
-
 from ._hysteron import OpenSeesError
 from ._model import Model as _Model
 
@@ -23,12 +21,7 @@ def _use(**settings):
         globals()[name] = getattr(_domain, name)
 
 
+# The module has no `__getattr__`: with one, Python looks up each command without its caches. Python itself names the nearest command.
 _use(strict=False, compat=False, ladder=False)
 
 __all__ = [*_names, "OpenSeesError"]
-
-
-def __getattr__(name):
-    near = _difflib.get_close_matches(name, _names, 1)
-    hint = f". Did you mean '{near[0]}'?" if near else ""
-    raise AttributeError(f"OpenSees has no command '{name}'{hint}")

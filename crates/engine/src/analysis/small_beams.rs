@@ -10,7 +10,7 @@ use super::state::State;
 use crate::assembly::Plan;
 use crate::element::SmallBeam;
 use crate::model::Model;
-use crate::numeric::lanes::{BLOCK, Lanes, in_lanes};
+use crate::numeric::lanes::{BLOCK, Lanes, in_lanes, in_turn};
 use std::collections::HashSet;
 
 /// A number of each beam of a block.
@@ -243,7 +243,7 @@ impl<const N: usize, const B: usize> Block<N, B> {
         }
         let mut v = [[0.0; BLOCK]; B];
         for b in 0..B {
-            v[b] = dot(&self.basic[b], &u);
+            v[b] = in_turn(dot(&self.basic[b], &u));
         }
         let mut q = [[0.0; BLOCK]; B];
         for b in 0..B {

@@ -114,8 +114,21 @@ impl State {
         }
     }
 
+    /// Returns true if the state has a place for all nodes and elements, and no more.
+    fn has_room(&self, model: &Model) -> bool {
+        self.disp.len() == model.dofs()
+            && self.force.len() == model.force_len()
+            && self.history.len() == model.state_len()
+            && self.element_load.len() == model.load_len()
+            && self.shared.len() == model.shared_len()
+    }
+
     /// Make room for nodes and elements that have been added behind the others; new elements are virgin.
     pub fn grow(&mut self, model: &Model) {
+        // Most changes of a model add neither.
+        if self.has_room(model) {
+            return;
+        }
         for v in [&mut self.disp, &mut self.vel, &mut self.accel] {
             v.resize(model.dofs(), 0.0);
         }

@@ -30,6 +30,15 @@ pub(crate) fn in_lanes<L: Lanes>(lanes: &mut L) {
     Arch::new().dispatch(Loop(lanes));
 }
 
+/// A result of a turn of a loop, made before the next turn begins.
+///
+/// Else the compiler may make vectors of short outer loops, whose numbers do not lie side by side: it gathers them one by one,
+/// which takes ten times as long.
+#[inline(always)]
+pub(crate) fn in_turn<T>(result: T) -> T {
+    std::hint::black_box(result)
+}
+
 /// `a` if the condition holds, else `b`, without a branch.
 #[inline(always)]
 pub(crate) fn select(condition: bool, a: f64, b: f64) -> f64 {

@@ -3,7 +3,7 @@
 use super::{Kind, parameter_names};
 use crate::Tcl;
 use crate::args::{Args, number_names};
-use crate::recipes::{as_refusal, with_definitions};
+use crate::recipes::{OwnWord, as_refusal, with_definitions};
 use hysteron_engine::analysis::Options;
 use hysteron_engine::material::{Material, Recipe, SharedUniaxial};
 use hysteron_engine::model::Definitions;
@@ -19,7 +19,7 @@ const FIRST: usize = 3;
 pub(super) struct WordsOfMaterial {
     kind: &'static Kind,
     /// Words of the call, the name of the command being the first.
-    words: Vec<String>,
+    words: Vec<OwnWord>,
     /// Definitions that the words name.
     definitions: Option<Box<Definitions>>,
     /// Options of the session: the law may follow OpenSees where it errs.
@@ -34,7 +34,7 @@ impl WordsOfMaterial {
         let definitions = &interp.host.builder.definitions;
         Self {
             kind,
-            words: (0..call.len()).map(|i| call.arg(i).as_str().into_owned()).collect(),
+            words: (0..call.len()).map(|i| OwnWord::of(call.arg(i))).collect(),
             definitions: (!args.taken.is_empty()).then(|| Box::new(definitions.only(&args.taken))),
             options: interp.host.engine.options.clone(),
             places: Arc::default(),
@@ -42,9 +42,10 @@ impl WordsOfMaterial {
     }
 
     /// The material of some words, and the names of its numbers with their places.
-    fn make(&self, words: &[String]) -> Result<(Material, Vec<(usize, String)>), Exception> {
+    fn make(&self, words: &[OwnWord]) -> Result<(Material, Vec<(usize, String)>), Exception> {
         let definitions = self.definitions.as_deref().cloned().unwrap_or_default();
-        with_definitions(&self.options, definitions, |interp| self.make_in(interp, words))
+        let texts: Vec<String> = words.iter().map(ToString::to_string).collect();
+        with_definitions(&self.options, definitions, |interp| self.make_in(interp, &texts))
     }
 
     fn make_in(&self, interp: &mut Tcl, words: &[String]) -> Result<(Material, Vec<(usize, String)>), Exception> {
@@ -76,19 +77,18 @@ impl WordsOfMaterial {
 
 impl fmt::Debug for WordsOfMaterial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.words.join(" "))
+        self.words.iter().enumerate().try_for_each(|(i, word)| write!(f, "{}{word}", if i > 0 { " " } else { "" }))
     }
 }
 
 impl Recipe for WordsOfMaterial {
     fn numbers(&self) -> Vec<(String, f64)> {
-        let value = |i: usize| Value::from(self.words[i].as_str()).as_f64();
-        self.places().iter().filter_map(|(i, name)| Some((name.clone(), value(*i)?))).collect()
+        self.places().iter().filter_map(|(i, name)| Some((name.clone(), self.words[*i].number()?))).collect()
     }
 
     fn number(&self, name: &str) -> Option<f64> {
         let (place, sign) = *self.places_of(name).first()?;
-        Value::from(self.words[place].as_str()).as_f64().map(|x| sign * x)
+        self.words[place].number().map(|x| sign * x)
     }
 
     fn with_number(&self, name: &str, value: f64) -> Result<(SharedUniaxial, Arc<dyn Recipe>), ParameterError> {
@@ -97,7 +97,7 @@ impl Recipe for WordsOfMaterial {
             return Err(ParameterError::Unknown);
         }
         let mut words = self.words.clone();
-        places.into_iter().for_each(|(place, sign)| words[place] = format!("{:e}", sign * value));
+        places.into_iter().for_each(|(place, sign)| words[place] = OwnWord::Double(sign * value));
         let (material, _) = self.make(&words).map_err(as_refusal)?;
         let (definitions, places) = (self.definitions.clone(), self.places.clone());
         let recipe = Self { kind: self.kind, words, definitions, options: self.options.clone(), places };

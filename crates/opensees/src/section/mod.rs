@@ -125,8 +125,12 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
             s.shear.1 = Some(area * a.usually_positive(interp, "shear factor alphaZ")?);
         }
     } else if a.left() > 0 {
-        s.g = a.usually_positive(interp, "shear modulus G")?;
-        s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
+        s.g = a.usually_not_negative(interp, "shear modulus G")?;
+        s.shear.0 = Some(area * a.usually_not_negative(interp, "shear factor alphaY")?);
+        // Most beams have no use for it: packages on top give zeros by default.
+        if s.shear_rigidity().0.is_none() {
+            warn_of_no_stiffness(interp, a, "the section has no stiffness in shear, which beams by forces need")?;
+        }
     }
     Ok(Elastic::new(s, plane).shared())
 }
@@ -191,9 +195,7 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
             "-GJ" => {
                 let gj = a.not_negative("torsional rigidity GJ")?;
                 if gj == 0.0 {
-                    let d =
-                        Diagnostic::warning(&checks::elements::NO_STIFFNESS, "the section has no torsional stiffness");
-                    warn(interp, d.at(a.last_span(), "expected more than 0"))?;
+                    warn_of_no_stiffness(interp, a, "the section has no torsional stiffness")?;
                 }
                 let material: hysteron_engine::material::Material = ElasticMaterial::new(gj).shared();
                 torsion = Some((material, 0));
@@ -222,6 +224,12 @@ fn fibers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception
         return Err(a.refuse_at(span, "the section has no area", "expected patches, layers or fibers in its body"));
     }
     Ok(options.section(fibers))
+}
+
+/// Warn of the last word taken, a stiffness of zero.
+fn warn_of_no_stiffness(interp: &mut Tcl, a: &Args<'_>, message: &str) -> Result<(), Exception> {
+    let d = Diagnostic::warning(&checks::elements::NO_STIFFNESS, message);
+    warn(interp, d.at(a.last_span(), "expected more than 0"))
 }
 
 /// OpenSees 2 knew no torsion of fiber sections; OpenSees 3 refuses one without.

@@ -166,6 +166,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "Those left out are the values at the start, as in the Tcl interpreter. In space they hold, as in later versions.",
     ),
     differs("`ElasticTimoshenkoBeam`: element loads", "Uniform loads count, others are lost.", "All loads count."),
+    differs(
+        "`mixedBeamColumn` in the plane with sections that shear",
+        "The shear deformations of the sections have no part in the beam.",
+        "They have.",
+    ),
     super::refused(
         "`ElasticTimoshenkoBeam` with joint offsets, or with a section without G",
         "The offsets change the length and not the axes. G is 1.",
