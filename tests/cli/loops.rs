@@ -47,7 +47,10 @@ fn several_files() {
     place.write("b.csv", ellipse().replace("time,u,F", "clock,u,F"));
     let columns = ["loops", "a.csv", "b.csv", "-u", "u", "-f", "F", "--units", "kN", "mm"];
     let (status, out, err) = place.run(&columns);
-    assert!(status == Some(0) && out.trim_start().starts_with("file ") && out.lines().count() == 2 + 4 + 4, "{out}{err}");
+    assert!(
+        status == Some(0) && out.trim_start().starts_with("file ") && out.lines().count() == 2 + 4 + 4,
+        "{out}{err}"
+    );
     assert!(out.lines().nth(5).is_some_and(|l| l.contains("a.csv")), "{out}");
     let (_, out, _) = place.run(&[&columns[..], &["--table", "json"]].concat());
     let cycles: serde_json::Value = serde_json::from_str(&out).unwrap();
