@@ -238,10 +238,14 @@ fn parsed(path: &Path, text: &str, sources: &mut SourceMap) -> Result<StudyFile,
         let at = e.span().map(|r| Span { source, start: r.start as u32, end: r.end as u32 });
         let table = text.parse::<toml::Table>().unwrap_or_default();
         let is_other = table.contains_key("model") && !table.contains_key("script");
-        let d = form_error(&e, text, at);
+        let mut d = form_error(&e, text, at);
         let other =
             "a study with \"model\" is for calibrate, diagnose and learn; init --isolation writes an isolation study";
-        Box::new(if is_other { d.help(other) } else { d })
+        if is_other {
+            // No key of this study is meant.
+            (d.help, d.suggestion) = (vec![other.into()], None);
+        }
+        Box::new(d)
     })?;
     match file.check() {
         Ok(()) => Ok(file),
