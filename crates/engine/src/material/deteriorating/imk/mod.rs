@@ -61,7 +61,6 @@ impl ImkDeterioration {
 
     /// The same for the unloading stiffness at a reversal, whose excursion gives back the stored energy.
     #[inline]
-    #[inline]
     fn beta_of_unloading(&self, strength: f64, c: &Motion) -> (f64, bool) {
         let stored = 0.5 * (c.stress / c.unloading) * c.stress;
         self.beta(strength, c.energy - c.spent - stored, c.energy - stored)
