@@ -30,23 +30,11 @@ use std::fmt;
 
 pub(crate) use column_watch::observe_points;
 pub use column_watch::{ObservedColumns, WatchesColumns};
-pub use concrete::{
-    AsdConcrete1d, Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07,
-    ConcreteCm, ConcreteD, ConcreteHistory, ConcreteWBeta, ConfinedConcrete01, Confinement, ConfinementSection,
-    Dilation, Ecc01, FrpConfinedConcrete02, Hoop, Jacket, Masonry, TsaiEnvelope, UltimateStrain,
-};
-pub use damper::{BilinearOilDamper, CoulombDamper, IntegrationMethod, Maxwell, Viscous, ViscousDamper};
-pub use deteriorating::{
-    BarPlace, BarSlip, Bilin, BilinSide, Bond, BondDamage, Column, ColumnResponse, Damage, Decay, Deterioration,
-    Envelope, GallardoShear, Hysteretic, HystereticSm, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching,
-    ImkSide, LimitCurve, LimitDeformation, LimitForce, LimitState, LimitSurface, LinearDamage, ModImkPeakOriented,
-    ModImkPinching, Pinching, Pinching4, Pinching4Parameters, Pinching4Side, PinchingPoint, RotationLimit,
-    RotationShear, Saws, SawsParameters, SmEnvelope, StressUnit,
-};
-pub use elastic::{Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPower, MultiLinear, NoTension};
-pub use gap::{
-    ElasticPPGap, Gng, HertzDamp, HookGap, HyperbolicGap, Impact, JankowskiImpact, Ratchet, Teeth, ViscoelasticGap,
-};
+pub use concrete::*;
+pub use damper::*;
+pub use deteriorating::*;
+pub use elastic::*;
+pub use gap::*;
 pub use material::{Material, Recipe, SharedUniaxial, of_length};
 pub use multiaxial::{
     AsdConcrete, BEAM_FIBRE, BeamJ2, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters,
@@ -55,26 +43,13 @@ pub use multiaxial::{
     THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
 };
 pub use roles::UniaxialRoles;
-pub use rubber::{
-    AxialParameters, AxialSp, AxialSpHD, AxialSpring, COMPOUNDS, Compound, Device, ElasticRange, HdrRheology,
-    HighDampingRubber, KikuchiAiken, LeadRubber, LeadRubberParameters, Shape, hdr,
-};
+pub use rubber::*;
 pub(crate) use slot::write_linear;
 pub use slot::{Shift, Slot};
-pub use smooth::{BoucWen, Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth};
-pub use soil::{
-    Backbone, BackboneElastic, PyBackbone, PySimple1, QzBackbone, QzSimple1, Soil, SoilCurve, SoilSpring, TzBackbone,
-    TzSimple1,
-};
-pub use steel::{
-    BarFatigue, BauschingerKind, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Hardening, MAX_BACKSTRESSES,
-    ReinforcingSteel, ReportedStiffness, SelfCentering, Sma, Sma3k, Steel01, Steel02, Steel03, Steel4, Steel4Side,
-    SteelBrb, SteelDrc, SteelFractureDi, SteelMpf, UvcUniaxial,
-};
-pub use wrapper::{
-    CommonStress, Fatigue, FatigueCount, FatigueParameters, InitialState, Iteration, MinMax, Mullins, Parallel, Peak,
-    Series, Softening, SofteningFactor, StrainLimits, WeightedSum, Wrapped, Wrapper,
-};
+pub use smooth::*;
+pub use soil::*;
+pub use steel::*;
+pub use wrapper::*;
 
 /// A trial strain, with the rate and the time that rate-dependent laws need.
 #[derive(Clone, Copy, Debug, Default)]

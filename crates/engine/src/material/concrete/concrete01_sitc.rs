@@ -1,6 +1,5 @@
 //! Concrete of Kent, Scott and Park with debris in its cracks (Stanton and McNiven, 1979).
 
-use crate::material::concrete::karsan_jirsa::KarsanJirsa;
 use crate::material::{Concrete01, MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw, finite};
 use crate::state_struct::StateStruct;
 

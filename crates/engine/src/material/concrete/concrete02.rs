@@ -1,12 +1,12 @@
 //! Concrete with tension softening: Yassin.
 
-use crate::material::concrete::yassin::{Branch, Crushing, History, Yassin};
 use crate::material::lanes::{PointLaw, updates_blocks};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
-/// The envelope of Kent, Scott and Park in compression, and linear softening in tension.
+/// The envelope of Kent, Scott and Park in compression, and linear softening in tension. The unloading and reloading
+/// branches are linear and intersect in one point (Yassin, 1994, section 2.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concrete02 {
     /// Compressive strength, negative.
@@ -28,15 +28,28 @@ pub struct Concrete02 {
 /// Tangent of the branches with constant stress; a positive value keeps the stiffness matrix regular.
 const FLAT_TANGENT: f64 = 1.0e-10;
 
-impl Yassin for Concrete02 {
+crate::state_struct! {
+    /// History of [`Concrete02`].
+    pub struct History {
+        /// Strain.
+        strain: f64,
+        /// Stress.
+        stress: f64,
+        /// Initial modulus minus the tangent.
+        softening: f64,
+        /// Smallest strain.
+        min: f64,
+        /// Largest tensile strain, measured from the end of unloading.
+        tension: f64,
+    }
+}
+
+impl Concrete02 {
     fn modulus(&self) -> f64 {
         2.0 * self.fc / self.epsc0
     }
 
-    fn crushing(&self) -> Crushing {
-        Crushing { fcu: self.fcu, epscu: self.epscu, ratio: self.ratio }
-    }
-
+    /// Stress and slope of the envelope in compression.
     #[inline(always)]
     fn compression(&self, eps: f64) -> (f64, f64) {
         let eta = eps / self.epsc0;
@@ -47,6 +60,7 @@ impl Yassin for Concrete02 {
         (stress, select(rising, self.modulus() * (1.0 - eta), select(falling, slope, FLAT_TANGENT)))
     }
 
+    /// Stress and slope of the envelope in tension.
     #[inline(always)]
     fn tension(&self, eps: f64) -> (f64, f64) {
         let modulus = self.modulus();
@@ -56,18 +70,45 @@ impl Yassin for Concrete02 {
         let slope = select(softening, -self.ets, FLAT_TANGENT);
         (select(elastic, modulus * eps, after), select(elastic, modulus, slope))
     }
-
-    #[inline(always)]
-    fn unloading(&self, min: f64, through: f64) -> f64 {
-        select(min == 0.0, self.modulus(), through)
-    }
 }
 
 impl PointLaw<{ History::LEN }> for Concrete02 {
     #[inline(always)]
     fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
-        let [_, _, _, min, _] = c;
-        self.step(c, eps, &Branch::select(eps < min, &self.crushes(c, eps), &self.inside(c, eps)))
+        let [strain, stress, softening, min, tension] = c;
+        let modulus = self.modulus();
+        let step = eps - strain;
+        let on_envelope = eps < min;
+        let (crushing, crushing_slope) = self.compression(eps);
+        // All reloading branches intersect in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
+        let eps_r = (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio));
+        let (sig_min, _) = self.compression(min);
+        let slope = select(min == 0.0, modulus, (sig_min - modulus * eps_r) / (min - eps_r));
+        let end = min - sig_min / slope;
+        let (lower, upper) = (sig_min + slope * (eps - min), 0.5 * slope * (eps - end));
+        let elastic = stress + modulus * step;
+        let (above, below) = (select(elastic > lower, elastic, lower) >= upper, elastic <= lower);
+        let closed = select(above, upper, select(below, lower, elastic));
+        let closed_slope = select(above, 0.5 * slope, select(below, slope, modulus));
+        // Reloading to the largest tensile strain is linear, because the path is not stored (equation 2.43).
+        let reloading = select(tension == 0.0, modulus, self.tension(tension).0 / tension);
+        let (open, open_slope) = self.tension(eps - end);
+        let (is_closed, is_reloading) = (eps <= end, eps <= end + tension);
+        let value = select(is_closed, closed, select(is_reloading, reloading * (eps - end), open));
+        let tangent = select(is_closed, closed_slope, select(is_reloading, reloading, open_slope));
+        let (value, tangent) = (select(on_envelope, crushing, value), select(on_envelope, crushing_slope, tangent));
+        let widens = !on_envelope & !is_closed & !is_reloading;
+        // A strain that has not changed.
+        let same = step.abs() < f64::EPSILON;
+        let keep = |old, new| select(same, old, new);
+        let next = [
+            keep(strain, eps),
+            keep(stress, value),
+            keep(softening, modulus - tangent),
+            keep(min, select(on_envelope, eps, min)),
+            keep(tension, select(widens, eps - end, tension)),
+        ];
+        (next, next[1], keep(modulus - softening, tangent))
     }
 }
 

@@ -1,9 +1,7 @@
 //! Concrete as by Yassin (1994), with a modulus of its own: Popovics' curve up to the strength.
 
 use crate::material::concrete::popovics;
-use crate::material::concrete::yassin::{Crushing, History, Yassin};
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
-use crate::state_struct::StateStruct;
 
 /// Stress and tangent of a branch without stress; a positive value keeps the stiffness matrix regular.
 const FLAT: f64 = 1.0e-10;
@@ -29,19 +27,23 @@ pub struct Concrete02Is {
     pub ets: f64,
 }
 
-impl Yassin for Concrete02Is {
-    fn modulus(&self) -> f64 {
-        self.e0
+crate::state_struct! {
+    /// History of [`Concrete02Is`].
+    pub struct History {
+        /// Strain.
+        strain: f64,
+        /// Stress.
+        stress: f64,
+        /// Initial modulus minus the tangent.
+        softening: f64,
+        /// Smallest strain.
+        min: f64,
+        /// Largest tensile strain, measured from the end of unloading.
+        tension: f64,
     }
+}
 
-    fn crushing(&self) -> Crushing {
-        Crushing { fcu: self.fcu, epscu: self.epscu, ratio: self.ratio }
-    }
-
-    fn unloading(&self, _: f64, through: f64) -> f64 {
-        through
-    }
-
+impl Concrete02Is {
     fn compression(&self, e: f64) -> (f64, f64) {
         if e >= self.epsc0 {
             return popovics::compression([self.fc, self.epsc0], self.e0, e);
@@ -71,11 +73,35 @@ impl UniaxialLaw for Concrete02Is {
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let e = strain.value;
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let branch = if e < c.min { self.crushes(words, e) } else { self.inside(words, e) };
-        let (next, value, tangent) = self.step(words, e, &branch);
-        finite(Self::NAME, e, value, tangent, History::read(&next))
+        let step = e - c.strain;
+        if step.abs() < f64::EPSILON {
+            return Ok((Stress { value: c.stress, tangent: self.e0 - c.softening, damping: 0.0 }, *c));
+        }
+        let mut t = History { strain: e, ..*c };
+        let (value, tangent) = if e < c.min {
+            t.min = e;
+            self.compression(e)
+        } else {
+            // All reloading branches meet in R (equations 2.31 and 2.32).
+            let r = (self.fcu - self.ratio * self.e0 * self.epscu) / (self.e0 * (1.0 - self.ratio));
+            let low = self.compression(c.min).0;
+            let slope = (low - self.e0 * r) / (c.min - r);
+            let end = c.min - low / slope;
+            if e <= end {
+                let (lower, upper) = (low + slope * (e - c.min), 0.5 * slope * (e - end));
+                let elastic = c.stress + self.e0 * step;
+                let (f, k) = if elastic <= lower { (lower, slope) } else { (elastic, self.e0) };
+                if f >= upper { (upper, 0.5 * slope) } else { (f, k) }
+            } else if e <= end + c.tension {
+                let k = if c.tension == 0.0 { self.e0 } else { self.tension(c.tension).0 / c.tension };
+                (k * (e - end), k)
+            } else {
+                t.tension = e - end;
+                self.tension(e - end)
+            }
+        };
+        (t.stress, t.softening) = (value, self.e0 - tangent);
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

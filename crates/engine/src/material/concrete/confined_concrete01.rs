@@ -2,10 +2,8 @@
 
 mod confinement;
 
-use crate::material::concrete::karsan_jirsa::{History, KarsanJirsa, permanent_strain, unloading_line};
+use crate::material::concrete::karsan_jirsa::permanent_strain;
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
-use crate::numeric::lanes::select;
-use crate::state_struct::StateStruct;
 pub use confinement::{Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
 
 /// Concrete without tension along a given envelope.
@@ -21,18 +19,28 @@ pub struct ConfinedConcrete01 {
     modulus: f64,
 }
 
+crate::state_struct! {
+    /// History of [`ConfinedConcrete01`].
+    pub struct History {
+        /// Strain.
+        strain: f64,
+        /// Stress.
+        stress: f64,
+        /// Tangent minus the initial modulus.
+        softening: f64,
+        /// Least strain.
+        min: f64,
+        /// Strain of zero stress on the unloading line from the least strain.
+        end: f64,
+        /// Unloading slope minus the initial modulus.
+        unloading: f64,
+    }
+}
+
 impl ConfinedConcrete01 {
     /// Number of points of the envelope.
     pub fn points(&self) -> usize {
         self.envelope.len()
-    }
-}
-
-impl KarsanJirsa for ConfinedConcrete01 {
-    const UNLOADS_AS_AT_END: bool = false;
-
-    fn modulus(&self) -> f64 {
-        self.modulus
     }
 
     /// Stress and slope of the envelope. The stress of its last point goes on to the ultimate strain.
@@ -51,10 +59,17 @@ impl KarsanJirsa for ConfinedConcrete01 {
         }
     }
 
+    /// Strain of zero stress and slope of the unloading line from a point of the envelope.
     fn unload(&self, min: f64, stress: f64) -> (f64, f64) {
-        let permanent = permanent_strain(min, self.peak, self.ultimate);
-        let (end, slope) = unloading_line([min, stress], permanent, self.modulus);
-        (select(min - permanent <= stress / self.modulus, permanent, end), slope)
+        let end = permanent_strain(min, self.peak, self.ultimate);
+        let (length, elastic) = (min - end, stress / self.modulus);
+        if length > -f64::EPSILON {
+            (end, self.modulus)
+        } else if length <= elastic {
+            (end, stress / length)
+        } else {
+            (min - elastic, self.modulus)
+        }
     }
 }
 
@@ -64,14 +79,34 @@ impl UniaxialLaw for ConfinedConcrete01 {
 
     fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
         let e = strain.value;
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent) = if Self::is_on_envelope(e, c.strain, c.min) {
-            self.response::<true>(words, e)
+        let d = e - c.strain;
+        if d.abs() < f64::EPSILON {
+            return Ok((Stress { value: c.stress, tangent: self.modulus + c.softening, damping: 0.0 }, *c));
+        }
+        let mut t = History { strain: e, ..*c };
+        let slope = self.modulus + c.unloading;
+        let straight = c.stress + slope * d;
+        let (value, tangent) = if e > 0.0 {
+            (0.0, 0.0)
+        } else if d < 0.0 {
+            let reloading = if e <= c.min {
+                let (value, tangent) = self.envelope(e);
+                let (end, slope) = self.unload(e, value);
+                (t.min, t.end, t.unloading) = (e, end, slope - self.modulus);
+                (value, tangent)
+            } else if e <= c.end {
+                (slope * (e - c.end), slope)
+            } else {
+                (0.0, 0.0)
+            };
+            if straight > reloading.0 { (straight, slope) } else { reloading }
+        } else if straight <= 0.0 {
+            (straight, slope)
         } else {
-            self.response::<false>(words, e)
+            (0.0, 0.0)
         };
-        finite(Self::NAME, e, value, tangent, History::read(&next))
+        (t.stress, t.softening) = (value, tangent - self.modulus);
+        finite(Self::NAME, e, value, tangent, t)
     }
 
     fn initial_tangent(&self) -> f64 {

@@ -17,7 +17,6 @@ mod frp_confined_concrete02;
 mod karsan_jirsa;
 mod masonry;
 mod popovics;
-mod yassin;
 
 pub use asd_concrete_1d::AsdConcrete1d;
 pub use concrete_cm::{ConcreteCm, History as ConcreteHistory, TsaiEnvelope};

@@ -29,6 +29,7 @@ pub struct Deterioration {
 
 impl Deterioration {
     /// β for the energy of an excursion and the remaining reference energy.
+    #[inline]
     pub(super) fn beta(&self, excursion: f64, left: f64) -> f64 {
         if self.capacity == 0.0 {
             return 0.0;

@@ -148,6 +148,8 @@ impl<R: Rules> ModImkPeakOriented<R> {
         self.ke * (1.0 + self.n)
     }
 
+    // A point needs it once: it stays out of the code of a step.
+    #[cold]
     fn virgin(&self) -> History {
         let k = self.k();
         let sides = self.sides.map(|s| {

@@ -26,6 +26,7 @@ impl Envelope {
     }
 
     /// Force and slope.
+    #[inline]
     pub(in crate::material::deteriorating) fn at(&self, rule: &BilinSide, x: f64) -> (f64, f64) {
         let (k, yields) = (self.stiffness, self.strength / self.stiffness);
         if x >= rule.ultimate {
@@ -49,6 +50,7 @@ impl Envelope {
     }
 
     /// Deformation at the cap for a force at zero deformation on the line beyond it.
+    #[inline]
     pub(in crate::material::deteriorating) fn cap_for(&self, intercept: f64) -> f64 {
         let (k, hardening) = (self.stiffness, self.hardening * self.stiffness);
         let elastic = intercept / (k - self.softening * k);

@@ -12,16 +12,19 @@ pub(super) const NOTHING: f64 = 1e-10;
 
 /// Slope ratio of a hinge, which is (1 + n) times as stiff as the elastic member in series with it, for a slope ratio
 /// of member and hinge together (Ribeiro, Barbosa, Scott and Neves, 2015).
+#[inline]
 pub(super) fn of_hinge(n: f64, ratio: f64) -> f64 {
     ratio / (1.0 + n * (1.0 - ratio))
 }
 
 /// Slope ratio of member and hinge together for a slope ratio of the hinge.
+#[inline]
 pub(super) fn of_member(n: f64, ratio: f64) -> f64 {
     ratio * (1.0 + n) / (1.0 + n * ratio)
 }
 
 /// Sign of a side by its index.
+#[inline]
 pub(super) fn sign(side: usize) -> f64 {
     if side == 0 { 1.0 } else { -1.0 }
 }

@@ -34,6 +34,7 @@ pub struct ImkSide {
 
 impl ImkSide {
     /// Residual strength.
+    #[inline]
     fn residual_strength(&self) -> f64 {
         self.strength * self.residual
     }
@@ -51,6 +52,7 @@ pub struct ImkDeterioration {
 
 impl ImkDeterioration {
     /// β between 0 and 1, and true if the energy capacity is exhausted.
+    #[inline]
     fn beta(&self, strength: f64, excursion: f64, total: f64) -> (f64, bool) {
         let beta = (excursion / (self.capacity * strength - total)).powf(self.exponent);
         // The power is undefined if an excursion returned more energy than it took.
@@ -58,6 +60,7 @@ impl ImkDeterioration {
     }
 
     /// The same for the unloading stiffness at a reversal, whose excursion gives back the stored energy.
+    #[inline]
     fn beta_of_unloading(&self, strength: f64, c: &Motion) -> (f64, bool) {
         let stored = 0.5 * (c.stress / c.unloading) * c.stress;
         self.beta(strength, c.energy - c.spent - stored, c.energy - stored)
@@ -122,6 +125,7 @@ impl Curve {
     }
 
     /// Deterioration by the factors of strength and of capping. The slope beyond the cap follows from the strength.
+    #[inline]
     fn deteriorate(&mut self, ke: f64, [strength, capping]: [f64; 2], softening: impl FnOnce(&Self) -> f64) {
         let intercept = (self.cap[1] - self.softening * self.cap[0]) * capping;
         self.strength *= strength;
@@ -163,16 +167,19 @@ impl Motion {
     }
 
     /// Returns true if a step from here leaves its branch towards zero.
+    #[inline]
     fn reverses(&self, du: f64) -> bool {
         self.stress * du < 0.0 || (self.stress == 0.0 && self.strain * du <= 0.0)
     }
 
     /// Energy of the excursion.
+    #[inline]
     fn excursion(&self) -> f64 {
         (self.energy - self.spent).max(0.0)
     }
 
     /// Sets the tangent at the end of a step, of the slope of its branch where it moved, and returns the response.
+    #[inline]
     fn finish<R: Rules>(&mut self, c: &Self, last: &Self, slope: Option<f64>) -> Option<Stress> {
         self.tangent = not_flat(match slope {
             Some(slope) => R::tangent(slope, (self.stress - c.stress) / (self.strain - c.strain)),
