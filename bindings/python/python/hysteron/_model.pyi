@@ -194,7 +194,7 @@ class Model:
     def findCurvatures(self, *args: Any) -> NoReturn: ...
     def findDesignPoint(self, *args: Any) -> NoReturn: ...
     def fix(self, *args: _Word, **options: _Word) -> None:
-        """fix(node, flag1, <flag2, ...>, ('1', 'held,', '0', 'free'))
+        """fix(node, flag1, <flag2, ...> (1 held, 0 free))
 
         Holds degrees of freedom of a node.
         """
@@ -547,7 +547,7 @@ class Model:
     @overload
     def nodeReaction(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def nodeResponse(self, *args: _Word, **options: _Word) -> float:
-        """nodeResponse(node, dof, response, ('1', 'displacement,', '2', 'velocity,', '3', 'acceleration'))
+        """nodeResponse(node, dof, response (1 displacement, 2 velocity, 3 acceleration))
 
         Returns a displacement, velocity or acceleration of a node by number.
         """

@@ -188,7 +188,7 @@ def filter(*args: Any) -> NoReturn: ...
 def findCurvatures(*args: Any) -> NoReturn: ...
 def findDesignPoint(*args: Any) -> NoReturn: ...
 def fix(*args: _Word, **options: _Word) -> None:
-    """fix(node, flag1, <flag2, ...>, ('1', 'held,', '0', 'free'))
+    """fix(node, flag1, <flag2, ...> (1 held, 0 free))
 
     Holds degrees of freedom of a node.
     """
@@ -541,7 +541,7 @@ def nodeReaction(node: float, dof: float = ..., /) -> list[float] | float:
 @overload
 def nodeReaction(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def nodeResponse(*args: _Word, **options: _Word) -> float:
-    """nodeResponse(node, dof, response, ('1', 'displacement,', '2', 'velocity,', '3', 'acceleration'))
+    """nodeResponse(node, dof, response (1 displacement, 2 velocity, 3 acceleration))
 
     Returns a displacement, velocity or acceleration of a node by number.
     """
