@@ -1,14 +1,14 @@
 //! Analyses of several models side by side against each by itself: the same numbers to the last bit.
 
 use super::script::{Script, run};
-use hysteron::opensees::lockstep::{Course, Made, analyze};
+use hysteron::opensees::lockstep::{Course, Execution, analyze};
 use hysteron::run::End;
 use std::collections::BTreeMap;
 
 type Rows = BTreeMap<String, Vec<Vec<f64>>>;
 
 /// Runs scripts whose analysis of a number waits; what came of each, and its rows.
-fn side_by_side(scripts: &[String], analysis: u64) -> Vec<(Made, Rows)> {
+fn side_by_side(scripts: &[String], analysis: u64) -> Vec<(Execution, Rows)> {
     let mut runs: Vec<_> = scripts.iter().map(|s| Script::default().ready(s, Some(Course::until(analysis)))).collect();
     let results: Vec<_> = runs.iter_mut().map(|(run, ..)| run.begin("model.tcl", &[])).collect();
     let made = analyze(&mut runs.iter_mut().map(|(run, ..)| run).collect::<Vec<_>>());
@@ -30,7 +30,7 @@ fn assert_same(rows: &Rows, alone: &Rows, script: &str) {
 }
 
 /// Checks that all scripts go side by side, or each by itself, with the rows that each has alone.
-fn check(scripts: &[String], analysis: u64, expected: Made) {
+fn check(scripts: &[String], analysis: u64, expected: Execution) {
     for (script, (made, rows)) in scripts.iter().zip(side_by_side(scripts, analysis)) {
         assert_eq!(made, expected, "{script}");
         let alone = run(script).tables;
@@ -44,7 +44,7 @@ fn check_failures(scripts: &[String], fails: impl Fn(usize) -> bool) {
     for (i, ((made, rows), script)) in side_by_side(scripts, 1).into_iter().zip(scripts).enumerate() {
         let alone = Script::default().run(script);
         assert_eq!(alone.tables["disp.out"].len() < 120, fails(i), "{i}");
-        assert_eq!(made, if fails(i) { Made::No } else { Made::SideBySide }, "{i}");
+        assert_eq!(made, if fails(i) { Execution::No } else { Execution::SideBySide }, "{i}");
         if !fails(i) {
             assert_same(&rows, &alone.tables, script);
         }
@@ -103,22 +103,22 @@ fn bearings_in_the_plane_have_the_numbers_that_each_has_alone() {
             .map(|i| plane(&format!("{} -P 1 -Mz {rotation} -orient 0 1 0 -1 0 0", bouc_wen(i, eta, alpha2)), test))
             .collect()
     };
-    check(&of(1.0, 0.0, 2, "NormDispIncr 1e-10 20"), 1, Made::SideBySide);
-    check(&of(2.0, 0.04, 2, "NormUnbalance 1e-8 20"), 1, Made::SideBySide);
-    check(&of(2.0, 0.0, 3, "EnergyIncr 1e-14 20"), 1, Made::SideBySide);
-    check(&of(1.4, 0.0, 2, "NormDispIncr 1e-10 20"), 1, Made::SideBySide);
+    check(&of(1.0, 0.0, 2, "NormDispIncr 1e-10 20"), 1, Execution::SideBySide);
+    check(&of(2.0, 0.04, 2, "NormUnbalance 1e-8 20"), 1, Execution::SideBySide);
+    check(&of(2.0, 0.0, 3, "EnergyIncr 1e-14 20"), 1, Execution::SideBySide);
+    check(&of(1.4, 0.0, 2, "NormDispIncr 1e-10 20"), 1, Execution::SideBySide);
     // This test looks back at the iterations before.
-    check(&of(1.0, 0.0, 2, "RelativeNormUnbalance 1e-10 20"), 1, Made::ByItself);
+    check(&of(1.0, 0.0, 2, "RelativeNormUnbalance 1e-10 20"), 1, Execution::ByItself);
 }
 
 #[test]
 fn bearings_in_space_have_the_numbers_that_each_has_alone() {
     let tail = "-P 1 -T 1 -My 1 -Mz 1 -orient 0 0 1 1 0 0";
     let of = |eta| -> Vec<String> { (0..8).map(|i| space(&format!("{} {tail}", bouc_wen(i, eta, 0.0)))).collect() };
-    check(&of(1.0), 2, Made::SideBySide);
-    check(&of(2.0), 2, Made::SideBySide);
+    check(&of(1.0), 2, Execution::SideBySide);
+    check(&of(2.0), 2, Execution::SideBySide);
     // The first analysis has others behind it that need its results.
-    assert!(side_by_side(&of(1.0), 1).iter().all(|(made, _)| *made == Made::No));
+    assert!(side_by_side(&of(1.0), 1).iter().all(|(made, _)| *made == Execution::No));
 }
 
 /// A high damping bearing with all of its numbers its own.
@@ -150,16 +150,16 @@ fn under_changing_axial_load(bearing: &str, axial: f64, lateral: &str, test: &st
 #[test]
 fn high_damping_bearings_have_the_numbers_that_each_has_alone() {
     let test = "NormDispIncr 1e-10 30";
-    check(&(0..8).map(|i| space(&hdr(i, 0.6, -6e3))).collect::<Vec<_>>(), 2, Made::SideBySide);
+    check(&(0..8).map(|i| space(&hdr(i, 0.6, -6e3))).collect::<Vec<_>>(), 2, Execution::SideBySide);
     let pushed = |i: usize| under_changing_axial_load(&hdr(i, 0.6, -6e3), 90., "load 2 18. 0. 0. 0. 0. 0.", test);
-    check(&(0..5).map(pushed).collect::<Vec<_>>(), 1, Made::SideBySide);
+    check(&(0..5).map(pushed).collect::<Vec<_>>(), 1, Execution::SideBySide);
     // Numbers that all share are worked out once; with zeros in them the damage has no effect.
     let alike = |i: usize| {
         let bearing = hdr(0, 0.6, -6e3).replace(" 450 ", &format!(" {} ", 450. + 50. * i as f64));
         let bearing = if i > 4 { bearing.replace(" 4 1.5 0.75 3 ", " 0 0 1 0 ") } else { bearing };
         under_changing_axial_load(&bearing, 90., "sp 2 1 0.08; sp 2 2 -0.03", test)
     };
-    check(&(0..8).map(alike).collect::<Vec<_>>(), 1, Made::SideBySide);
+    check(&(0..8).map(alike).collect::<Vec<_>>(), 1, Execution::SideBySide);
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn high_damping_bearings_buckle_and_cavitate_each_by_itself() {
     // From small to large: the first ones buckle under their load, or are torn beyond cavitation.
     let torn = |i: usize| hdr(i, 0.56 + 0.015 * i as f64, -6e3);
     let cavitates = |i: usize| under_changing_axial_load(&torn(i), 380., "sp 2 1 0.05; load 2 0. 5. 0. 0. 0. 0.", test);
-    check(&(0..8).map(cavitates).collect::<Vec<_>>(), 1, Made::SideBySide);
+    check(&(0..8).map(cavitates).collect::<Vec<_>>(), 1, Execution::SideBySide);
     let always_pressed = |script: String| script.replace(" 0.6 -0.8 1. -0.3 1. ", " -0.6 -0.8 -1. -0.3 -1. ");
     let slender = |i: usize| hdr(i, 0.3 + 0.01 * i as f64, -6e3);
     let buckles =
@@ -199,7 +199,7 @@ fn bars_and_springs_have_the_numbers_that_each_has_alone() {
                 length = if element.starts_with("zero") { "0" } else { "2" },
             )
         };
-        check(&(0..8).map(script).collect::<Vec<_>>(), 1, Made::SideBySide);
+        check(&(0..8).map(script).collect::<Vec<_>>(), 1, Execution::SideBySide);
     }
 }
 
@@ -223,11 +223,11 @@ fn models_that_differ_in_more_than_numbers_are_analysed_one_by_one() {
     let test = "NormDispIncr 1e-10 20";
     let mut scripts: Vec<String> = (0..4).map(|i| plane(&format!("{} {tail}", bouc_wen(i, 1.0, 0.0)), test)).collect();
     scripts[3] = plane(&format!("elastomericBearingPlasticity 1 1 2 900. 8. 0.1 0. 2. {tail}"), test);
-    check(&scripts, 1, Made::ByItself);
+    check(&scripts, 1, Execution::ByItself);
     scripts[3] = scripts[2].replace("0.3 1.5", "0.3 1.6");
-    check(&scripts, 1, Made::ByItself);
+    check(&scripts, 1, Execution::ByItself);
     scripts[3] = scripts[2].replace("fix 2 0 0 0", "fix 2 0 0 1");
-    check(&scripts, 1, Made::ByItself);
+    check(&scripts, 1, Execution::ByItself);
 }
 
 #[test]
@@ -238,7 +238,7 @@ fn a_script_that_asks_for_results_does_not_wait() {
     let result = run.begin("model.tcl", &[]);
     run.close(result);
     assert_eq!(run.interp.host.course.and_then(|c| c.last_analysis()), None);
-    assert_eq!(side_by_side(&[script], 1)[0].0, Made::No);
+    assert_eq!(side_by_side(&[script], 1)[0].0, Execution::No);
 }
 
 #[test]
@@ -252,7 +252,7 @@ fn a_command_by_another_name_asks_for_results_too() {
     let result = run.begin("model.tcl", &[]);
     assert!(matches!(run.close(result), End::Done));
     assert_eq!(run.interp.host.course.and_then(|c| c.last_analysis()), None);
-    assert_eq!(side_by_side(&[script], 1)[0].0, Made::No);
+    assert_eq!(side_by_side(&[script], 1)[0].0, Execution::No);
 }
 
 #[test]
@@ -261,6 +261,6 @@ fn a_script_that_stops_early_leaves_the_others_side_by_side() {
     let of = |i| plane(&format!("{} {tail}", bouc_wen(i, 1.0, 0.0)), "NormDispIncr 1e-10 20");
     let mut scripts: Vec<String> = (0..4).map(of).collect();
     scripts[0] = scripts[0].replace("uniaxialMaterial Elastic 1 4e5", "error {no such bearing}");
-    let made: Vec<Made> = side_by_side(&scripts, 1).into_iter().map(|(made, _)| made).collect();
-    assert_eq!(made, [Made::No, Made::SideBySide, Made::SideBySide, Made::SideBySide]);
+    let made: Vec<Execution> = side_by_side(&scripts, 1).into_iter().map(|(made, _)| made).collect();
+    assert_eq!(made, [Execution::No, Execution::SideBySide, Execution::SideBySide, Execution::SideBySide]);
 }
