@@ -198,7 +198,8 @@ impl VerdictEvidence {
         -MEMORY_LOG_ODDS * least.min(if needs_none { of_cause } else { 1.0 }).min(1.0)
     }
 
-    /// Log odds that a cause loses for its distance from the best one beyond what the fitted weights count, nats.
+    /// Log odds that a cause or a complete model loses for its distance from the best cause beyond what the fitted weights
+    /// count, nats.
     ///
     /// The weights count the logarithm of a distance, and half of it between look-alikes. No rival is left so far behind.
     pub(crate) fn distance_cost(&self, cause: &str) -> f64 {
@@ -207,8 +208,8 @@ impl VerdictEvidence {
         let own = self.hypotheses.iter().filter(of).map(likelihood).fold(f64::NEG_INFINITY, f64::max);
         let named = self.hypotheses.iter().filter(|h| h.cause != "none" && h.direct_log_odds <= VISIBLE);
         let best = named.map(likelihood).fold(f64::NEG_INFINITY, f64::max);
-        let is_named = hypothesis::of(cause).is_some() && own.is_finite();
-        if is_named { ((best - own - FREE_DISTANCE) / NATS_PER_COST).max(0.0) } else { 0.0 }
+        let is_candidate = (cause == "none" || hypothesis::of(cause).is_some()) && own.is_finite();
+        if is_candidate { ((best - own - FREE_DISTANCE) / NATS_PER_COST).max(0.0) } else { 0.0 }
     }
 
     /// Returns true if the best kind of memory leaves clearly less than none, and no cause of the library has it.
@@ -413,5 +414,11 @@ mod tests {
             all.iter().find(|(c, _)| *c == "cyclic_degradation").map_or(0.0, |x| x.1)
         };
         assert!(p(90.0) < 0.02 && p(5.0) > p(90.0), "{} {}", p(5.0), p(90.0));
+        // Nor is a complete model. What all candidates share stays.
+        let none = |gain: f64| {
+            let all = cause_probabilities(&support::evidence(&[("self_heating", None, gain)]));
+            all.iter().find(|(c, _)| *c == "none").map_or(0.0, |x| x.1)
+        };
+        assert!(none(100.0) < 0.012 && none(10.0) > 0.05, "{} {}", none(100.0), none(10.0));
     }
 }
