@@ -190,14 +190,28 @@ pub(crate) fn cause_probabilities(evidence: &VerdictEvidence) -> CauseProbabilit
     let all = candidates(evidence);
     let equal = LAPSE_SHARE / all.len() as f64;
     let p = probabilities(&all, &fitted_weights());
-    let further = |cause: &str| evidence.memory_log_odds(cause) - evidence.distance_cost(cause);
+    let cost = |cause: &str| if cause == "none" { 0.0 } else { evidence.distance_cost(cause) };
+    let further = |cause: &str| evidence.memory_log_odds(cause) - cost(cause);
     let by_memory: Vec<f64> = all.iter().zip(p).map(|(c, p)| p * further(&c.cause).exp()).collect();
     let sum: f64 = by_memory.iter().sum();
     let p = by_memory.into_iter().map(|p| (1.0 - LAPSE_SHARE) * p / sum + equal);
     let mut all: CauseProbabilities = all.iter().map(|c| known_cause(&c.cause)).zip(p).collect();
+    refute_complete_model(evidence, equal, &mut all);
     favour_complete_model(evidence, &mut all);
     limit_probabilities(evidence, &mut all);
     sorted(all)
+}
+
+/// Gives to `unknown` what a complete model loses for its distance from the best cause: that something is missing says nothing
+/// of whether it is in the library. `least` stays.
+fn refute_complete_model(evidence: &VerdictEvidence, least: f64, all: &mut CauseProbabilities) {
+    let kept = (-evidence.distance_cost("none")).exp();
+    let Some(none) = all.iter_mut().find(|(cause, _)| *cause == "none") else { return };
+    let lost = (1.0 - kept) * (none.1 - least).max(0.0);
+    none.1 -= lost;
+    if let Some(unknown) = all.iter_mut().find(|(cause, _)| *cause == "unknown") {
+        unknown.1 += lost;
+    }
 }
 
 /// Gives to `none` what the limits that speak for a complete model take from the causes.
