@@ -8,7 +8,7 @@ use hysteron_engine::bytes::{Reader, Writer};
 use hysteron_engine::model::Tag;
 
 pub(super) const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
-pub(super) const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x02";
+pub(super) const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x03";
 /// A file that is none of ours.
 const FOREIGN: &str = "it is no file of checkpoints of this version";
 const DAMAGED: &str = "it is damaged";
