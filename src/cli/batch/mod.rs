@@ -100,7 +100,7 @@ fn run(a: &BatchArgs, stop: &Arc<AtomicBool>) -> Result<usize, String> {
     write_table(a, &plan, &folder)
 }
 
-/// What is to be said about a plan that has been read.
+/// Findings of a plan that has been read.
 fn warnings(plan: &Plan) -> Vec<String> {
     let repeated = format!("{} cases have the inputs of another one: they are run once", plan.repeated);
     plan.notes.iter().cloned().chain((plan.repeated > 0).then_some(repeated)).collect()
