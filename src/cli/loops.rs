@@ -156,8 +156,10 @@ pub(super) fn loops(a: &LoopsArgs) -> Result<String, String> {
     let mut all = Table::new([("file", "")]);
     for file in &a.files {
         let table = measured(a, file)?;
-        all.columns.truncate(1);
-        all.columns.extend(table.columns);
+        // The arguments make the columns, so that all files have the same.
+        if all.columns.len() == 1 {
+            all.columns.extend(table.columns);
+        }
         all.rows.extend(table.rows.into_iter().map(|row| [file.clone().into()].into_iter().chain(row).collect()));
     }
     Ok(a.report.format(&all))

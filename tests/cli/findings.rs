@@ -180,6 +180,9 @@ fn motion_without_gravity() {
     finds_nothing(&moved.replace("constraints Plain", "constraints Transformation"));
     // A mass on rubber alone is a study of its law; a structure on rubber has a weight.
     let slider = "flatSliderBearing 1 1 2 1 5e4 -P 1";
+    let springs = forgotten.replace(slider, "RJWatsonEqsBearing 1 1 2 1 5e4 -P 1 -Vy 2");
+    let springs = springs.replace("frictionModel", "uniaxialMaterial Elastic 2 500.\nfrictionModel");
+    finds(&springs, "no-gravity", "bearing 1 carries no load along 2");
     let rubber = forgotten.replace(slider, "elastomericBearingPlasticity 1 1 2 1000. 20. 0.02 0. 1. -P 1");
     finds_nothing(&rubber);
     let column = "node 3 0 3 -mass 50 50 1\ngeomTransf Linear 1\nelement elasticBeamColumn 2 2 3 0.16 3e7 2e-3 1\ntimeSeries Linear 1";

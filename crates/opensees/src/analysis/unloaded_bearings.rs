@@ -1,19 +1,16 @@
 //! Bearings that a ground motion finds without the weight that they should carry.
 
-use super::isolator_damping::is_bearing;
+use super::isolator_damping::{is_bearing, slides};
 use crate::checks;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementEntry, Model, NodeId, PatternKind, Tag};
 use hysteron_tcl::diagnostic::Diagnostic;
 
-/// Parts of the class names of bearings whose shear rests on friction.
-const SLIDING: [&str; 4] = ["Slider", "Pendulum", "FP", "RJWatson"];
-
 /// Returns true if the weight matters: a bearing slides, or a structure stands on the bearings. A mass on rubber alone is a study
 /// of its law, which needs no weight.
 fn needs_weight(model: &Model, bearings: &[(&ElementEntry, usize)]) -> bool {
-    let slides = |e: &ElementEntry| SLIDING.iter().any(|part| e.element.class().contains(part));
-    bearings.iter().any(|(e, _)| slides(e)) || model.elements.iter().any(|e| !is_bearing(e.element.class()))
+    bearings.iter().any(|(e, _)| slides(e.element.class()))
+        || model.elements.iter().any(|e| !is_bearing(e.element.class()))
 }
 
 /// The vertical axis of a bearing whose upper node may sink. `None` for one that lies along the first axis, or is held.
