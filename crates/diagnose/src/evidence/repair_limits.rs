@@ -361,9 +361,12 @@ mod tests {
             e.recorded.noise_held_out = Some(0.1 * before);
             repair.errors = Some(HeldOutErrors { before: Some(before), after: Some(after), noise: 0.1 * before });
             e.limits = e.limits_of_repair(&repair);
-            cause_probabilities(&e)[0]
+            let p = cause_probabilities(&e);
+            let friction = p.iter().find(|(cause, _)| *cause == "friction").map_or(0.0, |(_, p)| *p);
+            (p[0].0, friction)
         };
-        assert!(matches!(of(0.002, 0.0012, 0.8), ("none", p) if p > 0.5), "{:?}", of(0.002, 0.0012, 0.8));
+        // The repair keeps at most the share of the error that it takes away, here 40 %.
+        assert!(matches!(of(0.002, 0.0012, 0.8), ("none", friction) if friction <= 0.4 + 1e-9));
         assert_eq!(of(0.002, 0.0004, 0.8).0, "friction");
         assert_ne!(of(0.002, 0.0009, 1.0).0, "none");
         assert_ne!(of(0.02, 0.012, 0.8).0, "none");
