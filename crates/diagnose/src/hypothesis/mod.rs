@@ -12,12 +12,14 @@ mod axial_shear_interaction;
 mod bidirectional_coupling;
 mod cavitation;
 pub(crate) mod changed_condition;
+mod changed_mass;
 pub(crate) mod context;
 mod cyclic_degradation;
 mod damping;
 pub(crate) mod declaration;
 mod device_commands;
 mod foundation_flexibility;
+mod free_masses;
 mod friction;
 mod gap_impact;
 pub(crate) mod isolation_layer;
@@ -92,6 +94,7 @@ pub const ALL: &[Hypothesis] = &[
     foundation_flexibility::HYPOTHESIS,
     isolation_layer::HYPOTHESIS,
     superstructure_yielding::HYPOTHESIS,
+    changed_mass::HYPOTHESIS,
     damping::HYPOTHESIS,
     torsion::HYPOTHESIS,
     pinching::HYPOTHESIS,
