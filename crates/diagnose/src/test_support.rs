@@ -4,7 +4,10 @@ use crate::candidate::proposal::{AddedParameter, Proposal};
 use crate::candidate::variant::Variant;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::job::FittedModel;
+use crate::hypothesis::context::ProposalContext;
 use crate::inspect::insertion::InsertionPoint;
+use crate::inspect::inventory::ModelInventory;
+use crate::inspect::response::ResponseRanges;
 use crate::memory::data::DeviceRun;
 use hysteron_identify::study::Study;
 use hysteron_tcl::diagnostic::SourceMap;
@@ -15,6 +18,26 @@ use std::sync::Arc;
 pub(crate) fn pad_study() -> Study {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tcl-like-inputs/pad_study/study.toml");
     Study::load(&file, &mut SourceMap::default()).expect("a study")
+}
+
+/// The basis of proposals for a model without recordings of its own.
+pub(crate) fn proposal_context<'a>(
+    inventory: &'a ModelInventory,
+    study: &'a Study,
+    responses: &'a ResponseRanges,
+) -> ProposalContext<'a> {
+    ProposalContext {
+        inventory,
+        study,
+        responses,
+        fits: &[],
+        sensitivities: None,
+        values: &[],
+        has_clock: true,
+        text: "",
+        model_end: 0,
+        value_spans: &[],
+    }
 }
 
 /// A variant at the middle of the user's parameters, with coordinates of the added ones.

@@ -67,3 +67,42 @@ fn with_factor(masses: &[&Mass], form: &str) -> Proposal {
     let nodes: Vec<String> = masses.iter().map(|m| m.node.to_string()).collect();
     Proposal::script_edit("changed_mass", form, format!("node {}", nodes.join(" ")), block, vec![factor])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// Masses of one height are a floor. A model with one floor has no other, and one without a ground motion has none.
+    #[test]
+    fn masses_of_one_height_change_together() {
+        let places = |floors: &str, pattern: &str| -> Vec<String> {
+            let text = format!(
+                "model basic -ndm 2 -ndf 3
+                foreach {{n x y}} {{1 0. 0. 2 5. 0. 3 0. 3. 4 5. 3. 5 0. 6.}} {{node $n $x $y}}
+                foreach n {{1 2}} {{fix $n 1 1 1}}
+                foreach n {{{floors}}} {{mass $n 2. 2. 0.}}
+                geomTransf Linear 1
+                foreach {{e i j}} {{1 1 3 2 2 4 3 3 4 4 3 5}} {{element elasticBeamColumn $e $i $j 1. 1e3 1. 1}}
+                timeSeries Constant 2
+                pattern {pattern}
+                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+                integrator Newmark 0.5 0.25
+                analysis Transient
+                analyze 2 0.01\n"
+            );
+            let (inventory, study, responses) = (inventory_of(&text), pad_study(), ResponseRanges::default());
+            let proposals = propose(&proposal_context(&inventory, &study, &responses));
+            assert!(
+                proposals.iter().all(|p| p.commands.iter().all(|c| c.ends_with(" 0.0") && c.contains("$hy_factor")))
+            );
+            proposals.into_iter().map(|p| p.location).collect()
+        };
+        let shaken = "UniformExcitation 2 1 -accel 2";
+        assert_eq!(places("3 4 5", shaken), ["node 3 4", "node 5", "node 3 4 5"]);
+        assert_eq!(places("3 4", shaken), ["node 3 4"]);
+        assert!(places("3 4 5", "Plain 2 2 {load 3 1. 0. 0.}").is_empty());
+    }
+}

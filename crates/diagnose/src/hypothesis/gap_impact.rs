@@ -206,3 +206,40 @@ fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -
     };
     sides.iter().map(one).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::{NodeMotion, ResponseRanges};
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// A wall stands beside a mass that moves towards it. The mass on a device on the ground has the wall of the device.
+    #[test]
+    fn walls_stand_where_a_mass_moves_to() {
+        let text = "model basic -ndm 1 -ndf 1
+            foreach n {1 2 3} {node $n 0.}
+            fix 1 1
+            foreach n {2 3} {mass $n 1.}
+            uniaxialMaterial Elastic 1 100.
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            element zeroLength 2 2 3 -mat 1 -dir 1
+            timeSeries Constant 2
+            pattern UniformExcitation 2 1 -accel 2
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator Newmark 0.5 0.25
+            analysis Transient
+            analyze 2 0.01\n";
+        let (inventory, study) = (inventory_of(text), pad_study());
+        let walls = |displacement_bounds: [f64; 2]| -> Vec<(String, String)> {
+            let motion = NodeMotion { velocity: 1.0, acceleration: 10.0, displacement_bounds };
+            let node_motions = [((2, 1), motion), ((3, 1), motion)].into();
+            let responses = ResponseRanges { node_motions, ..ResponseRanges::default() };
+            let proposals = propose(&proposal_context(&inventory, &study, &responses));
+            proposals.into_iter().map(|p| (p.location, p.form)).collect()
+        };
+        let wall = |side: &str| ("node 3".to_owned(), format!("wall beside a mass on the {side} side"));
+        assert_eq!(walls([-0.1, 0.1]), [wall("positive"), wall("negative")]);
+        assert_eq!(walls([-0.1, 0.001]), [wall("negative")]);
+    }
+}

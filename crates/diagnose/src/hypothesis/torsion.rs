@@ -86,10 +86,9 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::hypothesis::context::ProposalContext;
     use crate::inspect::inventory::{Mass, ModelInventory};
     use crate::inspect::response::ResponseRanges;
-    use crate::test_support::pad_study;
+    use crate::test_support::{pad_study, proposal_context};
 
     #[test]
     fn a_negligible_rotational_inertia_makes_no_floor() {
@@ -98,19 +97,7 @@ mod tests {
             let masses = vec![Mass { node: 1, mass: vec![18.0, 18.0, turn], damped: false }];
             let mut inventory = ModelInventory::default();
             (inventory.ndm, inventory.base_excited, inventory.extent, inventory.masses) = (2, true, extent, masses);
-            propose(&ProposalContext {
-                inventory: &inventory,
-                study: &study,
-                responses: &responses,
-                fits: &[],
-                sensitivities: None,
-                values: &[],
-                has_clock: true,
-                text: "",
-                model_end: 0,
-                value_spans: &[],
-            })
-            .len()
+            propose(&proposal_context(&inventory, &study, &responses)).len()
         };
         assert_eq!(proposed(18.0 * 3.0 * 3.0, 14.0), 3);
         assert_eq!(proposed(1e-6, 14.0), 0);
