@@ -2,7 +2,7 @@
 
 use super::driver::{SingleElement, path};
 use super::script::run;
-use hysteron::element::{MatrixMask, Rows, Snapshot};
+use hysteron::element::{Bearing, MatrixMask, Rows, Snapshot};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 const HEIGHT: f64 = 0.25;
@@ -389,5 +389,16 @@ fn responses_have_values() {
             ensure(out.iter().all(|x| x.is_finite()), || format!("{name}: {out:?}"))?;
         }
         Ok(())
+    });
+}
+
+/// Every bearing says that it is one, and which carry their shear by friction. Normal springs have no shear.
+#[test]
+fn bearings_say_how_they_carry_their_shear() {
+    each(KINDS.iter().filter(|k| k.name != "normal springs"), |kind| {
+        let slides = ["slider", "pendulum", "RJ Watson"].iter().any(|word| kind.name.contains(word));
+        let said = kind.upright().element.bearing();
+        let wanted = Some(if slides { Bearing::Sliding } else { Bearing::Rubber });
+        ensure(said == wanted, || format!("{said:?}"))
     });
 }

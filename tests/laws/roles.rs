@@ -14,6 +14,7 @@ use std::sync::Arc;
 /// Names of the roles of an element. A role that is not here does not compile.
 fn names(e: &dyn Element) -> BTreeSet<&'static str> {
     let Roles {
+        bearing,
         mass,
         inertance,
         loads,
@@ -34,6 +35,7 @@ fn names(e: &dyn Element) -> BTreeSet<&'static str> {
         opensees,
     } = e.roles();
     let all = [
+        ("bearing", bearing.is_some()),
         ("mass", mass.is_some()),
         ("inertance", inertance.is_some()),
         ("loads", loads.is_some()),
@@ -103,6 +105,7 @@ fn compare(name: &str, inner: &dyn Element, outer: &dyn Element) -> Result<(), S
     whole[..state.len()].copy_from_slice(&state);
     let disp: Vec<f64> = (0..inner.dofs()).map(|i| 0.01 * (i as f64).sin()).collect();
     let same = [
+        ("bearing", inner.bearing() == outer.bearing()),
         ("mass", inner.mass() == outer.mass()),
         ("inertance", inner.inertance() == outer.inertance()),
         ("loads", inner.load_len() == outer.load_len() && load_sums(inner) == load_sums(outer)),

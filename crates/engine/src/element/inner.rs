@@ -47,6 +47,7 @@ impl Inner {
     /// the element inside, and it is called like any other element.
     pub(super) fn roles<'a>(&'a self, parameters: &'a dyn ElementParameters) -> Roles<'a> {
         let Roles {
+            bearing,
             mass,
             inertance,
             loads,
@@ -67,6 +68,7 @@ impl Inner {
             opensees,
         } = self.element.roles();
         Roles {
+            bearing,
             mass,
             inertance,
             loads,

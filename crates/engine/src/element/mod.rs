@@ -63,7 +63,7 @@ pub use lockstep::LockstepMaker;
 pub use lockstep::{LockstepElement, LockstepMotion, LockstepOutput};
 pub(crate) use lockstep::{alike, one_by_one};
 pub use opensees::{CallDependent, OpenSeesCall, OpenSeesTraits, SharedState};
-pub use roles::Roles;
+pub use roles::{Bearing, Roles};
 pub use shell::Shell;
 pub use small_beam::{PDeltaParts, SmallBeam};
 pub use truss::Truss;

@@ -20,6 +20,8 @@ use std::sync::Arc;
 /// `Inner::roles` takes this apart field by field, so that every wrapper decides on a new role.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Roles<'a> {
+    /// It is a bearing.
+    pub bearing: Option<Bearing>,
     /// It has mass.
     pub mass: Option<&'a dyn Inertia>,
     /// Its resisting force depends on accelerations.
@@ -57,6 +59,15 @@ pub struct Roles<'a> {
     pub force_labels: ForceLabels,
     /// Differences from its counterpart in OpenSees, for an analysis under `--compat opensees`.
     pub opensees: OpenSeesTraits<'a>,
+}
+
+/// A bearing, by the carrier of its shear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bearing {
+    /// Rubber, or shear springs.
+    Rubber,
+    /// The friction of surfaces, which needs a normal force.
+    Sliding,
 }
 
 /// Mass of an element.
@@ -218,6 +229,11 @@ impl dyn Element {
     /// The element together with its counterparts in other models, itself the first; `None` where it is not made for it.
     pub fn lockstep(&self, all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
         self.roles().lockstep?(all)
+    }
+
+    /// The kind of bearing that it is; `None` for other elements.
+    pub fn bearing(&self) -> Option<Bearing> {
+        self.roles().bearing
     }
 
     /// Mass.

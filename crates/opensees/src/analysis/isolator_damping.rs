@@ -8,10 +8,6 @@ use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementEntry, ElementId, Tag};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 
-/// Parts of the class names of isolators whose shear does not rest on friction.
-const RUBBER: [&str; 6] = ["Bearing", "Rubber", "Isolator", "HDR", "MultipleShearSpring", "Elastomeric"];
-/// Parts of the class names of isolators whose shear rests on friction.
-const SLIDERS: [&str; 4] = ["Pendulum", "Slider", "FP", "RJWatson"];
 /// Classes that are isolators where they are not linear.
 const LINKS: [&str; 3] = ["ZeroLength", "TwoNodeLink", "CoupledZeroLength"];
 /// Share of the energy that is no mistake yet.
@@ -29,20 +25,9 @@ pub(crate) struct IsolatorDamping {
     force: f64,
 }
 
-/// Returns true if a class of elements is that of bearings.
-pub(super) fn is_bearing(class: &str) -> bool {
-    RUBBER.iter().any(|part| class.contains(part)) || slides(class)
-}
-
-/// Returns true if a class of elements is that of bearings that slide.
-pub(super) fn slides(class: &str) -> bool {
-    SLIDERS.iter().any(|part| class.contains(part))
-}
-
 /// Returns true if an element may be an isolator: a bearing, or a link that is not linear.
 pub fn may_isolate(e: &ElementEntry) -> bool {
-    let class = e.element.class();
-    is_bearing(class) || !e.element.traits().linear && LINKS.contains(&class)
+    e.element.bearing().is_some() || !e.element.traits().linear && LINKS.contains(&e.element.class())
 }
 
 fn is_isolator(e: &ElementEntry) -> bool {

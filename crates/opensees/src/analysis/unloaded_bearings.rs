@@ -1,16 +1,16 @@
 //! Bearings that a ground motion finds without the weight that they should carry.
 
-use super::isolator_damping::{is_bearing, slides};
 use crate::checks;
 use hysteron_engine::analysis::Engine;
+use hysteron_engine::element::Bearing;
 use hysteron_engine::model::{ElementEntry, Model, NodeId, PatternKind, Tag};
 use hysteron_tcl::diagnostic::Diagnostic;
 
 /// Returns true if the weight matters: a bearing slides, or a structure stands on the bearings. A mass on rubber alone is a study
 /// of its law, which needs no weight.
 fn needs_weight(model: &Model, bearings: &[(&ElementEntry, usize)]) -> bool {
-    bearings.iter().any(|(e, _)| slides(e.element.class()))
-        || model.elements.iter().any(|e| !is_bearing(e.element.class()))
+    bearings.iter().any(|(e, _)| e.element.bearing() == Some(Bearing::Sliding))
+        || model.elements.iter().any(|e| e.element.bearing().is_none())
 }
 
 /// The vertical axis of a bearing whose upper node may sink. `None` for one that lies along the first axis, or is held.
@@ -35,7 +35,7 @@ fn has_load_along(model: &Model, axis: usize) -> bool {
 pub(super) fn finding(engine: &Engine) -> Option<Diagnostic> {
     let model = engine.model();
     let (pattern, _) = model.patterns.iter().find(|(_, p)| matches!(p.kind, PatternKind::Uniform(_)))?;
-    let bearings = model.elements.iter().filter(|e| is_bearing(e.element.class()));
+    let bearings = model.elements.iter().filter(|e| e.element.bearing().is_some());
     let bearings: Vec<(&ElementEntry, usize)> = bearings.filter_map(|e| Some((e, vertical_axis(engine, e)?))).collect();
     let is_loaded = |(e, axis): &(&ElementEntry, usize)| {
         let force = &engine.state().force[e.force.clone()];

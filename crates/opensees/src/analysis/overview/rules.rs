@@ -1,7 +1,6 @@
 //! Rules about masses, loads and periods: each constant has its reason.
 
 use super::short;
-use crate::analysis::isolator_damping::is_bearing;
 use crate::checks;
 use hysteron_engine::analysis::{Engine, LinearEstimate};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -113,8 +112,8 @@ fn mass_is_weight(engine: &Engine, g: &Gravity) -> Option<Diagnostic> {
 
 /// The period of a frame on fixed supports that no building has.
 fn long_period(engine: &Engine, period: f64, mass: &[f64; 3]) -> Option<Diagnostic> {
-    let elements = || engine.model().elements.iter().map(|e| e.element.class());
-    let is_frame = elements().any(|class| class.contains("Beam")) && !elements().any(is_bearing);
+    let elements = || engine.model().elements.iter().map(|e| &e.element);
+    let is_frame = elements().any(|e| e.class().contains("Beam")) && elements().all(|e| e.bearing().is_none());
     if period <= MAX_PERIOD || !is_frame {
         return None;
     }
@@ -135,7 +134,7 @@ fn long_period(engine: &Engine, period: f64, mass: &[f64; 3]) -> Option<Diagnost
 fn bearing_on_its_side(engine: &Engine, axis: usize) -> Option<Diagnostic> {
     let model = engine.model();
     let is_held = |node: usize| model.fixes.iter().any(|f| f.node.0 == node && f.dof == axis);
-    let bearings = model.elements.iter().filter(|e| is_bearing(e.element.class()));
+    let bearings = model.elements.iter().filter(|e| e.element.bearing().is_some());
     let (e, along, across) = bearings.filter(|e| !e.nodes.iter().all(|n| is_held(n.0))).find_map(|e| {
         let stiffness = engine.axis_stiffness(e.tag)?;
         let across = (0..3).filter(|i| *i != axis).map(|i| stiffness[i]).fold(0.0, f64::max);

@@ -6,7 +6,7 @@ use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
-use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
+use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
 };
@@ -176,6 +176,7 @@ impl<R: Rules> Element for MultipleShearSpring<R> {
     }
     fn roles(&self) -> Roles<'_> {
         Roles {
+            bearing: Some(Bearing::Rubber),
             mass: Some(self),
             basic_rows: Some(self),
             opensees: {

@@ -9,7 +9,7 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::axial::{Axial, AxialLaw, AxialLockstep};
 use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput, shear_of_rubber};
 use crate::element::bearing::laws::shear::Shear;
-use crate::element::roles::{BasicDeformations, CriticalLoad, ForceLabels, Inertia, LawSize, Roles};
+use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, LawSize, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
     Snapshot, Stretch, alike, one_by_one,
@@ -148,6 +148,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
 
     fn roles(&self) -> Roles<'_> {
         Roles {
+            bearing: Some(Bearing::Rubber),
             mass: Some(self),
             basic_rows: Some(self),
             overload: Some(self),

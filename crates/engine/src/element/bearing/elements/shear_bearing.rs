@@ -3,7 +3,7 @@
 use crate::element::bearing::elements::shear_bearings::{Kept, ShearBearings};
 use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
-use crate::element::roles::{Backbone, BasicDeformations, ForceLabels, Inertia, Roles};
+use crate::element::roles::{Backbone, BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
     RowMaterial, Snapshot, Softening, alike, one_by_one,
@@ -142,6 +142,7 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
 
     fn roles(&self) -> Roles<'_> {
         Roles {
+            bearing: Some(Bearing::Rubber),
             mass: Some(self),
             basic_rows: Some(self),
             softening: Some(self),

@@ -21,7 +21,7 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_layout::{Layout, Shape};
 use crate::element::bearing::laws::normal_springs::NormalSprings;
 use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
-use crate::element::roles::{BasicDeformations, CriticalLoad, ForceLabels, Inertia, Roles};
+use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
     Overload, Rows, Snapshot,
@@ -354,6 +354,7 @@ impl Element for KikuchiBearing {
     }
     fn roles(&self) -> Roles<'_> {
         Roles {
+            bearing: Some(Bearing::Rubber),
             mass: Some(self),
             basic_rows: Some(self),
             overload: Some(self),

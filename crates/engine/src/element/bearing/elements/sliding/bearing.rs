@@ -8,7 +8,7 @@ use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, end_masses, probe, with_materials,
 };
 use crate::element::friction::Contact;
-use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
+use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot};
@@ -375,7 +375,13 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
     }
 
     fn roles(&self) -> Roles<'_> {
-        Roles { mass: Some(self), basic_rows: Some(self), force_labels: ForceLabels::Frame, ..Roles::default() }
+        Roles {
+            bearing: Some(Bearing::Sliding),
+            mass: Some(self),
+            basic_rows: Some(self),
+            force_labels: ForceLabels::Frame,
+            ..Roles::default()
+        }
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {

@@ -7,7 +7,7 @@ use crate::element::bearing::elements::shear_bearing::{
     BASIC_FORCE, DEFORMATION, FRICTION, LOCAL_DISP, LOCAL_FORCE, MATERIAL, probe, with_materials,
 };
 use crate::element::friction::{Coefficient, Contact, Friction};
-use crate::element::roles::{BasicDeformations, ForceLabels, Roles};
+use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Roles};
 use crate::element::{
     BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
     OpenSeesTraits, SharedState, Snapshot,
@@ -307,6 +307,7 @@ impl<R: Rules> Element for TriplePendulum<R> {
 
     fn roles(&self) -> Roles<'_> {
         Roles {
+            bearing: Some(Bearing::Sliding),
             basic_rows: Some(self),
             opensees: OpenSeesTraits {
                 calls: R::CALL_DEPENDENT.then_some(self as &dyn CallDependent),
