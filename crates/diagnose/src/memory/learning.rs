@@ -59,6 +59,10 @@ impl Candidate {
     fn change_from(&self, other: &Self) -> f64 {
         self.errors.change_from(&other.errors)
     }
+
+    fn has_clock(&self) -> bool {
+        self.families.iter().any(|f| f.0 == Family::Clock)
+    }
 }
 
 /// The law that leaves least on blocks and runs held back; `None` if the runs do not suffice.
@@ -138,19 +142,18 @@ fn rivals(found: &[Candidate], best: &Candidate) -> Vec<((Family, Option<usize>)
 
 /// The first law, or the first one without a clock if the clock leads by little.
 fn first_but_the_clock(found: &[Candidate]) -> Candidate {
-    let is_clock = |c: &Candidate| c.families.iter().any(|f| f.0 == Family::Clock);
-    let other = found.iter().find(|c| !is_clock(c)).filter(|c| c.change_from(&found[0]) < CLOCK_LEAD);
-    other.filter(|_| is_clock(&found[0])).unwrap_or(&found[0]).clone()
+    let other = found.iter().find(|c| !c.has_clock()).filter(|c| c.change_from(&found[0]) < CLOCK_LEAD);
+    other.filter(|_| found[0].has_clock()).unwrap_or(&found[0]).clone()
 }
 
 /// The best law with a second kind of memory. It is sought for the best kind and for the next one: of two kinds that act
-/// together, neither need be the best alone.
+/// together, neither need be the best alone. That of the next kind must lead as much as a second kind does, or follow a clock.
 fn best_pair(c: &Competition<'_>, found: &[Candidate], best: &Candidate, all: &Families) -> Candidate {
     let is_next = |f: &&Candidate| f.families[0] != best.families[0] && f.families[0].0 != Family::Clock;
-    let firsts = std::iter::once(best).chain(found.iter().find(is_next));
-    let mut pairs: Vec<Candidate> = firsts.map(|f| with_second_family(c, f, all)).collect();
-    pairs.sort_by(|a, b| a.change_from(best).total_cmp(&b.change_from(best)));
-    first_but_the_clock(&pairs)
+    let of_best = with_second_family(c, best, all);
+    let Some(of_next) = found.iter().find(is_next).map(|f| with_second_family(c, f, all)) else { return of_best };
+    let lead = if of_best.has_clock() && !of_next.has_clock() { -CLOCK_LEAD } else { ENTERING_FAMILY };
+    if of_best.change_from(&of_next) > lead { of_next } else { of_best }
 }
 
 /// A second kind of memory, where it takes enough of what the first leaves.
