@@ -26,7 +26,7 @@ pub(super) const AGING: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis boucWen
 pub(super) const SOFTENING: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis bilinear 0.004 20 -spring 300 \
     -factor elastic largest -0.4 0.001 1 -factor elastic virgin 2 0.3 0 1 -factor hysteretic workSaturating 0.3 -0.5 0 1 \
     -factor whole timeSaturating 10 -0.2 0 1 -factor elastic deformation 2 0.8 0 1 \
-    -factor strength recentWorkSoftening 5 0.9 0.1 1";
+    -factor strength recentWorkSoftening 5 0.9 0.1 1 -maxwell 0.5 80 -factor viscous workSaturating 0.2 -0.6 0 1";
 /// Slopes of hysteresis that are learned, and recovery from heat.
 pub(super) const CURVE: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis curve 0.01 25 -curve 0.7 1.3 1 0.5 0.1 \
     -spring 200 -moving 60 -factor elastic pinching 0.35 -0.5 0 1 -factor hysteretic largestDecay 0.4 0.6 0 1 \
@@ -71,6 +71,7 @@ fn laws_that_make_energy_are_refused() {
         ("-factor elastic rest 0.01 0.4 0.2 0 1", "within a cycle acts on the strength alone"),
         ("-factor elastic largest 0.2 0 1", "that rises makes energy"),
         ("-factor hysteretic work 0.2 0 1", "that rises makes energy"),
+        ("-maxwell 0.3 50 -factor viscous work 0.2 0 1", "that rises makes energy"),
         ("-work 0.001 -factor elastic recentWork 1 -0.9 0 1", "recovery makes more energy"),
     ] {
         let message = law(&format!("{base} {more}")).unwrap_err();

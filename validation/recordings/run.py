@@ -138,16 +138,15 @@ def compact(proof, name, judged):
     return rows + ["", *proof.count(judged), ""]
 
 
-def prove(args, name, only):
-    proof = module(name)
-    folder = args.out.resolve() / args.build / name
+def prepared(data, name, folder):
+    """Models, studies and recordings of a source in a folder; false if its recordings are not at hand."""
     folder.mkdir(parents=True, exist_ok=True)
     for file in (HERE / name).iterdir():
         if file.suffix in (".tcl", ".toml"):
             shutil.copy(file, folder)
-    kept = HERE / name / "recordings"
-    if args.data:
-        proof.prepare(args.data.resolve(), folder)
+    proof, kept = module(name), HERE / name / "recordings"
+    if data:
+        proof.prepare(data.resolve(), folder)
         if getattr(proof, "LICENSED", False):
             kept.mkdir(exist_ok=True)
             for file in [*folder.glob("*.dat"), *folder.glob("*.csv")]:
@@ -157,18 +156,33 @@ def prove(args, name, only):
             shutil.copy(file, folder)
     else:
         print(f"{name}: its recordings are not in this repository, --data says where they are")
+        return False
+    return True
+
+
+def study_of(name, variant, folder):
+    """Writes the study of a variant to the folder; its name and text."""
+    file, holdout = module(name).VARIANTS[variant]
+    text = (folder / file).read_text()
+    if holdout is not None:
+        text = with_roles(text, holdout)
+    (folder / f"{variant}.study.toml").write_text(text)
+    return f"{variant}.study.toml", text
+
+
+def prove(args, name, only):
+    proof = module(name)
+    folder = args.out.resolve() / args.build / name
+    if not prepared(args.data, name, folder):
         return
     lines, judged, complete = [], [], True
-    for variant, (file, holdout) in proof.VARIANTS.items():
+    for variant in proof.VARIANTS:
         if only and variant not in only and not (folder / variant / "said.txt").exists():
             complete = False
             continue
-        source = (folder / file).read_text()
-        if holdout is not None:
-            source = with_roles(source, holdout)
-        (folder / f"{variant}.study.toml").write_text(source)
+        file, source = study_of(name, variant, folder)
         out = folder / variant
-        if not diagnose(args, folder, f"{variant}.study.toml", out):
+        if not diagnose(args, folder, file, out):
             complete = False
             continue
         said, study = json.loads((out / "diagnosis.json").read_text()), tomllib.loads(source)

@@ -354,6 +354,26 @@ prior! {
     MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";
     /// Difference of the logarithms of the errors within which two kinds of memory tie. A choice.
     MEMORY_TIE: f64 = 0.15, "nats";
+    /// Terms of a law that compares kinds of memory, at most. A choice.
+    MAX_COMPARED_TERMS: usize = 3, "count";
+    /// Terms of a learned law at most. A choice.
+    MAX_LEARNED_TERMS: usize = 4, "count";
+    /// Further terms that a second kind of memory may add. A choice.
+    SECOND_FAMILY_TERMS: usize = 2, "count";
+    /// Least fall of the logarithm of the error held back with which a term enters. A choice.
+    ENTERING_TERM: f64 = 0.08, "nats";
+    /// The same for a second kind of memory. A choice.
+    ENTERING_FAMILY: f64 = 0.2, "nats";
+    /// The same for slopes of hysteresis. A choice.
+    ENTERING_SLOPES: f64 = 0.04, "nats";
+    /// Lead of the logarithm of the error with which a law of the clock is taken: elapsed time stands for whatever changes in the
+    /// course of a run, and predicts no other run. A choice.
+    CLOCK_LEAD: f64 = 0.4, "nats";
+    /// Error of a plain shape over that of the user's law up to which kinds of memory are compared on it: memory can act on its
+    /// strength. A choice.
+    MAX_COMPARED_SHAPE_RATIO: f64 = 1.3, "ratio";
+    /// The same ratio up to which learned laws are built on it beside the user's. A choice.
+    MAX_LEARNED_SHAPE_RATIO: f64 = 4.0, "ratio";
     /// Least share of the user's error on the runs held out that a learned law must take away to be written. A choice.
     MIN_LEARNED_GAIN: f64 = 0.3, "share";
     /// Error over the noise up to which a learned law is said to reach it. A choice.

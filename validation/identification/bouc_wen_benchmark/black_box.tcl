@@ -39,6 +39,8 @@ amend element 1 learned -range 5.0 1000.0 200.0 -spring $k -dashpot 1 [expr {100
 timeSeries Path 1 -dt $dt -filePath $force -useLast
 pattern Plain 1 1 { load 2 1.0 }
 recorder Node -file y.out -time -dT [expr {1.0/750}] -rTolDt 0.01 -node 2 -dof 1 disp
+recorder Node -file v.out -time -dT [expr {1.0/750}] -rTolDt 0.01 -node 2 -dof 1 vel
+recorder Element -file f.out -time -dT [expr {1.0/750}] -rTolDt 0.01 -ele 1 force
 
 constraints Plain
 numberer Plain

@@ -183,7 +183,7 @@ impl ModelRuns<'_> {
             let sign = if self.lone_device {
                 whole_work(&history.deformation, &fit.channels[c]).signum()
             } else {
-                correlation(&history.deformation, &fit.channels[c]).signum()
+                correlation(&history.force, &fit.channels[c]).signum()
             };
             let column = |name: &String| {
                 let known = run.recording.columns.iter().find(|c| c.name == *name).map(|c| c.values.clone());

@@ -72,6 +72,8 @@ pub(crate) struct ModelInventory {
     pub(crate) ndm: usize,
     /// Springs and bearings.
     pub(crate) devices: Vec<Device>,
+    /// Dashpots, which have no stiffness in any direction.
+    pub(crate) dashpots: Vec<Device>,
     /// Tags of elastic beams.
     pub(crate) beams: Vec<i32>,
     /// Columns among these beams, the lowest first.
@@ -171,19 +173,15 @@ impl ModelInventory {
             let n = e.element.dofs();
             let mut tangent = vec![0.0; n * n];
             e.element.initial_tangent(&mut tangent);
-            let directions = rows
-                .iter()
-                .map(|r| direction(r, &tangent, model.nodes[i.0].ndm()))
-                .filter(|d| d.stiffness > 0.0)
-                .collect();
-            out.devices.push(Device {
-                tag: e.tag,
-                class: e.element.class(),
-                nodes,
-                directions,
-                linear: traits.linear || is_elastic(e.element.as_ref(), &rows),
-                viscous: traits.viscous,
-            });
+            let all: Vec<Direction> = rows.iter().map(|r| direction(r, &tangent, model.nodes[i.0].ndm())).collect();
+            let directions: Vec<Direction> = all.iter().filter(|d| d.stiffness > 0.0).cloned().collect();
+            let linear = traits.linear || is_elastic(e.element.as_ref(), &rows);
+            let device =
+                Device { tag: e.tag, class: e.element.class(), nodes, directions, linear, viscous: traits.viscous };
+            if device.viscous && device.directions.is_empty() {
+                out.dashpots.push(Device { directions: all, ..device.clone() });
+            }
+            out.devices.push(device);
         }
         for (k, node) in model.nodes.iter().enumerate() {
             let fixed: Vec<usize> = model.fixes.iter().filter(|f| f.node.0 == k).map(|f| f.dof + 1).collect();
@@ -208,6 +206,14 @@ impl ModelInventory {
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
         out
+    }
+
+    /// The same with dashpots in the place of devices, where no device has a stiffness.
+    pub(crate) fn with_lone_dashpots(self) -> Self {
+        if self.devices.iter().any(|d| !d.directions.is_empty()) {
+            return self;
+        }
+        Self { devices: self.dashpots.clone(), ..self }
     }
 
     /// Mass of all nodes in their first degree of freedom.

@@ -4,6 +4,7 @@ use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
 use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, TARGETS, signs};
 use super::slow_variables::{SlowVariable, factors, forces, with_level};
+use crate::prior::{ENTERING_TERM, MAX_COMPARED_SHAPE_RATIO, MAX_COMPARED_TERMS};
 use hysteron_engine::element::amendment::learned::{Admitted, Target};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -29,17 +30,11 @@ pub struct FamilyResult {
     pub terms: Vec<String>,
 }
 
-/// Least fall of the logarithm of the error with which a term enters.
-const ENTERING: f64 = 0.08;
-/// Terms of a law at most.
-const MAX_TERMS: usize = 3;
 /// Candidates of the score test that are cross-validated.
 const CROSS_VALIDATED: usize = 5;
 /// Steps of Gauss and Newton in a fold, and in a fit of all samples.
 const FOLD_STEPS: usize = 3;
 const FIT_STEPS: usize = 8;
-/// Error of a plain shape over that of the user's law up to which it is the base: memory can act on its strength.
-const MAX_SHAPE_RATIO: f64 = 1.3;
 /// Slip levels over that of a law that are tried when a term enters, and when it has entered.
 const COARSE_LEVELS: [f64; 3] = [0.75, 1.15, 1.35];
 const FINE_LEVELS: [f64; 4] = [0.9, 0.95, 1.05, 1.1];
@@ -76,7 +71,7 @@ pub(crate) fn compete(runs: Vec<DeviceRun>, has_clock: bool) -> Vec<FamilyResult
     let start = competition.held_back(&base);
     let mut all: Vec<(f64, FamilyResult)> = vec![];
     for (family, condition) in data.families() {
-        let (law, errors) = competition.learn(&[(family, condition)], MAX_TERMS, base.clone(), start.clone());
+        let (law, errors) = competition.learn(&[(family, condition)], MAX_COMPARED_TERMS, base.clone(), start.clone());
         let channel = condition.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone());
         all.push((errors.change_from(&start), competition.result(family, channel, &law, &errors)));
     }
@@ -90,8 +85,10 @@ impl Competition<'_> {
     pub(super) fn base(&self) -> Law {
         let (shapes, user) = self.shapes();
         let of_user = self.held_back(&user).pooled;
-        let near =
-            shapes.iter().map(|l| (self.held_back(l).pooled, l)).filter(|(e, _)| *e <= MAX_SHAPE_RATIO * of_user);
+        let near = shapes
+            .iter()
+            .map(|l| (self.held_back(l).pooled, l))
+            .filter(|(e, _)| *e <= MAX_COMPARED_SHAPE_RATIO * of_user);
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(user, |x| x.1.clone())
     }
 
@@ -169,7 +166,7 @@ impl Competition<'_> {
             let tried = self.candidates(&law, families, &variables, &forces);
             let weighed = tried.into_iter().map(|l| self.at_best_level(l, &COARSE_LEVELS));
             let best = weighed.min_by(|a, b| a.0.change_from(&errors).total_cmp(&b.0.change_from(&errors)));
-            let Some((_, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING) else { break };
+            let Some((_, l)) = best.filter(|(e, _)| e.change_from(&errors) < -ENTERING_TERM) else { break };
             let (e, l) = self.at_best_level(l, &FINE_LEVELS);
             // A law of the engine has one level.
             if self.data.mode == Mode::Engine && l.level != law.level {
@@ -225,7 +222,7 @@ impl Competition<'_> {
                 }
                 (self.held_back(&l), l)
             };
-            let found = (0..law.terms()).map(shorter).find(|(e, _)| e.change_from(&errors) < 0.5 * ENTERING);
+            let found = (0..law.terms()).map(shorter).find(|(e, _)| e.change_from(&errors) < 0.5 * ENTERING_TERM);
             let Some((e, l)) = found.filter(|_| law.terms() > 1) else { return (law, errors) };
             (law, errors) = (l, e);
         }
@@ -305,13 +302,7 @@ impl Competition<'_> {
         let held_out = (!held.is_empty()).then(|| held.iter().map(of_run).sum::<f64>() / held.len() as f64);
         let mut terms: Vec<String> = law.groups.iter().map(|g| format!("{g:?}").to_lowercase()).collect();
         for ((target, v), a) in law.factors.iter().zip(&c.factors) {
-            let part = match target {
-                Target::Elastic => "elastic stiffness",
-                Target::Hysteretic => "hysteretic force",
-                Target::Whole => "whole force",
-                Target::Strength => "strength",
-            };
-            terms.push(format!("{part} x (1 {a:+.3} {})", v.name));
+            terms.push(format!("{} x (1 {a:+.3} {})", target.in_words(), v.name));
         }
         terms.extend(law.forces.iter().map(|f| format!("force by {}", f.name)));
         let (blocks, whole) = errors.folds.split_at(d.block_folds);

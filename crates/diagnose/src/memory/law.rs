@@ -93,7 +93,8 @@ impl Group {
 }
 
 /// Parts on which a factor may act.
-pub(super) const TARGETS: [Target; 4] = [Target::Elastic, Target::Hysteretic, Target::Whole, Target::Strength];
+pub(super) const TARGETS: [Target; 5] =
+    [Target::Elastic, Target::Hysteretic, Target::Viscous, Target::Whole, Target::Strength];
 
 /// Signs of the coefficient of a variable on a part: in a comparison any where a family keeps the energy bounded, in a law of
 /// the engine those with which it makes none.
@@ -106,6 +107,8 @@ pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) 
         _ => !family.is_fast() && !matches!(family, Family::Largest | Family::Shape),
     };
     match (mode, v.kind) {
+        // Causes of the library change no viscous part alone.
+        (Mode::Comparison, _) if target == Target::Viscous => Admitted::None,
         (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
         _ if takes => Admitted::Both,
         _ => Admitted::None,
@@ -291,6 +294,7 @@ impl<'a> Fitter<'a> {
                 let acts = match target {
                     Target::Elastic => kind == 0,
                     Target::Hysteretic => kind == 1,
+                    Target::Viscous => kind == 2,
                     Target::Whole => kind < 3,
                     Target::Strength => false,
                 };
@@ -353,6 +357,7 @@ impl<'a> Fitter<'a> {
                 let range = match target {
                     Target::Elastic => 0..e,
                     Target::Hysteretic => e..e + h,
+                    Target::Viscous => e + h..e + h + x,
                     _ => 0..e + h + x,
                 };
                 let values = if *target == Target::Elastic { &v.on_spring } else { &v.at_samples };

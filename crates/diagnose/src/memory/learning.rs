@@ -6,6 +6,9 @@ use super::family::Family;
 use super::law::{Coefficients, Fitter, Law, Shape};
 use super::learned_law::{engine_law, used_conditions};
 use super::slow_variables::{Kind, with_variable};
+use crate::prior::{
+    CLOCK_LEAD, ENTERING_FAMILY, ENTERING_SLOPES, MAX_LEARNED_SHAPE_RATIO, MAX_LEARNED_TERMS, SECOND_FAMILY_TERMS,
+};
 use hysteron_engine::element::amendment::learned::LearnedLaw;
 
 /// A law of the engine with its errors.
@@ -31,27 +34,16 @@ pub struct Learned {
     pub user_held_out: Option<f64>,
     /// Share of the steps of the runs held out that lie outside the range of the law.
     pub outside: f64,
-    /// Change of the logarithm of the error held back of each further kind of memory over the best, nats.
+    /// Change of the logarithm of the error held back of the law of each other kind of memory over this one, nats.
     pub rivals: Vec<(Family, String, f64)>,
 }
 
-/// Terms of a law at most, and those that a second kind of memory may add.
-const MAX_TERMS: usize = 4;
-const SECOND_TERMS: usize = 2;
-/// Fall of the logarithm of the error with which a second kind of memory enters.
-const SECOND_FAMILY: f64 = 0.2;
-/// Lead of the logarithm of the error with which a law of the clock is taken.
-const CLOCK_LEAD: f64 = 0.4;
-/// Error of a plain shape over that of the user's law up to which laws are built on it.
-const MAX_SHAPE_RATIO: f64 = 4.0;
 /// Steps of Gauss and Newton in the last fit.
 const LAST_STEPS: usize = 12;
 /// Ratios by which constants and levels are refined in turn.
 const RATIOS: [f64; 3] = [1.5, 1.15, 1.04];
 /// Changes of the slopes of hysteresis in turn.
 const SLOPE_STEPS: [f64; 3] = [0.3, 0.1, 0.03];
-/// Fall of the logarithm of the error with which slopes of hysteresis are learned.
-const SLOPES: f64 = 0.04;
 
 type Families = Vec<(Family, Option<usize>)>;
 
@@ -67,6 +59,10 @@ impl Candidate {
     fn change_from(&self, other: &Self) -> f64 {
         self.errors.change_from(&other.errors)
     }
+
+    fn has_clock(&self) -> bool {
+        self.families.iter().any(|f| f.0 == Family::Clock)
+    }
 }
 
 /// The law that leaves least on blocks and runs held back; `None` if the runs do not suffice.
@@ -78,28 +74,17 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
     for base in bases(&c) {
         let errors = c.held_back(&base);
         for family in &all {
-            let (law, errors) = c.learn(&[*family], MAX_TERMS, base.clone(), errors.clone());
+            let (law, errors) = c.learn(&[*family], MAX_LEARNED_TERMS, base.clone(), errors.clone());
             found.push(Candidate { families: vec![*family], law, errors });
         }
     }
     let reference = found.first()?.clone();
     found.sort_by(|a, b| a.change_from(&reference).total_cmp(&b.change_from(&reference)));
     let best = first_but_the_clock(&found);
-    let mut rivals: Families = vec![];
-    for f in &found {
-        if !rivals.contains(&f.families[0]) {
-            rivals.push(f.families[0]);
-        }
-    }
-    let behind = |family: &(Family, Option<usize>)| {
-        let of_family = found.iter().find(|f| f.families[0] == *family);
-        of_family.map_or(0.0, |f| f.change_from(&best))
-    };
+    let best = best_pair(&c, &found, &best, &all);
     let channel =
         |f: &(Family, Option<usize>)| (f.0, f.1.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone()));
-    let others = rivals.iter().filter(|f| **f != best.families[0]);
-    let rivals = others.map(|f| (channel(f).0, channel(f).1, behind(f))).collect();
-    let best = with_second_family(&c, &best, &all);
+    let rivals = rivals(&found, &best).iter().map(|(f, behind)| (channel(f).0, channel(f).1, *behind)).collect();
     let best = refined(&c, best);
     let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
     let law = engine_law(&c.fitter, &best.law, &last)?;
@@ -131,7 +116,7 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
 fn bases(c: &Competition<'_>) -> Vec<Law> {
     let best = c.base();
     let (plain, user) = c.plain_and_user();
-    let limit = MAX_SHAPE_RATIO * c.held_back(&user).pooled;
+    let limit = MAX_LEARNED_SHAPE_RATIO * c.held_back(&user).pooled;
     let mut out = vec![best];
     for law in [plain, Some(user)].into_iter().flatten() {
         let is_known = out.iter().any(|l| l.shape == law.shape);
@@ -142,12 +127,33 @@ fn bases(c: &Competition<'_>) -> Vec<Law> {
     out
 }
 
-/// The best law, or the best one without a clock if the clock leads by little: elapsed time stands for whatever changes in the
-/// course of a run, and predicts no other run.
+/// Kinds of memory that a law does not have, the best first, with the change of the logarithm of the error of their own law.
+fn rivals(found: &[Candidate], best: &Candidate) -> Vec<((Family, Option<usize>), f64)> {
+    let mut known = best.families.clone();
+    let mut out = vec![];
+    for f in found {
+        if !known.contains(&f.families[0]) {
+            known.push(f.families[0]);
+            out.push((f.families[0], f.change_from(best)));
+        }
+    }
+    out
+}
+
+/// The first law, or the first one without a clock if the clock leads by little.
 fn first_but_the_clock(found: &[Candidate]) -> Candidate {
-    let is_clock = |c: &Candidate| c.families[0].0 == Family::Clock;
-    let other = found.iter().find(|c| !is_clock(c)).filter(|c| c.change_from(&found[0]) < CLOCK_LEAD);
-    other.filter(|_| is_clock(&found[0])).unwrap_or(&found[0]).clone()
+    let other = found.iter().find(|c| !c.has_clock()).filter(|c| c.change_from(&found[0]) < CLOCK_LEAD);
+    other.filter(|_| found[0].has_clock()).unwrap_or(&found[0]).clone()
+}
+
+/// The best law with a second kind of memory. It is sought for the best kind and for the next one: of two kinds that act
+/// together, neither need be the best alone. That of the next kind must lead as much as a second kind does, or follow a clock.
+fn best_pair(c: &Competition<'_>, found: &[Candidate], best: &Candidate, all: &Families) -> Candidate {
+    let is_next = |f: &&Candidate| f.families[0] != best.families[0] && f.families[0].0 != Family::Clock;
+    let of_best = with_second_family(c, best, all);
+    let Some(of_next) = found.iter().find(is_next).map(|f| with_second_family(c, f, all)) else { return of_best };
+    let lead = if of_best.has_clock() && !of_next.has_clock() { -CLOCK_LEAD } else { ENTERING_FAMILY };
+    if of_best.change_from(&of_next) > lead { of_next } else { of_best }
 }
 
 /// A second kind of memory, where it takes enough of what the first leaves.
@@ -155,13 +161,13 @@ fn with_second_family(c: &Competition<'_>, best: &Candidate, all: &Families) -> 
     let first = best.families[0];
     let second = |family: &(Family, Option<usize>)| {
         let families = vec![first, *family];
-        let terms = best.law.terms() + SECOND_TERMS;
+        let terms = best.law.terms() + SECOND_FAMILY_TERMS;
         let (law, errors) = c.learn(&families, terms, best.law.clone(), best.errors.clone());
         Candidate { families, law, errors }
     };
     let others = all.iter().filter(|f| **f != first && f.0 != Family::Shape).map(second);
     let found = others.min_by(|a, b| a.change_from(best).total_cmp(&b.change_from(best)));
-    found.filter(|f| f.change_from(best) < -SECOND_FAMILY).unwrap_or_else(|| best.clone())
+    found.filter(|f| f.change_from(best) < -ENTERING_FAMILY).unwrap_or_else(|| best.clone())
 }
 
 /// Time constants, widths, the slip level and the slopes of hysteresis, refined in turn.
@@ -213,7 +219,7 @@ fn refined(c: &Competition<'_>, best: Candidate) -> Candidate {
                 take(&mut curved, changed.to_vec(), 0.0);
             }
         }
-        if curved.change_from(&best) < -SLOPES {
+        if curved.change_from(&best) < -ENTERING_SLOPES {
             best = curved;
         }
     }

@@ -15,7 +15,7 @@ use crate::memory::family::Family;
 use crate::memory::learning::{Learned, learn};
 use crate::prior::{MAX_LEARNED_SENSOR_PROBABILITY, MEMORY_TIE, MIN_LEARNED_GAIN, NOISE_RATIO};
 use crate::series::averaged;
-use hysteron_engine::element::amendment::learned::{Factor, LearnedLaw, Shape, Target, Variable};
+use hysteron_engine::element::amendment::learned::{Factor, LearnedLaw, Shape, Variable};
 use hysteron_identify::study::{Role, Run, ScoredRun, Study};
 use hysteron_opensees::{law_to_json, law_to_words};
 use serde::Serialize;
@@ -246,12 +246,7 @@ pub(crate) fn parts(law: &LearnedLaw) -> Vec<String> {
 
 fn factor_in_words(law: &LearnedLaw, f: &Factor) -> String {
     use Variable as V;
-    let part = match f.target {
-        Target::Elastic => "elastic stiffness",
-        Target::Hysteretic => "hysteretic force",
-        Target::Whole => "whole force",
-        Target::Strength => "strength",
-    };
+    let part = f.target.in_words();
     let channel = |i: usize| law.channels.get(i).map_or("", |c| c.name.as_str());
     let variable = match f.variable {
         V::Deformation { power } => format!("with the deformation to the power {power}"),

@@ -57,6 +57,7 @@ pub fn learn_law(
     let values = &baseline.fitted.values;
     let inspected = inspect_model(&factory, &study, text, values);
     let (point, inventory) = inspected.ok_or("the script makes no analysis")?;
+    let inventory = inventory.with_lone_dashpots();
     let has_clock = settings.counted_times_are_seconds || inventory.base_excited || !lacks_clock(&study);
     let responses =
         [Role::Fit, Role::Holdout].map(|r| record_responses(&factory, &study, text, values, &point, &inventory, r));

@@ -12,6 +12,8 @@ pub enum Target {
     Elastic,
     /// Hysteretic part.
     Hysteretic,
+    /// Viscous parts.
+    Viscous,
     /// Elastic, hysteretic and viscous parts.
     Whole,
     /// Slip level of the hysteretic part.
@@ -205,6 +207,7 @@ impl LearnedLaw {
                     slope += if is_within { f.coefficient * by } else { 0.0 };
                 }
                 Target::Hysteretic => hy += part,
+                Target::Viscous => x += part,
                 Target::Whole => (e, hy, x) = (e + part, hy + part, x + part),
                 Target::Strength => s += part,
             }

@@ -129,9 +129,10 @@ impl Variable {
     }
 }
 
-const TARGETS: [(&str, Target); 4] = [
+const TARGETS: [(&str, Target); 5] = [
     ("elastic", Target::Elastic),
     ("hysteretic", Target::Hysteretic),
+    ("viscous", Target::Viscous),
     ("whole", Target::Whole),
     ("strength", Target::Strength),
 ];
@@ -140,6 +141,17 @@ impl Target {
     /// Name in a script.
     pub fn word(self) -> &'static str {
         TARGETS.iter().find(|(_, t)| *t == self).map_or("", |(name, _)| name)
+    }
+
+    /// Name in a sentence.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic stiffness",
+            Self::Hysteretic => "hysteretic force",
+            Self::Viscous => "viscous force",
+            Self::Whole => "whole force",
+            Self::Strength => "strength",
+        }
     }
 }
 

@@ -1,0 +1,38 @@
+"""`hysteron learn` on one thread, and what it says. Standard library only."""
+import re
+import resource
+import subprocess
+
+ROWS = {"fitted": "fitted runs", "blocks": "blocks held back", "held_out": "runs held out", "simulated": "the same, simulated"}
+
+
+def learned(engine, study, out):
+    """Errors of the user's model and of the law, the kinds of memory and the seconds of a study, or the reason that there is no law."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    command = [engine, "learn", study.name, "--out", str(out), "--threads", "1"]
+    done = subprocess.run(command, cwd=study.parent, capture_output=True, text=True)
+    found = {"seconds": resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
+    if done.returncode:
+        return found | {"refused": done.stderr.strip().splitlines()[-1].split(": ", 2)[-1]}
+    for key, words in ROWS.items():
+        if row := re.search(rf"^{words} +(\S+) +(\S+)$", done.stdout, re.M):
+            found[key] = row.groups()
+    found["family"] = re.search(r"of the family ([^:]+):", done.stdout)[1]
+    noise = re.search(r"the noise of ([0-9.e+-]+)\.", done.stdout)
+    outside = re.search(r"^([0-9.]+) % of the steps", done.stdout, re.M)
+    return found | {"noise": noise[1] if noise else "", "outside": outside[1] if outside else "0"}
+
+
+def held_out(found):
+    """Mean NMSE of the runs held out of the user's model and of the model with the law; nan where there is no law."""
+    law = found.get("simulated", found.get("held_out", ("nan", "nan")))[1]
+    return float(found.get("held_out", ("nan",))[0]), float(law)
+
+
+def write_table(path, name, head, rows):
+    """Writes a table between the marks of its name in a page."""
+    text = path.read_text()
+    begin, end = f"<!-- {name} -->\n", "<!-- end -->"
+    start = text.index(begin) + len(begin)
+    lines = [head, "|" + " --- |" * (head.count("|") - 1), *rows]
+    path.write_text(text[:start] + "\n" + "\n".join(lines) + "\n\n" + text[text.index(end, start):])
