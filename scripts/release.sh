@@ -129,8 +129,8 @@ Installed-Size: $(du -sk "$root/usr" | cut -f 1)
 Section: science
 Priority: optional
 Description: structural analysis of buildings and bridges on seismic isolation
- Runs OpenSees Tcl scripts, calibrates them to recordings, and finds the
- physics that a model lacks.
+ Runs OpenSees Tcl scripts, designs seismic isolation, calibrates models to
+ recordings, and finds the physics that a model lacks.
 CONTROL
     dpkg-deb --root-owner-group --build "$root" "$out/hysteron_${version}_amd64.deb"
     rm -rf "$root"

@@ -69,7 +69,7 @@ pub(super) fn summary(result: &CalibrationResult, dir: &Path) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
-        "{title}: objective {}, {} evaluations ({}), {:.1} s, {:.0} a second",
+        "{title}: objective {}, {} evaluations ({}), {:.1} s, {:.0} evaluations a second",
         significant(result.objective, 4),
         result.search.evaluations(),
         result.search.stopped_because().words(),
@@ -98,7 +98,7 @@ pub(super) fn summary(result: &CalibrationResult, dir: &Path) -> String {
         let message = result.search.repeats.iter().find_map(|r| r.failure_messages.get(kind));
         let _ = writeln!(out, "  {n} points without an answer: {}", message.map_or(kind, String::as_str));
     }
-    let _ = writeln!(out, "  {}", dir.display());
+    let _ = writeln!(out, "  written to {}", dir.display());
     out
 }
 

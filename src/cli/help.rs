@@ -63,6 +63,75 @@ const EXAMPLES: &[(&str, &str)] = &[
     hysteron view model.tcl --vtk steps --every 10",
     ),
     (
+        "recording",
+        "Examples:
+  Show what a file holds: quantities, units, times and a plot of each channel.
+    hysteron recording test.csv
+  Write one channel as the file of timeSeries Path, in m.
+    hysteron recording test.csv --channel disp --to m --out disp.txt
+  A record in g without a header, as m/s2 in a table.
+    hysteron recording record.txt --unit g --dt 0.01 --to m/s2 --out record.csv",
+    ),
+    (
+        "motions",
+        "Examples:
+  Peaks and intensities of a pair of records in g.
+    hysteron motions x.txt y.txt --unit g --dt 0.01
+  The same scaled to a spectrum of ASCE 7 between 1.5 and 3.5 s, with a report in the folder scaled.
+    hysteron motions x.txt y.txt --unit g --dt 0.01 --target asce7 sms=1.0 sm1=0.6 tl=8 --scale 1.5 3.5 --out scaled",
+    ),
+    (
+        "prototype",
+        "Examples:
+  Cycles, bounds and acceptance of two tests at a design displacement of 0.30 m.
+    hysteron prototype test1.csv test2.csv -u disp -f force --units kN m --design 0.30 --out prototype",
+    ),
+    (
+        "isolate",
+        "Examples:
+  See that study and script agree, then run all analyses and write design/report.html.
+    hysteron check study.toml
+    hysteron isolate study.toml --out design
+  Go on after Ctrl-C.
+    hysteron isolate study.toml --out design --resume
+  The difference of two results.
+    hysteron isolate first --compare second",
+    ),
+    (
+        "response-spectrum",
+        "Examples:
+  The multimode method for the study of an isolated structure.
+    hysteron response-spectrum study.toml --out modes",
+    ),
+    (
+        "ida",
+        "Examples:
+  Scale each motion up until limits are passed; the study has [intensity] and [ida].
+    hysteron ida study.toml --out ida",
+    ),
+    (
+        "fragility",
+        "Examples:
+  Fragility functions from the levels of intensity in [stripes] of a study.
+    hysteron fragility study.toml --out fragility
+  Fragility functions of counts in a table.
+    hysteron fragility counts.csv",
+    ),
+    (
+        "batch",
+        "Examples:
+  Run all cases of a plan, and write the table of results into the folder runs.
+    hysteron batch plan.toml --out runs
+  The second of four parts, for instance on another machine.
+    hysteron batch plan.toml --out runs --shard 2/4",
+    ),
+    (
+        "lsp",
+        "Examples:
+  The command that the settings of an editor name for files .tcl and .toml.
+    hysteron lsp",
+    ),
+    (
         "loops",
         "Examples:
   Displacement in column 2 and force in column 3 of a recorder file.

@@ -11,6 +11,7 @@ use hysteron::design::check::check_table;
 use hysteron::design::isolate::{self, Job, JobOutcome, Properties, Study, script_text};
 use hysteron::design::review;
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -161,7 +162,11 @@ fn study(a: &IsolateArgs, stop: &Arc<AtomicBool>) -> Outcome {
         results.design_values(),
         check_table(&results.checks),
     ];
-    let text: String = tables.iter().map(|t| t.text() + "\n").collect();
-    let remark = study.code.remark();
-    Ok((format!("{text}{}; {remark}\n", results.verdict()), status))
+    let mut text: String = tables.iter().map(|t| t.text() + "\n").collect();
+    let _ = writeln!(text, "{}; {}", results.verdict(), study.code.remark());
+    for (heading, part) in results.summary(&study, &outcomes) {
+        let _ = writeln!(text, "  {heading:<21}{part}");
+    }
+    let _ = writeln!(text, "  {:<21}{}", "report", a.out.join("report.html").display());
+    Ok((text, status))
 }

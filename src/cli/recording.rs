@@ -2,6 +2,7 @@
 
 use super::files::write_atomically;
 use clap::Args;
+use hysteron::number_format::without_round_off;
 use hysteron::opensees::files::write_whole;
 use hysteron::recordings::check::doubts;
 use hysteron::recordings::convert::{Baseline, derivative, integral, turned};
@@ -244,10 +245,9 @@ fn describe(s: &Series, i: usize, conversion: &str) -> String {
     line("event", s.event.clone());
     line("station", s.station.clone());
     let azimuth = s.azimuth.map_or(String::new(), |a| format!("azimuth {a}°"));
-    line(
-        "direction",
-        [s.direction.clone(), azimuth].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(", "),
-    );
+    // The columns of a table have no direction but their name.
+    let direction = if s.direction == s.name { String::new() } else { s.direction.clone() };
+    line("direction", [direction, azimuth].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(", "));
     line("quantity", s.quantity.map_or("not stated: --quantity or --unit says it".into(), |q| q.word().to_owned()));
     let unit = match (s.unit, s.unit_name.as_str()) {
         (Some(u), _) => u.name.to_owned(),
@@ -276,7 +276,7 @@ fn describe(s: &Series, i: usize, conversion: &str) -> String {
     let at = s.values.iter().position(|x| x.abs() == peak).unwrap_or(0);
     let time = s.clock.time(at).map_or(format!("value {}", at + 1), |t| format!("{t} s"));
     let unit = s.unit.map_or("", |u| u.name);
-    line("peak", format!("{} {unit} at {time}", s.values.get(at).copied().unwrap_or(0.0)));
+    line("peak", format!("{} {unit} at {time}", without_round_off(s.values.get(at).copied().unwrap_or(0.0))));
     out + &sketch(&s.values)
 }
 

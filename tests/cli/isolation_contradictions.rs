@@ -55,7 +55,7 @@ impl Case<'_> {
         let (study, script) = (self.in_study, self.in_script);
         // Shipped suites have motions of one component, some with a large factor. Both are told, and contradict nothing.
         let of_motion =
-            |l: &str| l.contains("one horizontal component is no pair") || l.contains("is beyond 0.25 to 4");
+            |l: &str| l.contains("one horizontal component is no pair") || l.contains("is outside 0.25 to 4");
         let contradicts = said.lines().any(|l| l.contains("warning") && !of_motion(l));
         assert!(status == Some(0) && !contradicts, "{study:?} {script:?}: {status:?} {said}");
     }

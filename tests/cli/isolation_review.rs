@@ -61,9 +61,10 @@ fn rules_by_hand() {
             "response_modification = 4.0\nlive = { over_dead = 0.2, in_script = 0.5 }\nmembers = [100, 102]",
         )]),
     );
-    let (status, _, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
+    let (status, printed, said) = place.run(&["isolate", "study.toml", "--out", "out"]);
     assert_eq!(status, Some(0), "{said}");
     let r = result(&place, "out");
+    ends_with_a_summary(&printed, &r);
     let elf =
         |quantity: &str, bound: &str| row(&r, "lateral_force", &[("quantity", quantity)])[bound].as_f64().unwrap();
     let fixed = r["modes"].as_array().unwrap().iter().filter(|m| m["structure"] == "fixed base");
@@ -124,6 +125,28 @@ fn rules_by_hand() {
     }
     let histories = r["analyses"][0]["histories"].as_str().unwrap();
     assert!(place.0.join("out").join(histories).is_file(), "{histories}");
+}
+
+/// The terminal's last lines: the design displacement of the worst bound, all checks that are not met, the report.
+fn ends_with_a_summary(printed: &str, r: &Value) {
+    let lines: Vec<&str> = printed.lines().collect();
+    let parts = |heading: &'static str| {
+        let found = lines.iter().filter_map(move |l| l.trim_start().strip_prefix(heading)?.strip_prefix("  "));
+        found.map(str::trim).collect::<Vec<_>>()
+    };
+    let values = r["design_values"].as_array().unwrap().iter();
+    let of_bearings = values.filter(|v| v["quantity"] == "displacement of bearings");
+    let largest = of_bearings.max_by(|a, b| a["design"].as_f64().unwrap().total_cmp(&b["design"].as_f64().unwrap()));
+    let (value, rest) = parts("design displacement")[0].split_once(' ').unwrap();
+    assert!((value.parse::<f64>().unwrap() / largest.unwrap()["design"].as_f64().unwrap() - 1.0).abs() < 1e-4);
+    assert_eq!(rest, format!("m, {} bound", largest.unwrap()["bound"].as_str().unwrap()));
+    let missed = r["checks"].as_array().unwrap().iter().filter(|c| c["result"] == "NOT MET");
+    // One bound of each kind of check is told.
+    let kinds = missed.map(|c| c["check"].as_str().unwrap().split(": ").last().unwrap());
+    let told = parts("not met");
+    let is_told = |kind: &str| told.iter().any(|t| t.contains(kind));
+    assert!(!told.is_empty() && kinds.clone().all(is_told), "{:?} {printed}", kinds.collect::<Vec<_>>());
+    assert_eq!(lines.last().unwrap().split_whitespace().collect::<Vec<_>>(), ["report", "out/report.html"]);
 }
 
 /// Rows of a table of results by the names of their columns.

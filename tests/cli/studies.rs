@@ -330,6 +330,29 @@ fn draft_without_parameters_lists_candidates() {
     assert!(!place.names().contains(&"other.toml".to_owned()));
 }
 
+/// A script that did not run has no outputs: the draft says so once, and how a channel becomes its motion.
+#[test]
+fn draft_of_a_script_that_lacks_its_motion() {
+    let place = place();
+    edit(&place, "model.tcl", "if {![info exists motion]} {set motion own.dat}", "");
+    std::fs::remove_file(place.0.join("test.dat")).unwrap();
+    let (status, _, said) = place.run(&["init", "model.tcl", "test.csv", "--out", "draft.toml"]);
+    assert_eq!(status, Some(0), "{said}");
+    let text = std::fs::read_to_string(place.0.join("draft.toml")).unwrap();
+    let command = "hysteron recording \"test.csv\" --channel \"disp\" --out \"test.txt\"";
+    for piece in ["set = { motion = ... }", "no channel could be matched", command] {
+        assert!(text.contains(piece), "no {piece} in\n{text}");
+    }
+    assert!(!text.contains("the script records none"), "{text}");
+    // The command of the draft makes what the next draft needs.
+    let (status, _, said) = place.run(&["recording", "test.csv", "--channel", "disp", "--out", "test.txt"]);
+    assert_eq!(status, Some(0), "{said}");
+    let (status, _, said) = place.run(&["init", "model.tcl", "test.csv", "--out", "second.toml"]);
+    assert_eq!(status, Some(0), "{said}");
+    let text = std::fs::read_to_string(place.0.join("second.toml")).unwrap();
+    assert!(text.contains("motion = \"test.txt\"") && text.contains("output  = \"force.out\""), "{text}");
+}
+
 /// A device without an end is no recording.
 #[test]
 fn endless_recording() {

@@ -20,6 +20,15 @@ fn listed() -> BTreeSet<String> {
 }
 
 #[test]
+fn every_command_shows_examples_in_its_help() {
+    let help =
+        |name: &String| Command::new(env!("CARGO_BIN_EXE_hysteron")).args([name, "--help"]).output().unwrap().stdout;
+    let lacks = |name: &String| !String::from_utf8_lossy(&help(name)).contains(&format!("    hysteron {name}"));
+    let lacking: Vec<String> = listed().into_iter().filter(lacks).collect();
+    assert!(lacking.is_empty(), "without an example: {lacking:?}");
+}
+
+#[test]
 fn every_command_has_a_page_of_the_same_form() {
     let folder = root().join("docs/reference/command-line");
     let mut pages: BTreeSet<String> = fs::read_dir(&folder)

@@ -44,6 +44,14 @@ pub enum Sense {
 }
 
 impl Sense {
+    /// Words before a limit in a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::AtMost => "at most",
+            Self::AtLeast => "at least",
+        }
+    }
+
     /// Sign between demand and limit for tables.
     pub fn sign(self) -> &'static str {
         match self {

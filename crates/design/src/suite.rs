@@ -351,7 +351,8 @@ const USUAL_FACTORS: std::ops::RangeInclusive<f64> = 0.25..=4.0;
 /// A remark on a factor of a motion that is extreme.
 pub(crate) fn extreme_factor(name: &str, factor: f64) -> Option<String> {
     let (from, to) = (USUAL_FACTORS.start(), USUAL_FACTORS.end());
-    (!USUAL_FACTORS.contains(&factor)).then(|| format!("{name}: the factor {factor:.2} is beyond {from} to {to}"))
+    (!USUAL_FACTORS.contains(&factor))
+        .then(|| format!("{name}: the scale factor {factor:.2} is outside {from} to {to}"))
 }
 
 /// Scaling at periods of the range, for 5 % damping as targets have it.
@@ -385,7 +386,7 @@ mod tests {
         for factor in [0.25, 1.0, 3.99, 4.0] {
             assert_eq!(extreme_factor("A", factor), None);
         }
-        assert_eq!(extreme_factor("A", 4.01).as_deref(), Some("A: the factor 4.01 is beyond 0.25 to 4"));
+        assert_eq!(extreme_factor("A", 4.01).as_deref(), Some("A: the scale factor 4.01 is outside 0.25 to 4"));
         assert!(extreme_factor("A", 0.2).is_some());
     }
 }

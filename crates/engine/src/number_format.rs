@@ -17,6 +17,11 @@ impl Default for Style {
     }
 }
 
+/// A number to twelve digits, without the round-off of a sum or a change of units: 17.17 for 17.169999999999884.
+pub fn without_round_off(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
+}
+
 /// A short text on the stack: the longest number of 17 digits takes 24 characters.
 struct Digits {
     bytes: [u8; 64],

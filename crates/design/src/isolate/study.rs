@@ -200,9 +200,9 @@ fn pair(entry: &MotionEntry, folder: &Path, texts: &mut Vec<String>, notes: &mut
         texts.push(String::from_utf8_lossy(&bytes).into_owned());
     }
     if components.len() == 1 {
-        // One component alone: the other direction rests.
+        // One component alone: the other direction has no motion.
         let name = entry.name.as_ref().unwrap_or(&components[0].name);
-        notes.push(format!("{name}: one horizontal component is no pair, and the other direction rests"));
+        notes.push(format!("{name}: one horizontal component is no pair; the other direction has no motion"));
         let rest = vec![0.0; components[0].acceleration.len()];
         components.push(Motion { name: "none".into(), azimuth: None, acceleration: rest, ..components[0].clone() });
     }

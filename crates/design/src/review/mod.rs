@@ -13,6 +13,7 @@ mod periods;
 mod report;
 mod rules;
 mod suite_match;
+mod summary;
 mod tables;
 
 pub use annex::{files, json};
@@ -134,6 +135,11 @@ impl Review {
         let others = [Status::Scaled, Status::NeedsHistory, Status::NeedsSecondOrder, Status::NotChecked];
         let told = others.into_iter().filter(|s| count(*s) > 0).map(|s| format!(", {} {}", s.word(), count(s)));
         told.fold(verdict, |text, other| text + &other)
+    }
+
+    /// Headings and texts of the summary: the design displacement, checks that are not met, what governs.
+    pub fn summary(&self, study: &Study, outcomes: &[JobOutcome]) -> Vec<(&'static str, String)> {
+        summary::parts(study, outcomes, self)
     }
 
     /// Schedule of the bearings.

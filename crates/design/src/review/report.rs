@@ -2,8 +2,9 @@
 
 use super::drawing::{elevation, key_plan};
 use super::governing::governing;
+use super::summary::{parts, worst};
 use super::{Review, tables};
-use crate::check::{Check, Status, check_table};
+use crate::check::{Status, check_table};
 use crate::isolate::{BOUNDS, BearingOutcome, JobOutcome, Study};
 use crate::prototype::report::{page_table, page_table_in_parts};
 use hysteron_identify::report::html::{self as page, number};
@@ -57,66 +58,10 @@ fn side_by_side(out: &mut String, figures: &[Figure]) {
     *out += "</div>\n";
 }
 
-/// The subject of a check without its bound and what follows a comma.
-fn kind_of(c: &Check) -> (&str, &str) {
-    let (bound, rest) = c.subject.split_once(": ").filter(|(b, _)| BOUNDS.contains(b)).unwrap_or(("", &c.subject));
-    (bound, rest.split([',', ';']).next().unwrap_or(rest))
-}
-
-/// For each kind of check the bound with the worst result, the worst kinds first.
-fn worst(checks: &[Check]) -> Vec<Check> {
-    let rank = |c: &Check| match c.status {
-        Status::NotMet => 0,
-        Status::Scaled => 1,
-        Status::NeedsHistory | Status::NeedsSecondOrder => 2,
-        Status::Met => 3,
-        Status::NotChecked => 4,
-    };
-    let is_worse = |a: &Check, b: &Check| rank(a) < rank(b) || (rank(a) == rank(b) && a.ratio > b.ratio);
-    let mut out: Vec<Check> = vec![];
-    for c in checks.iter().filter(|c| c.status != Status::NotChecked) {
-        let same = |o: &&mut Check| kind_of(o).1 == kind_of(c).1 && kind_of(o).0.is_empty() == kind_of(c).0.is_empty();
-        match out.iter_mut().find(same) {
-            Some(other) if is_worse(c, other) => *other = c.clone(),
-            Some(_) => {}
-            None => out.push(c.clone()),
-        }
-    }
-    out.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.ratio.total_cmp(&a.ratio)));
-    out
-}
-
 /// First page: what governs, design values, checks.
 fn decision(out: &mut String, study: &Study, outcomes: &[JobOutcome], review: &Review) {
     let worst = worst(&review.checks);
-    // Motions that are missing say nothing about the structure.
-    let governs = worst.iter().find(|c| [Status::NotMet, Status::Met].contains(&c.status) && !c.is_of_suite);
-    let governs = governs.map_or("no check has a limit".to_owned(), |c| {
-        let clause = if c.citation.clause.is_empty() { String::new() } else { format!(" ({})", c.citation.clause) };
-        let ratio = if c.ratio.is_finite() { format!(", ratio {}", number(c.ratio)) } else { String::new() };
-        format!("{}: {} for {}{ratio}{clause}", c.subject, number(c.demand), number(c.limit))
-    });
-    let scaled: Vec<String> = review
-        .values
-        .iter()
-        .filter(|v| v.factor > 1.0)
-        .map(|v| format!("{} of the {} bound by {}", v.quantity, v.bound, number(v.factor)))
-        .collect();
-    let counts = if study.motions.len() >= super::governing::mean_from(study) { "mean" } else { "largest" };
-    let suite = format!("{} pairs, {} analyses; the {counts} response governs", study.motions.len(), outcomes.len());
-    let count: usize = study.bearings.iter().map(|b| b.tags.len()).sum();
-    let system = format!("{count} bearings under {} {}", number(study.weight), study.units[0]);
-    page::summary(
-        out,
-        &format!("{}.", review.verdict()),
-        &[
-            ("governs", governs),
-            ("scaled up", if scaled.is_empty() { "nothing".into() } else { scaled.join("; ") }),
-            ("system", system),
-            ("suite", suite),
-            ("code", study.code.name.clone()),
-        ],
-    );
+    page::summary(out, &format!("{}.", review.verdict()), &parts(study, outcomes, review));
     if !study.code.text_read {
         *out += &format!("<p class=\"note\">{}</p>\n", page::escaped(&study.code.remark()));
     }

@@ -1,5 +1,6 @@
 //! Why an analysis step failed, with what an engineer needs to find the reason.
 
+use crate::number_format::without_round_off;
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 
@@ -89,18 +90,18 @@ impl DerefMut for Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let time = without_round_off(self.time);
         match &self.cause {
             Cause::NotConverged { norm, tolerance, iterations, test } => write!(
                 f,
-                "no convergence at time {}: {test} {norm:.4e} after {iterations} iterations, wanted {tolerance:.1e}",
-                self.time
+                "no convergence at time {time}: {test} {norm:.4e} after {iterations} iterations, wanted {tolerance:.1e}"
             )?,
-            Cause::NotFinite => write!(f, "a number that is not finite turned up at time {}", self.time)?,
-            Cause::Singular => write!(f, "the structure is a mechanism at time {}", self.time)?,
+            Cause::NotFinite => write!(f, "a number that is not finite turned up at time {time}")?,
+            Cause::Singular => write!(f, "the structure is a mechanism at time {time}")?,
             Cause::OutOfMemory => write!(f, "the equations do not fit into memory")?,
-            Cause::Element { element, message } => write!(f, "{element} failed at time {}: {message}", self.time)?,
+            Cause::Element { element, message } => write!(f, "{element} failed at time {time}: {message}")?,
             Cause::Model(message) => write!(f, "{message}")?,
-            Cause::Interrupted => write!(f, "interrupted at time {}", self.time)?,
+            Cause::Interrupted => write!(f, "interrupted at time {time}")?,
         }
         match (&self.place, &self.cause) {
             (Some(p), Cause::Singular) => write!(f, " ({p} has no stiffness)"),

@@ -8,6 +8,7 @@ const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:1000px;ma
     table{border-collapse:collapse;margin:1em 0;max-width:100%}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:left;overflow-wrap:break-word}\
     .n{text-align:right}svg{max-width:100%;height:auto}h2{margin-top:2em}figure{margin:1em 0}\
     @media (max-width:800px){td,th{padding:.2em .35em;font-size:.85em}}\
+    @media screen and (max-width:600px){table{display:block;overflow-x:auto}}\
     .note{background:#fff6e0;padding:.5em 1em;border-left:4px solid #e69f00}\
     .verdict{background:#eef4fb;padding:.4em 1em .7em;border-left:4px solid #0072b2}.verdict p{font-size:1.15em;font-weight:600;margin:.4em 0}\
     dl{display:grid;grid-template-columns:5.5em 1fr;gap:.25em 1em;margin:.5em 0}dt{font-weight:600}dd{margin:0}\
@@ -183,7 +184,8 @@ pub fn labelled(name: &str, unit: &str) -> String {
 pub fn head(title: &str) -> String {
     let title = escaped(title);
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{STYLE}</style><script>{SCRIPT}</script></head>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\n\
+         <title>{title}</title><style>{STYLE}</style><script>{SCRIPT}</script></head>\n\
          <body>\n<h1>{title}</h1>\n"
     )
 }

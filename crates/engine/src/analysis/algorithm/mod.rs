@@ -95,7 +95,7 @@ impl Iteration<'_, '_> {
         {
             let mut failure = self.not_converged();
             let place = failure.place.take().unwrap_or_default();
-            failure.place = Some(format!("{place}; the last iterations repeat each other in turns of {period}"));
+            failure.place = Some(format!("{place}; the last iterations alternate between {period} states"));
             return Err(failure);
         }
         Ok(done)

@@ -2,8 +2,11 @@
 
 use super::matching::{Match, recorded_quantity};
 use super::{Draft, DraftRun};
+use hysteron_engine::number_format::without_round_off;
 use hysteron_recordings::Column;
+use hysteron_recordings::unit::Quantity;
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// Bounds of a parameter over its value in the script.
 const LOWER: f64 = 0.5;
@@ -80,8 +83,7 @@ fn write_parameters(out: &mut String, draft: &Draft) {
 /// Half and twice a value, the lower one first.
 fn bounds(value: f64) -> [f64; 2] {
     // Round-off such as 0.30000000000000004 is no bound that anyone would write.
-    let tidy = |x: f64| format!("{x:.12e}").parse::<f64>().unwrap_or(x);
-    let (a, b) = (tidy(LOWER * value), tidy(UPPER * value));
+    let (a, b) = (without_round_off(LOWER * value), without_round_off(UPPER * value));
     if value == 0.0 { [-1.0, 1.0] } else { [a.min(b), a.max(b)] }
 }
 
@@ -96,6 +98,10 @@ fn write_run(out: &mut String, draft: &Draft, run: &DraftRun, is_last: bool) {
     write_set(out, draft, run);
     if let Some(why) = &run.failure {
         let _ = writeln!(out, "# The script did not end with its own values: {}", one_line(why));
+        if run.matches.iter().all(Option::is_none) {
+            write_unrun(out, run);
+            return;
+        }
     }
     let columns = run.recording.columns.iter().zip(&run.matches);
     let observed =
@@ -197,6 +203,29 @@ fn write_channel(out: &mut String, column: &Column, m: &Match) {
     }
     if m.correlation < 0.0 {
         out.push_str("# The correlation is negative. If the sign of the channel is turned:\n# factor = -1.0\n");
+    }
+}
+
+/// Advice where the script has no outputs, since it did not run.
+fn write_unrun(out: &mut String, run: &DraftRun) {
+    out.push_str(
+        "# Its outputs are not known, and no channel could be matched. Mend this, and draft the study again.\n",
+    );
+    if let Some(name) = &run.unknown_variable {
+        let _ = writeln!(out, "# A run gives the script its values: set = {{ {name} = ... }}");
+    }
+    let moves = |c: &&Column| {
+        matches!(recorded_quantity(c), Some(Quantity::Length | Quantity::Velocity | Quantity::Acceleration))
+    };
+    if let Some(motion) = run.recording.columns.iter().find(moves) {
+        let _ = writeln!(
+            out,
+            "# A channel as the motion of the script. Where the script has -filePath $motion, a draft takes this file for it:\n\
+             #   hysteron recording {} --channel {} --out {}",
+            quoted(&run.path),
+            quoted(&motion.name),
+            quoted(&Path::new(&run.path).with_extension("txt").to_string_lossy())
+        );
     }
 }
 
