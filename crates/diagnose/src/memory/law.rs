@@ -107,8 +107,9 @@ pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) 
         _ => !family.is_fast() && !matches!(family, Family::Largest | Family::Shape),
     };
     match (mode, v.kind) {
-        // Causes of the library change no viscous part alone.
+        // Causes of the library change no viscous part alone, and a channel changes the other parts with it.
         (Mode::Comparison, _) if target == Target::Viscous => Admitted::None,
+        (_, Kind::Variable(variable)) if target == Target::Viscous && variable.channel().is_some() => Admitted::None,
         (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
         _ if takes => Admitted::Both,
         _ => Admitted::None,
