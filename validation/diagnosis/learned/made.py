@@ -38,11 +38,12 @@ def effects(engine, out, noises):
             folder = out / f"effect{k}_{noise:g}"
             rig.write(folder)
             found = learned(engine, folder / "study.toml", folder / "law")
-            user, law = held_out(found)
             base, by_rival = errors(rig)
+            # Without a law the user's model stays.
+            user, law = (base, base) if "refused" in found else held_out(found)
             shares = [share(user, law, rig.floor), *(share(base, e, rig.floor) for e in by_rival.values())]
             all_shares.append(shares)
-            rows.append(f"| {name} | {label} | {rig.floor:.2e} | {user:.2e} | {law:.2e} | {found['family']} | " + " | ".join(f"{s:.2f}" for s in shares) + " |")
+            rows.append(f"| {name} | {label} | {rig.floor:.2e} | {user:.2e} | {law:.2e} | {found.get('family', 'no law')} | " + " | ".join(f"{s:.2f}" for s in shares) + " |")
             print(rows[-1], flush=True)
         means = [statistics.mean(s) for s in zip(*all_shares)]
         rows.append(f"| **mean** | {label} | | | | | " + " | ".join(f"**{m:.2f}**" for m in means) + " |")
@@ -59,7 +60,7 @@ def families(engine, out):
             rig = Rig(library_effect(family, size), 0.01, seed=200 + 10 * k + i, clock=0.4 * size if family == "clock" else 0.0)
             folder = out / f"{family}{i}"
             rig.write(folder)
-            found.append(learned(engine, folder / "study.toml", folder / "law")["family"].split(" and ")[0])
+            found.append(learned(engine, folder / "study.toml", folder / "law").get("family", "no law").split(" and ")[0])
         rows.append(f"| {family} | {sum(f == family for f in found)} of {RIGS_PER_FAMILY} | {', '.join(found)} |")
         print(rows[-1], flush=True)
     return rows
