@@ -81,13 +81,17 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
     let reference = found.first()?.clone();
     found.sort_by(|a, b| a.change_from(&reference).total_cmp(&b.change_from(&reference)));
     let best = first_but_the_clock(&found);
-    let best = best_pair(&c, &found, &best, &all);
+    let pair = best_pair(&c, &found, &best, &all);
+    // A law that the rules of energy refuse gives way to the next one.
+    let (chosen, best, last, law) = std::iter::once(&pair).chain(&found).find_map(|f| {
+        let best = refined(&c, f.clone());
+        let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
+        let law = engine_law(&c.fitter, &best.law, &last)?;
+        Some((f, best, last, law))
+    })?;
     let channel =
         |f: &(Family, Option<usize>)| (f.0, f.1.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone()));
-    let rivals = rivals(&found, &best).iter().map(|(f, behind)| (channel(f).0, channel(f).1, *behind)).collect();
-    let best = refined(&c, best);
-    let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
-    let law = engine_law(&c.fitter, &best.law, &last)?;
+    let rivals = rivals(&found, chosen).iter().map(|(f, behind)| (channel(f).0, channel(f).1, *behind)).collect();
     let mean = |held_out: bool, of_run: &dyn Fn(usize) -> f64| {
         let own: Vec<usize> = (0..data.runs.len()).filter(|k| data.runs[*k].held_out == held_out).collect();
         (!own.is_empty()).then(|| own.iter().map(|k| of_run(*k)).sum::<f64>() / own.len() as f64)
