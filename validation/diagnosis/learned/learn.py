@@ -1,25 +1,31 @@
 """`hysteron learn` on one thread, and what it says. Standard library only."""
+import os
 import re
-import resource
 import subprocess
+import tempfile
 
 ROWS = {"fitted": "fitted runs", "blocks": "blocks held back", "held_out": "runs held out", "simulated": "the same, simulated"}
 
 
 def learned(engine, study, out):
     """Errors of the user's model and of the law, the kinds of memory and the seconds of a study, or the reason that there is no law."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     command = [engine, "learn", study.name, "--out", str(out), "--threads", "1"]
-    done = subprocess.run(command, cwd=study.parent, capture_output=True, text=True)
-    found = {"seconds": resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
-    if done.returncode:
-        return found | {"refused": done.stderr.strip().splitlines()[-1].split(": ", 2)[-1]}
+    with tempfile.TemporaryFile("w+") as said, tempfile.TemporaryFile("w+") as failed:
+        started = subprocess.Popen(command, cwd=study.parent, stdout=said, stderr=failed)
+        _, status, used = os.wait4(started.pid, 0)
+        started.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        failed.seek(0)
+        text, message = said.read(), failed.read()
+    found = {"seconds": used.ru_utime}
+    if started.returncode:
+        return found | {"refused": message.strip().splitlines()[-1].split(": ", 2)[-1]}
     for key, words in ROWS.items():
-        if row := re.search(rf"^{words} +(\S+) +(\S+)$", done.stdout, re.M):
+        if row := re.search(rf"^{words} +(\S+) +(\S+)$", text, re.M):
             found[key] = row.groups()
-    found["family"] = re.search(r"of the family ([^:]+):", done.stdout)[1]
-    noise = re.search(r"the noise of ([0-9.e+-]+)\.", done.stdout)
-    outside = re.search(r"^([0-9.]+) % of the steps", done.stdout, re.M)
+    found["family"] = re.search(r"of the family ([^:]+):", text)[1]
+    noise = re.search(r"the noise of ([0-9.e+-]+)\.", text)
+    outside = re.search(r"^([0-9.]+) % of the steps", text, re.M)
     return found | {"noise": noise[1] if noise else "", "outside": outside[1] if outside else "0"}
 
 

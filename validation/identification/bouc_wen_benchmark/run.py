@@ -33,7 +33,7 @@ RATE, EVERY = 750, 20
 BOUNDS = {"k": (20, 100), "alpha": (20, 100), "bg": (0.1, 3), "bd": (-3, -0.1), "c": (0.001, 0.05)}
 LINEAR = {"m": (1e-3, 4e-3), "k": (0.1, 200), "c": (0.0, 0.1)}
 BLACK_BOX = LINEAR | {"a": (1, 200)} | {f"u{i}": (0.05, 12) for i in range(1, 5)} | {f"d{i}": (0, 1) for i in range(1, 5)}
-# Passes of the black box after the linear one; each has the level that the one before has reached.
+# Passes of the black box after the linear one, at most; each has the level that the one before has reached. The best is taken.
 PASSES = 3
 LEVEL = 2.0
 
@@ -87,16 +87,20 @@ def black_box(folder):
     # Half of the stiffness is taken for hysteresis, which opens a little.
     values = found | {"k": 0.5 * found["k"], "a": 0.5 * found["k"], "c": 0.5 * found["c"]}
     values |= {f"u{i}": 1.2 for i in range(1, 5)} | {f"d{i}": 0.2 for i in range(1, 5)}
-    evaluations = result["evaluations"]
+    evaluations, best = result["evaluations"], None
     for _ in range(PASSES):
         script.write_text(with_values(text, values))
         result = calibrated(folder, script.name, BLACK_BOX, f"level = {level}", least_squares + "600")
         evaluations += result["evaluations"]
-        values, before = result["parameters"], level
-        level = reached(folder, values, before)
-        values = values | slopes_at(values, before, level)
-        print(f"level {before:.4g} mm, reached {level:.4g} mm, NMSE {result['objective']:.4g}", flush=True)
-    return result | {"evaluations": evaluations}, before
+        print(f"level {level:.4g} mm, NMSE {result['objective']:.4g}", flush=True)
+        if best and result["objective"] >= best[0]["objective"]:
+            break
+        best = result, level, (folder / "fitted.tcl").read_text()
+        level = reached(folder, result["parameters"], level)
+        values = result["parameters"] | slopes_at(result["parameters"], best[1], level)
+    result, level, fitted = best
+    (folder / "fitted.tcl").write_text(fitted)
+    return result | {"evaluations": evaluations}, level
 
 
 def reached(folder, values, level):

@@ -106,9 +106,13 @@ pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) 
         Target::Elastic => !matches!(family, Family::Rate | Family::Rest),
         _ => !family.is_fast() && !matches!(family, Family::Largest | Family::Shape),
     };
+    // Causes of the library change no viscous part alone, and a channel changes the other parts with it. Heat that a viscous
+    // part loses must be paid by what the others dissipate, which is not known before the fit.
+    let changes_more = matches!(family, Family::Heat | Family::Temperature | Family::AxialForce | Family::Channel);
+    if target == Target::Viscous && (mode == Mode::Comparison || changes_more) {
+        return Admitted::None;
+    }
     match (mode, v.kind) {
-        // Causes of the library change no viscous part alone.
-        (Mode::Comparison, _) if target == Target::Viscous => Admitted::None,
         (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
         _ if takes => Admitted::Both,
         _ => Admitted::None,

@@ -81,13 +81,17 @@ pub(crate) fn learn(runs: Vec<DeviceRun>, has_clock: bool) -> Option<Learned> {
     let reference = found.first()?.clone();
     found.sort_by(|a, b| a.change_from(&reference).total_cmp(&b.change_from(&reference)));
     let best = first_but_the_clock(&found);
-    let best = best_pair(&c, &found, &best, &all);
+    let pair = best_pair(&c, &found, &best, &all);
+    // A law that the rules of energy refuse gives way to the next one.
+    let (chosen, best, last, law) = std::iter::once(&pair).chain(&found).find_map(|f| {
+        let best = refined(&c, f.clone());
+        let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
+        let law = engine_law(&c.fitter, &best.law, &last)?;
+        Some((f, best, last, law))
+    })?;
     let channel =
         |f: &(Family, Option<usize>)| (f.0, f.1.map_or_else(String::new, |i| data.runs[0].conditions[i].name.clone()));
-    let rivals = rivals(&found, &best).iter().map(|(f, behind)| (channel(f).0, channel(f).1, *behind)).collect();
-    let best = refined(&c, best);
-    let last = c.fitter.fit(&best.law, &data.fitted, LAST_STEPS, &[]);
-    let law = engine_law(&c.fitter, &best.law, &last)?;
+    let rivals = rivals(&found, chosen).iter().map(|(f, behind)| (channel(f).0, channel(f).1, *behind)).collect();
     let mean = |held_out: bool, of_run: &dyn Fn(usize) -> f64| {
         let own: Vec<usize> = (0..data.runs.len()).filter(|k| data.runs[*k].held_out == held_out).collect();
         (!own.is_empty()).then(|| own.iter().map(|k| of_run(*k)).sum::<f64>() / own.len() as f64)
@@ -146,14 +150,13 @@ fn first_but_the_clock(found: &[Candidate]) -> Candidate {
     other.filter(|_| found[0].has_clock()).unwrap_or(&found[0]).clone()
 }
 
-/// The best law with a second kind of memory. It is sought for the best kind and for the next one: of two kinds that act
-/// together, neither need be the best alone. That of the next kind must lead as much as a second kind does, or follow a clock.
+/// The best law with a second kind of memory. Where one of both is elapsed time, a pair is built on the next kind as well: of two
+/// kinds that act together, neither need be the best alone, and a clock stands for both.
 fn best_pair(c: &Competition<'_>, found: &[Candidate], best: &Candidate, all: &Families) -> Candidate {
-    let is_next = |f: &&Candidate| f.families[0] != best.families[0] && f.families[0].0 != Family::Clock;
     let of_best = with_second_family(c, best, all);
-    let Some(of_next) = found.iter().find(is_next).map(|f| with_second_family(c, f, all)) else { return of_best };
-    let lead = if of_best.has_clock() && !of_next.has_clock() { -CLOCK_LEAD } else { ENTERING_FAMILY };
-    if of_best.change_from(&of_next) > lead { of_next } else { of_best }
+    let next = found.iter().find(|f| of_best.has_clock() && !f.has_clock() && f.families[0] != best.families[0]);
+    let of_next = next.map(|f| with_second_family(c, f, all));
+    of_next.filter(|f| !f.has_clock() && f.change_from(&of_best) < CLOCK_LEAD).unwrap_or(of_best)
 }
 
 /// A second kind of memory, where it takes enough of what the first leaves.
