@@ -164,6 +164,11 @@ fn a_first_analysis() {
 }
 
 #[test]
+fn coming_from_another_program() {
+    assert_eq!(follow_page("docs/explanation/from-sap2000.md"), 1);
+}
+
+#[test]
 fn calibrating_a_bearing() {
     assert_eq!(follow("calibration.md"), 2);
 }
