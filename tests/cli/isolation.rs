@@ -238,8 +238,7 @@ fn an_eccentricity_moves_no_gravity() {
 #[test]
 fn values_of_the_script_need_not_be_repeated() {
     let place = Place::new();
-    let bare =
-        [("q_d = 26.0\n", ""), ("k_d = 440.0\n", ""), ("yield_displacement = 0.0066\n", ""), ("weight = 1177.2\n", "")];
+    let bare = ["q_d = 26.0", "k_d = 440.0", "yield_displacement = 0.0066", "weight = 1177.2"].map(|key| (key, "#"));
     place.write("bare.toml", changed(&bare));
     place.write("whole.toml", changed(&[]));
     let [bare, whole] = ["bare.toml", "whole.toml"].map(|file| {
