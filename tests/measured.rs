@@ -256,11 +256,11 @@ fn unseen() -> String {
     let is_sure = |r: &&&Row| r["probability"].parse::<f64>().unwrap() >= 0.9;
     let sure = |of: &[&Row]| {
         let wrong = of.iter().filter(is_sure).filter(|r| r["right"] != "1").count();
-        format!("{wrong} of {} answers given 90 % and more", of.iter().filter(is_sure).count())
+        format!("Of {} answers given 90 % and more {wrong} were wrong.", of.iter().filter(is_sure).count())
     };
     format!(
-        "Each of {} cases was predicted by weights that were fitted to other authors and families: {} were wrong.\n\
-         With the concealed cause taken out of the library, {} cases, {} were wrong. Most of these names are laws that do nearly the same.\n",
+        "Weights that were fitted to other authors and families predict {} cases. {}\n\
+         With the concealed cause taken out of the library they predict {} cases. {} Most of these names are laws that do nearly the same.\n",
         with.len(),
         sure(&with),
         without.len(),

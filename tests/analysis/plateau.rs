@@ -228,6 +228,6 @@ fn a_circle_of_iterations_ends_the_step() {
         puts [analyze 1]; puts [nodeDisp 2 1]; puts [analyze 1]",
     );
     let message = ran.warnings().iter().map(|d| d.message.clone()).collect::<Vec<_>>().join(" ");
-    assert!(message.contains("repeat each other"), "{message}");
+    assert!(message.contains("alternate between 2 states"), "{message}");
     assert!(!message.contains("400 iterations"), "{message}");
 }
