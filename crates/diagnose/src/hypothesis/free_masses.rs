@@ -19,7 +19,7 @@ pub(super) struct FreeMass<'a> {
 pub(super) struct MovingDirection {
     /// Degree of freedom, from 1.
     pub(super) dof: usize,
-    /// Range of its motion against the ground.
+    /// Its motion against the ground.
     pub(super) motion: NodeMotion,
     /// Largest force of inertia.
     pub(super) inertia: f64,
