@@ -260,7 +260,7 @@ fn unseen() -> String {
     };
     format!(
         "Weights that were fitted to other authors and families predict {} cases. {}\n\
-         With the concealed cause taken out of the library they predict {} cases. {} Most of these names are laws that do nearly the same.\n",
+         With the concealed cause taken out of the library they predict {} cases. {}\n",
         with.len(),
         sure(&with),
         without.len(),
