@@ -103,11 +103,23 @@ fn loads_and_masses() {
     finds_nothing(&sound.replace("-490.5", "40"));
     finds(&sound.replace("50 50 0", "490.5 490.5 0"), "mass-is-weight", "the same numbers as the static loads, 981");
     finds_nothing(&sound.replace("50 50 0", "1 1 0").replace("-490.5", "-1"));
+    // Kilograms beside kilonewtons.
+    finds(&sound.replace("50 50 0", "50000 50000 0"), "mass-units", "0.00981 for each unit of mass, and g is 9.81");
+    // Where the mass is the weight of a part of the loads nothing is said.
+    finds_nothing(&sound.replace("-490.5", "-700"));
     // kip, in: a weight of 900 kip taken for the mass.
     let pier = "model basic -ndm 2 -ndf 3\nnode 1 0 0\nnode 2 0 240\nfix 1 1 1 1\nmass 2 MASS MASS 0\ngeomTransf Linear 1\n\
         element elasticBeamColumn 1 1 2 2000. 3600. 400000. 1\neigen 1\n";
     finds(&pier.replace("MASS", "900."), "long-period", "the first period is 10.66");
     finds_nothing(&pier.replace("MASS", "2.331"));
+    // The same on a bearing, whose ground is node 3.
+    let bearing = pier.replace(
+        "fix 1 1 1 1\n",
+        "node 3 0 -10\nfix 3 1 1 1\nuniaxialMaterial Elastic 1 8e3\nuniaxialMaterial Elastic 2 1e8\n\
+        element elastomericBearingPlasticity 2 3 1 20. 50. 0. 0. 1. -P 1 -Mz 2 -orient 0 1 0 -1 0 0\n",
+    );
+    finds(&bearing.replace("MASS", "900."), "long-period", "longer than the 10 s");
+    finds_nothing(&bearing.replace("MASS", "2.331"));
 }
 
 #[test]

@@ -86,6 +86,9 @@ hysteron_tcl::checks! {
     MASS_IS_WEIGHT "mass-is-weight" (once):
         "The masses are the same numbers as the static loads.",
         "A mass is its weight over g. With such masses each period is too long by the root of g.";
+    MASS_UNITS "mass-units" (once):
+        "The masses are a thousand times too large for the static loads.",
+        "A mass is its weight over g: tonnes go with kN and m, kilograms with N and m.";
     LONG_PERIOD "long-period" (once):
         "The first period is longer than that of the tallest buildings.",
         "Check the units of masses and stiffness.";

@@ -11,8 +11,10 @@ const GRAVITIES: [(f64, &str); 5] = [(9.81, "m"), (981.0, "cm"), (9810.0, "mm"),
 const MAX_GRAVITY_DEVIATION: f64 = 0.05;
 /// Part of the resultant that is vertical where the loads are those of gravity.
 const MIN_VERTICAL_SHARE: f64 = 0.9;
-/// Relative difference of masses and loads that are the same numbers.
+/// Relative difference of ratios that are the same number.
 const SAME: f64 = 0.01;
+/// Factor between a unit of mass or force and the next: kilograms and tonnes, pounds and kips.
+const UNIT_STEP: f64 = 1000.0;
 /// Period in s beyond that of the tallest buildings, which have 800 m and sway in about 10 s.
 const MAX_PERIOD: f64 = 10.0;
 /// Stiffness of a bearing along its load over that across it. Rubber bearings have 100 and more, and no bearing less than 1.
@@ -75,10 +77,12 @@ pub(super) fn findings(
     let is_known = gravity.is_some_and(|g| g.known.is_some());
     let upwards = gravity.zip(axis).and_then(|(g, axis)| upwards(g, axis));
     let weight = gravity.filter(|_| !is_known).and_then(|g| mass_is_weight(engine, g));
-    let long = period.filter(|_| !is_known && weight.is_none()).and_then(|t| long_period(engine, t, mass));
+    let units = gravity.filter(|_| !is_known).and_then(mass_in_other_units);
+    let is_explained = is_known || weight.is_some() || units.is_some();
+    let long = period.filter(|_| !is_explained).and_then(|t| long_period(engine, t, mass));
     let loads = axis.filter(|axis| statics.is_some_and(|s| is_vertical(&s.load, *axis)));
     let sideways = loads.and_then(|axis| bearing_on_its_side(engine, axis));
-    [upwards, weight, long, sideways].into_iter().flatten().collect()
+    [upwards, weight, units, long, sideways].into_iter().flatten().collect()
 }
 
 fn is_vertical(load: &[f64; 3], axis: usize) -> bool {
@@ -110,10 +114,27 @@ fn mass_is_weight(engine: &Engine, g: &Gravity) -> Option<Diagnostic> {
     Some(d.label("expected a mass that is its weight over g").help("with such masses each period is √g times too long"))
 }
 
-/// The period of a frame on fixed supports that no building has.
+/// Masses a thousand times too large for the loads, as kilograms beside kilonewtons. Masses a thousand times too small are not
+/// told: 9810 is g in millimetres.
+fn mass_in_other_units(g: &Gravity) -> Option<Diagnostic> {
+    let size = g.ratio * UNIT_STEP;
+    // A wider limit would take 0.981, of centimetres, for the 1 of a model without units.
+    if !GRAVITIES.iter().any(|(g, _)| (size / g - 1.0).abs() <= SAME) {
+        return None;
+    }
+    let message = format!(
+        "the static loads are {} for each unit of mass, and g is {}: the masses are 1000 times too large",
+        short(g.ratio),
+        short(size)
+    );
+    let d = Diagnostic::warning(&checks::analysis::MASS_UNITS, message);
+    Some(d.label("expected a mass that is its weight over g").help("tonnes go with kN and m, kilograms with N and m"))
+}
+
+/// The period of a building that none has, on fixed supports or on bearings.
 fn long_period(engine: &Engine, period: f64, mass: &[f64; 3]) -> Option<Diagnostic> {
     let elements = || engine.model().elements.iter().map(|e| &e.element);
-    let is_frame = elements().any(|e| e.class().contains("Beam")) && elements().all(|e| e.bearing().is_none());
+    let is_frame = elements().any(|e| e.class().contains("Beam"));
     if period <= MAX_PERIOD || !is_frame {
         return None;
     }
