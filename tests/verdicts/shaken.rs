@@ -136,6 +136,15 @@ pub fn two_storeys() -> Concealed {
     })
 }
 
+/// A wall beside the upper storey on one side, with the contact of Hunt and Crossley.
+pub fn wall_above() -> Concealed {
+    storeys(damped_storeys(), vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], |&[u, v, w, s, ..], a| {
+        let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - u) + 2.0 * (s - v));
+        let contact = 2e4 * (w - 0.08).max(0.0).powf(1.5) * (1.0 + 0.3 * s).max(0.0);
+        [v, upper - lower - a, s, -upper - contact - a, 0.0, 0.0]
+    })
+}
+
 /// Two storeys of which the upper one is heavier than in the model.
 pub fn stored_goods() -> Concealed {
     storeys(damped_storeys(), vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], |&[u, v, w, s, ..], a| {

@@ -142,18 +142,26 @@ impl FirstRound<'_> {
     }
 }
 
-/// The best form of each cause, and the best [`FINALIST_FORMS`] of the first cause and its look-alikes, in their order.
+/// The best form of each cause. Of the first cause and its look-alikes the best [`FINALIST_FORMS`] at the place of its best
+/// form, and the best at as many places. All stay in their order.
 ///
-/// The best form alone need not be the best beside another effect.
+/// The best form alone need not be the best beside another effect, and a form elsewhere says nothing of the form here.
 pub(crate) fn best_forms(sorted: &[FittedHypothesis]) -> Vec<FittedHypothesis> {
-    let mut forms_of_cause: BTreeMap<&str, usize> = BTreeMap::new();
     let first = sorted.first().map_or("none", FittedHypothesis::cause);
-    let wanted = |e: &&FittedHypothesis| {
-        let forms = forms_of_cause.entry(e.cause()).or_default();
-        *forms += 1;
-        *forms <= if e.cause() == first || look_alike(e.cause(), first) { FINALIST_FORMS } else { 1 }
+    // Places of each cause in the order of their best forms, with the number of forms there.
+    let mut places: BTreeMap<&str, Vec<(String, usize)>> = BTreeMap::new();
+    let mut wanted = |e: &FittedHypothesis| {
+        let most = if e.cause() == first || look_alike(e.cause(), first) { FINALIST_FORMS } else { 1 };
+        let of_cause = places.entry(e.cause()).or_default();
+        let location = e.variant.cause_and_location().map_or("", |(_, location)| location);
+        let place = of_cause.iter().position(|(known, _)| *known == location).unwrap_or_else(|| {
+            of_cause.push((location.to_owned(), 0));
+            of_cause.len() - 1
+        });
+        of_cause[place].1 += 1;
+        place < most && of_cause[place].1 <= if place == 0 { most } else { 1 }
     };
-    sorted.iter().filter(wanted).cloned().collect()
+    sorted.iter().filter(|e| wanted(e)).cloned().collect()
 }
 
 /// The hypotheses of the first `count` causes, with all their forms.
@@ -165,8 +173,40 @@ pub(crate) fn of_first_causes(sorted: &[FittedHypothesis], count: usize) -> Vec<
 
 #[cfg(test)]
 mod tests {
-    use super::{FittedHypothesis, of_first_causes};
-    use crate::test_support::hypotheses;
+    use super::{FittedHypothesis, best_forms, of_first_causes};
+    use crate::candidate::proposal::Proposal;
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, fitted_at, hypotheses, script_edit};
+
+    /// A form at another place takes no place of a form at the first.
+    #[test]
+    fn finalists_are_counted_by_place() {
+        let baseline = baseline();
+        let form = |(cause, place): (&'static str, &str)| {
+            let proposal = Proposal { location: place.into(), ..script_edit(cause, &["x"]) };
+            fitted_at(baseline.variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant"), &[0.5])
+        };
+        let of = |forms: &[(&'static str, &str)]| -> Vec<usize> {
+            let sorted: Vec<_> = forms.iter().map(|f| form(*f)).collect();
+            let kept = best_forms(&sorted);
+            let is_kept = |i: &usize| kept.iter().any(|k| std::sync::Arc::ptr_eq(&k.variant, &sorted[*i].variant));
+            (0..sorted.len()).filter(is_kept).collect()
+        };
+        let (wall, drag) = ("gap_impact", "damping");
+        // Two at the first place, one at a second, none at a third; another cause has one.
+        let forms = [
+            (wall, "pad"),
+            (wall, "floor"),
+            (drag, "floor"),
+            (wall, "pad"),
+            (wall, "roof"),
+            (wall, "pad"),
+            (drag, "pad"),
+        ];
+        assert_eq!(of(&forms), [0, 1, 2, 3]);
+        // A look-alike of the first cause has as many as the first.
+        assert_eq!(of(&[(wall, "pad"), ("strain_stiffening", "pad"), ("strain_stiffening", "pad")]), [0, 1, 2]);
+    }
 
     #[test]
     fn second_forms_do_not_count_as_causes() {

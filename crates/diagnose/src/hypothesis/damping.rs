@@ -1,13 +1,11 @@
 //! Energy loss of the structure beyond its damping model.
 
 use super::declaration::{Dimension, Measurement, Quantity};
+use super::free_masses::{FreeMass, MovingDirection, free_masses};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
-use crate::inspect::inventory::{Device, Mass, TAGS_PER_PURPOSE, TagPurpose};
+use crate::inspect::inventory::{Device, TAGS_PER_PURPOSE, TagPurpose};
 use crate::memory::family::Family;
-
-/// Masses that get a dashpot one at a time, at most.
-const MAX_SINGLE_MASSES: usize = 6;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "damping",
@@ -76,7 +74,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         }
     }
     out.extend(dashpots_beside_columns(s));
-    out.extend(s.inventory.masses.iter().filter_map(|m| dashpot_on_ground(s, m)).take(MAX_SINGLE_MASSES));
+    out.extend(free_masses(s).iter().map(|m| dashpot_on_ground(s, m)));
     if !s.inventory.masses.is_empty() {
         // Dashpots between masses and ground, in addition to the damping of the script.
         let mut block = vec![];
@@ -91,44 +89,27 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
 }
 
 /// A dashpot of a power of speed between a mass and the ground: waves that it radiates, water or air that it moves.
-///
-/// Beside a device on a support it would be a force of the device. `None` there, and for a mass that does not move.
-fn dashpot_on_ground(s: &ProposalContext<'_>, m: &Mass) -> Option<Proposal> {
-    // Horizontal directions; a chain along one axis moves along it.
-    let horizontal = (1..s.inventory.ndm.max(2)).filter(|dof| m.mass.get(dof - 1).is_some_and(|x| *x > 0.0));
-    let moving: Vec<(usize, f64, f64)> = horizontal
-        .filter_map(|dof| {
-            let motion = s.responses.node_motions.get(&(m.node, dof))?;
-            Some((dof, motion.velocity, m.mass[dof - 1] * motion.acceleration))
-        })
-        .filter(|(_, velocity, force)| *velocity > 0.0 && *force > 0.0)
-        .collect();
-    let is_ground = |node: &i32| *node != m.node && moving.iter().any(|(dof, ..)| s.inventory.is_held(*node, *dof));
-    if s.inventory.devices.iter().any(|d| d.nodes.contains(&m.node) && d.nodes.iter().any(is_ground)) {
-        return None;
-    }
-    let (_, velocity, force) = moving.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+fn dashpot_on_ground(s: &ProposalContext<'_>, m: &FreeMass<'_>) -> Proposal {
+    let &MovingDirection { motion, inertia: force, .. } = m.fastest();
+    let velocity = motion.velocity;
     let tag = s.inventory.first_tag(TagPurpose::GroundDashpots);
-    let ndf = m.mass.len();
-    let directions: Vec<String> = moving.iter().map(|(dof, ..)| dof.to_string()).collect();
-    let block = vec![
-        format!("node {tag} {}", super::context::node_coordinates(m.node, s.inventory.ndm)),
-        format!("fix {tag} {}", vec!["1"; ndf].join(" ")),
+    let directions: Vec<String> = m.directions.iter().map(|d| d.dof.to_string()).collect();
+    let mut block = m.ground_node(tag, s.inventory.ndm).to_vec();
+    block.extend([
         format!("uniaxialMaterial Viscous {tag} [expr {{$hy_force/pow({velocity:.6e},$hy_power)}}] $hy_power"),
         format!(
             "element zeroLength {tag} {tag} {} -mat {} -dir {}",
-            m.node,
+            m.mass.node,
             vec![tag.to_string(); directions.len()].join(" "),
             directions.join(" ")
         ),
-    ];
+    ]);
     // From waves (1) to drag (2). Scale: the largest force of inertia.
     let added = vec![
         AddedParameter::log("force", 1e-4 * force, 3.0 * force, 0.05 * force),
         AddedParameter { further_starts: vec![2.0], ..AddedParameter::linear("power", 1.0, 2.0, 1.0) },
     ];
-    let at = format!("node {}", m.node);
-    Some(Proposal::script_edit("damping", "dashpot of a power of speed on the ground", at, block, added))
+    Proposal::script_edit("damping", "dashpot of a power of speed on the ground", m.location(), block, added)
 }
 
 /// Dashpots beside the columns of a frame, from storey to storey.
@@ -138,19 +119,18 @@ fn dashpots_beside_columns(s: &ProposalContext<'_>) -> Option<Proposal> {
         return None;
     }
     // Scale: the critical damping of a column under its share of the mass.
-    let stiffness =
-        columns.iter().fold(0.0, |most: f64, c| most.max(3.0 * c.rotational_stiffness / (c.length * c.length)));
+    let stiffness = columns.iter().map(FrameMember::sway_stiffness).fold(0.0, f64::max);
     let mass = s.inventory.masses.iter().map(|m| m.mass[0]).sum::<f64>() / columns.len() as f64;
     let critical = 2.0 * (stiffness * mass).sqrt();
     if critical <= 0.0 {
         return None;
     }
     let first = s.inventory.first_tag(TagPurpose::Dashpots);
+    let mut block = vec![format!("uniaxialMaterial Viscous {first} $hy_c 1.0")];
     let (materials, across) = match s.inventory.ndm {
         2 => (format!("{first}"), "-dir 2"),
         _ => (format!("{first} {first}"), "-dir 2 3 -orient 0 0 1 1 0 0"),
     };
-    let mut block = vec![format!("uniaxialMaterial Viscous {first} $hy_c 1.0")];
     let link = |(c, tag): (&FrameMember, i32)| {
         format!("element twoNodeLink {tag} {} {} -mat {materials} {across}", c.foot, c.head)
     };

@@ -1,6 +1,7 @@
 //! Closing gaps: pounding, a moat wall, a stopper.
 
 use super::declaration::{Dimension, Measurement, Quantity};
+use super::free_masses::{FreeMass, MovingDirection, free_masses};
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
 use crate::inspect::adjacent_structures::AdjacentNodes;
 use crate::inspect::device_axes::device_axes;
@@ -15,8 +16,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     look_alikes: &["strain_stiffening"],
     shows: "peaks of force or acceleration at one deformation; a displacement that is cut off on one side",
     parted_by: "below that deformation the model is right",
-    place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours",
-    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours",
+    place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours; each of 6 masses that are not on a device on the ground",
+    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours; a wall on the ground on either side of a mass",
     needs_clock: false,
     is_missing_part: false,
     memory: &[Family::Shape, Family::Side],
@@ -63,6 +64,9 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
             }
         }
     }
+    if s.inventory.base_excited {
+        out.extend(free_masses(s).iter().flat_map(|m| walls_beside_mass(s, m)));
+    }
     for (n, pair) in s.inventory.adjacent.iter().enumerate() {
         out.extend(joint_contact(s, n, pair));
     }
@@ -104,9 +108,7 @@ fn wall(
     }
     // Equal contact force at a penetration of a fifth of the deformation.
     let k = m.stiffness() * (0.2 * m.deformation).powf(1.0 - power);
-    let gap = AddedParameter::linear("gap", MIN_GAP * m.deformation, 1.1 * m.deformation, 0.7 * reach);
-    let gap = AddedParameter { further_starts: GAP_STARTS.map(|part| part * reach).into(), ..gap };
-    let added = [vec![gap], contact(k, 30.0 * k, m.speed)].concat();
+    let added = [vec![gap(m.deformation, reach)], contact(k, 30.0 * k, m.speed)].concat();
     Some(Proposal::script_edit(
         "gap_impact",
         &format!("{form}{}", blocked.across),
@@ -122,6 +124,49 @@ fn contact(k: f64, start: f64, speed: f64) -> Vec<AddedParameter> {
     vec![
         AddedParameter::log("wall", 0.5 * k, 1e4 * k, start),
         AddedParameter::log("damping", 1e-3 / nonzero_speed, 3.0 / nonzero_speed, 0.1 / nonzero_speed),
+    ]
+}
+
+/// Walls on the ground on either side of a mass, in each direction in which it moves.
+fn walls_beside_mass(s: &ProposalContext<'_>, m: &FreeMass<'_>) -> Vec<Proposal> {
+    let sides = |d| [(d, 1, "positive"), (d, -1, "negative")];
+    m.directions.iter().flat_map(sides).filter_map(|at| wall_beside_mass(s, m, at)).collect()
+}
+
+/// A wall on the ground that the mass meets when it moves to a side; none if the mass does not move towards it.
+fn wall_beside_mass(
+    s: &ProposalContext<'_>,
+    m: &FreeMass<'_>,
+    (direction, side, side_name): (&MovingDirection, i32, &str),
+) -> Option<Proposal> {
+    let &MovingDirection { dof, motion, inertia } = direction;
+    let [low, high] = motion.displacement_bounds;
+    let (most, reach) = (motion.displacement(), if side > 0 { high } else { -low });
+    if reach <= MIN_GAP * most {
+        return None;
+    }
+    let k = inertia / most;
+    let tag = s.inventory.first_tag(TagPurpose::MassContacts);
+    let mut block = m.ground_node(tag, s.inventory.ndm).to_vec();
+    block.extend(carried_gap(k, tag, ("zeroLength", [tag, m.mass.node]), side, dof));
+    let axis = if m.directions.len() > 1 { format!(" along axis {dof}") } else { String::new() };
+    let form = format!("wall beside a mass on the {side_name} side{axis}");
+    let added = [vec![gap(most, reach)], contact(k, 30.0 * k, motion.velocity)].concat();
+    Some(Proposal::script_edit("gap_impact", &form, m.location(), block, added))
+}
+
+/// Width of a gap, with the largest deformation in any direction and the largest towards the wall.
+fn gap(most: f64, reach: f64) -> AddedParameter {
+    let gap = AddedParameter::linear("gap", MIN_GAP * most, 1.1 * most, 0.7 * reach);
+    AddedParameter { further_starts: GAP_STARTS.map(|part| part * reach).into(), ..gap }
+}
+
+/// Commands for a contact between two nodes, on an element that only carries it; k is a stiffness of the model.
+fn carried_gap(k: f64, tag: i32, (element, [i, j]): (&str, [i32; 2]), side: i32, dof: usize) -> [String; 3] {
+    [
+        format!("uniaxialMaterial Elastic {tag} {:e}", 1e-9 * k),
+        format!("element {element} {tag} {i} {j} -mat {tag} -dir {dof}"),
+        format!("amend element {tag} gap -at $hy_gap -stiffness $hy_wall -damping $hy_damping -side {side} -dir {dof}"),
     ]
 }
 
@@ -152,12 +197,7 @@ fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -
     // The link between separated nodes has the direction in which they approach.
     let (element, sides): (_, &[i32]) = if pair.separated { ("twoNodeLink", &[-1]) } else { ("zeroLength", &[-1, 1]) };
     let one = |side: &i32| {
-        // The amendment is the wall; the spring only carries it.
-        let block = vec![
-            format!("uniaxialMaterial Elastic {tag} {:e}", 1e-9 * k),
-            format!("element {element} {tag} {i} {j} -mat {tag} -dir 1"),
-            format!("amend element {tag} gap -at $hy_gap -stiffness $hy_wall -damping $hy_damping -side {side} -dir 1"),
-        ];
+        let block = carried_gap(k, tag, (element, [i, j]), *side, 1).to_vec();
         let gap = AddedParameter::log("gap", MIN_JOINT_WIDTH * reach, MAX_JOINT_WIDTH * reach, 0.2 * reach);
         let gap = AddedParameter { further_starts: JOINT_STARTS.map(|part| part * reach).into(), ..gap };
         let added = [vec![gap], contact(k, 10.0 * k, most.speed)].concat();
@@ -165,4 +205,41 @@ fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -
         Proposal::script_edit("gap_impact", form, format!("nodes {i} {j}"), block, added)
     };
     sides.iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::{NodeMotion, ResponseRanges};
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// A wall stands beside a mass that moves towards it. The mass on a device on the ground has the wall of the device.
+    #[test]
+    fn walls_stand_where_a_mass_moves_to() {
+        let text = "model basic -ndm 1 -ndf 1
+            foreach n {1 2 3} {node $n 0.}
+            fix 1 1
+            foreach n {2 3} {mass $n 1.}
+            uniaxialMaterial Elastic 1 100.
+            element zeroLength 1 1 2 -mat 1 -dir 1
+            element zeroLength 2 2 3 -mat 1 -dir 1
+            timeSeries Constant 2
+            pattern UniformExcitation 2 1 -accel 2
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator Newmark 0.5 0.25
+            analysis Transient
+            analyze 2 0.01\n";
+        let (inventory, study) = (inventory_of(text), pad_study());
+        let walls = |displacement_bounds: [f64; 2]| -> Vec<(String, String)> {
+            let motion = NodeMotion { velocity: 1.0, acceleration: 10.0, displacement_bounds };
+            let node_motions = [((2, 1), motion), ((3, 1), motion)].into();
+            let responses = ResponseRanges { node_motions, ..ResponseRanges::default() };
+            let proposals = propose(&proposal_context(&inventory, &study, &responses));
+            proposals.into_iter().map(|p| (p.location, p.form)).collect()
+        };
+        let wall = |side: &str| ("node 3".to_owned(), format!("wall beside a mass on the {side} side"));
+        assert_eq!(walls([-0.1, 0.1]), [wall("positive"), wall("negative")]);
+        assert_eq!(walls([-0.1, 0.001]), [wall("negative")]);
+    }
 }

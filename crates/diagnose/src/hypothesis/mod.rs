@@ -19,6 +19,7 @@ mod damping;
 pub(crate) mod declaration;
 mod device_commands;
 mod foundation_flexibility;
+mod free_masses;
 mod friction;
 mod gap_impact;
 pub(crate) mod isolation_layer;

@@ -78,8 +78,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     }
     // Hinges at the feet of the columns of each storey, on the ground also one column at a time. Columns below a girder yield at
     // the head as well, and girders at both ends.
-    let one_level = |a: &FrameMember, b: &FrameMember| (a.level - b.level).abs() <= 1e-6 * b.level.abs().max(1.0);
-    let levels = grouped(&s.inventory.columns, one_level);
+    let levels = grouped(&s.inventory.columns, FrameMember::is_level_with);
     for (n, level) in levels.iter().take(MAX_LEVELS).enumerate() {
         if n == 0 && level.len() > 1 {
             out.extend(level.iter().take(MAX_LEVELS).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
@@ -93,7 +92,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     // Girders of all floors together, and of each floor.
     let girders: Vec<&FrameMember> = s.inventory.girders.iter().collect();
     out.extend(hinges(s, &girders, Ends::Both));
-    let floors = grouped(&s.inventory.girders, one_level);
+    let floors = grouped(&s.inventory.girders, FrameMember::is_level_with);
     if floors.len() > 1 {
         out.extend(floors.iter().take(MAX_LEVELS).filter_map(|floor| hinges(s, floor, Ends::Both)));
     }

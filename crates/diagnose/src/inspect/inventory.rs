@@ -119,6 +119,8 @@ pub(crate) enum TagPurpose {
     GroundDashpots,
     /// Contact elements between adjacent structures.
     Joints,
+    /// Walls beside a mass.
+    MassContacts,
     /// Materials and elements of a repair in OpenSees' standard commands.
     StandardForms,
     /// Materials of whole laws.
@@ -144,6 +146,7 @@ impl ModelInventory {
                 TagPurpose::Dashpots => 800,
                 TagPurpose::Joints => 900,
                 TagPurpose::StandardForms => 1000,
+                TagPurpose::MassContacts => 4800,
                 TagPurpose::GroundDashpots => 4900,
                 TagPurpose::WholeLaws => 5000,
             }

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 /// Largest number of devices, columns and girders that are recorded. Of many alike a few show the range.
 const MAX_RECORDED: usize = 60;
-/// Responses of nodes with mass: velocity and acceleration against the ground.
-const NODE_RESPONSES: [&str; 2] = ["vel", "accel"];
+/// Responses of nodes with mass: velocity, acceleration and displacement against the ground.
+const NODE_RESPONSES: [&str; 3] = ["vel", "accel", "disp"];
 
 /// Insertion point of a script, and the inventory of its model there. `None` if the script makes no analysis.
 pub(crate) fn inspect_model(
@@ -150,20 +150,22 @@ pub(crate) fn record_responses_of(
             *largest = of_ends.fold(*largest, |most, m| most.max(m.abs()));
         }
         for m in masses {
-            let [velocities, accelerations] = NODE_RESPONSES
-                .map(|_| channels.by_ref().take(translations(m)).map(|x| largest(&x)).collect::<Vec<_>>());
-            for (dof, (v, a)) in (1..).zip(velocities.into_iter().zip(accelerations)) {
-                let motion = ranges.node_motions.entry((m.node, dof)).or_default();
-                *motion = NodeMotion { velocity: motion.velocity.max(v), acceleration: motion.acceleration.max(a) };
+            let [velocities, accelerations, displacements] =
+                NODE_RESPONSES.map(|_| channels.by_ref().take(translations(m)).map(|x| bounds(&x)).collect::<Vec<_>>());
+            let largest = |[low, high]: [f64; 2]| high.max(-low);
+            for (i, displacement_bounds) in displacements.into_iter().enumerate() {
+                let [velocity, acceleration] = [&velocities, &accelerations].map(|of| largest(of[i]));
+                let motion = ranges.node_motions.entry((m.node, i + 1)).or_default();
+                *motion = motion.envelope(NodeMotion { velocity, acceleration, displacement_bounds });
             }
         }
     }
     ranges
 }
 
-/// Largest absolute sample that is finite; 0 without one.
-fn largest(x: &[f64]) -> f64 {
-    x.iter().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()))
+/// Least sample that is finite, at most 0, and largest, at least 0.
+fn bounds(x: &[f64]) -> [f64; 2] {
+    x.iter().filter(|x| x.is_finite()).fold([0.0; 2], |[low, high], x| [x.min(low), x.max(high)])
 }
 
 /// Sum of series of one length.

@@ -25,7 +25,6 @@ pub(crate) struct ResponseRange {
 impl ResponseRange {
     /// The smallest range that contains both.
     pub(crate) fn envelope(self, b: Self) -> Self {
-        let wider = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
         Self {
             deformation: self.deformation.max(b.deformation),
             force: self.force.max(b.force),
@@ -81,7 +80,7 @@ pub(crate) struct ResponseRanges {
     pub(crate) histories: BTreeMap<(usize, i32, usize), ResponseHistory>,
     /// Largest absolute bending moment at the ends of beams, by tag.
     pub(crate) end_moments: BTreeMap<i32, f64>,
-    /// Largest absolute velocity and acceleration of nodes with mass against the ground, by tag and degree of freedom.
+    /// Motions of nodes with mass against the ground, by tag and degree of freedom.
     pub(crate) node_motions: BTreeMap<(i32, usize), NodeMotion>,
 }
 
@@ -92,6 +91,29 @@ pub(crate) struct NodeMotion {
     pub(crate) velocity: f64,
     /// Largest absolute acceleration, length/s².
     pub(crate) acceleration: f64,
+    /// Least displacement, at most 0, and largest, at least 0.
+    pub(crate) displacement_bounds: [f64; 2],
+}
+
+impl NodeMotion {
+    /// The smallest range that contains both.
+    pub(crate) fn envelope(self, b: Self) -> Self {
+        Self {
+            velocity: self.velocity.max(b.velocity),
+            acceleration: self.acceleration.max(b.acceleration),
+            displacement_bounds: wider(self.displacement_bounds, b.displacement_bounds),
+        }
+    }
+
+    /// Largest absolute displacement.
+    pub(crate) fn displacement(self) -> f64 {
+        self.displacement_bounds[1].max(-self.displacement_bounds[0])
+    }
+}
+
+/// The smallest interval that contains both.
+fn wider(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
 }
 
 impl ResponseRanges {

@@ -87,7 +87,7 @@ fn place(location: &str, commands: &[&str], inventory: &ModelInventory) -> Place
     let nodes: Vec<NodePlace> = tags.iter().filter_map(node).collect();
     Place {
         directions: directions(&elements, commands, inventory),
-        side: side(&elements, commands, inventory),
+        side: side(&elements, &nodes, commands, inventory),
         parallel_parts: parallel_parts(&elements, &nodes, inventory),
         level: level(&elements, &nodes, inventory),
         elements,
@@ -114,22 +114,29 @@ fn directions(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -
 }
 
 /// Motion that meets the contact of a command with the option `-side`: of the node that no support holds, along a global axis.
-fn side(elements: &[i32], commands: &[&str], inventory: &ModelInventory) -> String {
+/// An added element between a node and another at its place deforms along the global axes.
+fn side(elements: &[i32], nodes: &[NodePlace], commands: &[&str], inventory: &ModelInventory) -> String {
     let found = || {
-        let device = inventory.devices.iter().find(|d| elements.contains(&d.tag))?;
         let command = commands.iter().find(|c| c.starts_with("amend element") && c.contains(" -side "))?;
         let sense = tags_after(command, ["-side", "-side"]).first().map(|s| f64::from(s.signum()))?;
-        let number = *tags_after(command, ["-dir", "-dir"]).first()?;
-        let axis = device.directions.iter().find(|d| d.number == number as usize)?.axis;
-        let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT).filter(|_| sense != 0.0)?;
+        let number = *tags_after(command, ["-dir", "-dir"]).first()? as usize;
+        let named = |sense: f64, node: i32, along: usize| {
+            let sign = if sense > 0.0 { "+" } else { "-" };
+            (sense != 0.0).then(|| format!("met when node {node} moves towards {sign}{}", AXES[along]))
+        };
+        if let ([], [node]) = (elements, nodes) {
+            return named(sense, node.tag, number.checked_sub(1).filter(|along| *along < inventory.ndm.max(1))?);
+        }
+        let device = inventory.devices.iter().find(|d| elements.contains(&d.tag))?;
+        let axis = device.directions.iter().find(|d| d.number == number)?.axis;
+        let along = (0..3).find(|i| axis[*i].abs() > MIN_AXIS_COMPONENT)?;
         let is_held = |tag: i32| inventory.is_held(tag, along + 1);
         // The deformation is the motion of the second node against the first.
         let (moving, sense) = match device.nodes {
             [first, second] if is_held(second) && !is_held(first) => (first, -sense),
             [_, second] => (second, sense),
         };
-        let sign = if sense * axis[along] > 0.0 { "+" } else { "-" };
-        Some(format!("met when node {moving} moves towards {sign}{}", AXES[along]))
+        named(sense * axis[along], moving, along)
     };
     found().unwrap_or_default()
 }
@@ -327,6 +334,8 @@ mod tests {
         assert_eq!(side(&turned, "1"), "met when node 2 moves towards -X");
         let from_above = BUILDING.replace("zeroLength 1 1 2", "zeroLength 1 2 1");
         assert_eq!(side(&from_above, "1"), "met when node 2 moves towards -X");
+        let beside_mass = "amend element 9 gap -at $hy_gap -side -1 -dir 2";
+        assert_eq!(place("node 4", &[beside_mass], &inventory_of(BUILDING)).side, "met when node 4 moves towards -Y");
     }
 
     /// Storeys stand on each other, and their forces do not add up.
