@@ -70,6 +70,14 @@ fn a_step_has_the_part_of_the_change_that_it_shares() {
     assert_same(&found, &expected(|i| if i == 6 { 0.7 } else { within(7..=20)(i) }));
 }
 
+/// A ramp of sixteen steps is linear in the mean of the steps of the analysis; 0.1 s of it are four of its own.
+#[test]
+fn a_value_is_reached_on_a_ramp() {
+    let found = forces(&pulled(MODEL, "amend parameter Fy -factor 2 -from 0.5 -reached 0.9"));
+    let part = |i: usize| ((i as f64 - 5.5) / 4.0).clamp(0.0, 1.0);
+    assert_same(&found, &expected(part));
+}
+
 /// A change outside of the analysis changes no bit; nor does one that ends before it begins.
 #[test]
 fn a_change_at_no_time_changes_nothing() {
@@ -164,6 +172,7 @@ fn mistakes_are_refused() {
         ("amend parameter Fy -from 1", "the factor, or both times are missing"),
         ("amend parameter Fy -factor 2", "the factor, or both times are missing"),
         ("amend parameter Fy -factor 2 -form 1", "option \"-form\""),
+        ("amend parameter Fy -factor 2 -reached 1 -to 2", "-reached ends a ramp, which needs a beginning"),
     ] {
         let ran = pulled(MODEL, change);
         assert!(ran.error().message.contains(message), "{change}: {}", ran.error().message);

@@ -280,6 +280,29 @@ pub fn condition_in_time(loosened: f64) -> Concealed {
     })
 }
 
+/// The device is tightened slowly in one test, along a smooth step.
+pub fn tightened_slowly() -> Concealed {
+    pad(two_tests(), |t| {
+        let mut spring = Plastic::default();
+        let step = |(i, &u): (usize, &f64)| {
+            let x = if t.holdout { 0.0 } else { ((DT * i as f64 - 2.0) / 4.0).clamp(0.0, 1.0) };
+            K * u + spring.force(u, K0, FY * (1.0 + 0.6 * x * x * (3.0 - 2.0 * x)))
+        };
+        t.path.iter().enumerate().map(step).collect()
+    })
+}
+
+/// The elastic part loses stiffness with the seconds of each test, a pause among them, towards a limit.
+pub fn aging() -> Concealed {
+    pad(blocks_first(), |t| {
+        let mut time = -DT;
+        along(&t.path, |u, q| {
+            time += DT;
+            (0.6 + 0.4 * (-time / 6.0).exp()) * K * u + q
+        })
+    })
+}
+
 /// Nothing is missing; the load cell is noisier for the seconds of a machine beside it.
 pub fn loud_for_a_time() -> Concealed {
     let mut noise = Noise::default();

@@ -79,10 +79,12 @@ pub(crate) struct ChangedCondition {
     pub(crate) run: Option<String>,
     /// The user's parameters with the factors on them.
     pub(crate) factors: Vec<(String, String)>,
-    /// Time from which they hold; none for the beginning.
+    /// Time from which they hold, or at which a ramp begins; none for the beginning.
     pub(crate) from: Option<String>,
-    /// Time up to which they hold; none for the end.
+    /// Time up to which they hold, or at which a ramp ends; none for the end.
     pub(crate) to: Option<String>,
+    /// True if they are reached on a ramp between these times, and hold.
+    pub(crate) ramp: bool,
 }
 
 /// An edit of the script, or a fault of a channel.
@@ -134,6 +136,7 @@ impl ChangedCondition {
             factors: self.factors.iter().map(|(own, added)| (own.clone(), rename(added))).collect(),
             from: self.from.as_deref().map(&rename),
             to: self.to.as_deref().map(&rename),
+            ramp: self.ramp,
         }
     }
 }

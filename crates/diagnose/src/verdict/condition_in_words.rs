@@ -16,6 +16,9 @@ pub struct TimeSpan {
     /// Its end, s; none for that of the run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to: Option<f64>,
+    /// True if the values are reached on a ramp, and hold from its end on.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub ramp: bool,
 }
 
 /// A changed condition with its fitted values.
@@ -54,13 +57,17 @@ impl<'a> FittedCondition<'a> {
         let time = |name: &Option<String>| name.as_deref().and_then(|n| self.value(n));
         let (from, to) = (time(&self.condition.from), time(&self.condition.to));
         let run = self.condition.run.clone().unwrap_or_default();
-        (from.is_some() || to.is_some()).then_some(TimeSpan { run, from, to })
+        let ramp = self.condition.ramp;
+        (ramp || from.is_some() || to.is_some()).then_some(TimeSpan { run, from, to, ramp })
     }
 
     /// When the parameters have the other values, in words.
     fn when(&self) -> String {
         let seconds = |t: f64| digits(t, DIGITS);
         let time = self.span().map(|s| match (s.from, s.to) {
+            (None, None) => "from the beginning to the end".to_owned(),
+            (Some(from), None) if s.ramp => format!("from {} s to the end", seconds(from)),
+            (None, Some(to)) if s.ramp => format!("from the beginning to {} s", seconds(to)),
             (Some(from), Some(to)) => format!("from {} to {} s", seconds(from), seconds(to)),
             (Some(from), None) => format!("from {} s on", seconds(from)),
             (_, to) => format!("up to {} s", seconds(to.unwrap_or(0.0))),
@@ -69,9 +76,15 @@ impl<'a> FittedCondition<'a> {
         time.into_iter().chain(run).collect::<Vec<_>>().join(" ")
     }
 
-    /// The values in words: `Fp is 13.9 from 3.6 to 9.7 s in the run A, and 10 otherwise`.
+    /// The values in words: `Fp is 13.9 from 3.6 to 9.7 s in the run A, and 10 otherwise`, or `k goes from 10 to 8 from 2 to 9 s`.
     pub(super) fn description(&self) -> String {
         let all = self.changed();
+        if self.condition.ramp {
+            let of = |(name, x, usual): &(&str, f64, f64)| {
+                format!("{name} goes from {} to {}", digits(*usual, DIGITS), digits(*x, DIGITS))
+            };
+            return format!("{} {}", all.iter().map(of).collect::<Vec<_>>().join(" and "), self.when());
+        }
         let other: Vec<String> = all.iter().map(|(name, x, _)| format!("{name} is {}", digits(*x, DIGITS))).collect();
         let usual: Vec<String> = all.iter().map(|(.., x)| digits(*x, DIGITS)).collect();
         format!("{} {}, and {} otherwise", other.join(" and "), self.when(), usual.join(" and "))
@@ -100,7 +113,7 @@ mod tests {
     use crate::test_support::{baseline, script_edit};
 
     /// The pad of the repository with a factor of 1.5 on its first parameter, from 2 s or up to 4 s, or both.
-    fn fitted(from: bool, to: bool) -> (Variant, Vec<f64>, String) {
+    fn fitted(from: bool, to: bool, ramp: bool) -> (Variant, Vec<f64>, String) {
         let own = baseline();
         let name = own.variant.study.space.parameters[0].name.clone();
         let added = |n: &str| format!("hy_{n}");
@@ -109,6 +122,7 @@ mod tests {
             factors: vec![(name.clone(), added("factor"))],
             from: from.then(|| added("from")),
             to: to.then(|| added("to")),
+            ramp,
         };
         let proposal =
             Proposal { condition: Some(condition), ..script_edit("changed_condition", &["factor", "from", "to"]) };
@@ -122,7 +136,7 @@ mod tests {
     #[test]
     fn the_sentence_has_values_run_and_times() {
         let told = |from, to| {
-            let (variant, values, name) = fitted(from, to);
+            let (variant, values, name) = fitted(from, to, false);
             let c = FittedCondition::of(&variant, &values).expect("a condition");
             (c.description().replace(&name, "x"), c.span().map(|s| (s.from, s.to)))
         };
@@ -134,8 +148,22 @@ mod tests {
     }
 
     #[test]
+    fn a_ramp_has_both_values_and_its_times() {
+        let told = |from, to| {
+            let (variant, values, name) = fitted(from, to, true);
+            let c = FittedCondition::of(&variant, &values).expect("a condition");
+            assert!(c.span().is_some_and(|s| s.ramp));
+            c.description().replace(&name, "x")
+        };
+        assert_eq!(told(true, true), "x goes from 10 to 15 from 2 to 4 s in the run A");
+        assert_eq!(told(true, false), "x goes from 10 to 15 from 2 s to the end in the run A");
+        assert_eq!(told(false, true), "x goes from 10 to 15 from the beginning to 4 s in the run A");
+        assert_eq!(told(false, false), "x goes from 10 to 15 from the beginning to the end in the run A");
+    }
+
+    #[test]
     fn a_prediction_asks_for_the_condition() {
-        let (variant, values, name) = fitted(true, false);
+        let (variant, values, name) = fitted(true, false, false);
         let needed = FittedCondition::of(&variant, &values).expect("a condition").needed().replace(&name, "x");
         let told = "before another run is predicted, find out whether x of it is 10, which corrected.tcl takes, or 15";
         assert_eq!(needed, told);
@@ -144,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_time_of_change_is_paid_for() {
-        let parameters = |from, to| fitted(from, to).0.counted_parameters();
+        let parameters = |from, to| fitted(from, to, false).0.counted_parameters();
         assert_eq!(parameters(true, false), parameters(false, false) + 1);
         assert_eq!(parameters(true, true), parameters(false, false) + 2);
     }

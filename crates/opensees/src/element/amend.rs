@@ -26,7 +26,7 @@ const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-di
                      amend element $tag <$tag ...> learned -file $file <-series $ts ...> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend node $tag dampedAs $other | \
-                     amend parameter $name -factor $f <-from $t1> <-to $t2>";
+                     amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>";
 
 /// Range that the number of an option must lie in.
 #[derive(Clone, Copy)]

@@ -33,20 +33,34 @@ struct Change {
     name: String,
     factor: f64,
     from: f64,
+    /// Time at which a ramp from the own value ends; not after `from` for a step.
+    reached: f64,
     to: f64,
 }
 
+/// Steps of a ramp. Each needs another run of the script up to its first analysis.
+const RAMP_STEPS: usize = 16;
 /// Part of a step below which it counts as none, and beyond the rest of which as all: round-off of sums of time steps.
 const ROUND_OFF: f64 = 1e-9;
 
 impl Change {
-    /// Part of a step in which the parameter has the other value, so that the response is continuous in both times.
+    /// Part of the other value that the parameter has in the mean of a step, so that the response is continuous in all times.
     fn part(&self, begin: f64, end: f64) -> f64 {
         let (begin, end) = (begin.min(end), begin.max(end));
-        if begin == end {
-            return f64::from(u8::from(self.from <= begin && begin < self.to));
+        if self.reached <= self.from {
+            return self.part_from(self.from, begin, end);
         }
-        match (self.to.min(end) - self.from.max(begin)) / (end - begin) {
+        let step = (self.reached - self.from) / RAMP_STEPS as f64;
+        let starts = (0..RAMP_STEPS).map(|i| self.from + (i as f64 + 0.5) * step);
+        starts.map(|from| self.part_from(from, begin, end)).sum::<f64>() / RAMP_STEPS as f64
+    }
+
+    /// Part of a step after a time and before the end of the other value.
+    fn part_from(&self, from: f64, begin: f64, end: f64) -> f64 {
+        if begin == end {
+            return f64::from(u8::from(from <= begin && begin < self.to));
+        }
+        match (self.to.min(end) - from.max(begin)) / (end - begin) {
             part if part < ROUND_OFF => 0.0,
             part if part > 1.0 - ROUND_OFF => 1.0,
             part => part,
@@ -92,7 +106,7 @@ impl ParameterChanges {
     }
 }
 
-/// `amend parameter $name -factor $f <-from $t1> <-to $t2>`, behind the first two words.
+/// `amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>`, behind the first two words.
 pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     let name = a.word("name of the parameter")?.into_owned();
     if !interp.host.declared.contains_key(&name) {
@@ -101,19 +115,24 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
             if known.is_empty() { "none is declared".to_owned() } else { format!("declared: {}", known.join(" ")) };
         return Err(a.refuse(format!("no number \"{name}\" is declared by pset"), there));
     }
-    let (mut factor, mut from, mut to) = (None, None, None);
+    let (mut factor, mut from, mut reached, mut to) = (None, None, None, None);
     while let Some(word) = a.option() {
         match word.as_ref() {
             "-factor" => factor = Some(a.positive("factor on the parameter")?),
             "-from" => from = Some(a.float("time from which it has the other value")?),
+            "-reached" => reached = Some(a.float("time at which it has the whole of the other value")?),
             "-to" => to = Some(a.float("time up to which it has the other value")?),
-            _ => return Err(a.unknown_name("option", ["-factor", "-from", "-to"])),
+            _ => return Err(a.unknown_name("option", ["-factor", "-from", "-reached", "-to"])),
         }
     }
     let Some(factor) = factor.filter(|_| from.is_some() || to.is_some()) else {
         let message = "amend parameter: the factor, or both times are missing";
-        return Err(a.refuse(message, "expected -factor $f, and -from $t1 or -to $t2 or both"));
+        return Err(a.refuse(message, "expected -factor $f, and -from $t1 or -to $t3 or both"));
     };
+    if reached.is_some() && from.is_none() {
+        let message = "amend parameter: -reached ends a ramp, which needs a beginning";
+        return Err(a.refuse(message, "expected -from $t1 with it"));
+    }
     finish(interp, a)?;
     let session = &mut interp.host;
     if session.start.is_none() {
@@ -125,7 +144,7 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     }
     // In a search the end may come before the beginning: the other value is never taken then.
     let (from, to) = (from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY));
-    session.changes.all.push(Change { name, factor, from, to });
+    session.changes.all.push(Change { name, factor, from, reached: reached.unwrap_or(from), to });
     session.changes.parts.push(0.0);
     Ok(Value::EMPTY)
 }
@@ -237,7 +256,7 @@ mod tests {
     use super::{Change, ParameterChanges};
 
     fn change(factor: f64, from: f64, to: f64) -> Change {
-        Change { name: "Fy".into(), factor, from, to }
+        Change { name: "Fy".into(), factor, from, reached: from, to }
     }
 
     #[test]
@@ -249,6 +268,17 @@ mod tests {
         );
         // A span without a length, and a step without one.
         assert_eq!([change(2.0, 1.0, 0.5).part(0.0, 2.0), c.part(1.2, 1.2), c.part(1.6, 1.6)], [0.0, 1.0, 0.0]);
+    }
+
+    /// A ramp from 1 to 3 s: linear, with steps of 1/8 s, and whole up to 4 s.
+    #[test]
+    fn a_ramp_is_linear_in_time() {
+        let c = Change { reached: 3.0, ..change(2.0, 1.0, 4.0) };
+        let parts = [(0.0, 1.0), (1.0, 1.5), (1.5, 2.5), (2.5, 3.0), (3.0, 4.0), (4.0, 5.0)].map(|(b, e)| c.part(b, e));
+        assert_eq!(parts, [0.0, 0.125, 0.5, 0.875, 1.0, 0.0]);
+        assert_eq!(c.part(1.0, 1.05), 0.0);
+        // A ramp that ends before it begins is a step.
+        assert_eq!(Change { reached: 0.0, ..c }.part(1.0, 1.1), 1.0);
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! cells of time give the error that each span leaves.
 
 use super::super::context::Sensitivities;
-use crate::prior::{CHANGE_PLACES, HISTORY_SCALES};
+use crate::prior::{CHANGE_PLACES, HISTORY_SCALES, MIN_RAMP_PLACES};
 use nalgebra::{Cholesky, DVector, Dyn};
 
 /// Damping of the derivatives, in parts of their norm, as in the screening of proposals.
@@ -13,13 +13,23 @@ const DAMPING: f64 = 1e-3;
 /// Part of an addition outside of the derivatives below which it is none of its own.
 const MIN_OWN_PART: f64 = 1e-6;
 
-/// A span of time in a run with another value of a parameter.
+/// Course of another value of a parameter in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Course {
+    /// It holds between the times.
+    Step,
+    /// It is reached on a ramp between the times, and holds.
+    Ramp,
+}
+
+/// A span of time with another value of a parameter, or on the way to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Span {
-    /// Number of the run among the fitted ones.
-    pub(super) run: usize,
+    /// Number of the run among the fitted ones; none for the same in all.
+    pub(super) run: Option<usize>,
     /// Number of the parameter among the free ones.
     pub(super) coordinate: usize,
+    pub(super) course: Course,
     /// Part of the run at which it begins; none for its beginning.
     pub(super) from: Option<f64>,
     /// Part of the run at which it ends; none for its end.
@@ -36,6 +46,10 @@ impl Span {
         usize::from(self.from.is_some()) + usize::from(self.to.is_some())
     }
 }
+
+/// The same value in all of a run.
+const STEP: Span =
+    Span { run: None, coordinate: 0, course: Course::Step, from: None, to: None, change: 0.0, share: 0.0 };
 
 /// Place of a row of the residual in its run.
 #[derive(Clone, Copy)]
@@ -66,6 +80,13 @@ struct Addition {
 impl Addition {
     fn none(parameters: usize) -> Self {
         Self { square: 0.0, product: 0.0, derivatives: DVector::zeros(parameters) }
+    }
+
+    /// Adds another with a weight.
+    fn add(&mut self, other: &Self, weight: f64) {
+        self.square += weight * weight * other.square;
+        self.product += weight * other.product;
+        self.derivatives.axpy(weight, &other.derivatives, 1.0);
     }
 
     fn minus(&self, other: &Self) -> Self {
@@ -126,36 +147,59 @@ impl<'a> ChangePoints<'a> {
 
     /// The best span of a parameter in a run: from a time on, up to one, and between two.
     pub(super) fn spans(&self, run: usize, coordinate: usize) -> Vec<Span> {
-        let cell = |row: &Row| ((row.part * CHANGE_PLACES as f64) as usize).min(CHANGE_PLACES - 1);
         // Sums up to each place.
         let mut sums = vec![Addition::none(self.s.derivatives.ncols())];
-        for m in 0..CHANGE_PLACES {
-            let own = self.addition(coordinate, |row| f64::from(u8::from(row.run == run && cell(row) == m)));
-            let before = &sums[m];
-            sums.push(Addition {
-                square: before.square + own.square,
-                product: before.product + own.product,
-                derivatives: &before.derivatives + &own.derivatives,
-            });
+        for own in self.cells(run, coordinate) {
+            let mut sum = sums[sums.len() - 1].clone();
+            sum.add(&own, 1.0);
+            sums.push(sum);
         }
-        // From a time on, up to a time, and between two times. In one run the first two are equal; others tell them apart.
-        let mut best: [Option<Span>; 3] = [None; 3];
-        for begin in 0..CHANGE_PLACES {
-            for end in begin + 1..=CHANGE_PLACES {
-                let Some((share, change)) = self.taken(&sums[end].minus(&sums[begin])) else { continue };
-                let part = |place: usize, none: usize| (place != none).then(|| place as f64 / CHANGE_PLACES as f64);
-                let (from, to) = (part(begin, 0), part(end, CHANGE_PLACES));
-                let span = Span { run, coordinate, from, to, change, share };
-                let best = match (from, to) {
-                    (Some(_), None) => &mut best[0],
-                    (None, Some(_)) => &mut best[1],
-                    (Some(_), Some(_)) => &mut best[2],
-                    // Another value in the whole run has a form of its own.
-                    (None, None) => continue,
-                };
-                if best.is_none_or(|b| share > b.share) {
-                    *best = Some(span);
-                }
+        let pairs = (0..CHANGE_PLACES).flat_map(|begin| (begin + 1..=CHANGE_PLACES).map(move |end| (begin, end)));
+        // Another value in the whole run has a form of its own.
+        let partial = pairs.filter(|pair| *pair != (0, CHANGE_PLACES));
+        let added = partial.map(|(begin, end)| ((begin, end), sums[end].minus(&sums[begin])));
+        self.best(Span { run: Some(run), coordinate, ..STEP }, added)
+    }
+
+    /// The best ramps of a parameter in a run: over all of it, from a time on, up to one, and between two.
+    pub(super) fn ramps(&self, run: usize, coordinate: usize) -> Vec<Span> {
+        let cells = self.cells(run, coordinate);
+        let ends = |begin| (begin + MIN_RAMP_PLACES..=CHANGE_PLACES).map(move |end| (begin, end));
+        let added = (0..CHANGE_PLACES).flat_map(ends).map(|(begin, end)| {
+            let mut sum = Addition::none(self.s.derivatives.ncols());
+            for (m, own) in cells.iter().enumerate() {
+                let part = (m as f64 + 0.5 - begin as f64) / (end - begin) as f64;
+                sum.add(own, part.clamp(0.0, 1.0));
+            }
+            ((begin, end), sum)
+        });
+        self.best(Span { run: Some(run), coordinate, course: Course::Ramp, ..STEP }, added)
+    }
+
+    /// The ramp of a parameter that follows a clock in all runs.
+    pub(super) fn ramp_by_clock(&self, coordinate: usize, clock: impl Fn(usize, f64) -> f64) -> Option<Span> {
+        let (share, change) = self.taken(&self.addition(coordinate, |row| clock(row.run, row.part)))?;
+        Some(Span { run: None, coordinate, course: Course::Ramp, change, share, ..STEP })
+    }
+
+    /// The additions of a parameter in each of the places of a run.
+    fn cells(&self, run: usize, coordinate: usize) -> Vec<Addition> {
+        let cell = |row: &Row| ((row.part * CHANGE_PLACES as f64) as usize).min(CHANGE_PLACES - 1);
+        let own = |m| self.addition(coordinate, |row| f64::from(u8::from(row.run == run && cell(row) == m)));
+        (0..CHANGE_PLACES).map(own).collect()
+    }
+
+    /// The additions between two places that take most: one for each of with and without a time of beginning and of end. In one
+    /// run a step from a time on is the same as one up to it; others tell them apart.
+    fn best(&self, of: Span, added: impl Iterator<Item = ((usize, usize), Addition)>) -> Vec<Span> {
+        let mut best: [Option<Span>; 4] = [None; 4];
+        for ((begin, end), addition) in added {
+            let Some((share, change)) = self.taken(&addition) else { continue };
+            let part = |place: usize, none: usize| (place != none).then(|| place as f64 / CHANGE_PLACES as f64);
+            let (from, to) = (part(begin, 0), part(end, CHANGE_PLACES));
+            let best = &mut best[usize::from(from.is_some()) + 2 * usize::from(to.is_some())];
+            if best.is_none_or(|b| share > b.share) {
+                *best = Some(Span { from, to, change, share, ..of });
             }
         }
         best.into_iter().flatten().collect()
@@ -236,7 +280,7 @@ mod tests {
     fn a_parameter_that_is_larger_for_a_time_is_found_with_its_times() {
         let (spans, history) = found(|t| f64::from(u8::from((0.25..0.7).contains(&t))), false);
         let s = best(&spans, 2);
-        assert_eq!((s.run, s.coordinate, s.from, s.to), (1, 0, Some(0.25), Some(0.7)));
+        assert_eq!((s.run, s.coordinate, s.from, s.to), (Some(1), 0, Some(0.25), Some(0.7)));
         assert!((s.change - 1.0).abs() < 0.05 && s.share > 0.9 && history < 0.8, "{s:?} {history}");
     }
 
@@ -244,7 +288,7 @@ mod tests {
     fn a_step_needs_one_change() {
         let (spans, history) = found(|t| f64::from(u8::from(t >= 0.6)), false);
         let (one, two) = (best(&spans, 1), best(&spans, 2));
-        assert_eq!((one.run, one.coordinate, one.from, one.to), (1, 0, Some(0.6), None));
+        assert_eq!((one.run, one.coordinate, one.from, one.to), (Some(1), 0, Some(0.6), None));
         assert!(two.share < one.share + 0.01 && history < one.share, "{one:?} {two:?} {history}");
     }
 
@@ -252,6 +296,27 @@ mod tests {
     fn a_trend_is_told_by_its_history() {
         let (spans, history) = found(|t| t, true);
         assert!(best(&spans, 1).share < history && best(&spans, 2).share < history, "{spans:?} {history}");
+    }
+
+    /// A strength that grows between two times, and one that follows the clock of both runs.
+    #[test]
+    fn ramps_are_found_with_their_times() {
+        let j = derivatives();
+        let noise = white_noise(5, 2 * N);
+        let time = |i: usize| (i % N) as f64 / N as f64;
+        let best = |effect: &dyn Fn(usize) -> f64| {
+            let residual: Vec<f64> = (0..2 * N).map(|i| 0.05 * noise[i] - effect(i) * j[0][i]).collect();
+            let (residual, derivatives) = of_series(&residual, &j);
+            let s = Sensitivities { residual: &residual, derivatives: &derivatives, channels: &[N, N] };
+            let points = ChangePoints::new(&s, &[1, 1]).expect("a residual");
+            let one = points.ramps(1, 0).into_iter().max_by(|a, b| a.share.total_cmp(&b.share)).expect("a ramp");
+            (one, points.ramp_by_clock(0, |_, part| part).expect("a ramp").share)
+        };
+        let (one, clock) = best(&|i| if i < N { 0.0 } else { ((time(i) - 0.25) / 0.5).clamp(0.0, 1.0) });
+        assert_eq!((one.from, one.to), (Some(0.25), Some(0.75)));
+        assert!(one.share > 0.9 && clock < one.share, "{one:?} {clock}");
+        let (one, clock) = best(&time);
+        assert!(clock > 0.9 && one.share < clock, "{one:?} {clock}");
     }
 
     #[test]

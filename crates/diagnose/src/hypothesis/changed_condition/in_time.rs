@@ -1,71 +1,112 @@
-//! Another value of a parameter for a part of a run.
+//! Another value of a parameter for a part of a run, or on a ramp.
 
-use super::change_points::{ChangePoints, Span};
+use super::change_points::{ChangePoints, Course, Span};
 use super::{CAUSE, Declared, declared, factor_name, only_in_run};
 use crate::candidate::proposal::ChangedCondition;
 use crate::hypothesis::context::{ProposalContext, distinguishing_variable};
 use crate::hypothesis::{AddedParameter, Proposal};
 use crate::inspect::response::ResponseHistory;
-use crate::prior::{CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS};
+use crate::prior::{
+    CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS, RAMP_ADVANTAGE,
+};
 use hysteron_identify::study::{ParameterKind, Role, Run, Scale};
 
+/// Time constants of heat that is lost, in parts of the longest run. A choice.
+const HEAT_TIMES: [f64; 2] = [0.1, 0.3];
 /// Names of the added times.
 pub(super) const FROM: &str = "from";
 pub(super) const TO: &str = "to";
 
-/// Forms of a parameter that changes once or twice in a run, the likeliest first.
+/// A span of time with the parameter that changes.
+type Found<'a> = (Span, &'a Declared<'a>);
+
+/// Forms of a parameter that changes once or twice in a run, or on a ramp, the likeliest first.
 pub(super) fn proposals(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let Some(sensitivities) = &s.sensitivities else { return vec![] };
     let variable = distinguishing_variable(s.study);
-    if variable.is_none() && s.study.runs.len() > 1 {
-        return vec![];
-    }
     let runs: Vec<(usize, &Run)> = s.study.runs_of(Role::Fit).collect();
     let channels: Vec<usize> = runs.iter().map(|(_, run)| run.observe.len()).collect();
     let Some(points) = ChangePoints::new(sensitivities, &channels) else { return vec![] };
     let declared = declared(s);
-    let places = runs.iter().enumerate().flat_map(|(run, _)| declared.iter().map(move |p| (run, p)));
-    let found = places.flat_map(|(run, p)| points.spans(run, p.coordinate).into_iter().map(move |span| (span, p)));
-    let mut found: Vec<(Span, &Declared<'_>)> = found.filter(|(span, _)| expected_gain(span) > 0.0).collect();
-    if found.is_empty() {
+    let clock = clock(&runs);
+    let (mut steps, mut ramps): (Vec<Found<'_>>, Vec<Found<'_>>) = (vec![], vec![]);
+    for p in &declared {
+        if variable.is_some() || s.study.runs.len() == 1 {
+            steps.extend((0..runs.len()).flat_map(|run| points.spans(run, p.coordinate)).map(|span| (span, p)));
+            ramps.extend((0..runs.len()).flat_map(|run| points.ramps(run, p.coordinate)).map(|span| (span, p)));
+        }
+        if s.study.runs.len() > 1 {
+            ramps.extend(points.ramp_by_clock(p.coordinate, &clock).map(|span| (span, p)));
+        }
+    }
+    let is_promising = |(span, _): &Found<'_>| expected_gain(span) > 0.0;
+    steps.retain(is_promising);
+    ramps.retain(is_promising);
+    if steps.is_empty() && ramps.is_empty() {
         return vec![];
     }
-    // A change that follows time, work or the largest deformation is a law, and no change at a time.
-    let history = points.share_of_histories(&histories(s, &runs));
-    found.retain(|(span, _)| span.share > history);
+    // A change that follows work, heat or the largest deformation is a law, and neither a step nor a ramp. One that follows
+    // time is no step.
+    let law = points.share_of_histories(&histories(s, &runs));
+    let history = points.share_of_histories(&[Box::new(&clock)]).max(law);
+    steps.retain(|(span, _)| span.share > history);
+    ramps.retain(|(span, _)| gain_of_share(span.share) > gain_of_share(law) + RAMP_ADVANTAGE);
+    let mut found = [steps, ramps].concat();
     found.sort_by(|a, b| expected_gain(&b.0).total_cmp(&expected_gain(&a.0)));
     found.truncate(MAX_CONDITION_SPANS);
-    let of = |(span, p): (Span, &Declared<'_>)| proposal(s, variable.as_deref(), runs[span.run].1, &span, p);
-    found.into_iter().filter_map(of).collect()
+    found.into_iter().filter_map(|(span, p)| proposal(s, variable.as_deref(), &runs, &span, p)).collect()
 }
 
 /// Expected log evidence over the baseline, nats: Schwarz' criterion with the price of the times.
 fn expected_gain(span: &Span) -> f64 {
     let parameters = 1 + CHANGE_POINT_PARAMETERS * span.change_points();
-    -0.5 * EFFECTIVE_SAMPLES * (1.0 - span.share).ln() - 0.5 * parameters as f64 * EFFECTIVE_SAMPLES.ln()
+    gain_of_share(span.share) - 0.5 * parameters as f64 * EFFECTIVE_SAMPLES.ln()
 }
 
-/// Histories that a law may follow, by run and part of it: elapsed time, work, and the largest deformation so far.
-fn histories<'a>(s: &'a ProposalContext<'_>, runs: &'a [(usize, &'a Run)]) -> Vec<Box<dyn Fn(usize, f64) -> f64 + 'a>> {
-    let duration = |run: &Run| match run.recording.times[..] {
+/// Log likelihood that a share of the squared residual is worth, nats.
+fn gain_of_share(share: f64) -> f64 {
+    -0.5 * EFFECTIVE_SAMPLES * (1.0 - share).ln()
+}
+
+fn duration(run: &Run) -> f64 {
+    match run.recording.times[..] {
         [first, .., last] => last - first,
         _ => 0.0,
-    };
-    let longest = runs.iter().map(|(_, run)| duration(run)).fold(f64::MIN_POSITIVE, f64::max);
-    let mut out: Vec<Box<dyn Fn(usize, f64) -> f64 + 'a>> =
-        vec![Box::new(move |run, part| part * duration(runs[run].1) / longest)];
+    }
+}
+
+fn longest(runs: &[(usize, &Run)]) -> f64 {
+    runs.iter().map(|(_, run)| duration(run)).fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// Time by run and part of it, in parts of the longest run.
+fn clock<'a>(runs: &'a [(usize, &'a Run)]) -> impl Fn(usize, f64) -> f64 + 'a {
+    let longest = longest(runs);
+    move |run, part| part * duration(runs[run].1) / longest
+}
+
+/// Histories that a law may follow, by run and part of it: work, heat that is lost slowly or fast, and the largest deformation
+/// so far.
+fn histories<'a>(s: &'a ProposalContext<'_>, runs: &'a [(usize, &'a Run)]) -> Vec<Box<dyn Fn(usize, f64) -> f64 + 'a>> {
     let devices: Option<Vec<&ResponseHistory>> = runs.iter().map(|(number, _)| most_deformed(s, *number)).collect();
-    for of in [work_so_far as fn(&ResponseHistory) -> Vec<f64>, largest_so_far] {
-        let Some(devices) = &devices else { continue };
+    let Some(devices) = devices else { return vec![] };
+    let longest = longest(runs);
+    let heat = |part: f64| move |h: &ResponseHistory| work_so_far(h, part * longest);
+    let laws: [Box<dyn Fn(&ResponseHistory) -> Vec<f64>>; 4] = [
+        Box::new(|h| work_so_far(h, f64::INFINITY)),
+        Box::new(heat(HEAT_TIMES[0])),
+        Box::new(heat(HEAT_TIMES[1])),
+        Box::new(largest_so_far),
+    ];
+    let history = |of: Box<dyn Fn(&ResponseHistory) -> Vec<f64>>| -> Box<dyn Fn(usize, f64) -> f64 + 'a> {
         let series: Vec<Vec<f64>> = devices.iter().map(|h| of(h)).collect();
         let most = series.iter().flatten().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let at = move |run: usize, part: f64| {
+        Box::new(move |run: usize, part: f64| {
             let x = &series[run];
             x.get((part * x.len() as f64) as usize).or(x.last()).map_or(0.0, |x| x / most)
-        };
-        out.push(Box::new(at));
-    }
-    out
+        })
+    };
+    laws.into_iter().map(history).collect()
 }
 
 /// History of the device that deforms most in a run.
@@ -74,11 +115,13 @@ fn most_deformed<'a>(s: &'a ProposalContext<'_>, run: usize) -> Option<&'a Respo
     of_run.map(|(_, h)| h).max_by(|a, b| a.range().deformation.total_cmp(&b.range().deformation))
 }
 
-fn work_so_far(h: &ResponseHistory) -> Vec<f64> {
+/// Work so far, of which a time constant in s keeps what is not lost as heat.
+fn work_so_far(h: &ResponseHistory, time_constant: f64) -> Vec<f64> {
     let mut sum = 0.0;
     let step = |i: usize| {
-        let of = |k: usize| 0.5 * (h.force[i] + h.force[k]) * (h.deformation[i] - h.deformation[k]);
-        let work = i.checked_sub(1).map_or(0.0, of);
+        let Some(k) = i.checked_sub(1) else { return sum };
+        let work = 0.5 * (h.force[i] + h.force[k]) * (h.deformation[i] - h.deformation[k]);
+        sum *= ((h.times[k] - h.times[i]) / time_constant).exp();
         sum += if work.is_finite() { work.abs() } else { 0.0 };
         sum
     };
@@ -94,40 +137,64 @@ fn largest_so_far(h: &ResponseHistory) -> Vec<f64> {
     h.deformation.iter().map(step).collect()
 }
 
+/// Beginning and end of a run; without one, of the longest run.
+fn bounds(run: Option<&Run>, runs: &[(usize, &Run)]) -> Option<[f64; 2]> {
+    let longest = || runs.iter().map(|(_, run)| *run).max_by(|a, b| duration(a).total_cmp(&duration(b)));
+    match run.or_else(longest)?.recording.times[..] {
+        [first, .., last] => Some([first, last]),
+        _ => None,
+    }
+}
+
 fn proposal(
     s: &ProposalContext<'_>,
     variable: Option<&str>,
-    run: &Run,
+    runs: &[(usize, &Run)],
     span: &Span,
     p: &Declared<'_>,
 ) -> Option<Proposal> {
-    let [first, .., last] = run.recording.times[..] else { return None };
+    let run = span.run.map(|run| runs[run].1);
+    let [first, last] = bounds(run, runs)?;
     let mut factor = AddedParameter::log(&factor_name(p.name), CONDITION_FACTORS[0], CONDITION_FACTORS[1], 1.3);
     factor.start = start_factor(s, p, span.change).clamp(CONDITION_FACTORS[0], CONDITION_FACTORS[1]);
-    let time = |name: &str, part: f64| AddedParameter::linear(name, first, last, first + part * (last - first));
-    let times = [(FROM, span.from), (TO, span.to)];
-    let times: Vec<(&str, AddedParameter)> =
-        times.into_iter().filter_map(|(name, part)| Some((name, time(name, part?)))).collect();
-    let options: String = times.iter().map(|(name, _)| format!(" -{name} $::hy_{name}")).collect();
+    let ramp = span.course == Course::Ramp;
+    let times = [(FROM, "from", span.from, first), (TO, if ramp { "reached" } else { "to" }, span.to, last)];
+    let mut options = String::new();
+    let mut added = vec![];
+    for (name, option, part, bound) in times {
+        if let Some(part) = part {
+            added.push(AddedParameter::linear(name, first, last, first + part * (last - first)));
+            options += &format!(" -{option} $::hy_{name}");
+        } else if ramp {
+            options += &format!(" -{option} {bound}");
+        }
+    }
     let command = format!("amend parameter {} -factor $::hy_{}{options}", p.name, factor_name(p.name));
-    let command = match variable.filter(|_| s.study.runs.len() > 1) {
-        Some(variable) => only_in_run(run, variable, &command)?,
+    let command = match run.zip(variable).filter(|_| s.study.runs.len() > 1) {
+        Some((run, variable)) => only_in_run(run, variable, &command)?,
         None => command,
     };
-    let form = match (span.from, span.to) {
-        (Some(_), Some(_)) => "another value of a parameter between two times",
-        (Some(_), None) => "another value of a parameter from a time on",
+    let form = match (span.course, span.from, span.to) {
+        (Course::Ramp, None, None) => "a parameter that goes steadily to another value",
+        (Course::Ramp, ..) => "a parameter that goes to another value on a ramp",
+        (_, Some(_), Some(_)) => "another value of a parameter between two times",
+        (_, Some(_), None) => "another value of a parameter from a time on",
         _ => "another value of a parameter up to a time",
     };
-    let name = |of: &str| times.iter().find(|(n, _)| *n == of).map(|(_, a)| a.name.clone());
+    let name = |of: &str| added.iter().find(|a| a.name == format!("hy_{of}")).map(|a| a.name.clone());
     let condition = ChangedCondition {
-        run: Some(run.name.clone()).filter(|_| s.study.runs.len() > 1),
+        run: run.map(|run| run.name.clone()).filter(|_| s.study.runs.len() > 1),
         factors: vec![(p.name.to_owned(), factor.name.clone())],
         from: name(FROM),
         to: name(TO),
+        ramp,
     };
-    let parameters = std::iter::once(factor).chain(times.into_iter().map(|(_, a)| a)).collect();
-    let location = format!("{} in a part of the run {}", p.name, run.name);
+    let parameters = std::iter::once(factor).chain(added).collect();
+    let location = match run {
+        Some(run) if ramp => format!("{} on a ramp in the run {}", p.name, run.name),
+        Some(run) => format!("{} in a part of the run {}", p.name, run.name),
+        None => format!("{} with the time of each run", p.name),
+    };
     Some(Proposal {
         condition: Some(condition),
         ..Proposal::script_edit(CAUSE, form, location, vec![command], parameters)

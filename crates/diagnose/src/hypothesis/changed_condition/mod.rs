@@ -18,13 +18,13 @@ pub(crate) const CAUSE: &str = "changed_condition";
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: CAUSE,
-    statement: "a parameter of the model had another value in one run or for a part of it",
+    statement: "a parameter of the model had another value in one run or for a part of it, or changed slowly",
     refuted_by: "the run, repeated under one and the same condition, differs as much",
     look_alikes: &["sensor_gain", "ambient_temperature"],
     shows: "one run differs from the first cycle on, or from one moment to another, as another value of one parameter of the model makes it",
-    parted_by: "`sensor_gain` scales elastic and hysteretic force alike, and every run of the instrument; `cyclic_degradation` and `self_heating` follow the work, without a moment at which they begin",
+    parted_by: "`sensor_gain` scales elastic and hysteretic force alike, and every run of the instrument; `cyclic_degradation` and `self_heating` follow the work, without a moment at which they begin, and rest where the motion rests; a ramp goes on",
     place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart",
-    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.2 to 5. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any",
+    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.2 to 5. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, and one by the clock of every run",
     needs_clock: false,
     is_missing_part: false,
     memory: &[],
@@ -34,8 +34,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         "ask what was adjusted between the runs, and repeat one run under the condition of the others",
     ),
     quantities: &[
-        Quantity::new("from", "time from which it holds", Dimension::Time),
-        Quantity::new("to", "time up to which it holds", Dimension::Time),
+        Quantity::new("from", "time from which it holds, or changes", Dimension::Time),
+        Quantity::new("to", "time up to which it holds, or changes", Dimension::Time),
     ],
     propose,
 };
@@ -107,7 +107,7 @@ fn proposal(run: &Run, variable: &str, changed: &[&Declared<'_>]) -> Option<Prop
     Some(Proposal {
         option_edits: changed.iter().map(edit).collect::<Option<_>>()?,
         declared_at: changed.iter().map(|p| p.command).min(),
-        condition: Some(ChangedCondition { run: Some(run.name.clone()), factors, from: None, to: None }),
+        condition: Some(ChangedCondition { run: Some(run.name.clone()), factors, from: None, to: None, ramp: false }),
         ..Proposal::script_edit(CAUSE, form, location, vec![], parameters)
     })
 }
