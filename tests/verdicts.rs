@@ -73,7 +73,7 @@ const TABLE: &[Row] = &[
     ("tightened for a time", "changed_condition", "changed_condition", 95),
     ("tightened on the way", "changed_condition", "changed_condition", 95),
     ("tightened slowly", "changed_condition", "changed_condition", 95),
-    ("aging", "changed_condition", "changed_condition", 95),
+    ("aging", "changed_condition", "changed_condition", 75),
     ("loud for a time", "none", "none", 90),
     ("gain", "sensor_gain", "sensor_gain", 85),
     ("late", "sensor_lag", "sensor_lag", 85),

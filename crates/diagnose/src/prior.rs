@@ -110,9 +110,6 @@ prior! {
     CHANGE_PLACES: usize = 40, "count";
     /// Least length of a ramp in such places. A shorter one is a step to the independent samples. A choice.
     MIN_RAMP_PLACES: usize = 6, "count";
-    /// Log evidence by which a ramp has to exceed every history of work, heat or deformation: odds of twenty. Under steady
-    /// cycles all of them grow with time. A choice.
-    RAMP_ADVANTAGE: f64 = 3.0, "nats";
     /// Parameters that a time of change counts for. What N samples tell of it narrows with 1/N and not with 1/sqrt(N), so that
     /// its price is ln N.
     CHANGE_POINT_PARAMETERS: usize = 2, "count";

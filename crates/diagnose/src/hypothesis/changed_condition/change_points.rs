@@ -176,10 +176,13 @@ impl<'a> ChangePoints<'a> {
         self.best(Span { run: Some(run), coordinate, course: Course::Ramp, ..STEP }, added)
     }
 
-    /// The ramp of a parameter that follows a clock in all runs.
-    pub(super) fn ramp_by_clock(&self, coordinate: usize, clock: impl Fn(usize, f64) -> f64) -> Option<Span> {
-        let (share, change) = self.taken(&self.addition(coordinate, |row| clock(row.run, row.part)))?;
-        Some(Span { run: None, coordinate, course: Course::Ramp, change, share, ..STEP })
+    /// The best ramps of a parameter that follow a clock in all runs: over all of it, and up to a part of it.
+    pub(super) fn ramps_by_clock(&self, coordinate: usize, clock: impl Fn(usize, f64) -> f64) -> Vec<Span> {
+        let added = (MIN_RAMP_PLACES..=CHANGE_PLACES).map(|end| {
+            let part = |row: &Row| (clock(row.run, row.part) * CHANGE_PLACES as f64 / end as f64).min(1.0);
+            ((0, end), self.addition(coordinate, part))
+        });
+        self.best(Span { coordinate, course: Course::Ramp, ..STEP }, added)
     }
 
     /// The additions of a parameter in each of the places of a run.
@@ -310,7 +313,7 @@ mod tests {
             let s = Sensitivities { residual: &residual, derivatives: &derivatives, channels: &[N, N] };
             let points = ChangePoints::new(&s, &[1, 1]).expect("a residual");
             let one = points.ramps(1, 0).into_iter().max_by(|a, b| a.share.total_cmp(&b.share)).expect("a ramp");
-            (one, points.ramp_by_clock(0, |_, part| part).expect("a ramp").share)
+            (one, points.ramps_by_clock(0, |_, part| part)[0].share)
         };
         let (one, clock) = best(&|i| if i < N { 0.0 } else { ((time(i) - 0.25) / 0.5).clamp(0.0, 1.0) });
         assert_eq!((one.from, one.to), (Some(0.25), Some(0.75)));

@@ -6,9 +6,7 @@ use crate::candidate::proposal::ChangedCondition;
 use crate::hypothesis::context::{ProposalContext, distinguishing_variable};
 use crate::hypothesis::{AddedParameter, Proposal};
 use crate::inspect::response::ResponseHistory;
-use crate::prior::{
-    CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS, RAMP_ADVANTAGE,
-};
+use crate::prior::{CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS};
 use hysteron_identify::study::{ParameterKind, Role, Run, Scale};
 
 /// Time constants of heat that is lost, in parts of the longest run. A choice.
@@ -36,7 +34,7 @@ pub(super) fn proposals(s: &ProposalContext<'_>) -> Vec<Proposal> {
             ramps.extend((0..runs.len()).flat_map(|run| points.ramps(run, p.coordinate)).map(|span| (span, p)));
         }
         if s.study.runs.len() > 1 {
-            ramps.extend(points.ramp_by_clock(p.coordinate, &clock).map(|span| (span, p)));
+            ramps.extend(points.ramps_by_clock(p.coordinate, &clock).into_iter().map(|span| (span, p)));
         }
     }
     let is_promising = |(span, _): &Found<'_>| expected_gain(span) > 0.0;
@@ -50,7 +48,7 @@ pub(super) fn proposals(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let law = points.share_of_histories(&histories(s, &runs));
     let history = points.share_of_histories(&[Box::new(&clock)]).max(law);
     steps.retain(|(span, _)| span.share > history);
-    ramps.retain(|(span, _)| gain_of_share(span.share) > gain_of_share(law) + RAMP_ADVANTAGE);
+    ramps.retain(|(span, _)| span.share > law);
     let mut found = [steps, ramps].concat();
     found.sort_by(|a, b| expected_gain(&b.0).total_cmp(&expected_gain(&a.0)));
     found.truncate(MAX_CONDITION_SPANS);
@@ -60,12 +58,7 @@ pub(super) fn proposals(s: &ProposalContext<'_>) -> Vec<Proposal> {
 /// Expected log evidence over the baseline, nats: Schwarz' criterion with the price of the times.
 fn expected_gain(span: &Span) -> f64 {
     let parameters = 1 + CHANGE_POINT_PARAMETERS * span.change_points();
-    gain_of_share(span.share) - 0.5 * parameters as f64 * EFFECTIVE_SAMPLES.ln()
-}
-
-/// Log likelihood that a share of the squared residual is worth, nats.
-fn gain_of_share(share: f64) -> f64 {
-    -0.5 * EFFECTIVE_SAMPLES * (1.0 - share).ln()
+    -0.5 * EFFECTIVE_SAMPLES * (1.0 - span.share).ln() - 0.5 * parameters as f64 * EFFECTIVE_SAMPLES.ln()
 }
 
 fn duration(run: &Run) -> f64 {
@@ -191,9 +184,9 @@ fn proposal(
     };
     let parameters = std::iter::once(factor).chain(added).collect();
     let location = match run {
-        Some(run) if ramp => format!("{} on a ramp in the run {}", p.name, run.name),
-        Some(run) => format!("{} in a part of the run {}", p.name, run.name),
-        None => format!("{} with the time of each run", p.name),
+        Some(run) if ramp => format!("parameter {} on a ramp in the run {}", p.name, run.name),
+        Some(run) => format!("parameter {} in a part of the run {}", p.name, run.name),
+        None => format!("parameter {} with the time of each run", p.name),
     };
     Some(Proposal {
         condition: Some(condition),
