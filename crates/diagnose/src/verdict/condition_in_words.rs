@@ -93,6 +93,13 @@ impl<'a> FittedCondition<'a> {
     /// The value that has to be known of another run before it is predicted.
     pub(super) fn needed(&self) -> String {
         let all = self.changed();
+        if self.condition.ramp && self.condition.run.is_none() {
+            let names: Vec<&str> = all.iter().map(|(name, ..)| *name).collect();
+            let names = names.join(" and ");
+            return format!(
+                "before another run is predicted, find out whether {names} changes in it too, as corrected.tcl takes it"
+            );
+        }
         let values = all.iter().map(|(name, x, usual)| {
             let (x, usual) = (digits(*x, DIGITS), digits(*usual, DIGITS));
             format!("{name} of it is {usual}, which corrected.tcl takes, or {x}")
@@ -112,13 +119,14 @@ mod tests {
     use crate::inspect::insertion::InsertionPoint;
     use crate::test_support::{baseline, script_edit};
 
-    /// The pad of the repository with a factor of 1.5 on its first parameter, from 2 s or up to 4 s, or both.
+    /// The pad of the repository with a factor of 1.5 on its first parameter, from 2 s or up to 4 s, or both. It holds in the run
+    /// A, and a ramp without times in all runs.
     fn fitted(from: bool, to: bool, ramp: bool) -> (Variant, Vec<f64>, String) {
         let own = baseline();
         let name = own.variant.study.space.parameters[0].name.clone();
         let added = |n: &str| format!("hy_{n}");
         let condition = ChangedCondition {
-            run: Some("A".into()),
+            run: (!ramp || from || to).then(|| "A".into()),
             factors: vec![(name.clone(), added("factor"))],
             from: from.then(|| added("from")),
             to: to.then(|| added("to")),
@@ -158,7 +166,10 @@ mod tests {
         assert_eq!(told(true, true), "x goes from 10 to 15 from 2 to 4 s in the run A");
         assert_eq!(told(true, false), "x goes from 10 to 15 from 2 s to the end in the run A");
         assert_eq!(told(false, true), "x goes from 10 to 15 from the beginning to 4 s in the run A");
-        assert_eq!(told(false, false), "x goes from 10 to 15 from the beginning to the end in the run A");
+        assert_eq!(told(false, false), "x goes from 10 to 15 from the beginning to the end");
+        let (variant, values, name) = fitted(false, false, true);
+        let needed = FittedCondition::of(&variant, &values).expect("a condition").needed().replace(&name, "x");
+        assert!(needed.contains("whether x changes in it too"), "{needed}");
     }
 
     #[test]

@@ -47,7 +47,7 @@ impl Span {
     }
 }
 
-/// The same value in all of a run.
+/// A step without times and size.
 const STEP: Span =
     Span { run: None, coordinate: 0, course: Course::Step, from: None, to: None, change: 0.0, share: 0.0 };
 
@@ -159,6 +159,12 @@ impl<'a> ChangePoints<'a> {
         let partial = pairs.filter(|pair| *pair != (0, CHANGE_PLACES));
         let added = partial.map(|(begin, end)| ((begin, end), sums[end].minus(&sums[begin])));
         self.best(Span { run: Some(run), coordinate, ..STEP }, added)
+    }
+
+    /// Another value of a parameter in all of a run; none where that is another value of the parameter in all runs.
+    pub(super) fn whole_run(&self, run: usize, coordinate: usize) -> Option<Span> {
+        let (share, change) = self.taken(&self.addition(coordinate, |row| f64::from(u8::from(row.run == run))))?;
+        Some(Span { run: Some(run), coordinate, change, share, ..STEP })
     }
 
     /// The best ramps of a parameter in a run: over all of it, from a time on, up to one, and between two.
@@ -293,6 +299,20 @@ mod tests {
         let (one, two) = (best(&spans, 1), best(&spans, 2));
         assert_eq!((one.run, one.coordinate, one.from, one.to), (Some(1), 0, Some(0.6), None));
         assert!(two.share < one.share + 0.01 && history < one.share, "{one:?} {two:?} {history}");
+    }
+
+    /// A run with another strength from its first moment on. A change a little later takes hardly more.
+    #[test]
+    fn another_value_in_a_whole_run_takes_as_much_as_a_change_at_its_beginning() {
+        let j = derivatives();
+        let noise = white_noise(7, 2 * N);
+        let residual: Vec<f64> = (0..2 * N).map(|i| 0.1 * noise[i] - if i < N { 0.0 } else { j[0][i] }).collect();
+        let (residual, derivatives) = of_series(&residual, &j);
+        let s = Sensitivities { residual: &residual, derivatives: &derivatives, channels: &[N, N] };
+        let points = ChangePoints::new(&s, &[1, 1]).expect("a residual");
+        let whole = points.whole_run(1, 0).expect("another value");
+        let later = points.spans(1, 0).into_iter().map(|s| s.share).fold(0.0, f64::max);
+        assert!(whole.share > 0.9 && later < whole.share + 0.01, "{whole:?} {later}");
     }
 
     #[test]

@@ -29,17 +29,19 @@ pub(super) fn proposals(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let clock = clock(&runs);
     let (mut steps, mut ramps): (Vec<Found<'_>>, Vec<Found<'_>>) = (vec![], vec![]);
     for p in &declared {
-        if variable.is_some() || s.study.runs.len() == 1 {
-            steps.extend((0..runs.len()).flat_map(|run| points.spans(run, p.coordinate)).map(|span| (span, p)));
-            ramps.extend((0..runs.len()).flat_map(|run| points.ramps(run, p.coordinate)).map(|span| (span, p)));
+        let single_runs = if variable.is_some() || s.study.runs.len() == 1 { runs.len() } else { 0 };
+        for run in 0..single_runs {
+            // Another value in the whole run has a form of its own, with fewer parameters.
+            let whole = points.whole_run(run, p.coordinate).map_or(0.0, |span| expected_gain(&span).max(0.0));
+            let more = |(span, _): &Found<'_>| expected_gain(span) > whole;
+            steps.extend(points.spans(run, p.coordinate).into_iter().map(|span| (span, p)).filter(more));
+            ramps.extend(points.ramps(run, p.coordinate).into_iter().map(|span| (span, p)).filter(more));
         }
         if s.study.runs.len() > 1 {
-            ramps.extend(points.ramps_by_clock(p.coordinate, &clock).into_iter().map(|span| (span, p)));
+            let by_clock = points.ramps_by_clock(p.coordinate, &clock).into_iter();
+            ramps.extend(by_clock.filter(|span| expected_gain(span) > 0.0).map(|span| (span, p)));
         }
     }
-    let is_promising = |(span, _): &Found<'_>| expected_gain(span) > 0.0;
-    steps.retain(is_promising);
-    ramps.retain(is_promising);
     if steps.is_empty() && ramps.is_empty() {
         return vec![];
     }
