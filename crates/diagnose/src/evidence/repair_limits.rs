@@ -6,9 +6,10 @@ use crate::hypothesis::{self, is_sensor_fault};
 use crate::memory::competition::FamilyResult;
 use crate::memory::family::Family;
 use crate::prior::{
-    FREE_DISTANCE, LAPSE_SHARE, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY, MEMORY_TIE,
-    MIN_EXPLAINED_STRUCTURE, MIN_TAKEN_OF_SMALL_ERROR, MIN_TAKEN_SHARE, MIN_TAKEN_SHARE_OF_SENSOR, NATS_PER_COST,
-    PARTIAL_SENSOR_PROBABILITY, REPEATED_NMSE, UNKNOWN_PER_SHARE_LEFT,
+    FREE_DISTANCE, LAPSE_SHARE, MAX_NOISE_OF_SMALL_ERROR, MEMORY_ERROR_RATIO, MEMORY_LOG_ODDS, MEMORY_PROBABILITY,
+    MEMORY_TIE, MIN_EXPLAINED_STRUCTURE, MIN_TAKEN_OF_SMALL_ERROR, MIN_TAKEN_SHARE, MIN_TAKEN_SHARE_OF_SENSOR,
+    NATS_PER_COST, NEGLIGIBLE_NMSE, PARTIAL_SENSOR_PROBABILITY, REPEATED_NMSE, SMALL_ERROR_PROBABILITY,
+    UNKNOWN_PER_SHARE_LEFT,
 };
 
 /// Share of the error above the noise that a repair takes away.
@@ -35,8 +36,8 @@ impl VerdictEvidence {
     pub(crate) fn limits_of_repair(&self, repair: &RepairEvidence) -> Vec<ProbabilityLimit> {
         let Some(h) = self.hypothesis(&repair.cause, repair.also.as_deref()) else { return vec![] };
         if h.cause == "none" {
-            let better = self.memory_beyond_model(h, repair);
-            return better.map(|f| memory_limit(f, h, repair)).into_iter().collect();
+            let better = self.memory_beyond_model(h, repair).map(|f| memory_limit(f, h, repair));
+            return better.or_else(|| self.limit_of_small_error(repair)).into_iter().collect();
         }
         let mut out: Vec<ProbabilityLimit> = vec![];
         let limit = ProbabilityLimit::new;
@@ -80,6 +81,21 @@ impl VerdictEvidence {
         let takes_little = taken < MIN_TAKEN_OF_SMALL_ERROR && self.explained_share < MIN_EXPLAINED_STRUCTURE;
         let limit = ProbabilityLimit::new(&repair.cause, runs.max(0.0), reason);
         (is_adequate && takes_little).then_some(ProbabilityLimit { for_complete_model: true, ..limit })
+    }
+
+    /// Limit of `unknown` where no hypothesis is better than a model that leaves very little, and little beside the noise. What
+    /// structure that has is of no use to anyone.
+    fn limit_of_small_error(&self, repair: &RepairEvidence) -> Option<ProbabilityLimit> {
+        let (noise, held_out) = (self.recorded.noise?, repair.errors.and_then(|e| e.before));
+        let is_small = self.nmse_before <= NEGLIGIBLE_NMSE.min(MAX_NOISE_OF_SMALL_ERROR * noise);
+        let reason = format!(
+            "your model leaves {:.2} % of the variance, of which noise is {:.2} %, and nothing takes more away",
+            100.0 * self.nmse_before,
+            100.0 * noise.min(self.nmse_before)
+        );
+        let limit = ProbabilityLimit::new("unknown", SMALL_ERROR_PROBABILITY, reason);
+        (is_small && held_out.is_none_or(|e| e <= REPEATED_NMSE))
+            .then_some(ProbabilityLimit { for_complete_model: true, ..limit })
     }
 
     fn hypothesis(&self, cause: &str, also: Option<&str>) -> Option<&HypothesisEvidence> {
@@ -370,6 +386,22 @@ mod tests {
         assert_eq!(of(0.002, 0.0004, 0.8).0, "friction");
         assert_ne!(of(0.002, 0.0009, 1.0).0, "none");
         assert_ne!(of(0.02, 0.012, 0.8).0, "none");
+    }
+
+    /// Structure in an error that is small, and small beside the noise, leaves the model complete.
+    #[test]
+    fn a_very_small_error_is_no_unknown() {
+        let of = |before: f64, noise: f64, held_out: f64| {
+            let (mut e, mut repair) = case("none", before, vec![]);
+            e.hypotheses.retain(|h| h.cause == "none");
+            (e.nmse_before, e.recorded.noise) = (before, Some(noise));
+            repair.errors = Some(HeldOutErrors { before: Some(held_out), after: None, noise });
+            limits(&(e, repair))
+        };
+        assert_eq!(of(5e-4, 4e-4, 3e-3), [("unknown".to_owned(), 0.3)]);
+        assert!(
+            of(2e-3, 1.9e-3, 3e-3).is_empty() && of(5e-4, 1e-4, 3e-3).is_empty() && of(5e-4, 4e-4, 0.02).is_empty()
+        );
     }
 
     /// A sensor gives way to a memory that explains about as much and holds in other runs.
