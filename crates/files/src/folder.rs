@@ -17,6 +17,7 @@ pub fn make_folder(path: impl AsRef<Path>) -> io::Result<()> {
 /// # Errors
 /// As [`make_folder`].
 pub fn make_own_folder(path: impl AsRef<Path>) -> io::Result<()> {
+    #[cfg_attr(not(unix), expect(unused_mut))]
     let mut builder = DirBuilder::new();
     #[cfg(unix)]
     std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
