@@ -101,7 +101,8 @@ fn proposal(run: &Run, variable: &str, changed: &[&Declared<'_>]) -> Option<Prop
         Some(TextEdit { start: p.end, end: p.end, text: format!("\n{command}") })
     };
     let form = if changed.len() == 1 { "another value of a parameter" } else { "other values of several parameters" };
-    let location = format!("{} in the run {}", names.join(" and "), run.name);
+    let word = if changed.len() == 1 { "parameter" } else { "parameters" };
+    let location = format!("{word} {} in the run {}", names.join(" and "), run.name);
     let parameters: Vec<AddedParameter> = changed.iter().map(factor).collect();
     let factors = changed.iter().zip(&parameters).map(|(p, a)| (p.name.to_owned(), a.name.clone())).collect();
     Some(Proposal {
