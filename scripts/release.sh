@@ -54,11 +54,14 @@ build() {
         if has x86_64-w64-mingw32-gcc; then
             RUSTFLAGS="-C target-feature=+crt-static" cargo build --profile dist --locked --bin hysteron --target "$1"
         else
-            cargo zigbuild --profile dist --locked --bin hysteron --target "$1"
+            zigbuild "$1"
         fi ;;
-    *) cargo zigbuild --profile dist --locked --bin hysteron --target "$1" ;;
+    *) zigbuild "$1" ;;
     esac
 }
+
+# Zig refuses the date in the version text of mimalloc, which the program does not print.
+zigbuild() { CFLAGS=-Wno-date-time cargo zigbuild --profile dist --locked --bin hysteron --target "$1"; }
 
 # Completions and manual pages, which the program itself writes.
 helpers() {
