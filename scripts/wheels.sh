@@ -44,7 +44,8 @@ build() {
         rustup target add "$1" || return 1
     fi
     # shellcheck disable=SC2046
-    maturin build --release --zig --target "$1" $(compatibility "$1") --manifest-path bindings/python/Cargo.toml --out "$out/$1"
+    # Zig refuses the date in the version text of mimalloc.
+    CFLAGS=-Wno-date-time maturin build --release --zig --target "$1" $(compatibility "$1") --manifest-path bindings/python/Cargo.toml --out "$out/$1"
 }
 
 # The wheel in an environment of its own: a spring gives under its load.
