@@ -257,7 +257,7 @@ impl Competition<'_> {
         };
         let mut scored: Vec<(f64, Law)> = vec![];
         for v in variables {
-            let takes = |t: &Target| signs(d.mode, *t, v, law.shape) != Admitted::None;
+            let takes = |t: &Target| signs(d.mode, *t, v, law) != Admitted::None;
             for target in TARGETS.into_iter().filter(takes) {
                 if law.factors.iter().any(|(t, w)| *t == target && w.name == v.name && w.family == v.family) {
                     continue;
@@ -280,11 +280,9 @@ impl Competition<'_> {
             let is_asked = *of == Family::Shape || families.iter().any(|(f, _)| f == of);
             let fits = is_asked && !law.groups.contains(group) && group.is_of(d.mode);
             let has_clock = d.has_clock || !group.needs_clock();
-            (fits && has_clock).then(|| {
-                let mut longer = law.clone();
-                longer.groups.push(*group);
-                longer
-            })
+            let mut longer = law.clone();
+            longer.groups.push(*group);
+            (fits && has_clock && longer.is_admitted(d.mode)).then_some(longer)
         };
         let best = scored.into_iter().take(CROSS_VALIDATED).map(|x| x.1);
         best.chain(Group::ALL.iter().filter_map(of_group)).collect()

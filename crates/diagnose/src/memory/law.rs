@@ -98,8 +98,8 @@ pub(super) const TARGETS: [Target; 5] =
 
 /// Signs of the coefficient of a variable on a part: in a comparison any where a family keeps the energy bounded, in a law of
 /// the engine those with which it makes none.
-pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) -> Admitted {
-    let (family, is_user) = (v.family, shape == Shape::User);
+pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, law: &Law) -> Admitted {
+    let (family, is_user) = (v.family, law.shape == Shape::User);
     let takes = match target {
         Target::Strength => !is_user,
         _ if is_user => true,
@@ -113,7 +113,7 @@ pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) 
         return Admitted::None;
     }
     match (mode, v.kind) {
-        (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
+        (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &law.shape.of_engine(), law.relaxes()),
         _ if takes => Admitted::Both,
         _ => Admitted::None,
     }
@@ -133,6 +133,16 @@ impl Law {
     /// Number of terms that have entered.
     pub(super) fn terms(&self) -> usize {
         self.groups.len() + self.factors.len() + self.forces.len()
+    }
+
+    /// Returns true if it has Maxwell elements.
+    fn relaxes(&self) -> bool {
+        self.groups.iter().any(|g| matches!(g, Group::Maxwell | Group::Creep))
+    }
+
+    /// Returns true if each factor may act on its part beside all groups of the law.
+    pub(super) fn is_admitted(&self, mode: Mode) -> bool {
+        self.factors.iter().all(|(t, v)| signs(mode, *t, v, self) != Admitted::None)
     }
 }
 
@@ -403,7 +413,7 @@ impl<'a> Fitter<'a> {
                 let k = n - count + i;
                 let change = (moved[k] / scale[k]).clamp(-MAX_STEP, MAX_STEP);
                 let (target, v) = &law.factors[i];
-                let [least, most] = match signs(self.data.mode, *target, v, law.shape) {
+                let [least, most] = match signs(self.data.mode, *target, v, law) {
                     Admitted::NotPositive => [-MAX_COEFFICIENT, 0.0],
                     Admitted::NotNegative => [0.0, MAX_COEFFICIENT],
                     _ => [-MAX_COEFFICIENT, MAX_COEFFICIENT],
