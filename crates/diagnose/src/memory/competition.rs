@@ -6,6 +6,7 @@ use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, TARGETS
 use super::slow_variables::{SlowVariable, factors, forces, with_level};
 use crate::prior::{ENTERING_TERM, MAX_COMPARED_SHAPE_RATIO, MAX_COMPARED_TERMS};
 use hysteron_engine::element::amendment::learned::{Admitted, Target};
+use hysteron_engine::numeric::{axpy, dot};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -316,15 +317,10 @@ impl Competition<'_> {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 /// Takes the components along an orthonormal basis out of a vector.
 fn project_out(basis: &[Vec<f64>], x: &mut [f64]) {
     for q in basis {
-        let along = dot(q, x);
-        x.iter_mut().zip(q).for_each(|(x, q)| *x -= along * q);
+        axpy(-dot(q, x), q, x);
     }
 }
 

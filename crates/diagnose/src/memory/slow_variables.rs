@@ -163,6 +163,8 @@ impl<'a> Builder<'a> {
 /// Lengths of slip over U that wear a rest off, and times over T after which it counts.
 const REST_LENGTHS: [f64; 3] = [0.03, 0.15, 0.6];
 const REST_TIMES: [f64; 2] = [0.01, 0.1];
+/// Deformation of the lesser side over U below which the side last used is that of the clock.
+const LEAST_SIDE: f64 = 0.2;
 /// Places over U of a device that differs along its stroke, and their width.
 const PLACES: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
 const PLACE_WIDTH: f64 = 0.25;
@@ -227,13 +229,15 @@ fn variables_of(data: &Data, family: Family, condition: Option<usize>) -> Vec<(S
                 .flat_map(of)
                 .collect()
         }
-        Family::Side if is_engine => {
+        Family::Side => {
             let late = |c: &f64| (format!("side over {}", late(c)), V::SideOver { constant: *c });
-            let of_late = s.constants[2..].iter().filter(|_| data.has_clock).map(late);
-            let at = |place: f64| (format!("about {place}U"), V::Place { place, width: PLACE_WIDTH });
-            std::iter::once(("u".into(), V::Side)).chain(of_late).chain(PLACES.map(at)).collect()
+            let has_both = s.lesser_side > LEAST_SIDE * s.deformation;
+            let of_late = s.constants[2..].iter().filter(|_| is_engine && has_both && data.has_clock).map(late);
+            std::iter::once(("u".into(), V::Side)).chain(of_late).collect()
         }
-        Family::Side => vec![("u".into(), V::Side)],
+        Family::Place => {
+            PLACES.map(|place| (format!("about {place}U"), V::Place { place, width: PLACE_WIDTH })).to_vec()
+        }
         Family::Set => vec![],
         Family::Temperature | Family::AxialForce | Family::Channel => {
             let Some(channel) = condition else { return vec![] };

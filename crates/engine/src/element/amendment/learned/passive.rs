@@ -57,11 +57,13 @@ pub fn admitted(target: Target, variable: Variable, shape: &Shape, relaxes: bool
     let is_elastic = target == Target::Elastic;
     match variable {
         V::Channel { .. } | V::ChannelSquare { .. } | V::ChannelLate { .. } => Admitted::Both,
-        V::Rate { .. } | V::RateOver { .. } | V::Rest { .. } | V::Still { .. } | V::SideOver { .. } => Admitted::None,
-        V::Deformation { .. } | V::Side | V::Place { .. } if is_elastic => Admitted::Both,
+        V::Rate { .. } | V::RateOver { .. } | V::Rest { .. } | V::Still { .. } => Admitted::None,
+        // A place of the spring is one of its pieces, which have a tail.
+        V::SideOver { .. } | V::Place { .. } => Admitted::None,
+        V::Deformation { .. } | V::Side if is_elastic => Admitted::Both,
         V::Virgin { .. } if is_elastic => Admitted::NotNegative,
         V::Pinching { .. } if is_elastic => Admitted::NotPositive,
-        V::Deformation { .. } | V::Side | V::Place { .. } | V::Virgin { .. } | V::Pinching { .. } => Admitted::None,
+        V::Deformation { .. } | V::Side | V::Virgin { .. } | V::Pinching { .. } => Admitted::None,
         V::LargestOfSide | V::LargestDecayOfSide { .. } if !is_elastic => Admitted::None,
         V::LargestDecay { .. } | V::LargestDecayOfSide { .. } | V::RecentWorkSoftening { .. } => Admitted::NotNegative,
         V::Time
