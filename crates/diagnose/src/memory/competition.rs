@@ -3,10 +3,11 @@
 use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
 use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, TARGETS, signs};
+use super::least_squares::dot;
 use super::slow_variables::{SlowVariable, factors, forces, with_level};
 use crate::prior::{ENTERING_TERM, MAX_COMPARED_SHAPE_RATIO, MAX_COMPARED_TERMS};
 use hysteron_engine::element::amendment::learned::{Admitted, Target};
-use hysteron_engine::numeric::{axpy, dot};
+use hysteron_engine::numeric::axpy;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 

@@ -2,11 +2,11 @@
 
 use super::data::{Data, Mode};
 use super::family::Family;
-use super::least_squares::weights;
+use super::least_squares::{dot, weights};
 use super::operators::{bouc_wen, curve, stop};
 use super::slow_variables::{Kind, SlowVariable};
 use hysteron_engine::element::amendment::learned::{self, Admitted, FACTOR_RANGE, Target, admitted};
-use hysteron_engine::numeric::{axpy, dot};
+use hysteron_engine::numeric::axpy;
 use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
