@@ -72,15 +72,16 @@ const SHOWN_RIVALS: usize = 4;
 const SCRIPT_FILE: &str = "learned.tcl";
 
 fn write(dir: &Path, simulator: &ScriptSimulator, l: &LearnedStudy) -> Result<(), String> {
-    write_atomically(&dir.join(LEARNED_FILE), &l.json)?;
-    match &l.script {
-        Some(text) => write_atomically(&dir.join(SCRIPT_FILE), &standalone_script(simulator, dir, text)),
-        None => {
-            // That of an earlier law would be another one's.
-            let _ = hysteron_files::remove(dir.join(SCRIPT_FILE));
-            Ok(())
-        }
+    // Files of an earlier law would be another one's.
+    for file in [LEARNED_FILE, SCRIPT_FILE] {
+        let _ = hysteron_files::remove(dir.join(file));
     }
+    if !l.is_worth_writing() {
+        return Ok(());
+    }
+    write_atomically(&dir.join(LEARNED_FILE), &l.json)?;
+    let script = l.script.as_ref().map(|text| standalone_script(simulator, dir, text));
+    script.map_or(Ok(()), |text| write_atomically(&dir.join(SCRIPT_FILE), &text))
 }
 
 fn print_law(l: &LearnedStudy, dir: &Path) {
@@ -103,6 +104,10 @@ fn print_law(l: &LearnedStudy, dir: &Path) {
         println!("the same, simulated  {before:10.2e}   {after:10.2e}");
     }
     l.remarks().iter().for_each(|r| println!("{r}"));
+    if !l.is_worth_writing() {
+        eprintln!("no law is written");
+        return;
+    }
     let script = if l.script.is_some() { format!(" and {SCRIPT_FILE}") } else { String::new() };
     eprintln!("{LEARNED_FILE}{script} in {}", dir.display());
     if l.script.is_none() {

@@ -135,3 +135,23 @@ fn a_dashpot_alone_has_a_law() {
     let (status, _, err) = place.run(&["run", "out/learned.tcl"]);
     assert_eq!(status, Some(0), "{err}");
 }
+
+/// Where the model explains the runs held out, no law is written, and that of an earlier study goes.
+#[test]
+fn a_law_that_gains_too_little_is_not_written() {
+    let place = place_of(SCRIPT, [("Q", 2.0, 20.0), ("k", 0.1, 10.0)], |u| {
+        let (mut s, mut last) = (0.0f64, 0.0);
+        let mut force = |u: f64| {
+            (s, last) = ((s + u - last).clamp(-0.1, 0.1), u);
+            u + 100.0 * s
+        };
+        u.iter().map(|u| force(*u)).collect()
+    });
+    std::fs::create_dir_all(place.0.join("out")).unwrap();
+    place.write("out/learned_law.json", "{}");
+    let (status, said, err) = place.run(&["learn", "study.toml", "--out", "out", "--threads", "1"]);
+    assert_eq!(status, Some(0), "{err}");
+    let [before, after] = errors(&said, "runs held out");
+    assert!(after > 0.7 * before, "{said}");
+    assert!(!place.0.join("out/learned_law.json").exists() && !place.0.join("out/learned.tcl").exists(), "{err}");
+}

@@ -31,8 +31,13 @@ pub(super) const SOFTENING: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis bil
 pub(super) const CURVE: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis curve 0.01 25 -curve 0.7 1.3 1 0.5 0.1 \
     -spring 200 -moving 60 -factor elastic pinching 0.35 -0.5 0 1 -factor hysteretic largestDecay 0.4 0.6 0 1 \
     -factor elastic recentWork 8 -0.1 0 1 -factor elastic side 0.2 -1 1";
+/// A place of the stroke, the side last used, rest of a device that stands still, and a fluid with a resistance by position.
+const STROKE: &str = "-range 0.1 0.5 40 -work 0.05 -hysteresis bilinear 0.004 20 -spring 300 -dashpot 1 8 \
+    -viscous 0.1 2 -factor strength place -0.25 0.2 -0.5 0 1 -factor strength sideOver 4 0.4 -1 1 \
+    -factor strength still 0.01 0.4 0.5 0 2 -factor viscous deformation 2 3 0 1 \
+    -factor viscous rate 0.03 -0.4 0 1";
 
-const LAWS: [&str; 3] = [AGING, SOFTENING, CURVE];
+const LAWS: [&str; 4] = [AGING, SOFTENING, CURVE, STROKE];
 
 /// Work done on a law along a closed path, and the sum of its absolute parts.
 fn work(law: &LearnedLaw, u: &[f64]) -> (f64, f64) {
@@ -72,6 +77,9 @@ fn laws_that_make_energy_are_refused() {
         ("-factor elastic largest 0.2 0 1", "that rises makes energy"),
         ("-factor hysteretic work 0.2 0 1", "that rises makes energy"),
         ("-maxwell 0.3 50 -factor viscous work 0.2 0 1", "that rises makes energy"),
+        ("-maxwell 0.3 50 -factor viscous deformation 2 0.2 0 1", "within a cycle acts on the strength alone"),
+        ("-factor elastic place 0.5 0.3 0.4 0 1", "within a cycle acts on the strength alone"),
+        ("-factor hysteretic sideOver 4 0.2 -1 1", "within a cycle acts on the strength alone"),
         ("-work 0.001 -factor elastic recentWork 1 -0.9 0 1", "recovery makes more energy"),
     ] {
         let message = law(&format!("{base} {more}")).unwrap_err();

@@ -100,7 +100,7 @@ pub(crate) fn slider_runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRu
     let one = |k: usize| {
         let times: Vec<f64> = (0..1200).map(|i| 0.03 * f64::from(i)).collect();
         let deformation: Vec<f64> = times.iter().map(|t| motions[k](*t)).collect();
-        let (mut s, mut work, mut resting, mut aged, mut slips) = (0.0f64, 0.0, 0.0f64, 0.0f64, true);
+        let (mut s, mut work, mut aged, mut slips) = (0.0f64, 0.0, 0.0f64, true);
         let mut modelled = vec![];
         let noise = white_noise(k as u64 + 1, times.len());
         let mut recorded = vec![];
@@ -109,17 +109,15 @@ pub(crate) fn slider_runs(factor: impl Fn(f64, f64, f64) -> f64) -> Vec<DeviceRu
             let du = if j > 0 { deformation[j] - deformation[j - 1] } else { 0.0 };
             // The contact is at rest while it does not slip.
             if !slips {
-                resting += 0.03;
-                aged = aged.max((resting / 0.36).ln_1p());
+                aged = (aged.exp() + 0.03 / 0.36).ln();
             }
             let level = 0.1 * factor(times[j], work, aged);
             let trial = s + du;
             s = trial.clamp(-level, level);
             work += 10.0 * (trial - s).abs() * level / 0.1;
-            // Slip wears the contact off.
+            // Slip wears the contact off, and rest goes on from what it leaves.
             aged *= (-(trial - s).abs() / 0.15).exp();
             slips = trial != s;
-            resting = if slips && aged < 0.05 { 0.0 } else { resting };
             plain = (plain + du).clamp(-0.1, 0.1);
             modelled.push(deformation[j] + 10.0 * plain);
             recorded.push(deformation[j] + 10.0 * s + 0.01 * noise[j]);

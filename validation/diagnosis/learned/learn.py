@@ -20,6 +20,8 @@ def learned(engine, study, out):
     found = {"seconds": used.ru_utime}
     if started.returncode:
         return found | {"refused": message.strip().splitlines()[-1].split(": ", 2)[-1]}
+    if not (out / "learned_law.json").exists():
+        return found | {"refused": "the runs held out gain too little"}
     for key, words in ROWS.items():
         if row := re.search(rf"^{words} +(\S+) +(\S+)$", text, re.M):
             found[key] = row.groups()

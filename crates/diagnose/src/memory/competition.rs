@@ -3,9 +3,11 @@
 use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
 use super::law::{Coefficients, Fitter, Group, Law, STRENGTH_STEP, Shape, TARGETS, signs};
+use super::least_squares::dot;
 use super::slow_variables::{SlowVariable, factors, forces, with_level};
 use crate::prior::{ENTERING_TERM, MAX_COMPARED_SHAPE_RATIO, MAX_COMPARED_TERMS};
 use hysteron_engine::element::amendment::learned::{Admitted, Target};
+use hysteron_engine::numeric::axpy;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -257,7 +259,7 @@ impl Competition<'_> {
         };
         let mut scored: Vec<(f64, Law)> = vec![];
         for v in variables {
-            let takes = |t: &Target| signs(d.mode, *t, v, law.shape) != Admitted::None;
+            let takes = |t: &Target| signs(d.mode, *t, v, law) != Admitted::None;
             for target in TARGETS.into_iter().filter(takes) {
                 if law.factors.iter().any(|(t, w)| *t == target && w.name == v.name && w.family == v.family) {
                     continue;
@@ -280,11 +282,9 @@ impl Competition<'_> {
             let is_asked = *of == Family::Shape || families.iter().any(|(f, _)| f == of);
             let fits = is_asked && !law.groups.contains(group) && group.is_of(d.mode);
             let has_clock = d.has_clock || !group.needs_clock();
-            (fits && has_clock).then(|| {
-                let mut longer = law.clone();
-                longer.groups.push(*group);
-                longer
-            })
+            let mut longer = law.clone();
+            longer.groups.push(*group);
+            (fits && has_clock && longer.is_admitted(d.mode)).then_some(longer)
         };
         let best = scored.into_iter().take(CROSS_VALIDATED).map(|x| x.1);
         best.chain(Group::ALL.iter().filter_map(of_group)).collect()
@@ -318,15 +318,10 @@ impl Competition<'_> {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 /// Takes the components along an orthonormal basis out of a vector.
 fn project_out(basis: &[Vec<f64>], x: &mut [f64]) {
     for q in basis {
-        let along = dot(q, x);
-        x.iter_mut().zip(q).for_each(|(x, q)| *x -= along * q);
+        axpy(-dot(q, x), q, x);
     }
 }
 

@@ -32,8 +32,9 @@ pub(crate) struct DeviceRun {
 /// Scales of the fitted runs.
 #[derive(Clone, Debug)]
 pub(super) struct Scales {
-    /// Largest absolute deformation.
+    /// Largest absolute deformation, and that of the side that goes less far.
     pub(super) deformation: f64,
+    pub(super) lesser_side: f64,
     /// The 98 % quantile of the speed where it moves.
     pub(super) speed: f64,
     /// Length of the longest run.
@@ -158,9 +159,11 @@ impl Data {
         scaled.map(|x| if x.is_finite() { x } else { 0.0 }).collect()
     }
 
-    /// Families that can be told from these runs, with the index of their condition.
+    /// Families that can be told from these runs, with the index of their condition. A place is one of learned laws alone.
     pub(super) fn families(&self) -> Vec<(Family, Option<usize>)> {
-        let of_motion = Family::OF_MOTION.into_iter().filter(|f| self.has_clock || !f.needs_clock()).map(|f| (f, None));
+        let is_known = |f: &Family| self.mode == Mode::Engine || *f != Family::Place;
+        let has_times = |f: &Family| self.has_clock || !f.needs_clock();
+        let of_motion = Family::OF_MOTION.into_iter().filter(|f| is_known(f) && has_times(f)).map(|f| (f, None));
         let conditions = self.runs[0].conditions.iter().enumerate();
         of_motion.chain(conditions.map(|(i, c)| (Family::of_column(&c.name), Some(i)))).collect()
     }
@@ -173,6 +176,7 @@ impl Scales {
             fitted().flat_map(of).filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()))
         };
         let deformation = largest(|r| &r.deformation);
+        let of_side = |side: f64| fitted().flat_map(|r| &r.deformation).fold(0.0f64, |m, u| m.max(side * u));
         let mut speeds: Vec<f64> =
             fitted().flat_map(|r| speed(&r.deformation, &r.times)).map(f64::abs).filter(|v| *v > 0.0).collect();
         speeds.sort_by(f64::total_cmp);
@@ -189,6 +193,7 @@ impl Scales {
         let count = fitted().next()?.conditions.len();
         (deformation > 0.0 && duration > 0.0).then(|| Self {
             deformation,
+            lesser_side: of_side(1.0).min(of_side(-1.0)),
             speed,
             duration,
             force: largest(|r| &r.modelled),

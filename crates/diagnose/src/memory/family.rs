@@ -21,6 +21,8 @@ pub enum Family {
     Rest,
     /// Sense of the deformation.
     Side,
+    /// Place of the stroke.
+    Place,
     /// Middle of the motion so far, to which the origin moves.
     Set,
     /// A recorded temperature.
@@ -33,7 +35,7 @@ pub enum Family {
 
 impl Family {
     /// Families without a channel of their own.
-    pub(crate) const OF_MOTION: [Self; 10] = [
+    pub(crate) const OF_MOTION: [Self; 11] = [
         Self::Shape,
         Self::Clock,
         Self::Work,
@@ -43,6 +45,7 @@ impl Family {
         Self::Rate,
         Self::Rest,
         Self::Side,
+        Self::Place,
         Self::Set,
     ];
 
@@ -58,6 +61,7 @@ impl Family {
             Self::Rate => "rate",
             Self::Rest => "rest",
             Self::Side => "side",
+            Self::Place => "place",
             Self::Set => "set",
             Self::Temperature => "temperature",
             Self::AxialForce => "axial_force",
@@ -95,6 +99,7 @@ impl Family {
             Self::Rate => "the force depends on the rate of deformation",
             Self::Rest => "the strength changes with the time at rest",
             Self::Side => "the force differs between the two senses of the deformation",
+            Self::Place => "the strength differs along the stroke",
             Self::Set => "the origin of the deformation moves with the motion so far",
             Self::Temperature => "the force follows the recorded temperature",
             Self::AxialForce => "the force follows the axial force",
@@ -109,6 +114,6 @@ impl Family {
 
     /// Returns true if its variables change within a cycle. They act on the strength alone, or the law could make energy.
     pub(super) fn is_fast(self) -> bool {
-        matches!(self, Self::Pinching | Self::Rate | Self::Rest | Self::Side)
+        matches!(self, Self::Pinching | Self::Rate | Self::Rest | Self::Side | Self::Place)
     }
 }

@@ -2,10 +2,11 @@
 
 use super::data::{Data, Mode};
 use super::family::Family;
-use super::least_squares::weights;
+use super::least_squares::{dot, weights};
 use super::operators::{bouc_wen, curve, stop};
 use super::slow_variables::{Kind, SlowVariable};
 use hysteron_engine::element::amendment::learned::{self, Admitted, FACTOR_RANGE, Target, admitted};
+use hysteron_engine::numeric::axpy;
 use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -98,8 +99,8 @@ pub(super) const TARGETS: [Target; 5] =
 
 /// Signs of the coefficient of a variable on a part: in a comparison any where a family keeps the energy bounded, in a law of
 /// the engine those with which it makes none.
-pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) -> Admitted {
-    let (family, is_user) = (v.family, shape == Shape::User);
+pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, law: &Law) -> Admitted {
+    let (family, is_user) = (v.family, law.shape == Shape::User);
     let takes = match target {
         Target::Strength => !is_user,
         _ if is_user => true,
@@ -113,7 +114,7 @@ pub(super) fn signs(mode: Mode, target: Target, v: &SlowVariable, shape: Shape) 
         return Admitted::None;
     }
     match (mode, v.kind) {
-        (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &shape.of_engine()),
+        (Mode::Engine, Kind::Variable(variable)) => admitted(target, variable, &law.shape.of_engine(), law.relaxes()),
         _ if takes => Admitted::Both,
         _ => Admitted::None,
     }
@@ -133,6 +134,16 @@ impl Law {
     /// Number of terms that have entered.
     pub(super) fn terms(&self) -> usize {
         self.groups.len() + self.factors.len() + self.forces.len()
+    }
+
+    /// Returns true if it has Maxwell elements.
+    fn relaxes(&self) -> bool {
+        self.groups.iter().any(|g| matches!(g, Group::Maxwell | Group::Creep))
+    }
+
+    /// Returns true if each factor may act on its part beside all groups of the law.
+    pub(super) fn is_admitted(&self, mode: Mode) -> bool {
+        self.factors.iter().all(|(t, v)| signs(mode, *t, v, self) != Admitted::None)
     }
 }
 
@@ -222,11 +233,10 @@ impl<'a> Fitter<'a> {
         let is_plain = on_strength.is_empty();
         let strength: Vec<Vec<f64>> = (0..d.runs.len())
             .map(|k| {
-                let at = |j: usize| {
-                    let sum: f64 = on_strength.iter().map(|(a, v)| a * v.runs[k][j]).sum();
-                    (1.0 + sum).clamp(FACTOR_RANGE[0], FACTOR_RANGE[1])
-                };
-                (0..d.runs[k].times.len()).map(at).collect()
+                let mut g = vec![1.0; d.runs[k].times.len()];
+                on_strength.iter().for_each(|(a, v)| axpy(*a, &v.runs[k], &mut g));
+                g.iter_mut().for_each(|g| *g = g.clamp(FACTOR_RANGE[0], FACTOR_RANGE[1]));
+                g
             })
             .collect();
         let of = |operator: Operator<'_>, level: f64| {
@@ -379,19 +389,21 @@ impl<'a> Fitter<'a> {
         };
         let kept: Vec<usize> = (0..rows.len()).filter(|i| rows[*i]).collect();
         let steps = if count > 0 { steps } else { 0 };
+        let recorded = self.weighted(&self.data.recorded, &kept);
         let mut settled = false;
         for step in 0..=steps {
             let columns = self.columns(law, &c.factors);
             let positive = self.positive(law, columns.counts);
-            let (normal, right) = self.normal(&columns.all, &self.data.recorded, &kept);
-            c.weights = weights(&normal, &right, &positive);
+            let mut at_samples = self.gathered(&columns.all, &kept);
+            let of_columns = gram(&DMatrix::zeros(0, 0), &at_samples);
+            c.weights = weights(&of_columns, &products(&at_samples, &recorded), &positive);
             if step == steps || settled {
                 break;
             }
             let value = self.value_of(&columns, &c);
             let rest: Vec<f64> = self.data.recorded.iter().zip(&value).map(|(y, v)| y - v).collect();
-            let all: Vec<Vec<f64>> = columns.all.iter().cloned().chain(self.derivatives(law, &c, &columns)).collect();
-            let (normal, right) = self.normal(&all, &rest, &kept);
+            at_samples.extend(self.gathered(&self.derivatives(law, &c, &columns), &kept));
+            let (normal, right) = (gram(&of_columns, &at_samples), products(&at_samples, &self.weighted(&rest, &kept)));
             let n = right.len();
             let scale: Vec<f64> = (0..n).map(|i| normal[(i, i)].sqrt() + 1e-9).collect();
             let scaled =
@@ -403,7 +415,7 @@ impl<'a> Fitter<'a> {
                 let k = n - count + i;
                 let change = (moved[k] / scale[k]).clamp(-MAX_STEP, MAX_STEP);
                 let (target, v) = &law.factors[i];
-                let [least, most] = match signs(self.data.mode, *target, v, law.shape) {
+                let [least, most] = match signs(self.data.mode, *target, v, law) {
                     Admitted::NotPositive => [-MAX_COEFFICIENT, 0.0],
                     Admitted::NotNegative => [0.0, MAX_COEFFICIENT],
                     _ => [-MAX_COEFFICIENT, MAX_COEFFICIENT],
@@ -420,19 +432,17 @@ impl<'a> Fitter<'a> {
 
     /// Weighted normal matrix and right side over some samples.
     pub(super) fn normal(&self, columns: &[Vec<f64>], target: &[f64], kept: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
-        let w = &self.data.weight;
-        let gathered: Vec<Vec<f64>> = columns.iter().map(|c| kept.iter().map(|i| c[*i] * w[*i]).collect()).collect();
-        let right: Vec<f64> = kept.iter().map(|i| target[*i] * w[*i]).collect();
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let n = columns.len();
-        let mut normal = DMatrix::zeros(n, n);
-        for i in 0..n {
-            for j in 0..=i {
-                let x = dot(&gathered[i], &gathered[j]);
-                (normal[(i, j)], normal[(j, i)]) = (x, x);
-            }
-        }
-        (normal, DVector::from_fn(n, |i, _| dot(&gathered[i], &right)))
+        let at_samples = self.gathered(columns, kept);
+        (gram(&DMatrix::zeros(0, 0), &at_samples), products(&at_samples, &self.weighted(target, kept)))
+    }
+
+    /// A series at some samples, times the root of their weight.
+    fn weighted(&self, series: &[f64], kept: &[usize]) -> Vec<f64> {
+        kept.iter().map(|i| series[*i] * self.data.weight[*i]).collect()
+    }
+
+    fn gathered(&self, columns: &[Vec<f64>], kept: &[usize]) -> Vec<Vec<f64>> {
+        columns.iter().map(|c| self.weighted(c, kept)).collect()
     }
 
     fn value_of(&self, columns: &Columns, c: &Coefficients) -> Vec<f64> {
@@ -447,4 +457,21 @@ impl<'a> Fitter<'a> {
     pub(super) fn value(&self, law: &Law, c: &Coefficients) -> Vec<f64> {
         self.value_of(&self.columns(law, &c.factors), c)
     }
+}
+
+/// Products of columns with each other, of which those of the first ones are known.
+fn gram(known: &DMatrix<f64>, columns: &[Vec<f64>]) -> DMatrix<f64> {
+    let n = columns.len();
+    let mut out = known.clone().resize(n, n, 0.0);
+    for i in known.nrows()..n {
+        for j in 0..=i {
+            let x = dot(&columns[i], &columns[j]);
+            (out[(i, j)], out[(j, i)]) = (x, x);
+        }
+    }
+    out
+}
+
+fn products(columns: &[Vec<f64>], target: &[f64]) -> DVector<f64> {
+    DVector::from_fn(columns.len(), |i, _| dot(&columns[i], target))
 }

@@ -45,6 +45,24 @@ pub(super) fn weights(normal: &DMatrix<f64>, right: &DVector<f64>, positive: &[b
     (0..n).map(|i| x[i] / scale[i]).collect()
 }
 
+/// Scalar product of two series of one length, in four sums. Release builds compile this crate for its size, where an index is
+/// several times as fast as the engine's iterators over chunks.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (mut sum, mut j) = ([0.0; 4], 0);
+    while j + 4 <= a.len() {
+        sum[0] += a[j] * b[j];
+        sum[1] += a[j + 1] * b[j + 1];
+        sum[2] += a[j + 2] * b[j + 2];
+        sum[3] += a[j + 3] * b[j + 3];
+        j += 4;
+    }
+    while j < a.len() {
+        sum[0] += a[j] * b[j];
+        j += 1;
+    }
+    (sum[0] + sum[1]) + (sum[2] + sum[3])
+}
+
 /// Solution for the passive columns; the others are zero.
 fn solve(q: &DMatrix<f64>, b: &DVector<f64>, passive: &[bool]) -> DVector<f64> {
     let kept: Vec<usize> = (0..b.len()).filter(|i| passive[*i]).collect();

@@ -36,12 +36,15 @@ impl Competition<'_> {
         let rows = |keep: &dyn Fn(usize) -> bool| -> Vec<usize> {
             (0..d.samples.len()).filter(|i| d.fitted[*i] && keep(*i)).collect()
         };
-        let (total, total_right) = self.fitter.normal(&all, &d.recorded, &rows(&|_| true));
-        let of_fold = |held: &Vec<bool>| {
+        let of_folds: Vec<(DMatrix<f64>, DVector<f64>)> =
+            d.folds.iter().map(|held| self.fitter.normal(&all, &d.recorded, &rows(&|i| held[i]))).collect();
+        // Each fitted sample is in one block.
+        let blocks = &of_folds[..d.block_folds];
+        let total: DMatrix<f64> = blocks.iter().map(|(normal, _)| normal).sum();
+        let total_right: DVector<f64> = blocks.iter().map(|(_, right)| right).sum();
+        let of_fold = |(held, (normal, right)): (&Vec<bool>, &(DMatrix<f64>, DVector<f64>))| {
             let held = rows(&|i| held[i]);
-            let (normal, right) = self.fitter.normal(&all, &d.recorded, &held);
-            let (normal, right): (DMatrix<f64>, DVector<f64>) = (&total - normal, &total_right - right);
-            let mut x = weights(&normal, &right, &positive);
+            let mut x = weights(&(&total - normal), &(&total_right - right), &positive);
             // Of the column, a change of the factor is its weight over the ratio of sizes.
             for (a, ratio) in x[n..].iter_mut().zip(&sizes) {
                 *a = (*a / ratio).clamp(-MAX_CHANGE, MAX_CHANGE) * ratio;
@@ -53,7 +56,7 @@ impl Competition<'_> {
                 })
                 .sum()
         };
-        let folds: Vec<f64> = d.folds.iter().map(of_fold).collect();
+        let folds: Vec<f64> = d.folds.iter().zip(&of_folds).map(of_fold).collect();
         let (blocks, whole) = folds.split_at(d.block_folds);
         HeldBack { pooled: 0.5 * (blocks.iter().sum::<f64>() + d.whole_factor * whole.iter().sum::<f64>()), folds }
     }

@@ -2,35 +2,31 @@
 
 use hysteron_engine::element::amendment::learned::operators;
 
-/// Series of a step that starts from zero; the first value is that at rest.
-fn along(count: usize, mut step: impl FnMut(f64, usize) -> f64) -> Vec<f64> {
-    let mut value = 0.0;
-    (0..count)
-        .map(|j| {
-            if j > 0 {
-                value = step(value, j);
-            }
-            value
-        })
-        .collect()
+/// Series of a step that starts from zero, over a scale; the first value is that at rest.
+fn along(count: usize, scale: f64, mut step: impl FnMut(f64, usize) -> f64) -> Vec<f64> {
+    let (mut value, mut out) = (0.0, Vec::with_capacity(count));
+    for j in 0..count {
+        if j > 0 {
+            value = step(value, j);
+        }
+        out.push(value / scale);
+    }
+    out
 }
 
 /// Stop of level r g(t), over r.
 pub(super) fn stop(u: &[f64], level: f64, factor: &[f64]) -> Vec<f64> {
-    let s = along(u.len(), |s, j| operators::stop(s, u[j] - u[j - 1], level * factor[j]));
-    s.into_iter().map(|s| s / level).collect()
+    along(u.len(), level, |s, j| operators::stop(s, u[j] - u[j - 1], level * factor[j]))
 }
 
 /// Bouc and Wen's hysteresis of exponent one and strength r g(t), over r.
 pub(super) fn bouc_wen(u: &[f64], level: f64, factor: &[f64]) -> Vec<f64> {
-    let z = along(u.len(), |z, j| operators::bouc_wen(z, u[j] - u[j - 1], level * factor[j]).0);
-    z.into_iter().map(|z| z / level).collect()
+    along(u.len(), level, |z, j| operators::bouc_wen(z, u[j] - u[j - 1], level * factor[j]).0)
 }
 
 /// Hysteresis of learned slopes and strength r g(t), over r.
 pub(super) fn curve(u: &[f64], level: f64, factor: &[f64], knots: &[f64]) -> Vec<f64> {
-    let z = along(u.len(), |z, j| operators::curve(z, u[j] - u[j - 1], level * factor[j], knots).0);
-    z.into_iter().map(|z| z / level).collect()
+    along(u.len(), level, |z, j| operators::curve(z, u[j] - u[j - 1], level * factor[j], knots).0)
 }
 
 /// First-order filter of a time constant.
@@ -47,7 +43,7 @@ pub(super) fn low_pass(x: &[f64], times: &[f64], constant: f64, start: f64) -> V
 
 /// Force of a Maxwell element of stiffness one.
 pub(super) fn maxwell(u: &[f64], times: &[f64], constant: f64) -> Vec<f64> {
-    along(u.len(), |h, j| operators::maxwell(h, u[j] - u[j - 1], times[j] - times[j - 1], constant).0)
+    along(u.len(), 1.0, |h, j| operators::maxwell(h, u[j] - u[j - 1], times[j] - times[j - 1], constant).0)
 }
 
 /// Backward differences over time; the first is zero.

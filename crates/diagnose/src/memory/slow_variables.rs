@@ -3,7 +3,7 @@
 use super::data::{Data, DeviceRun, Mode};
 use super::family::Family;
 use super::operators::low_pass;
-use hysteron_engine::element::amendment::learned::{History, Moment, SLOT, Scales, Variable};
+use hysteron_engine::element::amendment::learned::{History, Moment, Scales, Variable};
 use std::rc::Rc;
 
 /// Counterpart of a series in a law of the engine.
@@ -92,7 +92,7 @@ impl<'a> Builder<'a> {
     /// Series of a variable in a run: for factors on strength and force, and for one on the spring.
     fn series(&self, run: usize, variable: Variable) -> [Vec<f64>; 2] {
         let (r, h) = (&self.data.runs[run], &self.histories[run]);
-        let mut slot = [0.0; SLOT];
+        let mut slot = 0.0;
         let (mut on_force, mut on_spring) = (vec![], vec![]);
         for (j, u) in r.deformation.iter().enumerate() {
             let (before, after) = (h.before(j), &h.after[j]);
@@ -160,12 +160,22 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Variables of a family with their names.
+/// Lengths of slip over U that wear a rest off, and times over T after which it counts.
+const REST_LENGTHS: [f64; 3] = [0.03, 0.15, 0.6];
+const REST_TIMES: [f64; 2] = [0.01, 0.1];
+/// Deformation of the lesser side over U below which the side last used is that of the clock.
+const LEAST_SIDE: f64 = 0.2;
+/// Places over U of a device that differs along its stroke, and their width.
+const PLACES: [f64; 7] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75];
+const PLACE_WIDTH: f64 = 0.25;
+
+/// Variables of a family with their names. A comparison of kinds has fewer than a law of the engine.
 fn variables_of(data: &Data, family: Family, condition: Option<usize>) -> Vec<(String, Variable)> {
     use Variable as V;
     let s = &data.scales;
     let t = s.duration;
     let late = |c: &f64| format!("{c:.3}");
+    let is_engine = data.mode == Mode::Engine;
     match family {
         Family::Shape => {
             vec![("|u|".into(), V::Deformation { power: 1.0 }), ("u^2".into(), V::Deformation { power: 2.0 })]
@@ -204,13 +214,30 @@ fn variables_of(data: &Data, family: Family, condition: Option<usize>) -> Vec<(S
                 .map(|c| (format!("ln(1+v/0.03V) over {}", late(c)), V::RateOver { reference: 0.03, constant: *c }));
             now.into_iter().chain(over).collect()
         }
-        Family::Rest => [0.03, 0.15, 0.6]
-            .map(|length| {
-                let variable = V::Rest { length: length * s.deformation, time: 0.01 * t };
-                (format!("ln(1+rest), slip {length}U"), variable)
-            })
-            .to_vec(),
-        Family::Side => vec![("u".into(), V::Side)],
+        Family::Rest => {
+            let of = |(length, time): (f64, f64)| {
+                let [l, t0] = [length * s.deformation, time * t];
+                let name = |what: &str| format!("ln(1+{what}/{time}T), slip {length}U");
+                let stuck = (name("stuck"), V::Rest { length: l, time: t0 });
+                let still = (name("still"), V::Still { length: l, time: t0 });
+                if is_engine { vec![stuck, still] } else { vec![stuck] }
+            };
+            let times = if is_engine { &REST_TIMES[..] } else { &REST_TIMES[..1] };
+            REST_LENGTHS
+                .into_iter()
+                .flat_map(|length| times.iter().map(move |time| (length, *time)))
+                .flat_map(of)
+                .collect()
+        }
+        Family::Side => {
+            let late = |c: &f64| (format!("side over {}", late(c)), V::SideOver { constant: *c });
+            let has_both = s.lesser_side > LEAST_SIDE * s.deformation;
+            let of_late = s.constants[2..].iter().filter(|_| is_engine && has_both && data.has_clock).map(late);
+            std::iter::once(("u".into(), V::Side)).chain(of_late).collect()
+        }
+        Family::Place => {
+            PLACES.map(|place| (format!("about {place}U"), V::Place { place, width: PLACE_WIDTH })).to_vec()
+        }
         Family::Set => vec![],
         Family::Temperature | Family::AxialForce | Family::Channel => {
             let Some(channel) = condition else { return vec![] };

@@ -251,6 +251,8 @@ fn factor_in_words(law: &LearnedLaw, f: &Factor) -> String {
     let variable = match f.variable {
         V::Deformation { power } => format!("with the deformation to the power {power}"),
         V::Side => "with the side of the deformation".into(),
+        V::SideOver { constant } => format!("with the side of late, over {constant:.3} s"),
+        V::Place { place, .. } => format!("about the deformation {:.3e}", place * law.scales.deformation),
         V::Time => "with elapsed time".into(),
         V::TimeSaturating { constant } => format!("with elapsed time, mostly within {constant:.3} s"),
         V::TimeStep { at } => format!("about the time {at:.3} s"),
@@ -265,7 +267,8 @@ fn factor_in_words(law: &LearnedLaw, f: &Factor) -> String {
         V::Pinching { width } => format!("about zero, within {width:.2} of the largest deformation"),
         V::Rate { .. } => "with the logarithm of the speed".into(),
         V::RateOver { constant, .. } => format!("with the logarithm of the speed of the last {constant:.3} s"),
-        V::Rest { length, .. } => format!("with the time at rest, worn off by {length:.3e} of slip"),
+        V::Rest { length, .. } => format!("with the time without slip, worn off by {length:.3e} of slip"),
+        V::Still { length, .. } => format!("with the time at rest, worn off by {length:.3e} of slip"),
         V::Channel { channel: i } | V::ChannelSquare { channel: i } => format!("with {}", channel(i)),
         V::ChannelLate { channel: i, constant } => format!("with {}, late by {constant:.3} s", channel(i)),
     };
@@ -286,6 +289,6 @@ mod tests {
         );
         let lines = law.map(|l| parts(&l)).unwrap_or_default();
         assert_eq!(lines[0], "hysteresis bilinear, strength 2.0000e1 after 4.0000e-3 of deformation");
-        assert_eq!(lines[2], "strength times 1.000 to 2.000 with the time at rest, worn off by 1.500e-2 of slip");
+        assert_eq!(lines[2], "strength times 1.000 to 2.000 with the time without slip, worn off by 1.500e-2 of slip");
     }
 }

@@ -100,12 +100,18 @@ pub fn learn_law(
 }
 
 impl LearnedStudy {
+    /// Returns true if the runs held out lose enough of the error for the law to be used, or if none is held out.
+    pub fn is_worth_writing(&self) -> bool {
+        let both = self.learned.user_held_out.zip(self.learned.held_out);
+        both.is_none_or(|(before, after)| after <= (1.0 - MIN_LEARNED_GAIN) * before)
+    }
+
     /// Worth of the law in words: one sentence each.
     pub fn remarks(&self) -> Vec<String> {
         let l = &self.learned;
         let mut out = vec![];
         match (l.user_held_out, l.held_out) {
-            (Some(before), Some(after)) if after > (1.0 - MIN_LEARNED_GAIN) * before => out.push(format!(
+            (Some(before), Some(after)) if !self.is_worth_writing() => out.push(format!(
                 "Of the runs held out it leaves {after:.2e} in place of {before:.2e}: it gains too little to be used."
             )),
             (Some(_), Some(_)) => {}

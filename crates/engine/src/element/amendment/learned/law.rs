@@ -2,7 +2,7 @@
 
 use super::history::{History, Scales};
 use super::operators;
-use super::variable::{Moment, SLOT, Variable};
+use super::variable::{Moment, Variable};
 use crate::state_struct::StateStruct;
 
 /// Part of the force on which a factor acts.
@@ -171,16 +171,11 @@ impl LearnedLaw {
         self.stops_at() + self.stops.len() + self.maxwell.len()
     }
 
-    /// Index of the hysteretic variable; slots of the factors follow.
+    /// Index of the hysteretic variable; one of each factor follows.
     const HYSTERETIC_AT: usize = History::LEN;
 
     fn stops_at(&self) -> usize {
-        Self::HYSTERETIC_AT + 1 + SLOT * self.factors.len()
-    }
-
-    fn slot(&self, state: &[f64], k: usize) -> [f64; SLOT] {
-        let first = Self::HYSTERETIC_AT + 1 + SLOT * k;
-        [state[first], state[first + 1]]
+        Self::HYSTERETIC_AT + 1 + self.factors.len()
     }
 
     /// Value of x for a channel: less its mean, over three standard deviations.
@@ -197,7 +192,7 @@ impl LearnedLaw {
             // A spring with a factor of its deformation is another spring: it has a potential.
             let is_elastic = f.target == Target::Elastic;
             let moment = if is_elastic { &trial } else { &committed };
-            let (value, by) = f.variable.value(self.slot(state, k), &self.scales, h, moment);
+            let (value, by) = f.variable.value(state[Self::HYSTERETIC_AT + 1 + k], &self.scales, h, moment);
             let is_within = self.goes_on || (f.range[0]..=f.range[1]).contains(&value);
             let value = if self.goes_on { value } else { value.clamp(f.range[0], f.range[1]) };
             let part = f.coefficient * value;
@@ -288,9 +283,8 @@ impl LearnedLaw {
         let after = h.next(&self.scales, u, dt);
         after.write(next);
         for (k, f) in self.factors.iter().enumerate() {
-            let slot = f.variable.next(self.slot(committed, k), &self.scales, &h, &after, step.channels);
-            let first = Self::HYSTERETIC_AT + 1 + SLOT * k;
-            next[first..first + SLOT].copy_from_slice(&slot);
+            let at = Self::HYSTERETIC_AT + 1 + k;
+            next[at] = f.variable.next(committed[at], &self.scales, &h, &after, step.channels);
         }
         out
     }

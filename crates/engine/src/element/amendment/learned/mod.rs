@@ -27,7 +27,7 @@ pub use history::{History, Scales};
 pub use law::{Channel, ChannelForce, FACTOR_RANGE, Factor, LawForce, LawStep, LearnedLaw, Piece, Shape, Target};
 pub use options::{LawOption, OPTIONS, OptionError, VARIABLES};
 pub use passive::{Admitted, Refusal, admitted};
-pub use variable::{Moment, SLOT, Variable};
+pub use variable::{Moment, Variable};
 
 /// Source of a channel of a learned law in a model.
 #[derive(Clone, Debug)]

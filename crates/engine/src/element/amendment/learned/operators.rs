@@ -118,24 +118,16 @@ pub fn piece(u: f64, side: f64, at: f64) -> (f64, f64) {
     if beyond { (u - at.copysign(u), 1.0) } else { (0.0, 0.0) }
 }
 
-/// Slip over its length for each step below which a contact is at rest.
-const REST_SLIP: f64 = 1e-4;
-/// Logarithm of the time at rest below which it is worn off.
-const WORN_OFF: f64 = 0.05;
-
-/// Logarithm ln(1 + t/t₀) of the time at rest, worn off by slip over a length; and the time at rest itself.
-pub fn rest([aged, resting]: [f64; 2], slip: f64, dt: f64, length: f64, t0: f64) -> [f64; 2] {
-    if slip < REST_SLIP * length {
-        let resting = resting + dt;
-        return [aged.max((resting / t0).ln_1p()), resting];
-    }
-    let aged = aged * (-slip / length).exp();
-    [aged, if aged < WORN_OFF { 0.0 } else { resting }]
+/// Logarithm ln(1 + t/t₀) of the time at rest, worn off by slip over a length.
+///
+/// What slip leaves is the age of a contact that has rested for a shorter time; rest goes on from there.
+pub fn rest(aged: f64, is_at_rest: bool, slip: f64, dt: f64, length: f64, t0: f64) -> f64 {
+    if is_at_rest { (aged.exp() + dt / t0).ln() } else { aged * (-slip / length).exp() }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{bouc_wen, curve, dashpot};
+    use super::{bouc_wen, curve, dashpot, rest};
 
     /// Knots of Bouc and Wen's law of exponent one.
     const BOUC_WEN: [f64; 5] = [1.0, 1.0, 1.0, 0.5, 0.0];
@@ -161,6 +153,18 @@ mod tests {
             let there = curve(start, du * (1.0 + 1e-7), 2.0, &knots).0;
             assert!(((there - whole) / (1e-7 * du) - slope).abs() < 1e-5);
         }
+    }
+
+    #[test]
+    fn a_worn_contact_ages_from_what_is_left() {
+        let after = |aged: f64, time: f64| (0..100).fold(aged, |a, _| rest(a, true, 0.0, time / 100.0, 0.1, 0.5));
+        let whole = after(0.0, 3.0);
+        assert!((whole - 7f64.ln()).abs() < 1e-12);
+        let worn = rest(whole, false, 0.1, 0.01, 0.1, 0.5);
+        assert!((worn - whole / 1f64.exp()).abs() < 1e-12);
+        // A moment at rest does not bring back what slip has taken.
+        assert!(after(worn, 0.02) - worn < 0.02);
+        assert!((after(worn, 3.0) - (worn.exp() + 6.0).ln()).abs() < 1e-12);
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub const OPTIONS: &[(&str, &str, bool)] = &[
     ("-dashpot", "$power $c", true),
     ("-viscous", "$width $force", true),
     ("-channel", "$name $mean $deviation", true),
-    ("-factor", "elastic|hysteretic|whole|strength $variable <$parameter ...> $a $low $high", true),
+    ("-factor", "elastic|hysteretic|viscous|whole|strength $variable <$parameter ...> $a $low $high", true),
     ("-force", "$channel $a $low $high", true),
     ("-beyond", "clamp|continue", false),
 ];
@@ -50,6 +50,8 @@ pub struct OptionError {
 pub const VARIABLES: &[(&str, &[&str])] = &[
     ("deformation", &["power"]),
     ("side", &[]),
+    ("sideOver", &["time"]),
+    ("place", &["place", "width"]),
     ("time", &[]),
     ("timeSaturating", &["constant"]),
     ("timeStep", &["at"]),
@@ -66,6 +68,7 @@ pub const VARIABLES: &[(&str, &[&str])] = &[
     ("rate", &["reference"]),
     ("rateOver", &["reference", "time"]),
     ("rest", &["length", "time"]),
+    ("still", &["length", "time"]),
     ("channel", &["name"]),
     ("channelSquare", &["name"]),
     ("channelLate", &["name", "time"]),
@@ -78,6 +81,8 @@ impl Variable {
         Some(match name {
             "deformation" => Self::Deformation { power: n(0) },
             "side" => Self::Side,
+            "sideOver" => Self::SideOver { constant: n(0) },
+            "place" => Self::Place { place: n(0), width: n(1) },
             "time" => Self::Time,
             "timeSaturating" => Self::TimeSaturating { constant: n(0) },
             "timeStep" => Self::TimeStep { at: n(0) },
@@ -94,6 +99,7 @@ impl Variable {
             "rate" => Self::Rate { reference: n(0) },
             "rateOver" => Self::RateOver { reference: n(0), constant: n(1) },
             "rest" => Self::Rest { length: n(0), time: n(1) },
+            "still" => Self::Still { length: n(0), time: n(1) },
             "channel" => Self::Channel { channel },
             "channelSquare" => Self::ChannelSquare { channel },
             "channelLate" => Self::ChannelLate { channel, constant: n(0) },
@@ -106,6 +112,8 @@ impl Variable {
         match self {
             Self::Deformation { power } => ("deformation", vec![power]),
             Self::Side => ("side", vec![]),
+            Self::SideOver { constant } => ("sideOver", vec![constant]),
+            Self::Place { place, width } => ("place", vec![place, width]),
             Self::Time => ("time", vec![]),
             Self::TimeSaturating { constant } => ("timeSaturating", vec![constant]),
             Self::TimeStep { at } => ("timeStep", vec![at]),
@@ -122,6 +130,7 @@ impl Variable {
             Self::Rate { reference } => ("rate", vec![reference]),
             Self::RateOver { reference, constant } => ("rateOver", vec![reference, constant]),
             Self::Rest { length, time } => ("rest", vec![length, time]),
+            Self::Still { length, time } => ("still", vec![length, time]),
             Self::Channel { .. } => ("channel", vec![]),
             Self::ChannelSquare { .. } => ("channelSquare", vec![]),
             Self::ChannelLate { constant, .. } => ("channelLate", vec![constant]),
@@ -291,7 +300,8 @@ impl<'a> Reader<'a> {
             } else {
                 let x = self.number(option, at)?;
                 let least = if *parameter == "power" { 1.0 } else { 0.0 };
-                if x < least || (x == 0.0 && *parameter != "at") {
+                let is_place = *parameter == "place";
+                if !is_place && (x < least || (x == 0.0 && *parameter != "at")) {
                     let message = format!("the {parameter} is {x}; expected at least {least}, and not 0");
                     return Err(OptionError { option: Some(option), word: Some(at), message });
                 }

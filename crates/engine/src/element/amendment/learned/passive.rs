@@ -6,6 +6,7 @@
 //! 3. A factor on a force may only fall as its variable goes on, since the stored energy would rise with it. Variables that
 //!    change within a cycle act on the strength alone. A function of the deformation may act on the spring, which keeps a
 //!    potential.
+//!    Dashpots and friction store nothing: any factor may act on them where no Maxwell element stands beside them.
 //! 4. A curve of slopes is at most as steep in loading as in unloading.
 //! 5. Recovery from heat makes at most the work that has brought the heat.
 //!
@@ -39,9 +40,12 @@ impl Admitted {
     }
 }
 
-/// Signs of a coefficient of a variable on a part of a law with some shape.
-pub fn admitted(target: Target, variable: Variable, shape: &Shape) -> Admitted {
+/// Signs of a coefficient of a variable on a part of a law with some shape. `relaxes` tells that it has Maxwell elements.
+pub fn admitted(target: Target, variable: Variable, shape: &Shape, relaxes: bool) -> Admitted {
     use Variable as V;
+    if target == Target::Viscous && !relaxes {
+        return Admitted::Both;
+    }
     if target == Target::Strength {
         return match shape {
             Shape::Own => Admitted::None,
@@ -53,7 +57,9 @@ pub fn admitted(target: Target, variable: Variable, shape: &Shape) -> Admitted {
     let is_elastic = target == Target::Elastic;
     match variable {
         V::Channel { .. } | V::ChannelSquare { .. } | V::ChannelLate { .. } => Admitted::Both,
-        V::Rate { .. } | V::RateOver { .. } | V::Rest { .. } => Admitted::None,
+        V::Rate { .. } | V::RateOver { .. } | V::Rest { .. } | V::Still { .. } => Admitted::None,
+        // A place of the spring is one of its pieces, which have a tail.
+        V::SideOver { .. } | V::Place { .. } => Admitted::None,
         V::Deformation { .. } | V::Side if is_elastic => Admitted::Both,
         V::Virgin { .. } if is_elastic => Admitted::NotNegative,
         V::Pinching { .. } if is_elastic => Admitted::NotPositive,
@@ -152,7 +158,7 @@ impl LearnedLaw {
     }
 
     fn factor_refusal(&self, f: &Factor) -> Option<String> {
-        let admitted = admitted(f.target, f.variable, &self.shape);
+        let admitted = admitted(f.target, f.variable, &self.shape, !self.maxwell.is_empty());
         if admitted == Admitted::None && f.target == Target::Strength {
             return Some("this form of the hysteretic part has no factor on its strength".into());
         }
@@ -168,7 +174,8 @@ impl LearnedLaw {
             return Some("there is no channel of that number".into());
         }
         let is_hot = matches!(f.variable, Variable::RecentWork { .. } | Variable::RecentWorkSoftening { .. });
-        (is_hot && f.target != Target::Strength && !self.heat_pays(f))
+        let stores = !matches!(f.target, Target::Strength | Target::Viscous);
+        (is_hot && stores && !self.heat_pays(f))
             .then(|| "its recovery makes more energy than the work that has brought the heat".into())
     }
 

@@ -3,8 +3,10 @@
 use super::history::{History, Scales};
 use super::operators::{low_pass, rest};
 
-/// Number of state variables of a slow variable.
-pub const SLOT: usize = 2;
+/// Slip of a step over its length below which a contact is at rest.
+const REST_SLIP: f64 = 1e-4;
+/// Speed over V below which a device stands still.
+const STILL_SPEED: f64 = 1e-3;
 
 /// A slow variable. In the formulas, m is the largest deformation over U, x a channel less its mean over three standard
 /// deviations, and D the work over that of the scales.
@@ -17,6 +19,19 @@ pub enum Variable {
     },
     /// u/U.
     Side,
+    /// sgn u times the sense of the deformation filtered with a time constant: the share of late that this side has had over
+    /// that of the other one.
+    SideOver {
+        /// Time constant.
+        constant: f64,
+    },
+    /// exp(-((u/U - p)/w)²).
+    Place {
+        /// Middle p over U.
+        place: f64,
+        /// Width w over U.
+        width: f64,
+    },
     /// t/T.
     Time,
     /// 1 - exp(-t/τ).
@@ -82,8 +97,15 @@ pub enum Variable {
         /// Time constant.
         constant: f64,
     },
-    /// A quarter of ln(1 + t/t₀) with the time at rest t, worn off by slip over a length.
+    /// A quarter of ln(1 + t/t₀) with the time t without slip, worn off by slip over a length.
     Rest {
+        /// Length of slip.
+        length: f64,
+        /// Time t₀.
+        time: f64,
+    },
+    /// The same with the time at which the device stands still. A contact that sticks while the device turns does not age.
+    Still {
         /// Length of slip.
         length: f64,
         /// Time t₀.
@@ -121,16 +143,22 @@ fn at(channels: &[f64], i: usize) -> f64 {
     channels.get(i).copied().unwrap_or(0.0)
 }
 
+/// Sense of a deformation: 1, -1, or 0 at the origin.
+fn sense(deformation: f64) -> f64 {
+    if deformation == 0.0 { 0.0 } else { deformation.signum() }
+}
+
 impl Variable {
     /// Returns true if it depends on the deformation of the moment.
     pub fn is_instantaneous(self) -> bool {
-        matches!(self, Self::Deformation { .. } | Self::Side | Self::Virgin { .. } | Self::Pinching { .. })
-            || self.is_of_side()
+        let is_of_deformation = matches!(self, Self::Deformation { .. } | Self::Side | Self::Place { .. });
+        let is_within_largest = matches!(self, Self::Virgin { .. } | Self::Pinching { .. });
+        is_of_deformation || is_within_largest || self.is_of_side()
     }
 
     /// Returns true if it differs between the sides of the deformation.
     pub fn is_of_side(self) -> bool {
-        matches!(self, Self::LargestOfSide | Self::LargestDecayOfSide { .. })
+        matches!(self, Self::LargestOfSide | Self::LargestDecayOfSide { .. } | Self::SideOver { .. })
     }
 
     /// Returns true if it depends on the slip level of the law.
@@ -142,10 +170,11 @@ impl Variable {
                 | Self::RecentWork { .. }
                 | Self::RecentWorkSoftening { .. }
                 | Self::Rest { .. }
+                | Self::Still { .. }
         )
     }
 
-    /// The same with each of its constants times a ratio, one at a time. Exponents stay.
+    /// The same with each of its constants times a ratio, one at a time. Exponents stay, and a place moves by its width.
     pub fn with_constants_times(self, ratio: f64) -> Vec<Self> {
         let r = ratio;
         match self {
@@ -164,6 +193,13 @@ impl Variable {
             ],
             Self::Rest { length, time } => {
                 vec![Self::Rest { length: r * length, time }, Self::Rest { length, time: r * time }]
+            }
+            Self::Still { length, time } => {
+                vec![Self::Still { length: r * length, time }, Self::Still { length, time: r * time }]
+            }
+            Self::SideOver { constant } => vec![Self::SideOver { constant: r * constant }],
+            Self::Place { place, width } => {
+                vec![Self::Place { place: place + width * r.ln(), width }, Self::Place { place, width: r * width }]
             }
             Self::ChannelLate { channel, constant } => vec![Self::ChannelLate { channel, constant: r * constant }],
             Self::Deformation { .. }
@@ -188,25 +224,30 @@ impl Variable {
         }
     }
 
-    /// Its own state variables after a step.
-    pub fn next(self, slot: [f64; SLOT], scales: &Scales, from: &History, to: &History, channels: &[f64]) -> [f64; 2] {
+    /// Its own state variable after a step.
+    pub fn next(self, slot: f64, scales: &Scales, from: &History, to: &History, channels: &[f64]) -> f64 {
         let dt = to.time - from.time;
+        let slip = || (to.work - from.work) / scales.level;
         match self {
             Self::RecentWork { constant } | Self::RecentWorkSoftening { constant } => {
-                [(-dt / constant).exp() * slot[0] + (to.work - from.work) / scales.work, 0.0]
+                (-dt / constant).exp() * slot + (to.work - from.work) / scales.work
             }
-            Self::RateOver { constant, .. } => [low_pass(slot[0], to.speed.abs() / scales.speed, dt, constant), 0.0],
-            Self::Rest { length, time } => rest(slot, (to.work - from.work) / scales.level, dt, length, time),
+            Self::RateOver { constant, .. } => low_pass(slot, to.speed.abs() / scales.speed, dt, constant),
+            Self::SideOver { constant } => low_pass(slot, sense(to.deformation), dt, constant),
+            Self::Rest { length, time } => rest(slot, slip() < REST_SLIP * length, slip(), dt, length, time),
+            Self::Still { length, time } => {
+                rest(slot, to.speed.abs() < STILL_SPEED * scales.speed, slip(), dt, length, time)
+            }
             Self::ChannelLate { channel, constant } => {
                 let x = at(channels, channel);
-                [if from.steps > 0.0 { low_pass(slot[0], x, dt, constant) } else { x }, 0.0]
+                if from.steps > 0.0 { low_pass(slot, x, dt, constant) } else { x }
             }
             _ => slot,
         }
     }
 
     /// Value from a history, and its derivative with respect to the deformation of the moment.
-    pub fn value(self, slot: [f64; SLOT], s: &Scales, h: &History, now: &Moment<'_>) -> (f64, f64) {
+    pub fn value(self, slot: f64, s: &Scales, h: &History, now: &Moment<'_>) -> (f64, f64) {
         let x = now.deformation.abs() / s.deformation;
         let sign = 1f64.copysign(now.deformation) / s.deformation;
         let rate = |v: f64, e: f64| (v / e).ln_1p() / (1.0 / e).ln_1p();
@@ -214,6 +255,11 @@ impl Variable {
         let value = match self {
             Self::Deformation { power } => return (x.powf(power), power * x.powf(power - 1.0) * sign),
             Self::Side => return (now.deformation / s.deformation, 1.0 / s.deformation),
+            Self::Place { place, width } => {
+                let y = (now.deformation / s.deformation - place) / width;
+                let value = (-y * y).exp();
+                return (value, -2.0 * y * value / (width * s.deformation));
+            }
             Self::Virgin { power } => {
                 let m = h.largest_of_both(s);
                 let y = x / m;
@@ -232,20 +278,21 @@ impl Variable {
             Self::TimeStep { at } => 1.0 / (1.0 + ((at - h.time) / (0.05 * s.duration)).exp()),
             Self::Work => h.work / s.work,
             Self::WorkSaturating { constant } => 1.0 - (-h.work / s.work / constant).exp(),
-            Self::RecentWork { .. } => slot[0],
-            Self::RecentWorkSoftening { constant } => 1.0 / (1.0 + 4.0 * slot[0] * s.duration / constant),
+            Self::RecentWork { .. } => slot,
+            Self::SideOver { .. } => slot * sense(now.deformation),
+            Self::RecentWorkSoftening { constant } => 1.0 / (1.0 + 4.0 * slot * s.duration / constant),
             Self::Largest => h.largest_of_both(s),
             Self::LargestOfSide => of_side(),
             Self::LargestDecay { constant } => (-h.largest_of_both(s) / constant).exp(),
             Self::LargestDecayOfSide { constant } => (-of_side() / constant).exp(),
             Self::Rate { reference } => rate(h.speed.abs() / s.speed, reference),
-            Self::RateOver { reference, .. } => rate(slot[0], reference),
-            Self::Rest { .. } => 0.25 * slot[0],
+            Self::RateOver { reference, .. } => rate(slot, reference),
+            Self::Rest { .. } | Self::Still { .. } => 0.25 * slot,
             Self::Channel { channel } => at(now.channels, channel),
             Self::ChannelSquare { channel } => at(now.channels, channel).powi(2),
             Self::ChannelLate { channel, .. } => {
                 if h.steps > 0.0 {
-                    slot[0]
+                    slot
                 } else {
                     at(now.channels, channel)
                 }
