@@ -43,8 +43,8 @@ build() {
     if ! rustup target list --installed | grep -qx "$1"; then
         rustup target add "$1" || return 1
     fi
-    # shellcheck disable=SC2046
     # Zig refuses the date in the version text of mimalloc.
+    # shellcheck disable=SC2046
     CFLAGS=-Wno-date-time maturin build --release --zig --target "$1" $(compatibility "$1") --manifest-path bindings/python/Cargo.toml --out "$out/$1"
 }
 
