@@ -69,7 +69,7 @@ EFFECTS = {
 def library_effect(family, size):
     """An effect of a family of the library with a size between 0.5 and 1.5."""
     return {
-        "heat": lambda m, u, v: (1, 1 - min(0.7, size * 0.5 * m.heat / 0.25), 0, 0),
+        "heat": lambda m, u, v: (1, 1 - 0.7 * (1 - np.exp(-size * m.heat / 0.5)), 0, 0),
         "work": lambda m, u, v: (1 - size * 0.35 * (1 - np.exp(-m.work / 0.6)), 1 - size * 0.35 * (1 - np.exp(-m.work / 0.6)), 0, 0),
         "largest_deformation": lambda m, u, v: (1 + size * 0.8 * np.exp(-m.largest / (0.3 * STROKE)), 1, 0, 0),
         "clock": lambda m, u, v: (1, 1, 0, 0),
