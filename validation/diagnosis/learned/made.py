@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Laws learned on made rigs, beside three rivals: share of the gap to the noise that each closes, and the kinds of memory found.
 
-    validation/diagnosis/learned/made.py [--noise PERCENT ...] [--no-families] [--out DIR] [--engine HYSTERON]
+    validation/diagnosis/learned/made.py [--noise PERCENT ...] [--no-effects] [--no-families] [--out DIR] [--engine HYSTERON]
 
 Writes its tables to the README. Ten effects are none of the library's causes, each at a noise of 1.5 % of the force, or at those of
---noise. Twenty rigs have one of four kinds of memory; --no-families leaves them out. Needs numpy; seeds are fixed.
+--noise; --no-effects leaves them out. Twenty rigs have one of four kinds of memory; --no-families leaves them out. Needs numpy; seeds are fixed.
 """
 import argparse
 import statistics
@@ -69,6 +69,7 @@ def families(engine, out):
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("--noise", type=float, nargs="+", default=[1.5])
+    p.add_argument("--no-effects", action="store_true")
     p.add_argument("--no-families", action="store_true")
     p.add_argument("--out", type=Path, default=Path("results/learned"))
     p.add_argument("--engine", default="target/release/hysteron")
@@ -76,7 +77,8 @@ def main():
     engine, out = str(Path(args.engine).resolve()), args.out.resolve()
     names = " | ".join(RIVALS)
     head = f"| effect | noise | floor | user | law | kinds of memory | learned law | {names} |"
-    write_table(HERE / "README.md", "effects", head, effects(engine, out, args.noise))
+    if not args.no_effects:
+        write_table(HERE / "README.md", "effects", head, effects(engine, out, args.noise))
     if not args.no_families:
         write_table(HERE / "README.md", "families", "| memory of the rig | first of the law | found |", families(engine, out))
 
