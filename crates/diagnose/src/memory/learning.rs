@@ -318,7 +318,7 @@ mod tests {
         for r in &mut runs {
             let (motion, mut at) = (r.deformation.clone(), 0);
             let (mut s, mut plain, mut aged) = (0.0f64, 0.0f64, 0.0f64);
-            for j in 1..r.times.len() {
+            for (j, noise) in noise.iter().enumerate().take(r.times.len()).skip(1) {
                 // Each run stops for some seconds.
                 at += usize::from(r.times[j] % 9.0 > 3.5);
                 r.deformation[j] = motion[at];
@@ -329,7 +329,7 @@ mod tests {
                 aged = if du == 0.0 { (aged.exp() + 0.03 / 0.5).ln() } else { aged * (-(trial - s).abs() / 0.2).exp() };
                 plain = (plain + du).clamp(-0.05, 0.05);
                 r.modelled[j] = motion[at] + 20.0 * plain;
-                r.recorded[j] = motion[at] + 20.0 * s + 0.01 * noise[j];
+                r.recorded[j] = motion[at] + 20.0 * s + 0.01 * noise;
             }
         }
         let l = learn(runs, true).expect("a law");

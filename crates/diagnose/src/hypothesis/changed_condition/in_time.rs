@@ -80,28 +80,28 @@ fn clock<'a>(runs: &'a [(usize, &'a Run)]) -> impl Fn(usize, f64) -> f64 + 'a {
     move |run, part| part * duration(runs[run].1) / longest
 }
 
-/// Histories that a law may follow, by run and part of it: work, heat that is lost slowly or fast, and the largest deformation
-/// so far.
-fn histories<'a>(s: &'a ProposalContext<'_>, runs: &'a [(usize, &'a Run)]) -> Vec<Box<dyn Fn(usize, f64) -> f64 + 'a>> {
+/// A history by run and part of it, from 0 to 1.
+type History<'a> = Box<dyn Fn(usize, f64) -> f64 + 'a>;
+
+/// Histories that a law may follow: work, heat that is lost slowly or fast, and the largest deformation so far.
+fn histories<'a>(s: &ProposalContext<'_>, runs: &[(usize, &Run)]) -> Vec<History<'a>> {
     let devices: Option<Vec<&ResponseHistory>> = runs.iter().map(|(number, _)| most_deformed(s, *number)).collect();
-    let Some(devices) = devices else { return vec![] };
     let longest = longest(runs);
-    let heat = |part: f64| move |h: &ResponseHistory| work_so_far(h, part * longest);
-    let laws: [Box<dyn Fn(&ResponseHistory) -> Vec<f64>>; 4] = [
-        Box::new(|h| work_so_far(h, f64::INFINITY)),
-        Box::new(heat(HEAT_TIMES[0])),
-        Box::new(heat(HEAT_TIMES[1])),
-        Box::new(largest_so_far),
-    ];
-    let history = |of: Box<dyn Fn(&ResponseHistory) -> Vec<f64>>| -> Box<dyn Fn(usize, f64) -> f64 + 'a> {
-        let series: Vec<Vec<f64>> = devices.iter().map(|h| of(h)).collect();
+    let series = |h: &&ResponseHistory| {
+        let work = [f64::INFINITY, HEAT_TIMES[0], HEAT_TIMES[1]].map(|part| work_so_far(h, part * longest));
+        [&work[..], &[largest_so_far(h)]].concat()
+    };
+    let by_device: Vec<Vec<Vec<f64>>> = devices.unwrap_or_default().iter().map(series).collect();
+    let laws = by_device.first().map_or(0, Vec::len);
+    let history = |law: usize| -> History<'a> {
+        let series: Vec<Vec<f64>> = by_device.iter().map(|of| of[law].clone()).collect();
         let most = series.iter().flatten().copied().fold(f64::MIN_POSITIVE, f64::max);
         Box::new(move |run: usize, part: f64| {
             let x = &series[run];
             x.get((part * x.len() as f64) as usize).or(x.last()).map_or(0.0, |x| x / most)
         })
     };
-    laws.into_iter().map(history).collect()
+    (0..laws).map(history).collect()
 }
 
 /// History of the device that deforms most in a run.
