@@ -61,7 +61,7 @@ build() {
 }
 
 # Zig refuses the date in the version text of mimalloc, which the program does not print.
-zigbuild() { CFLAGS=-Wno-date-time cargo zigbuild --profile dist --locked --bin hysteron --target "$1"; }
+zigbuild() { CFLAGS="${CFLAGS:-} -Wno-date-time" cargo zigbuild --profile dist --locked --bin hysteron --target "$1"; }
 
 # Completions and manual pages, which the program itself writes.
 helpers() {

@@ -136,7 +136,7 @@ fn a_dashpot_alone_has_a_law() {
     assert_eq!(status, Some(0), "{err}");
 }
 
-/// Where the model explains the runs held out, no law is written, and that of an earlier study goes.
+/// No law is written beside a model that explains the runs held out, and that of an earlier study goes.
 #[test]
 fn a_law_that_gains_too_little_is_not_written() {
     let place = place_of(SCRIPT, [("Q", 2.0, 20.0), ("k", 0.1, 10.0)], |u| {

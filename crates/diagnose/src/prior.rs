@@ -110,6 +110,8 @@ prior! {
     CHANGE_PLACES: usize = 40, "count";
     /// Least length of a ramp in such places. A shorter one is a step to the independent samples. A choice.
     MIN_RAMP_PLACES: usize = 6, "count";
+    /// Time constants of heat that is lost, with which a ramp is compared, in parts of the longest run. A choice.
+    RAMP_HEAT_TIMES: [f64; 2] = [0.1, 0.3], "share";
     /// Parameters that a time of change counts for. What N samples tell of it narrows with 1/N and not with 1/sqrt(N), so that
     /// its price is ln N.
     CHANGE_POINT_PARAMETERS: usize = 2, "count";
@@ -334,7 +336,7 @@ prior! {
     /// 7 % of the r.m.s. value. A choice: a quarter of the least difference, 0.02 to 0.06, of repeated runs on measured rigs.
     REPEATED_NMSE: f64 = 0.005, "NMSE";
     /// Error in the fitted runs, NMSE, up to which structure in it is not called `unknown`. Source: of 232 seeded models that lack
-    /// an effect of no library none left less than 0.002; of 204 complete ones 87 left at most this.
+    /// an effect of no library none left less than 0.002; of 204 complete ones 89 left at most this.
     NEGLIGIBLE_NMSE: f64 = 0.001, "NMSE";
     /// The same in parts of the noise of the recordings. A choice.
     MAX_NOISE_OF_SMALL_ERROR: f64 = 2.0, "ratio";

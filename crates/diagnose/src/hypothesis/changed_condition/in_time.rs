@@ -6,11 +6,11 @@ use crate::candidate::proposal::ChangedCondition;
 use crate::hypothesis::context::{ProposalContext, distinguishing_variable};
 use crate::hypothesis::{AddedParameter, Proposal};
 use crate::inspect::response::ResponseHistory;
-use crate::prior::{CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS};
+use crate::prior::{
+    CHANGE_POINT_PARAMETERS, CONDITION_FACTORS, EFFECTIVE_SAMPLES, MAX_CONDITION_SPANS, RAMP_HEAT_TIMES,
+};
 use hysteron_identify::study::{ParameterKind, Role, Run, Scale};
 
-/// Time constants of heat that is lost, in parts of the longest run. A choice.
-const HEAT_TIMES: [f64; 2] = [0.1, 0.3];
 /// Names of the added times.
 pub(super) const FROM: &str = "from";
 pub(super) const TO: &str = "to";
@@ -88,7 +88,7 @@ fn histories<'a>(s: &ProposalContext<'_>, runs: &[(usize, &Run)]) -> Vec<History
     let devices: Option<Vec<&ResponseHistory>> = runs.iter().map(|(number, _)| most_deformed(s, *number)).collect();
     let longest = longest(runs);
     let series = |h: &&ResponseHistory| {
-        let work = [f64::INFINITY, HEAT_TIMES[0], HEAT_TIMES[1]].map(|part| work_so_far(h, part * longest));
+        let work = [f64::INFINITY, RAMP_HEAT_TIMES[0], RAMP_HEAT_TIMES[1]].map(|part| work_so_far(h, part * longest));
         [&work[..], &[largest_so_far(h)]].concat()
     };
     let by_device: Vec<Vec<Vec<f64>>> = devices.unwrap_or_default().iter().map(series).collect();

@@ -120,7 +120,7 @@ pub fn piece(u: f64, side: f64, at: f64) -> (f64, f64) {
 
 /// Logarithm ln(1 + t/t₀) of the time at rest, worn off by slip over a length.
 ///
-/// What slip leaves is the age of a contact that has rested for a shorter time; rest goes on from there.
+/// The rest of the age after slip is that of a contact that has rested for a shorter time; it goes on from there.
 pub fn rest(aged: f64, is_at_rest: bool, slip: f64, dt: f64, length: f64, t0: f64) -> f64 {
     if is_at_rest { (aged.exp() + dt / t0).ln() } else { aged * (-slip / length).exp() }
 }
