@@ -14,6 +14,8 @@ mod imposed;
 mod invariance;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
+#[path = "verdicts/structures.rs"]
+mod structures;
 #[path = "support/studies.rs"]
 mod studies;
 
@@ -59,6 +61,12 @@ const TABLE: &[Row] = &[
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
     ("wall above", "gap_impact", "gap_impact", 95),
+    ("neighbour", "gap_impact", "gap_impact", 95),
+    ("lifting footing", "foundation_flexibility", "foundation_flexibility", 90),
+    ("rocking footing", "foundation_flexibility", "foundation_flexibility", 90),
+    ("late pier", "late_support", "late_support", 90),
+    ("passing wave", "late_support", "late_support", 90),
+    ("bridge at one time", "none", "none", 90),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 90),
     ("pendulums", "isolation_layer", "isolation_layer", 95),
     ("heavy soft ground", "foundation_flexibility", "foundation_flexibility", 95),
@@ -101,6 +109,12 @@ const STUDIES: &[Named] = &[
     ("friction", || imposed::friction(3.0)),
     ("wall", || shaken::wall(1500.0)),
     ("wall above", shaken::wall_above),
+    ("neighbour", structures::neighbour),
+    ("lifting footing", structures::lifting_footing),
+    ("rocking footing", structures::rocking_footing),
+    ("late pier", structures::late_pier),
+    ("passing wave", structures::passing_wave),
+    ("bridge at one time", structures::bridge_at_one_time),
     ("soft ground", shaken::soft_ground),
     ("pendulums", shaken::pendulums),
     ("heavy soft ground", shaken::heavy_soft_ground),
@@ -131,7 +145,11 @@ fn verdict(name: &str, study: &Concealed) -> (String, f64) {
         Settings { excluded_causes: without.map(|c| (*c).to_owned()).collect(), threads: 1, ..Settings::default() };
     let dir = study.write(&format!("verdict-{}", name.replace([' ', ','], "-")));
     let found = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited());
-    let _ = fs::remove_dir_all(dir);
+    if std::env::var("KEEP").is_err() {
+        let _ = fs::remove_dir_all(dir);
+    } else {
+        eprintln!("{}", dir.display());
+    }
     let verdict = found.unwrap_or_else(|e| panic!("{name}: {e}")).outcome.verdict;
     let causes = std::iter::once(&verdict.cause).chain(&verdict.also);
     (causes.map(String::as_str).collect::<Vec<_>>().join(" + "), 100.0 * verdict.confidence)

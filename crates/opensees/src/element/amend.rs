@@ -3,6 +3,7 @@
 use super::amended_place::Place;
 use super::{joints, learned};
 use crate::args::Args;
+use crate::load::amended_node::amend_node;
 use crate::model::nodes::need_model;
 use crate::model::parameter_change;
 use crate::things;
@@ -25,7 +26,7 @@ const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-di
                      amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> learned -file $file <-series $ts ...> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
-                     amend node $tag dampedAs $other | \
+                     amend node $tag dampedAs $other | amend node $tag late -by $delay | \
                      amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>";
 
 /// Range that the number of an option must lie in.
@@ -341,7 +342,7 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     match a.word("kind of thing to amend")?.as_ref() {
         "element" => {}
-        "node" => return joints::damped_as(interp, &mut a),
+        "node" => return amend_node(interp, &mut a),
         "parameter" => return parameter_change::amend_parameter(interp, &mut a),
         _ => return Err(a.unknown_name("thing to amend", ["element", "node", "parameter"])),
     }
