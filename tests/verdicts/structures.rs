@@ -48,7 +48,7 @@ pub fn rocking_footing() -> Concealed {
 pub fn neighbour() -> Concealed {
     let rate = |&[u, v, w, s, other, o]: &[f64; 6], a: f64| {
         let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - u) + 2.0 * (s - v));
-        let into = (w - other - 0.03).max(0.0);
+        let into = (w - other - 0.07).max(0.0);
         let contact = 2e4 * into.powf(1.5) * (1.0 + 0.3 * (s - o)).max(0.0);
         let (mass, period) = (1.6, 0.42);
         let circular = std::f64::consts::TAU / period;
