@@ -4,7 +4,7 @@ use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
-use hysteron::opensees::{Command, commands, kinds};
+use hysteron::opensees::{Command, KindUsage, Text, WITHOUT_EFFECT, amendments, commands, kinds};
 use std::fmt::Write as _;
 
 /// A page.
@@ -37,15 +37,14 @@ pub fn text(page: &Page) -> (String, Blanks) {
         let _ = writeln!(out, "{}\n", page.intro);
     }
     let mut blanks = vec![];
-    let mut left: Vec<&Command> = page.names().filter_map(|n| commands().find(|c| c.name == n)).collect();
-    let idle: Vec<&Command> = left.iter().copied().filter(|c| words::about(c.name) == Some(words::IDLE)).collect();
-    left.retain(|c| words::about(c.name) != Some(words::IDLE));
+    let named = page.names().filter_map(|n| commands().find(|c| c.name == n));
+    let (idle, mut left): (Vec<&Command>, Vec<&Command>) = named.partition(|c| c.text.about == WITHOUT_EFFECT);
     while let Some(first) = left.first().copied() {
         let alike: Vec<&Command> = left.iter().copied().filter(|c| c.usage == first.usage).collect();
         left.retain(|c| c.usage != first.usage);
         let names: Vec<String> = alike.iter().map(|c| format!("`{}`", c.name)).collect();
         let _ = writeln!(out, "## {}\n", names.join(", "));
-        about(&mut out, &alike.iter().map(|c| c.name).collect::<Vec<_>>(), &mut blanks);
+        about(&mut out, alike.iter().map(|c| (c.name.to_owned(), c.text.about)), &mut blanks);
         command(&mut out, first, &mut blanks);
     }
     if !idle.is_empty() {
@@ -55,14 +54,14 @@ pub fn text(page: &Page) -> (String, Blanks) {
     (out.trim_end().to_owned() + "\n", blanks)
 }
 
-/// One sentence about each command that shares a heading.
-fn about(out: &mut String, names: &[&str], blanks: &mut Blanks) {
+/// One sentence about each command or kind that shares a heading.
+fn about(out: &mut String, named: impl Iterator<Item = (String, &'static str)>, blanks: &mut Blanks) {
     let mut said: Vec<&str> = vec![];
-    for name in names {
-        match words::about(name) {
-            Some(text) if !said.contains(&text) => said.push(text),
-            Some(_) => {}
-            None => blanks.push(format!("about\t{name}")),
+    for (name, text) in named {
+        if text.is_empty() {
+            blanks.push(format!("{name}: no sentence about it"));
+        } else if !said.contains(&text) {
+            said.push(text);
         }
     }
     if !said.is_empty() {
@@ -85,8 +84,8 @@ fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
     } else {
         let _ = writeln!(out, "```tcl\n{}\n```\n", c.usage_line());
     }
-    let listed: Vec<&str> = kinds.iter().filter(|k| bare(&k.usage)).map(Kind::name).collect();
-    list(out, c.name, &listed);
+    let listed: Vec<&Kind> = kinds.iter().filter(|k| bare(&k.usage)).collect();
+    list(out, &listed);
     let mut done: Vec<&str> = vec![];
     for Kind { usage, .. } in &own {
         if done.contains(&usage.as_str()) {
@@ -94,13 +93,13 @@ fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
         }
         done.push(usage);
         let alike: Vec<&Kind> = own.iter().copied().filter(|k| k.usage == *usage).collect();
-        let full: Vec<String> = alike.iter().map(|k| format!("{} {}", c.name, k.name())).collect();
-        let heading: Vec<String> = full.iter().map(|n| format!("`{n}`")).collect();
+        let full = |k: &Kind| format!("{} {}", c.name, k.name());
+        let heading: Vec<String> = alike.iter().map(|k| format!("`{}`", full(k))).collect();
         let _ = writeln!(out, "### {}\n", heading.join(", "));
-        about(out, &full.iter().map(String::as_str).collect::<Vec<_>>(), blanks);
+        about(out, alike.iter().map(|k| (full(k), k.text.about)), blanks);
         usage_of(out, usage, blanks);
         other_names(out, &alike);
-        responses(out, c.name, usage, blanks);
+        responses(out, c.name, alike[0], blanks);
     }
 }
 
@@ -113,11 +112,11 @@ fn other_names(out: &mut String, kinds: &[&Kind]) {
 }
 
 /// The responses of a kind that recorders take.
-fn responses(out: &mut String, command: &str, usage: &str, blanks: &mut Blanks) {
-    let Some(names) = response::of(command, usage) else { return };
+fn responses(out: &mut String, command: &str, kind: &Kind, blanks: &mut Blanks) {
+    let Some(names) = response::of(command, &kind.usage, kind.text.example) else { return };
     let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
     if names.is_empty() {
-        blanks.push(format!("example\t{}", usage.split(' ').take(2).collect::<Vec<_>>().join(" ")));
+        blanks.push(format!("{command} {}: no example that makes one", kind.name()));
     } else {
         let _ = writeln!(out, "Recorders take: {}.\n", names.join(", "));
     }
@@ -129,19 +128,18 @@ fn names_kinds(usage: &str) -> bool {
 }
 
 /// Names of kinds without arguments of their own, with what they are where that is known.
-fn list(out: &mut String, command: &str, names: &[&str]) {
-    let about = |name: &str| words::about(&format!("{command} {name}"));
-    if names.is_empty() {
+fn list(out: &mut String, kinds: &[&Kind]) {
+    if kinds.is_empty() {
         return;
     }
-    if names.iter().any(|n| about(n).is_some()) {
+    if kinds.iter().any(|k| !k.text.about.is_empty()) {
         out.push_str("| kind | |\n| --- | --- |\n");
-        for name in names {
-            let _ = writeln!(out, "| `{name}` | {} |", about(name).unwrap_or_default());
+        for kind in kinds {
+            let _ = writeln!(out, "| `{}` | {} |", kind.name(), kind.text.about);
         }
         out.push('\n');
     } else {
-        let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
+        let names: Vec<String> = kinds.iter().map(|k| format!("`{}`", k.name())).collect();
         let _ = writeln!(out, "Known names: {}.\n", names.join(", "));
     }
 }
@@ -151,6 +149,7 @@ struct Kind {
     /// The preferred name first.
     names: Vec<String>,
     usage: String,
+    text: Text,
 }
 
 impl Kind {
@@ -164,7 +163,8 @@ fn kinds_of(command: &str) -> Vec<Kind> {
     let listed = kinds(command);
     if !listed.is_empty() {
         let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
-        return listed.into_iter().map(|k| Kind { names: owned(k.names), usage: k.usage.to_owned() }).collect();
+        let kind = |k: KindUsage| Kind { names: owned(k.names), usage: k.usage.to_owned(), text: k.text };
+        return listed.into_iter().map(kind).collect();
     }
     let words = |kind: &str| vec![command.to_owned(), kind.to_owned()];
     let (_, names) = probe::help(MODELS[0], &words("wrong!"));
@@ -175,7 +175,7 @@ fn kinds_of(command: &str) -> Vec<Kind> {
             // The usage of the command as a whole says nothing of this kind.
             let own = usage.filter(|u| u.contains(&name));
             let usage = own.unwrap_or_else(|| format!("{command} {name}"));
-            Kind { names: vec![name], usage }
+            Kind { names: vec![name], usage, text: Text::default() }
         })
         .collect()
 }
@@ -287,13 +287,12 @@ fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
     usage_of(out, &c.usage_line(), blanks);
     let words =
         |more: &[&str]| ["amend", "element", "1"].iter().chain(more).map(|w| (*w).to_owned()).collect::<Vec<_>>();
-    let (_, names) = probe::help(MODELS[0], &words(&["wrong!"]));
-    for name in names.iter().filter(|n| *n != "hinges") {
+    for (name, sentence) in amendments() {
         let (_, options) = probe::help(MODELS[0], &words(&[name, "-wrong!"]));
         let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
         let own: Vec<&String> = options.iter().filter(|o| !common.contains(&o.as_str())).collect();
         let _ = writeln!(out, "### `amend element ... {name}`\n");
-        about(out, &[&format!("amend {name}")], blanks);
+        about(out, [(format!("amend {name}"), sentence)].into_iter(), blanks);
         out.push_str("| option | meaning | value |\n| --- | --- | --- |\n");
         for option in &own {
             let mut others = words(&[name]);

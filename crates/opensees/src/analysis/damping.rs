@@ -16,10 +16,16 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("rayleigh", RAYLEIGH, rayleigh),
-    Command::new("region", REGION, region).defining(&[things::REGION], 1),
-    Command::new("setElementRayleighDampingFactors", FACTORS, element_factors),
-    Command::new("setElementRayleighFactors", FACTORS, element_factors),
+    Command::new("rayleigh", RAYLEIGH, rayleigh).about(
+        "Sets Rayleigh damping of the model: $C = \\alpha_M M + \\beta_K K + \\beta_{K0} K_0 + \\beta_{Kc} K_c$ \
+         with the current, initial and committed stiffness.",
+    ),
+    Command::new("region", REGION, region)
+        .about("Names nodes and elements together, for recorders, parameters or Rayleigh damping of their own.")
+        .defining(&[things::REGION], 1),
+    Command::new("setElementRayleighDampingFactors", FACTORS, element_factors)
+        .about("Sets Rayleigh damping of one element."),
+    Command::new("setElementRayleighFactors", FACTORS, element_factors).about("Sets Rayleigh damping of one element."),
 ];
 
 const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc <-ele $tag ...> <-node $tag ...>";

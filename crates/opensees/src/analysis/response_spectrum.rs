@@ -10,7 +10,10 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::TAU;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum).about(
+    "Makes a step for each mode with its largest displacements under a response spectrum. The script combines \
+     the modes.",
+)];
 
 const USAGE: &str = "responseSpectrumAnalysis $series $direction | $direction -Tn $periods -Sa $accelerations \
                      <-scale $factor> <-mode $mode>";

@@ -7,7 +7,12 @@ use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond).leaving(Effect::Nothing)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond)
+    .about(
+        "Returns the largest and the last displacement, the plastic one, the largest acceleration and its time of \
+         an elastic-plastic system of one degree of freedom under a series of forces.",
+    )
+    .leaving(Effect::Nothing)];
 
 const USAGE: &str = "sdfResponse $m $zeta $k $Fy $alpha $dtF $file $dt or $m $zeta $k $Fy $alpha $series $dt \
                      <-uresid $u> <-umaxprev $u> <-tend $t>";

@@ -19,7 +19,8 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
+    .about("Adds physics to an element that exists; see [Amendments](../amendments.md).")];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
                      amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \
@@ -68,6 +69,7 @@ impl Numbers {
 /// of the element.
 struct Kind {
     name: &'static str,
+    about: &'static str,
     options: &'static [Opt],
     make: fn(&Numbers, Share, f64) -> Arc<dyn Amendment>,
 }
@@ -77,6 +79,7 @@ use Range::{Any, NotNegative, Positive, Ratio};
 const KINDS: &[Kind] = &[
     Kind {
         name: "temperature",
+        about: "Another temperature than that of the parameters.",
         options: &[
             needed("-softening", "softening b per degree", Any),
             needed("-at", "temperature T", Any),
@@ -89,6 +92,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "heating",
+        about: "Dissipated work warms the device and softens it.",
         options: &[
             needed("-softening", "softening b per degree", Any),
             needed("-capacity", "heat capacity C, work per degree", Positive),
@@ -103,6 +107,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "degradation",
+        about: "Strength is lost with dissipated energy.",
         options: &[
             needed("-loss", "part of the force lost in the end", Any),
             needed("-energy", "energy that brings 63 % of the loss", Positive),
@@ -111,6 +116,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "mullins",
+        about: "Virgin rubber is stiffer on its first way to a deformation.",
         options: &[
             needed("-virgin", "excess of the virgin force", Any),
             optional("-power", "exponent of the way back to the virgin path; 0: there is none", NotNegative, 2.0),
@@ -132,6 +138,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "stiffening",
+        about: "Hardening at large deformation.",
         options: &[
             needed("-factor", "force at one unit of deformation beyond the onset", Any),
             optional("-from", "deformation where it begins", NotNegative, 0.0),
@@ -141,6 +148,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "overstress",
+        about: "Viscous overstress in parallel.",
         options: &[
             needed("-force", "overstress at the reference speed", Positive),
             optional("-speed", "reference speed", Positive, 1.0),
@@ -154,6 +162,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "relaxation",
+        about: "The force relaxes after each change.",
         options: &[
             needed("-strength", "part by which the force of a sudden change is larger", NotNegative),
             needed("-time", "relaxation time, the shortest where there are several", Positive),
@@ -170,6 +179,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "axial",
+        about: "Lateral stiffness is lost under axial load.",
         options: &[
             needed("-critical", "critical load at rest", Positive),
             optional("-power", "exponent of the load over the critical one", Positive, 2.0),
@@ -185,6 +195,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "coupling",
+        about: "One yield surface for two directions.",
         options: &[
             needed("-stiffness", "initial stiffness", Positive),
             needed("-strength", "characteristic strength", Positive),
@@ -200,6 +211,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "pinching",
+        about: "Loops narrow near zero.",
         options: &[
             needed("-depth", "part of the force that is missing at zero deformation", Any),
             needed("-width", "width of the slack over the largest deformation", Positive),
@@ -211,6 +223,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "slip",
+        about: "Slack in series with the hysteretic part.",
         options: &[
             needed("-size", "deformation from end to end of the slack", NotNegative),
             optional("-growth", "more of it for each deformation that has been reached", NotNegative, 0.0),
@@ -223,6 +236,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "pressure",
+        about: "Strength follows the axial force.",
         options: &[
             needed("-reference", "compression that the parameters belong to", Positive),
             optional("-power", "exponent", Positive, 1.0),
@@ -237,6 +251,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "friction",
+        about: "Coulomb friction in parallel.",
         options: &[
             needed("-force", "friction force", NotNegative),
             needed("-stiffness", "stiffness before it slips", Positive),
@@ -245,6 +260,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "bristles",
+        about: "Friction whose bristles bend before they slip.",
         options: &[
             needed("-force", "friction force of a fast motion", NotNegative),
             needed("-stiffness", "stiffness before it slips", Positive),
@@ -258,6 +274,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "sliding",
+        about: "Friction smoothed over speed.",
         options: &[
             needed("-force", "friction force of a fast motion", NotNegative),
             needed("-speed", "speed over which it is smoothed", Positive),
@@ -266,6 +283,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "gap",
+        about: "Contact beyond a gap.",
         options: &[
             needed("-at", "deformation at which contact begins", NotNegative),
             needed("-stiffness", "contact stiffness", Positive),
@@ -288,6 +306,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "damping",
+        about: "Viscous damping in parallel.",
         options: &[
             needed("-coefficient", "damping coefficient", NotNegative),
             optional("-power", "exponent of the rate", Positive, 1.0),
@@ -296,6 +315,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "yielding",
+        about: "An elastic element yields.",
         options: &[
             needed("-force", "yield force", Positive),
             optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
@@ -306,6 +326,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "peakOriented",
+        about: "An elastic element yields and reloads towards its largest deformation.",
         options: &[
             needed("-force", "yield force", Positive),
             optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
@@ -318,6 +339,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         name: "cavitation",
+        about: "Tension is limited and damaged.",
         options: &[
             needed("-strength", "cavitation strength", Positive),
             needed("-extension", "extension at which it is reached", Positive),
@@ -336,6 +358,11 @@ const KINDS: &[Kind] = &[
     },
 ];
 
+/// Name of each kind of amendment of an element that has options, with a sentence about it.
+pub fn amendments() -> impl Iterator<Item = (&'static str, &'static str)> {
+    KINDS.iter().map(|k| (k.name, k.about)).chain([learned::ABOUT])
+}
+
 fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, USAGE);
@@ -353,11 +380,11 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if name == "hinges" {
         return joints::hinge(interp, &mut a, &elements);
     }
-    if name == "learned" {
+    if name == learned::ABOUT.0 {
         return learned::learned(interp, &mut a, &elements);
     }
     let Some(kind) = KINDS.iter().find(|k| k.name == name) else {
-        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges", "learned"])));
+        return Err(a.unknown_name("amendment", KINDS.iter().map(|k| k.name).chain(["hinges", learned::ABOUT.0])));
     };
     let words = Words::take(interp, &mut a, kind)?;
     finish(interp, &a)?;

@@ -4,6 +4,7 @@ use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
@@ -21,12 +22,14 @@ pub(super) const ELASTIC: Kind = Kind {
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
             <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
+    text: Text::new("Elastic beam, Euler-Bernoulli or, with shear areas, Timoshenko."),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane."),
     make: Make::TwoNodes(make_modified),
 };
 
@@ -34,6 +37,7 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
     names: &["ModElasticBeam3d", "modElasticBeam3d"],
     usage: "element ModElasticBeam3d $tag $i $j $A $E $G $J $Iy $Iz $K11y $K33y $K44y $K11z $K33z $K44z $transf \
             <-mass $m> <-cMass>",
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space."),
     make: Make::TwoNodes(make_modified_space),
 };
 

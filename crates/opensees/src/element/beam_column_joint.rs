@@ -4,6 +4,7 @@ use super::{Kind, Make};
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
+use crate::text::Text;
 use crate::{Tcl, warn};
 use hysteron_engine::element::{BeamColumnJoint, Element, JOINT_SPRINGS, JointGeometry};
 use hysteron_engine::model::NodeId;
@@ -16,6 +17,8 @@ use std::sync::Arc;
 pub(super) const BEAM_COLUMN_JOINT: Kind = Kind {
     names: &["beamColumnJoint"],
     usage: "element beamColumnJoint $tag $below $right $above $left $mat1 ... $mat13 <$heightFactor $widthFactor>",
+    text: Text::new("Joint of beams and columns: bar slip, interface shear and a shear panel.")
+        .example("element beamColumnJoint 77 1 3 2 4 9 9 9 9 9 9 9 9 9 9 9 9 9"),
     make: Make::AnyNodes(make),
 };
 

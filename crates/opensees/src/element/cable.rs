@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::Text;
 use hysteron_engine::element::{CatenaryCable, Element};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -11,6 +12,7 @@ use std::sync::Arc;
 pub(super) const CATENARY: Kind = Kind {
     names: &["CatenaryCable"],
     usage: "element CatenaryCable $tag $i $j $weight $E $A $L0 $alpha $temperature $rho $tol $parts $massType",
+    text: Text::new("An elastic cable under its weight or a uniform load."),
     make: Make::TwoNodes(make),
 };
 

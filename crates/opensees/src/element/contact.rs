@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::Text;
 use hysteron_engine::element::{
     Contact, ContactDirection, ContactFriction, ContactSurface, Element, Impact, ImpactOptions,
 };
@@ -13,18 +14,23 @@ use std::sync::Arc;
 pub(super) const IMPACT: Kind = Kind {
     names: &["zeroLengthImpact3D"],
     usage: "element zeroLengthImpact3D $tag $secondary $primary $direction $gap $friction $Kt $Kn $Kn2 $yield $cohesion",
+    text: Text::new("Contact of two nodes with friction and a bilinear hysteretic stiffness."),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const CONTACT_2D: Kind = Kind {
     names: &["zeroLengthContact2D", "ZeroLengthContact2D"],
     usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
+    text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
+        .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1."),
     make: Make::TwoNodes(make_in_plane),
 };
 
 pub(super) const CONTACT_3D: Kind = Kind {
     names: &["zeroLengthContact3D", "ZeroLengthContact3D"],
     usage: "element zeroLengthContact3D $tag $secondary $primary $Kn $Kt $friction $cohesion $direction <$originX $originY>",
+    text: Text::new("Contact of two nodes in space with Coulomb friction, by penalties.")
+        .example("element zeroLengthContact3D 77 1 2 1. 1. 0.3 0. 3"),
     make: Make::TwoNodes(make_in_space),
 };
 

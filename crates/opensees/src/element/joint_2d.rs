@@ -5,6 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::constraint;
 use crate::model::nodes::node_of;
+use crate::text::Text;
 use crate::things;
 use hysteron_engine::element::{Element, Joint};
 use hysteron_engine::material::Material;
@@ -17,6 +18,8 @@ use std::sync::Arc;
 pub(super) const JOINT_2D: Kind = Kind {
     names: &["Joint2D", "Joint2d"],
     usage: "element Joint2D $tag $n1 $n2 $n3 $n4 $centre <$mat1 $mat2 $mat3 $mat4> $panel <$largeDisp>",
+    text: Text::new("Joint of beams and columns in the plane: a shear panel with rotational springs at its edges.")
+        .example("element Joint2D 77 1 2 4 3 99 9 0"),
     make: Make::AnyNodes(make),
 };
 

@@ -49,10 +49,12 @@ use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+pub use amend::amendments;
 pub use recipe::numbers_of_element;
 pub(crate) use recipe::{set_parameter, with_parameter};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind $tag $iNode $jNode ...", element)
+    .about("Makes an element between nodes.")
     .defining(&[things::ELEMENT], 2)
     .with_kinds(|| kind::usages(KINDS))];
 

@@ -5,6 +5,7 @@ use crate::args::Args;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{
     Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
@@ -21,6 +22,8 @@ pub(super) const MVLEM: Kind = Kind {
     names: &["MVLEM"],
     usage: "element MVLEM $tag $density $i $j $m $c -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat",
+    text: Text::new("Wall of vertical fibres between rigid beams, with a spring for the shear.")
+        .example("element MVLEM 77 0. 1 2 1 0.4 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9"),
     make: Make::AnyNodes(lines),
 };
 
@@ -28,18 +31,27 @@ pub(super) const MVLEM_3D: Kind = Kind {
     names: &["MVLEM_3D"],
     usage: "element MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat <-CoR $c> <-ThickMod $factor> <-Poisson $nu> <-Density $density>",
+    text: Text::new(
+        "Wall of vertical fibres in space, an elastic plate out of its plane. The corners go against the \
+         clock.",
+    )
+    .example("element MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9"),
     make: Make::AnyNodes(lines_in_space),
 };
 
 pub(super) const SFI_MVLEM: Kind = Kind {
     names: &["SFI_MVLEM"],
     usage: "element SFI_MVLEM $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    text: Text::new("Wall of panels in plane stress, without horizontal stress.")
+        .example("element SFI_MVLEM 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels(interp, a, ("SFI_MVLEM", PanelLaw::NoStress))),
 };
 
 pub(super) const E_SFI: Kind = Kind {
     names: &["E_SFI", "E_SFI_MVLEM"],
     usage: "element E_SFI $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    text: Text::new("Wall of panels in plane stress, whose horizontal strain follows from the shear strain.")
+        .example("element E_SFI 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels(interp, a, ("E_SFI", PanelLaw::FromShear))),
 };
 
@@ -47,6 +59,8 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
     names: &["SFI_MVLEM_3D"],
     usage: "element SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> <-ThickMod $factor> \
             <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    text: Text::new("`SFI_MVLEM` in space, an elastic plate out of its plane. The corners go against the clock.")
+        .example("element SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("SFI_MVLEM_3D", PanelLaw::NoStress))),
 };
 
@@ -54,6 +68,8 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
     names: &["E_SFI_MVLEM_3D"],
     usage: "element E_SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> \
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    text: Text::new("`E_SFI` in space, an elastic plate out of its plane. The corners go against the clock.")
+        .example("element E_SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
 };
 

@@ -12,9 +12,11 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("groundMotion", GROUND, ground_motion).defining(&[things::GROUND_MOTION], 1),
-    Command::new("imposedMotion", IMPOSED, imposed_motion),
-    Command::new("imposedSupportMotion", IMPOSED, imposed_motion),
+    Command::new("groundMotion", GROUND, ground_motion)
+        .about("Makes a motion of supports, in a pattern `MultipleSupport`.")
+        .defining(&[things::GROUND_MOTION], 1),
+    Command::new("imposedMotion", IMPOSED, imposed_motion).about("Moves a support by a ground motion."),
+    Command::new("imposedSupportMotion", IMPOSED, imposed_motion).about("Moves a support by a ground motion."),
 ];
 
 const GROUND: &str = "groundMotion $tag Plain <-accel $series> <-vel $series> <-disp $series> <-int Trapezoidal> \

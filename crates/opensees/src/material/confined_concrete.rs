@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
@@ -17,6 +18,8 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["FRPConfinedConcrete02"],
         usage: "uniaxialMaterial FRPConfinedConcrete02 $tag $fc0 $Ec $ec0 <-JacketC $tfrp $Efrp $erup $R | -Ultimate $fcu $ecu> \
                 $ft $Ets $Unit",
+        text: Text::new("Concrete confined by fibre-reinforced polymer.")
+            .example("uniaxialMaterial FRPConfinedConcrete02 77 -30. 25000. -0.002 -Ultimate -50. -0.012 3. 2000. 1"),
         make: frp_confined_concrete02,
     },
     Kind {
@@ -25,6 +28,11 @@ pub(super) const KINDS: &[Kind] = &[
                 -nu $nu | -varub | -varnoub $L1 <$L2> <$L3> $phis $S $fyh $Es0 $haRatio $mu $phiLon <-internal $phisi $Si $fyhi \
                 $Es0i $haRatioi $mui> <-wrap $cover $Am $Sw $fuil $Es0w> <-gravel> <-silica> <-tol $tol> <-maxNumIter $maxNumIter> \
                 <-epscuLimit $epscuLimit> <-stRatio $stRatio>",
+        text: Text::new("Concrete confined by hoops and jackets, by Braga, Gigliotti and Laterza; MPa and mm.")
+            .example(
+                "uniaxialMaterial ConfinedConcrete01 77 S1 30. 26000. -epscu 0.02 -varub 300. 10. 100. 300. 206000. 0. \
+                 1000. 16.",
+            ),
         make: confined_concrete01,
     },
 ];

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, ModImkPeakOriented, ModImkPinching,
@@ -20,6 +21,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Bilin $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
                 $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
                 $DPos $DNeg <$nFactor>",
+        text: Text::new("Plastic hinge of a steel beam that deteriorates (modified Ibarra, Medina and Krawinkler).")
+            .example(
+                "uniaxialMaterial Bilin 77 200. 0.03 0.02 2. -1.8 3. 4. 3. 5. 1. 1. 1. 1. 0.04 0.05 0.15 0.2 0.3 0.4 \
+                 0.5 0.5 1. 0.8 0.",
+            ),
         make: bilin,
     },
     Kind {
@@ -27,6 +33,10 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Bilin02 $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
                 $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos $thetaUNeg \
                 $DPos $DNeg <$nFactor>",
+        text: Text::new("As `Bilin`, with a constant slope beyond the cap.").example(
+            "uniaxialMaterial Bilin02 77 200. 0.03 0.02 2. -1.8 3. 4. 3. 5. 1. 1. 1. 1. 0.04 0.05 0.15 0.2 0.3 0.4 0.5 \
+             0.5 1. 0.8 0.",
+        ),
         make: bilin02,
     },
     Kind {
@@ -34,6 +44,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ModIMKPeakOriented $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $LambdaS $LambdaC $LambdaA \
                 $LambdaK $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg $thetaUPos \
                 $thetaUNeg $DPos $DNeg <$nFactor>",
+        text: Text::new("Plastic hinge that deteriorates, peak-oriented (modified Ibarra, Medina and Krawinkler).")
+            .example(
+                "uniaxialMaterial ModIMKPeakOriented 77 200. 0.03 0.02 2. -1.8 3. 4. 3. 5. 1. 1. 1. 1. 0.04 0.05 0.15 \
+                 0.2 0.3 0.4 0.5 0.5 1. 0.8 0.",
+            ),
         make: mod_imk_peak_oriented,
     },
     Kind {
@@ -41,27 +56,35 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ModIMKPinching $tag $Ke $AsPos $AsNeg $MyPos $MyNeg $FprPos $FprNeg $APinch $LambdaS \
                 $LambdaC $LambdaA $LambdaK $cS $cC $cA $cK $thetaPPos $thetaPNeg $thetaPCPos $thetaPCNeg $resPos $resNeg \
                 $thetaUPos $thetaUNeg $DPos $DNeg <$nFactor>",
+        text: Text::new("Plastic hinge that deteriorates, pinched (modified Ibarra, Medina and Krawinkler).").example(
+            "uniaxialMaterial ModIMKPinching 77 200. 0.03 0.02 2. -1.8 0.4 0.5 0.3 3. 4. 3. 5. 1. 1. 1. 1. 0.04 0.05 \
+             0.15 0.2 0.3 0.4 0.5 0.5 1. 0.8 0.",
+        ),
         make: mod_imk_pinching,
     },
     Kind {
         names: &["BoucWen"],
         usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
+        text: Text::new("Bouc-Wen hysteresis with degradation (Baber and Noori)."),
         make: bouc_wen,
     },
     Kind {
         names: &["Hysteretic"],
         usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
                 $pinchX $pinchY $damage1 $damage2 <$beta>",
+        text: Text::new("Trilinear backbone with pinching and damage."),
         make: hysteretic,
     },
     Kind {
         names: &["SAWS", "SAWSMaterial"],
         usage: "uniaxialMaterial SAWS $tag $F0 $FI $DU $S0 $R1 $R2 $R3 $R4 $alpha $beta",
+        text: Text::new("Nailed wood shear wall (Folz and Filiatrault)."),
         make: saws,
     },
     Kind {
         names: &["SelfCentering"],
         usage: "uniaxialMaterial SelfCentering $tag $k1 $k2 $sigAct $beta <$epsSlip> <$epsBear> <$rBear>",
+        text: Text::new("Flag-shaped hysteresis."),
         make: self_centering,
     },
 ];

@@ -3,6 +3,7 @@
 use super::Kind;
 use super::hysteretic::envelope;
 use crate::args::Args;
+use crate::text::Text;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, slips};
 use hysteron_engine::material::{
@@ -15,10 +16,16 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["LimitState"],
     usage: "uniaxialMaterial LimitState $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> $pinchX $pinchY \
             $damage1 $damage2 <$beta <$curve $curveType <$degrade>>>",
+    text: Text::new(
+        "Hysteresis with pinching that fails when a column reaches a limit curve. Springs in `zeroLength`, \
+         `twoNodeLink` and in sections `Aggregator` watch their column; inside other materials they do \
+         not.",
+    ),
     make: limit_state,
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("limitCurve", USAGE, limit_curve)
+    .about("Makes a surface of deformations and forces at which a column fails.")
     .defining(&[things::LIMIT_CURVE], 2)
     .with_kinds(|| kind::usages(CURVES))];
 
@@ -32,24 +39,30 @@ const CURVES: &[CurveKind] = &[
         names: &["Shear"],
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
+        text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi."),
         make: shear,
     },
     CurveKind {
         names: &["Axial"],
         usage: "limitCurve Axial $tag $element $Fsw $Kdeg $Fres $defType $forType <$nodeI $nodeJ $dof $perpDirn> \
                 <$delta <$eleRemove>>",
+        text: Text::new(
+            "Axial load of a column by friction along its shear crack (Elwood and Moehle). The element is not removed.",
+        ),
         make: axial,
     },
     CurveKind {
         names: &["ThreePoint"],
         usage: "limitCurve ThreePoint $tag $element $x1 $y1 $x2 $y2 $x3 $y3 $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn>",
+        text: Text::new("Straight lines between three points."),
         make: three_point,
     },
     CurveKind {
         names: &["RotationShearCurve"],
         usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
                 $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
+        text: Text::new("Rotation of a plastic hinge, or a shear force (Leborgne); kip, in. and ksi."),
         make: rotation_shear,
     },
 ];

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
 use hysteron_engine::shared::Shared;
@@ -145,6 +146,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     usage: "uniaxialMaterial ASDConcrete1D $tag $E <-fc $fc <-ft $ft>> <-Te $strains -Ts $stresses <-Td $damages>> \
             <-Ce $strains -Cs $stresses <-Cd $damages>> <-implex> <-implexControl $tolerance $limit> <-implexAlpha $alpha> \
             <-eta $eta> <-tangent> <-autoRegularization $length>",
+    text: Text::new("Concrete with plasticity and damage by curves in tension and compression, or by its strengths.")
+        .example("uniaxialMaterial ASDConcrete1D 77 30000. -fc 30."),
     make: asd_concrete_1d,
 }];
 

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
 use hysteron_engine::shared::Shared;
@@ -11,6 +12,10 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["SteelDRC"],
     usage: "uniaxialMaterial SteelDRC $tag $Es $fy $eu $fu $esh <-Psh $Psh> <-shPoint $esh1 $fsh1> <-omegaFactor $omegaFac> \
             <-fractStrain $efract> <-bausch $type> <-stiffOutput $type> <-viscousDamper $C $alpha> <-Dfu $Dfu>",
+    text: Text::new(
+        "Reinforcing bar as of `Dodd_Restrepo`, with curves that rejoin the skeleton and softening before \
+         fracture.",
+    ),
     make: steel_drc,
 }];
 

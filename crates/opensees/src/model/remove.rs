@@ -9,7 +9,8 @@ use hysteron_engine::model::Tag;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("remove", USAGE, remove)];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("remove", USAGE, remove).about("Removes something from the model.")];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
                      sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";

@@ -14,7 +14,7 @@ use std::io::Write as _;
 pub(crate) const COMMANDS: &[Command] = &[telling("print"), telling("printModel")];
 
 const fn telling(name: &'static str) -> Command {
-    Command::new(name, PRINT, print).leaving(Effect::Nothing)
+    Command::new(name, PRINT, print).about("Prints nodes and elements.").leaving(Effect::Nothing)
 }
 
 const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";

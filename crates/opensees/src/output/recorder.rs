@@ -7,6 +7,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
 use crate::files::outputs::FileFormat;
+use crate::text::Text;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
@@ -23,10 +24,12 @@ use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder)
+        .about("Records responses in a file.")
         .with_kinds(|| kind::usages(KINDS))
         .leaving(Effect::Nothing),
-    Command::new("record", "record", record).leaving(Effect::Nothing),
-    Command::new("setPrecision", "setPrecision $digits", set_precision),
+    Command::new("record", "record", record).about("Makes all recorders write a row now.").leaving(Effect::Nothing),
+    Command::new("setPrecision", "setPrecision $digits", set_precision)
+        .about("Sets the digits of recorders that are made afterwards."),
 ];
 
 /// A kind of recorder, added to the session by the words after its name.
@@ -40,60 +43,78 @@ const KINDS: &[Kind] = &[
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
+        text: Text::new("Records responses of nodes."),
         make: |interp, call, a| node(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeNode"],
         usage: "recorder EnvelopeNode -file $file <-time> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
+        text: Text::new("Records minimum, maximum and absolute maximum of responses of nodes."),
         make: |interp, call, a| node(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["NodeRMS"],
         usage: "recorder NodeRMS -file $file <-dT $dt> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
+        text: Text::new("Records the root mean squares of responses of nodes over the steps."),
         make: |interp, call, a| node(interp, call, a, Recorder::root_mean_square),
     },
     Kind {
         names: &["Element"],
         usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
+        text: Text::new("Records responses of elements."),
         make: |interp, call, a| element(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeElement"],
         usage: "recorder EnvelopeElement -file $file <-time> -ele $tag ... | -eleRange $first $last | -region $tag \
                 <-dof $column ...> $response ...",
+        text: Text::new("Records minimum, maximum and absolute maximum of responses of elements."),
         make: |interp, call, a| element(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["Drift", "DriftRecorder"],
         usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
+        text: Text::new("Records drifts between pairs of nodes."),
         make: |interp, call, a| drift(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeDrift"],
         usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
                 -perpDirn $direction",
+        text: Text::new("Writes minimum, maximum and largest absolute value of drifts between nodes."),
         make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["Collapse", "Remove", "ElementRemoval", "NodeRemoval"],
         usage: collapse::USAGE,
+        text: Text::new(
+            "Removes the elements of an infill wall whose drifts in and out of its plane reach a curve, and nodes that \
+             are left alone.",
+        )
+        .example("recorder Collapse -ele 1 -node 2"),
         make: collapse::collapse,
     },
-    Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
     Kind {
-        names: &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
-        usage: "recorder mpco ...: files for other programs, not written",
-        make: display::of_other_program,
+        names: &["PVD", "pvd"],
+        usage: pvd::USAGE,
+        text: Text::new(
+            "Writes the model with fields of nodes and elements for ParaView: a list `$file.pvd`, and a file of each \
+             step in the folder `$file`.",
+        ),
+        make: pvd::pvd,
     },
+    Kind::named(
+        &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
+        "recorder mpco ...: files for other programs, not written",
+        display::of_other_program,
+    ),
     // Windows of OpenSees.
-    Kind {
-        names: &["display", "plot", "plotDifferent", "increments"],
-        usage: "recorder display ...",
-        make: |_, _, _| Ok(Value::from(-1i64)),
-    },
+    Kind::named(&["display", "plot", "plotDifferent", "increments"], "recorder display ...", |_, _, _| {
+        Ok(Value::from(-1i64))
+    }),
 ];
 
 /// The options that all recorders share.

@@ -12,8 +12,11 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("fiber", FIBER, fiber), Command::new("patch", PATCH, patch), Command::new("layer", LAYER, layer)];
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("fiber", FIBER, fiber).about("Adds one fibre to the section."),
+    Command::new("patch", PATCH, patch).about("Adds fibres that fill an area."),
+    Command::new("layer", LAYER, layer).about("Adds fibres along a line or an arc, as reinforcing bars."),
+];
 
 const FIBER: &str = "fiber $y $z $area $material";
 const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL $zL | rect $material $nY $nZ $yI $zI $yK $zK | \

@@ -3,6 +3,7 @@
 use super::{Kind, Make, warn_of_torsion};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::Text;
 use hysteron_engine::material::{Elastic, Material};
 use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
@@ -12,12 +13,15 @@ use std::f64::consts::PI;
 pub(super) const WIDE_FLANGE: Kind = Kind {
     names: &["WFSection2d", "WSection2d"],
     usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
+    text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4"),
     make: Make::Beam(wide_flange),
 };
 
 pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
     names: &["RCSection2d"],
     usage: "section RCSection2d $tag $core $cover $steel $d $b $coverDepth $Atop $Abottom $Aside $nfcore $nfcover $nfs",
+    text: Text::new("A rectangle of concrete with bars, bent about one axis.")
+        .example("section RCSection2d 77 1 2 3 20. 12. 2. 0.5 0.5 0.3 16 4 3"),
     make: Make::Beam(rectangular_concrete),
 };
 
@@ -25,6 +29,8 @@ pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
     names: &["RCCircularSection"],
     usage: "section RCCircularSection $tag $core $cover $steel $d $coverDepth $As $nRingsCore $nRingsCover $nWedges $nSteel \
             <-GJ $GJ | -torsion $material>",
+    text: Text::new("A circle of concrete with bars.")
+        .example("section RCCircularSection 77 1 2 3 20. 2. 0.5 4 2 8 8 -GJ 1."),
     make: Make::Beam(circular_concrete),
 };
 

@@ -14,6 +14,7 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR, integrator)
+    .about("Chooses how a step advances time or load.")
     .with_kinds(|| FAMILIES.iter().flat_map(|kinds| kind::usages(kinds)).collect())];
 
 const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";
