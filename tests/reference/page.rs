@@ -1,10 +1,10 @@
 //! Pages of the reference: commands by family, each with its usage and a table of its arguments.
 
-use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
+use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
-use hysteron::opensees::{Command, KindUsage, Text, WITHOUT_EFFECT, amendments, commands, kinds};
+use hysteron::opensees::{AMENDMENTS, Command, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
 use std::fmt::Write as _;
 
 /// A page.
@@ -282,29 +282,16 @@ fn is_of_another(what: &str, name: &str, names: &[String]) -> bool {
     symbol && last != name && names.iter().any(|n| n == last)
 }
 
-/// `amend`: its kinds have options only, of which it says itself which it needs.
+/// `amend`: its kinds have options only.
 fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
     usage_of(out, &c.usage_line(), blanks);
-    let words =
-        |more: &[&str]| ["amend", "element", "1"].iter().chain(more).map(|w| (*w).to_owned()).collect::<Vec<_>>();
-    for (name, sentence) in amendments() {
-        let (_, options) = probe::help(MODELS[0], &words(&[name, "-wrong!"]));
-        let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
-        let own: Vec<&String> = options.iter().filter(|o| !common.contains(&o.as_str())).collect();
-        let _ = writeln!(out, "### `amend element ... {name}`\n");
-        about(out, [(format!("amend {name}"), sentence)].into_iter(), blanks);
+    for kind in AMENDMENTS.iter().filter(|k| !k.about.is_empty()) {
+        let _ = writeln!(out, "### `amend element ... {}`\n\n{}\n", kind.name, kind.about);
         out.push_str("| option | meaning | value |\n| --- | --- | --- |\n");
-        for option in &own {
-            let mut others = words(&[name]);
-            for o in own.iter().filter(|o| o != &option) {
-                others.extend([(*o).clone(), "0.5".to_owned()]);
-            }
-            let needed = matches!(probe::say(MODELS[0], &others), Said::Refused(m, _) if m.contains("is missing"));
-            let mut walk = Walk::new(MODELS[0], words(&[name]));
-            walk.take(&[MatrixMask::Word((*option).clone()), MatrixMask::Argument("value".into())]);
-            let m = walk.found.into_values().next().unwrap_or_default();
-            let shown = if needed { format!("{option} $value") } else { format!("<{option} $value>") };
-            let _ = writeln!(out, "| `{shown}` | {} | {} |", m.what, m.value);
+        for option in kind.options {
+            let shown = format!("{} $value", option.name);
+            let shown = if option.default.is_none() { shown } else { format!("<{shown}>") };
+            let _ = writeln!(out, "| `{shown}` | {} | {} |", option.what, option.value());
         }
         out.push('\n');
     }

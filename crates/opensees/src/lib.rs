@@ -52,7 +52,7 @@ pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
 pub use element::learned::{law_of_json, law_to_json, law_to_words};
-pub use element::{amendments, numbers_of_element};
+pub use element::{AMENDMENTS, AmendmentKind, AmendmentOption, numbers_of_element};
 pub use files::number_files::NumberFiles;
 pub use files::outputs::{FileFormat, NoFiles, Outputs};
 pub use files::series::{DiskSeries, FileSeries};

@@ -12,10 +12,6 @@ use hysteron_tcl::{Exception, Value};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
-/// Name of the kind, with a sentence about it.
-pub(super) const ABOUT: (&str, &str) =
-    ("learned", "A law with memory in place of the element's own, found from recordings.");
-
 /// Options that are not words of the law: a file, and the sources of its channels.
 const FILE: &str = "-file";
 const SERIES: &str = "-series";

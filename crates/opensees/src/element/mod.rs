@@ -2,6 +2,7 @@
 
 pub(crate) mod amend;
 mod amended_place;
+mod amendments;
 mod beam;
 mod beam_column_joint;
 mod bearing;
@@ -49,7 +50,7 @@ use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
-pub use amend::amendments;
+pub use amendments::{AMENDMENTS, AmendmentKind, AmendmentOption};
 pub use recipe::numbers_of_element;
 pub(crate) use recipe::{set_parameter, with_parameter};
 
