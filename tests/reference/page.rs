@@ -4,7 +4,7 @@ use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
-use hysteron::opensees::{AMENDMENTS, Command, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
+use hysteron::opensees::{AMENDMENTS, Arg, Command, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
 use std::fmt::Write as _;
 
 /// A page.
@@ -26,7 +26,7 @@ impl Page {
 
 pub use words::PAGES;
 
-/// Arguments that no command explains by itself and [`words::MEANINGS`] does not either.
+/// Texts that are missing: sentences, and meanings of arguments that neither a row nor a message tells.
 pub type Blanks = Vec<String>;
 
 /// The text of a page, and what is missing in it.
@@ -217,24 +217,61 @@ fn more_of(before: Option<&str>, row: &Row) -> bool {
         && stem(before, '1') == stem(name, '2')
 }
 
-/// Meaning and value of a row: what the words of the project say, else what the command says.
+/// Meaning and value of a row: the declared one, else that of the messages.
 fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (String, String) {
     let head: Vec<&str> = usage::command(usage).split(' ').take(2).collect();
     let name = row.arguments.first().map_or("", String::as_str);
-    if let Some(text) = words::meaning(&head, &row.option, name) {
+    if let Some(text) = declared(&head, &row.option, name) {
         let value = found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
         return (text.to_owned(), value.unwrap_or_default());
     }
     let of = |name: &String| found.get(&(row.option.clone(), name.clone())).cloned();
     let known: Vec<Meaning> = row.arguments.iter().filter_map(of).collect();
     if row.arguments.is_empty() || known.len() < row.arguments.len() {
-        blanks.push(format!("{}\t{}\t{name}", head.join(" "), row.option));
+        blanks.push(format!("{}: no meaning of {} {name}", head.join(" "), row.option));
     }
     let mut whats: Vec<String> = known.iter().map(|m| m.what.clone()).collect();
     whats.dedup();
     let mut values: Vec<String> = known.iter().map(|m| m.value.clone()).filter(|v| !v.is_empty()).collect();
     values.dedup();
     (whats.join("; "), values.join("; "))
+}
+
+/// Meaning of an argument in the row of the command or of its kind.
+fn declared(head: &[&str], option: &str, name: &str) -> Option<&'static str> {
+    let command = commands().find(|c| c.name == head[0])?;
+    let kind = command.kinds().into_iter().find(|k| head.get(1).is_some_and(|name| k.names.contains(name)));
+    command.meaning(kind, option, name)
+}
+
+/// Declared arguments that the usage of their command or kind does not have.
+pub fn undeclared() -> Vec<String> {
+    let mut out = vec![];
+    for c in commands() {
+        let own = usage_rows(c.usage);
+        let kinds = c.kinds();
+        let of_kinds: Vec<Vec<Row>> = kinds.iter().map(|k| usage_rows(k.usage)).collect();
+        let all: Vec<&Row> = own.iter().chain(of_kinds.iter().flatten()).collect();
+        out.extend(c.text.arguments.iter().filter(|a| !all.iter().any(|r| is_of(r, a))).map(|a| told(c.name, a)));
+        for (kind, rows) in kinds.iter().zip(&of_kinds) {
+            let unknown = kind.text.arguments.iter().filter(|a| !rows.iter().any(|r| is_of(r, a)));
+            out.extend(unknown.map(|a| told(kind.names[0], a)));
+        }
+    }
+    out
+}
+
+fn usage_rows(usage: &str) -> Vec<Row> {
+    usage::rows(&usage::parse(usage))
+}
+
+/// True if an argument is declared for a row of a usage.
+fn is_of(row: &Row, arg: &Arg) -> bool {
+    row.option == arg.option && row.arguments.first().map_or("", String::as_str) == arg.name
+}
+
+fn told(name: &str, arg: &Arg) -> String {
+    format!("{name}\t{}\t{}", arg.option, arg.name)
 }
 
 /// Explanations of the arguments by the command, from the model in which it gives most of them.

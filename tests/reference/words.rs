@@ -1,27 +1,6 @@
-//! Texts that the commands do not contain.
+//! The pages of the reference of commands.
 
 use super::page::Page;
-
-/// Meanings of arguments: `command kind<TAB>option<TAB>argument<TAB>text`, with `*` for any command.
-const MEANINGS: &str = include_str!("meanings.txt");
-
-fn lines(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
-    text.lines().filter(|l| !l.is_empty() && !l.starts_with('#')).map(|l| l.split('\t').collect())
-}
-
-/// The meaning of an argument of a command: its own line, that of the command, that of any.
-pub fn meaning(head: &[&str], option: &str, argument: &str) -> Option<&'static str> {
-    let of = |scope: &str| {
-        let here = |l: &Vec<&str>| l.len() == 4 && l[0] == scope && l[1] == option && l[2] == argument;
-        lines(MEANINGS).find(here).map(|l| l[3])
-    };
-    of(&head.join(" ")).or_else(|| of(head.first().copied().unwrap_or_default())).or_else(|| of("*"))
-}
-
-/// The commands that the texts are about.
-pub fn scopes() -> impl Iterator<Item = &'static str> {
-    lines(MEANINGS).filter_map(|l| l[0].split(' ').next())
-}
 
 /// The pages, in the order of the book.
 pub const PAGES: &[Page] = &[

@@ -60,7 +60,7 @@ pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{ModelBuilder, Session};
-pub use text::{Text, WITHOUT_EFFECT};
+pub use text::{Arg, Text, WITHOUT_EFFECT};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
@@ -100,6 +100,12 @@ impl Command {
         self
     }
 
+    /// The same command with meanings of arguments, of all its kinds.
+    const fn arguments(mut self, arguments: &'static [Arg]) -> Self {
+        self.text.arguments = arguments;
+        self
+    }
+
     /// The same command as one whose calls leave this behind.
     const fn leaving(mut self, effect: Effect) -> Self {
         self.effect = effect;
@@ -126,6 +132,12 @@ impl Command {
     /// Kinds of things that it defines, and the position of the tag among its words; 0 where it has none.
     pub fn definition(&self) -> (&'static [&'static str], usize) {
         self.defines
+    }
+
+    /// Meaning of an argument of the command or of its kind, where a row tells it.
+    pub fn meaning(&self, kind: Option<KindUsage>, option: &str, name: &str) -> Option<&'static str> {
+        let of_kind = kind.and_then(|k| k.text.meaning(option, name));
+        of_kind.or_else(|| self.text.meaning(option, name)).or_else(|| text::meaning_of_any(option, name))
     }
 
     /// Usage under the command's own name. Commands of a family may share one usage.

@@ -5,6 +5,7 @@ use crate::checks;
 use crate::effect::Effect;
 use crate::element::{set_parameter as set_parameter_of, with_parameter};
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
@@ -24,7 +25,12 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("getParamTags", "getParamTags", tags)
         .about("Returns the tags of all parameters.")
         .leaving(Effect::Nothing),
-    Command::new("setParameter", SET, set_parameter).about("Changes a quantity of elements or nodes once."),
+    Command::new("setParameter", SET, set_parameter).about("Changes a quantity of elements or nodes once.").arguments(
+        &[
+            Arg::of("-ele", "element", "tags of elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements"),
+        ],
+    ),
 ];
 
 const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \

@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
@@ -59,7 +59,8 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Linear"],
         usage: "algorithm Linear <-initial | -secant> <-factorOnce>",
-        text: Text::new("One correction a step."),
+        text: Text::new("One correction a step.")
+            .arguments(&[Arg::flag("-secant", "accepted with a warning: the current tangent is used")]),
         make: |interp, a| {
             let (choice, once) = tangent(interp, a)?;
             Ok(Box::new(Linear::new(mix(choice), once)))
@@ -68,7 +69,10 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Newton"],
         usage: "algorithm Newton <-initial | -initialThenCurrent | -Hall <$initial $current>>",
-        text: Text::new("A new tangent in each iteration."),
+        text: Text::new("A new tangent in each iteration.").arguments(&[Arg::flag(
+            "-initialThenCurrent",
+            "forms the tangent of the first iteration at the initial state, the others at the current one",
+        )]),
         make: |interp, a| Ok(Box::new(Newton::new(tangent(interp, a)?.0))),
     },
     Kind {
@@ -84,7 +88,8 @@ const KINDS: &[Kind] = &[
         names: &["NewtonLineSearch"],
         usage: "algorithm NewtonLineSearch <-type InitialInterpolated|Bisection|Secant|RegulaFalsi> <-tol $tolerance> \
                 <-maxIter $n> <-minEta $eta> <-maxEta $eta>",
-        text: Text::new("Newton's method with a search for the length of each correction."),
+        text: Text::new("Newton's method with a search for the length of each correction.")
+            .arguments(&[Arg::flag("-type", "rule of the line search")]),
         make: line_search,
     },
     // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
@@ -129,7 +134,8 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["ExpressNewton"],
         usage: "algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>",
-        text: Text::new("A fixed number of corrections a step."),
+        text: Text::new("A fixed number of corrections a step.")
+            .arguments(&[Arg::new("corrections", "number of corrections a step")]),
         make: express,
     },
 ];

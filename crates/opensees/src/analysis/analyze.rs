@@ -11,7 +11,7 @@ use crate::model::parameter_change;
 use crate::output::collapse;
 use crate::session::{Parts, Session};
 use crate::slips;
-use crate::text::{Text, WITHOUT_EFFECT};
+use crate::text::{Arg, Text, WITHOUT_EFFECT};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
@@ -30,9 +30,17 @@ pub(crate) const COMMANDS: &[Command] = &[
         .defining(&[things::ANALYSIS], 0)
         .with_kinds(|| kind::usages(KINDS)),
     Command::new("analyze", ANALYZE, analyze)
-        .about("Makes steps; returns 0 or a negative [code](../conventions.md#return-values-of-analyze)."),
+        .about("Makes steps; returns 0 or a negative [code](../conventions.md#return-values-of-analyze).")
+        .arguments(&[
+            Arg::new("steps", "number of steps"),
+            Arg::new("dt", "time step"),
+            Arg::new("dtMin", "shortest time step"),
+            Arg::new("dtMax", "longest time step"),
+            Arg::new("iterations", "iterations wanted"),
+        ]),
     Command::new("eigen", EIGEN, eigen)
-        .about("Computes modes; returns the eigenvalues, squares of the circular frequencies."),
+        .about("Computes modes; returns the eigenvalues, squares of the circular frequencies.")
+        .arguments(&[Arg::new("solver", "name of OpenSees' solver, accepted")]),
     Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis).about("Removes the analysis and keeps the model."),
     Command::new("reset", "reset", reset).about("Returns to the state at the start."),
     Command::new("revertToStart", "revertToStart", reset).about("Returns to the state at the start."),

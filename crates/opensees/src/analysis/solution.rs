@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::kind::{self, Kind};
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::analysis::{MatrixTerms, Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
@@ -20,7 +20,15 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("system", SYSTEM, system)
         .about("Chooses the solver. Every name is accepted; see [Solvers](../conventions.md#solvers).")
         .with_kinds(|| kind::usages(SYSTEMS)),
-    Command::new("test", TEST, test).about("Chooses the test of convergence.").with_kinds(|| kind::usages(TESTS)),
+    Command::new("test", TEST, test)
+        .about("Chooses the test of convergence.")
+        .arguments(&[
+            Arg::new("tolerance", "tolerance of the norm"),
+            Arg::new("maxIterations", "most iterations"),
+            Arg::new("printFlag", "what the test prints, 0 to 5"),
+            Arg::new("norm", "norm: 0 largest, 1 sum, 2 square root of the sum of squares"),
+        ])
+        .with_kinds(|| kind::usages(TESTS)),
 ];
 
 const CONSTRAINTS: &str = "constraints Plain | Transformation | Penalty $alphaS $alphaM | Lagrange <$alphaS $alphaM>";

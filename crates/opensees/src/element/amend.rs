@@ -6,6 +6,7 @@ use super::joints;
 use crate::args::Args;
 use crate::model::nodes::need_model;
 use crate::model::parameter_change;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::{Amendment, Share};
@@ -14,7 +15,55 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
-    .about("Adds physics to an element that exists; see [Amendments](../amendments.md).")];
+    .about("Adds physics to an element that exists; see [Amendments](../amendments.md).")
+    .arguments(&[
+        Arg::of("-option", "value", "options of the kind, below"),
+        Arg::of("-axial", "dir", "direction that carries the axial force"),
+        Arg::of("-axialSeries", "ts", "tag of a series of the compression"),
+        Arg::of(
+            "-share",
+            "k",
+            "stiffness of the elastic part, and measures 0 to 1 in which a factor acts on it and on \
+             the rest",
+        ),
+        Arg::of("-strengthBeside", "k", "stiffness of the elastic part: a factor acts on the strength of the rest"),
+        Arg::of("-range", "U", "largest deformation, speed and time for which the law was made"),
+        Arg::of(
+            "-hysteresis",
+            "form",
+            "`bilinear`, `boucWen`, `curve` or `own`; deformation before it slips, and strength (of `own` a factor of \
+             the element's force)",
+        ),
+        Arg::of("-spring", "k", "stiffness of the spring"),
+        Arg::of("-piece", "side", "side 1, -1 or 0 for both, deformation and stiffness of a piece of the spring"),
+        Arg::of("-moving", "k", "stiffness of a spring about the middle of the extremes so far"),
+        Arg::of("-curve", "slope", "slopes over the initial one, from unloading at the level to loading at it"),
+        Arg::of("-unequal", "strength", "further strength of the positive side"),
+        Arg::of("-stop", "level", "level and strength of a further stop"),
+        Arg::of("-maxwell", "time", "time constant and stiffness of a Maxwell element"),
+        Arg::of("-dashpot", "power", "power of the speed over that of the range, and force at that speed"),
+        Arg::of("-viscous", "width", "speed over which friction is smoothed, over that of the range, and its force"),
+        Arg::of("-work", "D", "largest work of a stop of the level and of stiffness one"),
+        Arg::of(
+            "-factor",
+            "part",
+            "part of the force, slow variable with its numbers, coefficient, and range of the \
+             variable",
+        ),
+        Arg::of("-channel", "name", "name, mean and standard deviation of a channel"),
+        Arg::of("-force", "name", "channel, force at three deviations from its mean, and range"),
+        Arg::of("-series", "ts", "time series of each channel, or `axial` for the compression of the element"),
+        Arg::of("-file", "file", "JSON file of a law"),
+        Arg::flag("-beyond", "`clamp` or `continue`: what slow variables do beyond their range"),
+        Arg::of("-mat", "mat", "tag of a law, moment over rotation"),
+        Arg::flag("-end", "one end, `i` or `j`; both where it is left out"),
+        Arg::new("other", "tag of the node whose mass-proportional damping counts"),
+        Arg::new("name", "name of a number that `pset` declares"),
+        Arg::of("-factor", "f", "factor on that number in the time"),
+        Arg::of("-from", "t1", "domain time from which it has the other value; the beginning where it is left out"),
+        Arg::of("-reached", "t2", "domain time at which it has the whole of the other value; a ramp begins at `-from`"),
+        Arg::of("-to", "t3", "domain time up to which it has it; the end where it is left out"),
+    ])];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
                      amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \

@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::load::series::series_of;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
@@ -39,7 +39,15 @@ const KINDS: &[Kind] = &[
         names: &["URD"],
         usage: "damping URD $tag $n $freq1 $zeta1 $freq2 $zeta2 ... <-tol $tol> <-maxiter $rounds> \
                 <-activateTime $ta> <-deactivateTime $td> <-factor $series> <-prttag>",
-        text: Text::new("Damping ratios given over the frequency, by low-pass filters of the element's forces."),
+        text: Text::new("Damping ratios given over the frequency, by low-pass filters of the element's forces.")
+            .arguments(&[
+                Arg::of("-tol", "tol", "largest relative error of the damping ratios"),
+                Arg::of("-maxiter", "rounds", "most rounds with more and more filters"),
+                Arg::of("-activateTime", "ta", "time at which it begins"),
+                Arg::of("-deactivateTime", "td", "time at which it ends"),
+                Arg::of("-factor", "series", "tag of a time series that the forces are multiplied by"),
+                Arg::flag("-prttag", "printing of the filters in OpenSees, without effect"),
+            ]),
         make: user_defined_ratios,
     },
     Kind {

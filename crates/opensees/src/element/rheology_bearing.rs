@@ -6,7 +6,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::rheology;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
@@ -28,7 +28,8 @@ pub(super) const RHEOLOGY: Kind = Kind {
     .example(
         "element HDRRheologyBearing 77 1 2 800. 2e6 0. 0.6 0.003 0.008 20 700. 100. 20. 200. 3. 900. 100. \
          400. 300. 0.2",
-    ),
+    )
+    .arguments(&[Arg::new("n", "number of layers; the second `$n` is the parameter n of the overstress")]),
     make: Make::TwoNodes(make),
 };
 

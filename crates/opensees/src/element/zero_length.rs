@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
@@ -28,7 +28,8 @@ pub(super) const ZERO_LENGTH: Kind = Kind {
 pub(super) const COUPLED: Kind = Kind {
     names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
     usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
-    text: Text::new("One spring for two directions."),
+    text: Text::new("One spring for two directions.")
+        .arguments(&[Arg::new("doRayleigh", "1: the element takes part in Rayleigh damping")]),
     make: Make::TwoNodes(make_coupled),
 };
 

@@ -3,7 +3,7 @@
 use super::motion_file::{self, FILE_OPTIONS, FileOptions, FileSeries};
 use crate::args::Args;
 use crate::checks;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
@@ -14,6 +14,10 @@ use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
     .about("Makes a factor that varies with time.")
+    .arguments(&[
+        Arg::of("-zeroShift", "z", "added to the value"),
+        Arg::of("-width", "w", "width of a pulse over the period"),
+    ])
     .defining(&[things::SERIES], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -64,7 +68,13 @@ const KINDS: &[Kind] = &[
         usage: "timeSeries Path $tag -dt $dt -values {...} | -dt $dt -filePath $file | -time {...} -values {...} | \
                 -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
                 <-unit $unit> <-layout $word> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
-        text: Text::new("A factor given by points, interpolated linearly."),
+        text: Text::new("A factor given by points, interpolated linearly.").arguments(&[
+            Arg::flag("-values", "values, with `-dt` at equal steps, with `-time` at these times"),
+            Arg::of("-factor", "c", "factor"),
+            Arg::of("-startTime", "t", "time of the first value"),
+            Arg::of("-fileTime", "file", "file of times"),
+            Arg::of("-filePath", "file", "file of values"),
+        ]),
         make: path,
     },
 ];

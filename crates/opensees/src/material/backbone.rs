@@ -2,7 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{Backbone, BackboneElastic, Material, SoilCurve};
@@ -14,7 +14,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Backbone"],
     usage: "uniaxialMaterial Backbone $tag $backbone <$factor>",
     text: Text::new("Elastic along a curve of `hystereticBackbone`.")
-        .example("hystereticBackbone Bilinear 1 0.01 1. 0.1 1.5; uniaxialMaterial Backbone 77 1"),
+        .example("hystereticBackbone Bilinear 1 0.01 1. 0.1 1.5; uniaxialMaterial Backbone 77 1")
+        .arguments(&[Arg::new("factor", "factor of the stress")]),
     make: backbone_material,
 }];
 
@@ -50,7 +51,8 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["Arctangent"],
         usage: "hystereticBackbone Arctangent $tag $K1 $gammaY $alpha or $E $Fy",
-        text: Text::new("An arctangent of the strain."),
+        text: Text::new("An arctangent of the strain.")
+            .arguments(&[Arg::new("Fy", "strength, for the form with a modulus")]),
         make: arctangent,
     },
     BackboneKind {
@@ -110,13 +112,18 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["Material"],
         usage: "hystereticBackbone Material $tag $material <-compression>",
-        text: Text::new("The virgin curve of a uniaxial material."),
+        text: Text::new("The virgin curve of a uniaxial material.")
+            .arguments(&[Arg::flag("-compression", "the curve of compression, with positive strains")]),
         make: of_material,
     },
     BackboneKind {
         names: &["LinearCapped"],
         usage: "hystereticBackbone LinearCapped $tag $backbone $eCap $E $sRes",
-        text: Text::new("Another curve up to a strain, then a line to a residual stress."),
+        text: Text::new("Another curve up to a strain, then a line to a residual stress.").arguments(&[
+            Arg::new("eCap", "strain of the cap"),
+            Arg::new("E", "slope behind the cap"),
+            Arg::new("sRes", "residual stress"),
+        ]),
         make: linear_capped,
     },
 ];

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Damage, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Material, Pinching, Pinching4,
@@ -28,7 +28,20 @@ pub(super) const KINDS: &[Kind] = &[
             "uniaxialMaterial Pinching4 77 1.5 0.01 2. 0.02 2.2 0.05 0.5 0.09 -1.2 -0.008 -1.8 -0.025 -2. -0.04 \
              -0.4 -0.1 0.5 0.25 0.05 0.4 0.3 -0.1 0.2 0.1 0.3 0.2 0.9 0.1 0.2 0.5 1. 0.5 0.1 0.1 1. 1. 0.3 10. \
              energy",
-        ),
+        )
+        .arguments(&[
+            Arg::new("f1n", "stress 1 on the negative side, negative"),
+            Arg::new("d1n", "strain 1 on the negative side, negative"),
+            Arg::new("f2n", "stress 2 on the negative side, negative"),
+            Arg::new("d2n", "strain 2 on the negative side, negative"),
+            Arg::new("f3n", "stress 3 on the negative side, negative"),
+            Arg::new("d3n", "strain 3 on the negative side, negative"),
+            Arg::new("f4n", "stress 4 on the negative side, negative"),
+            Arg::new("d4n", "strain 4 on the negative side, negative"),
+            Arg::new("rDispN", "share of the largest strain at the begin of reloading, negative side"),
+            Arg::new("rForceN", "share of the stress at the begin of reloading, negative side"),
+            Arg::new("uForceN", "share of the strength at the end of unloading, negative side"),
+        ]),
         make: pinching4,
     },
     Kind {

@@ -2,7 +2,7 @@
 
 use super::{nd_concrete, nd_wrapper};
 use crate::args::Args;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
@@ -81,20 +81,31 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Parallel3D"],
         usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
-        text: Text::new("Laws in space with one strain, whose stresses add up."),
+        text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[Arg::of(
+            "-weights",
+            "w1",
+            "factor of the stresses of each law; 1 without",
+        )]),
         make: parallel,
     },
     Kind {
         names: &["InitStress", "InitStressND", "InitStressNDMaterial", "InitStressMaterial"],
         usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
-        text: Text::new("A law in space with a pressure at rest."),
+        text: Text::new("A law in space with a pressure at rest.")
+            .arguments(&[Arg::new("dimensions", "a number that is not used")]),
         make: nd_wrapper::initial_stress,
     },
     Kind {
         names: &["Series3D"],
         usage: "nDMaterial Series3D $tag $material1 $material2 ... <-weights $w1 $w2 ...> <-maxIter $n> <-relTol $tol> <-absTol $tol> \
                 <-verbose>",
-        text: Text::new("Laws in space with one stress, whose strains add up."),
+        text: Text::new("Laws in space with one stress, whose strains add up.").arguments(&[
+            Arg::of("-weights", "w1", "factor of the strains of each law; 1 without"),
+            Arg::flag("-verbose", "says nothing more"),
+            Arg::of("-maxIter", "n", "most iterations; ten times as many with the initial tangents"),
+            Arg::of("-relTol", "tol", "difference of the stresses over their size that counts as none"),
+            Arg::of("-absTol", "tol", "difference of the stresses that counts as none"),
+        ]),
         make: nd_wrapper::series,
     },
     Kind {
@@ -126,13 +137,44 @@ const KINDS: &[Kind] = &[
         usage: nd_concrete::USAGE,
         text: Text::new(
             "Concrete with plasticity and damage by curves in tension and compression; crack planes are not modelled.",
-        ),
+        )
+        .arguments(&[
+            Arg::of("-Te", "strains", "total strains in tension, as a list or as words"),
+            Arg::of("-Ts", "stresses", "stresses in tension, as many"),
+            Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without"),
+            Arg::of("-Ce", "strains", "total strains in compression, without sign"),
+            Arg::of("-Cs", "stresses", "stresses in compression, as many"),
+            Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without"),
+            Arg::of("-rho", "rho", "mass per volume"),
+            Arg::of("-Kc", "Kc", "shape of the surface of failure, from 2/3 to 1"),
+            Arg::of("-eta", "eta", "viscosity, a time"),
+            Arg::of("-cdf", "share", "share of damage in tension that counts in compression"),
+            Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps"),
+            Arg::of(
+                "-implexControl",
+                "tolerance",
+                "largest error of the extrapolated damage, and the shortest step over the first one for which it \
+                 counts",
+            ),
+            Arg::of("-implexAlpha", "alpha", "factor of the extrapolation"),
+            Arg::flag("-tangent", "the tangent is that of differences, not the secant"),
+            Arg::of(
+                "-autoRegularization",
+                "length",
+                "length for which the curves hold; their energy depends on the least distance of two nodes",
+            ),
+        ]),
         make: nd_concrete::make,
     },
     Kind {
         names: &["FSAM"],
         usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
-        text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles."),
+        text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles.").arguments(&[
+            Arg::new("ratioX", "area of bars along x as a share of that of the concrete"),
+            Arg::new("ratioY", "area of bars along y as a share of that of the concrete"),
+            Arg::new("nu", "coefficient of friction of the interlock in cracks"),
+            Arg::new("alfadow", "shear stiffness of bars over their modulus"),
+        ]),
         make: fsam,
     },
     Kind {

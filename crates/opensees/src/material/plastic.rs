@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     BarFatigue, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material,
@@ -20,7 +20,8 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["CastFuse", "Cast"],
         usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
-            .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15"),
+            .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
+            .arguments(&[Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")]),
         make: cast_fuse,
     },
     Kind {
@@ -59,7 +60,23 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ReinforcingSteel $tag $fy $fu $Es $Esh $esh $eult <-GABuck $lsr $beta $r $gamma | \
                 -DMBuck $lsr $alpha> <-CMFatigue $Cf $alpha $Cd> <-IsoHard $a1 $limit> <-MPCurveParams $R1 $R2 $R3>",
         text: Text::new("Reinforcing bar with yield plateau, strain hardening, buckling and fatigue.")
-            .example("uniaxialMaterial ReinforcingSteel 77 60. 90. 29000. 700. 0.008 0.1"),
+            .example("uniaxialMaterial ReinforcingSteel 77 60. 90. 29000. 700. 0.008 0.1")
+            .arguments(&[
+                Arg::of(
+                    "-GABuck",
+                    "lsr",
+                    "buckling of Gomes and Appleton: slenderness, an amplification that OpenSees does not use, least \
+                     share of the buckled stress, stress of the pivot as a share of the ultimate one",
+                ),
+                Arg::of("-DMBuck", "lsr", "buckling of Dhakal and Maekawa: slenderness, adjustment 0.75 to 1"),
+                Arg::of(
+                    "-CMFatigue",
+                    "Cf",
+                    "fatigue of Coffin and Manson: ductility constant, exponent, strength reduction constant",
+                ),
+                Arg::of("-IsoHard", "a1", "shortening of the yield plateau per plastic strain, and its least share"),
+                Arg::of("-MPCurveParams", "R1", "constants of the curves after reversals"),
+            ]),
         make: reinforcing_steel,
     },
     Kind {
@@ -78,14 +95,23 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["MultiLinear"],
         usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
-        text: Text::new("Plastic with a multilinear backbone and kinematic hardening."),
+        text: Text::new("Plastic with a multilinear backbone and kinematic hardening.").arguments(&[
+            Arg::new("u2", "strains of more points"),
+            Arg::new("f2", "stresses of more points"),
+            Arg::new("u1", "strain of the first point"),
+            Arg::new("f1", "stress of the first point"),
+        ]),
         make: multi_linear,
     },
     Kind {
         names: &["UVCuniaxial"],
         usage: "uniaxialMaterial UVCuniaxial $tag $E $fy $QInf $b $DInf $a $N $C1 $gamma1 <$C2 $gamma2 ...>",
         text: Text::new("Structural steel: updated Voce-Chaboche plasticity.")
-            .example("uniaxialMaterial UVCuniaxial 77 200. 2. 0.5 10. 0.3 100. 2 20. 40. 4. 5."),
+            .example("uniaxialMaterial UVCuniaxial 77 200. 2. 0.5 10. 0.3 100. 2 20. 40. 4. 5.")
+            .arguments(&[
+                Arg::new("C2", "modulus of the second backstress"),
+                Arg::new("gamma2", "rate of the second backstress"),
+            ]),
         make: uvc_uniaxial,
     },
     Kind {

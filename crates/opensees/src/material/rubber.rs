@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{Decay, GallardoShear, HdrRheology, Material, Mullins, Softening};
@@ -42,7 +42,8 @@ pub(super) const KINDS: &[Kind] = &[
         .example(
             "uniaxialMaterial HDR_mat 77 46. 59. 317. 1.04 0.38 30. 0.71 3.4 0.37 0.06 0.57 121. 1.8 0.9 0.32 \
              0.14 0.018 20.4",
-        ),
+        )
+        .arguments(&[Arg::new("Pphi", "rate of the temporary hardening"), Arg::new("h", "thickness of the rubber")]),
         make: gallardo,
     },
 ];

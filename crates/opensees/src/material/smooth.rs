@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
 use hysteron_engine::shared::Shared;
@@ -41,7 +41,11 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["ASD_SMA_3K"],
         usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta",
         text: Text::new("Shape-memory alloy with three stiffnesses.")
-            .example("uniaxialMaterial ASD_SMA_3K 77 200. 5. 60. 2. 0.6"),
+            .example("uniaxialMaterial ASD_SMA_3K 77 200. 5. 60. 2. 0.6")
+            .arguments(&[
+                Arg::new("sigAct", "force at which the upper plateau begins"),
+                Arg::new("beta", "height of the flag over that force"),
+            ]),
         make: sma_3k,
     },
     Kind {

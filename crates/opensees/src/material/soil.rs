@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     HyperbolicGap, Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
@@ -30,7 +30,10 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["QzSimple1"],
         usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
-        text: Text::new("Tip spring between pile and soil."),
+        text: Text::new("Tip spring between pile and soil.").arguments(&[
+            Arg::new("suction", "resistance in uplift over the ultimate one"),
+            Arg::new("c", "viscous coefficient"),
+        ]),
         make: qz_simple1,
     },
     Kind {

@@ -2,11 +2,14 @@
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("block2D", USAGE, block2d).about("Makes a grid of nodes and of elements between them, in the plane."),
+    Command::new("block2D", USAGE, block2d)
+        .about("Makes a grid of nodes and of elements between them, in the plane.")
+        .arguments(&[Arg::flag("-numEleNodes", "nodes of an element")]),
     Command::new("block3D", USAGE_3D, block3d).about("Makes a grid of nodes and of bricks between them."),
 ];
 

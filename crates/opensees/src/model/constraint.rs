@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -18,7 +19,11 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Holds degrees of freedom of all nodes at a coordinate z."),
     Command::new("equalDOF", EQUAL, equal_dof).about("Gives degrees of freedom of two nodes the same displacement."),
     Command::new("equalDOF_Mixed", EQUAL_MIXED, equal_dof_mixed)
-        .about("Gives degrees of freedom of two nodes the same displacement, pair by pair."),
+        .about("Gives degrees of freedom of two nodes the same displacement, pair by pair.")
+        .arguments(&[
+            Arg::new("retainedDof2", "further pairs: degree of freedom of the retained node"),
+            Arg::new("constrainedDof2", "further pairs: degree of freedom of the constrained node"),
+        ]),
     Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm).about(
         "Makes nodes move in a plane like one rigid body. In a plane model 1 and 2 make that displacement \
          equal, and 3 makes a rigid body.",

@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
@@ -14,6 +14,11 @@ use nalgebra::Vector3;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("geomTransf", USAGE, geom_transf)
     .about("Makes a transformation between local and global coordinates, for beams.")
+    .arguments(&[Arg::of(
+        "-jntOffset",
+        "dxi",
+        "rigid ends at i and j, as vectors from the node to the end of the beam",
+    )])
     .defining(&[things::TRANSFORM], 2)
     .with_kinds(|| kind::usages(KINDS))];
 

@@ -6,6 +6,7 @@ use crate::checks;
 use crate::model::nodes::node_of;
 use crate::session::Session;
 use crate::slips;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
@@ -14,6 +15,10 @@ use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it is left out")];
+
+const PROCESS: &[Arg] = &[Arg::of("-pid", "process", "number of the other process")];
+
 const NODE: &str = "nodeDisp $node <$dof>";
 const SET: &str = "setNodeDisp $node $dof $value <-commit>";
 const DOF: &str = "degree of freedom";
@@ -21,7 +26,8 @@ const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp))
-        .about("Returns the displacement of a node."),
+        .about("Returns the displacement of a node.")
+        .arguments(DOF_OR_ALL),
     Command::asking("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)).about("Returns the velocity of a node."),
     Command::asking("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel))
         .about("Returns the acceleration of a node."),
@@ -29,10 +35,12 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Returns the reaction of a node in the present state; `reactions` chooses what it includes."),
     Command::asking("nodeUnbalance", NODE, node_unbalance).about("Returns the unbalanced load of a node."),
     Command::asking("nodeCoord", "nodeCoord $node <$direction>", node_coord)
-        .about("Returns the coordinates of a node."),
+        .about("Returns the coordinates of a node.")
+        .arguments(&[Arg::new("direction", "direction from 1; all where it is left out")]),
     Command::asking("nodeMass", NODE, node_mass).about("Returns the mass of a node."),
     Command::asking("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector)
-        .about("Returns the mode shape at a node."),
+        .about("Returns the mode shape at a node.")
+        .arguments(DOF_OR_ALL),
     Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions)
         .about("Chooses what `nodeReaction` includes: inertia with `-dynamic`, Rayleigh damping with `-rayleigh`."),
     Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp)).about("Sets the displacement of a node."),
@@ -44,13 +52,17 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("eleResponse", RESPONSE, ele_response)
         .about("Returns a response of an element, by the names that recorders use."),
     Command::asking("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force"))
-        .about("Returns the global forces of an element."),
+        .about("Returns the global forces of an element.")
+        .arguments(DOF_OR_ALL),
     Command::asking("eleDynamicalForce", DYNAMIC, dynamic_force)
-        .about("Returns the global forces of an element with those of its damping and its inertia."),
+        .about("Returns the global forces of an element with those of its damping and its inertia.")
+        .arguments(DOF_OR_ALL),
     Command::asking("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce"))
-        .about("Returns the local forces of an element."),
+        .about("Returns the local forces of an element.")
+        .arguments(DOF_OR_ALL),
     Command::asking("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force"))
-        .about("Returns the resultants of a section of a beam."),
+        .about("Returns the resultants of a section of a beam.")
+        .arguments(DOF_OR_ALL),
     Command::asking("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation"))
         .about("Returns the deformations of a section of a beam."),
     Command::asking("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness"))
@@ -58,15 +70,18 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("sectionFlexibility", OF_SECTION, |i, c| of_section(i, c, "flexibility"))
         .about("Returns the inverse of the tangent of a section of a beam."),
     Command::asking("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints"))
-        .about("Returns the places of the sections along a beam."),
+        .about("Returns the places of the sections along a beam.")
+        .arguments(&[Arg::new("section", "number of the section from 1; all where it is left out")]),
     Command::asking("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights"))
         .about("Returns the weights of the sections along a beam."),
     Command::asking("sectionTag", ALONG, |i, c| along(i, c, "sectionTags"))
         .about("Returns the tags of the sections along a beam."),
     Command::asking("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce"))
-        .about("Returns the basic forces of an element."),
+        .about("Returns the basic forces of an element.")
+        .arguments(DOF_OR_ALL),
     Command::asking("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation"))
-        .about("Returns the basic deformations of an element."),
+        .about("Returns the basic deformations of an element.")
+        .arguments(DOF_OR_ALL),
     Command::asking("basicStiffness", "basicStiffness $element", |i, c| named(i, c, "basicStiffness"))
         .about("Returns the basic stiffness of an element."),
     Command::asking("eleNodes", "eleNodes $element", ele_nodes).about("Returns the tags of the nodes of an element."),
@@ -83,14 +98,23 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("getPID", "getPID", |_, _| Ok(Value::from(0i64))).about("Returns 0: there is one process."),
     Command::asking("getNP", "getNP", |_, _| Ok(Value::from(1i64))).about("Returns 1: there is one process."),
     Command::asking("barrier", "barrier", alone).about("Has no effect: there is one process."),
-    Command::asking("partition", "partition <$element>", alone).about("Has no effect: there is one process."),
-    Command::asking("send", "send -pid $process $data", alone).about("Has no effect: there is one process."),
+    Command::asking("partition", "partition <$element>", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(&[Arg::new("element", "tag of an element")]),
+    Command::asking("send", "send -pid $process $data", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(PROCESS),
     Command::asking("recv", "recv -pid $process $variable", alone)
-        .about("Has no effect: there is one process. The variable stays as it is."),
-    Command::asking("Bcast", "Bcast $data", alone).about("Has no effect: there is one process."),
+        .about("Has no effect: there is one process. The variable stays as it is.")
+        .arguments(PROCESS),
+    Command::asking("Bcast", "Bcast $data", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(&[Arg::new("data", "value")]),
     Command::asking("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64)))
         .about("Returns the number of dimensions."),
-    Command::asking("getNDF", "getNDF <$node>", ndf).about("Returns the number of degrees of freedom of a node."),
+    Command::asking("getNDF", "getNDF <$node>", ndf)
+        .about("Returns the number of degrees of freedom of a node.")
+        .arguments(&[Arg::new("node", "tag of a node; the number of the model where it is left out")]),
     Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs).about("Returns the numbers of the equations of a node."),
     Command::asking("systemSize", "systemSize", system_size).about("Returns the number of equations."),
     Command::asking("testIter", "testIter", iterations).about("Returns the number of iterations of the last step."),

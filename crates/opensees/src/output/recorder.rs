@@ -5,7 +5,7 @@ use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
@@ -17,6 +17,21 @@ use hysteron_tcl::{Call, Exception, Value};
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder)
         .about("Records responses in a file.")
+        .arguments(&[
+            Arg::flag("-file", "text, columns separated by blanks"),
+            Arg::flag("-csv", "text, columns separated by commas"),
+            Arg::flag("-xml", "XML"),
+            Arg::of("-binary", "file", "numbers of eight bytes"),
+            Arg::of("-region", "tag", "tag of a region"),
+            Arg::of("-dof", "column", "columns of the response, from 1"),
+            Arg::of("-timeSeries", "tag", "tags of series whose values are added"),
+            Arg::of("-node", "tag", "tags of nodes"),
+            Arg::of("-nodeRange", "first", "first and last tag of nodes"),
+            Arg::of("-ele", "tag", "tags of elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements"),
+            Arg::of("-iNode", "tag", "tags of the lower nodes"),
+            Arg::of("-jNode", "tag", "tags of the upper nodes"),
+        ])
         .with_kinds(|| kind::usages(KINDS))
         .leaving(Effect::Nothing),
     Command::new("record", "record", record).about("Makes all recorders write a row now.").leaving(Effect::Nothing),
@@ -32,21 +47,34 @@ const KINDS: &[Kind] = &[
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
-        text: Text::new("Records responses of nodes."),
+        text: Text::new("Records responses of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, eigen N, eigen (a \
+             row of each mode) ...",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeNode"],
         usage: "recorder EnvelopeNode -file $file <-time> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
-        text: Text::new("Records minimum, maximum and absolute maximum of responses of nodes."),
+        text: Text::new("Records minimum, maximum and absolute maximum of responses of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["NodeRMS"],
         usage: "recorder NodeRMS -file $file <-dT $dt> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
-        text: Text::new("Records the root mean squares of responses of nodes over the steps."),
+        text: Text::new("Records the root mean squares of responses of nodes over the steps.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::root_mean_square),
     },
     Kind {
@@ -66,7 +94,11 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Drift", "DriftRecorder"],
         usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
-        text: Text::new("Records drifts between pairs of nodes."),
+        text: Text::new("Records drifts between pairs of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degree of freedom of the drift",
+        )]),
         make: |interp, call, a| drift(interp, call, a, Recorder::history),
     },
     Kind {
@@ -83,7 +115,27 @@ const KINDS: &[Kind] = &[
             "Removes the elements of an infill wall whose drifts in and out of its plane reach a curve, and nodes that \
              are left alone.",
         )
-        .example("recorder Collapse -ele 1 -node 2"),
+        .example("recorder Collapse -ele 1 -node 2")
+        .arguments(&[
+            Arg::flag(
+                "-crit",
+                "drift in the plane of a wall against a limit that depends on the drift out of it; \
+                 other criteria have no value, as in OpenSees 3",
+            ),
+            Arg::of("-file_infill", "curve", "file with pairs of drifts: out of the plane, rising, and in it"),
+            Arg::of("-checknodes", "bottom", "nodes at the lower end, in the middle and at the upper end of the wall"),
+            Arg::of("-global_gravaxis", "axis", "number of the vertical axis"),
+            Arg::flag("-secondary", "the elements that follow are removed with the last of the others"),
+            Arg::of("-mass", "m", "mass of each element, half of which is taken off each of its nodes"),
+            Arg::of(
+                "-g",
+                "acceleration",
+                "weight per mass, direction and load pattern of the loads that take it off the nodes",
+            ),
+            Arg::of("-node", "node", "node that is removed once all of the elements are"),
+            Arg::of("-file", "file", "file with a line for each removal: time, Elem or Node, tag"),
+            Arg::of("-dT", "dt", "time between two looks at the elements; every step without"),
+        ]),
         make: collapse::collapse,
     },
     Kind {
@@ -92,7 +144,11 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Writes the model with fields of nodes and elements for ParaView: a list `$file.pvd`, and a file of each \
              step in the folder `$file`.",
-        ),
+        )
+        .arguments(&[
+            Arg::of("-precision", "digits", "accepted and not used: the files have all digits"),
+            Arg::new("response", "words of a response of elements; those that follow belong to it"),
+        ]),
         make: pvd::pvd,
     },
     Kind::named(

@@ -1,7 +1,7 @@
 //! `beamIntegration`, and the rules of quadrature that elements name.
 
 use crate::args::Args;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::beam::{Hinge, Rule};
@@ -10,6 +10,18 @@ use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("beamIntegration", USAGE, beam_integration)
     .about("Makes a rule of integration along a beam, with its sections.")
+    .arguments(&[
+        Arg::new("section", "tag of the section"),
+        Arg::new("n", "number of sections"),
+        Arg::new("secI", "tag of the section of the hinge at i"),
+        Arg::new("lpI", "length of the hinge at i"),
+        Arg::new("secJ", "tag of the section of the hinge at j"),
+        Arg::new("lpJ", "length of the hinge at j"),
+        Arg::new("secE", "tag of the section between the hinges"),
+        Arg::new("sections", "tags of the sections"),
+        Arg::new("places", "places over the length, 0 to 1"),
+        Arg::new("weights", "weights over the length"),
+    ])
     .defining(&[things::INTEGRATION], 2)
     .with_kinds(|| kind::usages(KINDS))];
 

@@ -11,7 +11,7 @@ mod shapes;
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
@@ -64,13 +64,18 @@ const KINDS: &[Kind] = &[
         names: &["Fiber", "fiberSec", "FiberSec", "FiberSection", "fiber"],
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
         text: Text::new("A section of fibres, which `fiber`, `patch` and `layer` in its body make.")
-            .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}"),
+            .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
+            .arguments(&[
+                Arg::of("-GJ", "GJ", "torsional stiffness"),
+                Arg::of("-torsion", "material", "law of torsion"),
+            ]),
         make: Make::Beam(fibers),
     },
     Kind {
         names: &["Aggregator", "AddDeformation"],
         usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
-        text: Text::new("A section of uniaxial laws, one for each resultant, optionally added to another section."),
+        text: Text::new("A section of uniaxial laws, one for each resultant, optionally added to another section.")
+            .arguments(&[Arg::new("material1", "tags of the laws, each followed by the response that it adds")]),
         make: Make::Beam(aggregator),
     },
     Kind {

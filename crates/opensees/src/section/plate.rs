@@ -4,7 +4,7 @@ use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::of_plates;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use hysteron_engine::section::plate::{ElasticPlate, LayeredPlate, SharedPlateSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -28,7 +28,9 @@ pub(super) const UNIFORM: Kind = Kind {
 pub(super) const LAYERED: Kind = Kind {
     names: &["LayeredShell"],
     usage: "section LayeredShell $tag $layers $material1 $h1 $material2 $h2 ... | $layers $material $h",
-    text: Text::new("A plate of layers, for shells.").example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1"),
+    text: Text::new("A plate of layers, for shells.")
+        .example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1")
+        .arguments(&[Arg::new("material2", "tags of the materials and thicknesses of the layers from the bottom up")]),
     make: Make::Plate(layered),
 };
 

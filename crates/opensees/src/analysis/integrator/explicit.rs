@@ -4,7 +4,7 @@ use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference,
     KrAlpha,
@@ -56,7 +56,11 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTGeneralizedExplicit"],
         usage: "integrator HHTGeneralizedExplicit $rhoB $alphaF | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
-        text: Text::new("The explicit generalised alpha method."),
+        text: Text::new("The explicit generalised alpha method.").arguments(&[
+            Arg::new("rhoB", "spectral radius at the bifurcation"),
+            Arg::new("alphaF", "weight alphaF of the forces at the end"),
+            Arg::new("alphaI", "weight alphaI of the inertia at the end"),
+        ]),
         make: hht_generalized_explicit,
     },
     Kind {
