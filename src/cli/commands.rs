@@ -1,7 +1,7 @@
 //! `hysteron commands`: the reference of the commands of scripts, on a terminal.
 
 use hysteron::diagnostic::nearest;
-use hysteron::lsp::reference::{Section, cells, section, sections};
+use hysteron::lsp::reference::{Section, by_name, cells, section};
 use hysteron::opensees::{self, KindUsage};
 
 /// Columns of a line.
@@ -46,7 +46,7 @@ fn about(name: &str) -> String {
     }
     match opensees::commands().find(|c| c.name == name) {
         Some(c) => match section(name) {
-            Some(s) => render(&s, &c.usage_line()),
+            Some(s) => render(s, &c.usage_line()),
             None => c.usage_line() + "\n",
         },
         None => about_kind(None, name),
@@ -60,12 +60,9 @@ fn about_kind(command: Option<&str>, name: &str) -> String {
     for (c, kind) in all_kinds().filter(|(c, kind)| is_of(c) && kind.names.contains(&name)) {
         let full = format!("{c} {}", kind.names[0]);
         texts.push(match (section(&full), section(c)) {
-            (Some(s), _) => render(&s, kind.usage),
+            (Some(s), _) => render(s, kind.usage),
             (None, Some(family)) => {
-                let mut rows = family.lines.iter().filter_map(|l| cells(l));
-                let own = rows.find(|row| row[0] == format!("`{}`", kind.names[0])).and_then(|row| row.get(1).cloned());
-                let text = own.or_else(|| family.lines.iter().find(|l| !l.is_empty()).map(|l| (*l).to_owned()));
-                let text = text.map(|t| indented(&plain(&t))).unwrap_or_default();
+                let text = indented(&plain(family.summary()));
                 format!("{}\n{}", wrapped(kind.usage, 0, 4), blank_before(&text))
             }
             (None, None) => format!("{}\n", kind.usage),
@@ -75,7 +72,7 @@ fn about_kind(command: Option<&str>, name: &str) -> String {
         // Amendments have no table of kinds.
         let ends =
             |full: &str| full.contains(" ... ") && full.ends_with(&format!(" {name}")) && is_of(first_word(full));
-        let found = sections().filter_map(|s| s.names.iter().find(|n| ends(n)).map(|n| render(&s, n)));
+        let found = by_name().iter().filter(|(n, _)| ends(n)).map(|(n, s)| render(s, n));
         texts.extend(found);
     }
     texts.join("\n")

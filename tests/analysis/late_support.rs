@@ -56,7 +56,8 @@ fn a_late_support_is_held_and_its_motion_ends() {
             "node 2 is a late support, and the excitation has no end",
         ),
     ] {
-        let said = Script::default().run(&script).rejected().message;
+        let ran = Script::default().run(&script);
+        let said = &ran.error().message;
         assert!(said.contains(message), "{said}");
     }
 }

@@ -144,6 +144,7 @@ pub const LAYERS: &[Layers] = &[
             "foreign",
             "slips",
             "args",
+            "text",
             "kind",
             "recipes",
             "model",

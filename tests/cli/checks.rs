@@ -96,7 +96,13 @@ fn kinds() {
     let (status, out, _) = place.run(&["commands", "element"]);
     assert!(status == Some(0) && out.lines().all(|l| l.starts_with("element ")) && out.contains("zeroLength"), "{out}");
     let (_, out, _) = place.run(&["commands", "nodeVel"]);
-    assert!(out.starts_with("nodeVel $node <$dof>\n\n") && out.contains("$node   "), "{out}");
+    assert!(out.starts_with("nodeVel $node <$dof>\n\n  Returns the velocity of a node.\n\n"), "{out}");
+    assert!(out.contains("$node   "), "{out}");
+    assert_eq!(
+        place.run(&["commands", "Static"]).1,
+        "analysis Static\n\n  Steps of the load factor or of a displacement.\n"
+    );
+    assert_eq!(place.run(&["commands", "prp"]).1, "prp $x $y $z\n\n  Accepted without effect.\n");
     let (status, _, err) = place.run(&["commands", "nodeVell"]);
     assert!(status == Some(2) && err.contains("did you mean \"nodeVel\"?"), "{err}");
     let (_, out, _) = place.run(&["commands", "Steel02"]);

@@ -1,10 +1,10 @@
 //! Pages of the reference: commands by family, each with its usage and a table of its arguments.
 
-use super::probe::{self, MODELS, Meaning, Meanings, Said, Walk};
+use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
-use hysteron::opensees::{Command, commands, kinds};
+use hysteron::opensees::{AMENDMENTS, Arg, Command, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
 use std::fmt::Write as _;
 
 /// A page.
@@ -26,7 +26,7 @@ impl Page {
 
 pub use words::PAGES;
 
-/// Arguments that no command explains by itself and [`words::MEANINGS`] does not either.
+/// Texts that are missing: sentences, and meanings of arguments that neither a row nor a message tells.
 pub type Blanks = Vec<String>;
 
 /// The text of a page, and what is missing in it.
@@ -37,15 +37,14 @@ pub fn text(page: &Page) -> (String, Blanks) {
         let _ = writeln!(out, "{}\n", page.intro);
     }
     let mut blanks = vec![];
-    let mut left: Vec<&Command> = page.names().filter_map(|n| commands().find(|c| c.name == n)).collect();
-    let idle: Vec<&Command> = left.iter().copied().filter(|c| words::about(c.name) == Some(words::IDLE)).collect();
-    left.retain(|c| words::about(c.name) != Some(words::IDLE));
+    let named = page.names().filter_map(|n| commands().find(|c| c.name == n));
+    let (idle, mut left): (Vec<&Command>, Vec<&Command>) = named.partition(|c| c.text.about == WITHOUT_EFFECT);
     while let Some(first) = left.first().copied() {
         let alike: Vec<&Command> = left.iter().copied().filter(|c| c.usage == first.usage).collect();
         left.retain(|c| c.usage != first.usage);
         let names: Vec<String> = alike.iter().map(|c| format!("`{}`", c.name)).collect();
         let _ = writeln!(out, "## {}\n", names.join(", "));
-        about(&mut out, &alike.iter().map(|c| c.name).collect::<Vec<_>>(), &mut blanks);
+        about(&mut out, alike.iter().map(|c| (c.name.to_owned(), c.text.about)), &mut blanks);
         command(&mut out, first, &mut blanks);
     }
     if !idle.is_empty() {
@@ -55,14 +54,14 @@ pub fn text(page: &Page) -> (String, Blanks) {
     (out.trim_end().to_owned() + "\n", blanks)
 }
 
-/// One sentence about each command that shares a heading.
-fn about(out: &mut String, names: &[&str], blanks: &mut Blanks) {
+/// One sentence about each command or kind that shares a heading.
+fn about(out: &mut String, named: impl Iterator<Item = (String, &'static str)>, blanks: &mut Blanks) {
     let mut said: Vec<&str> = vec![];
-    for name in names {
-        match words::about(name) {
-            Some(text) if !said.contains(&text) => said.push(text),
-            Some(_) => {}
-            None => blanks.push(format!("about\t{name}")),
+    for (name, text) in named {
+        if text.is_empty() {
+            blanks.push(format!("{name}: no sentence about it"));
+        } else if !said.contains(&text) {
+            said.push(text);
         }
     }
     if !said.is_empty() {
@@ -85,8 +84,8 @@ fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
     } else {
         let _ = writeln!(out, "```tcl\n{}\n```\n", c.usage_line());
     }
-    let listed: Vec<&str> = kinds.iter().filter(|k| bare(&k.usage)).map(Kind::name).collect();
-    list(out, c.name, &listed);
+    let listed: Vec<&Kind> = kinds.iter().filter(|k| bare(&k.usage)).collect();
+    list(out, &listed);
     let mut done: Vec<&str> = vec![];
     for Kind { usage, .. } in &own {
         if done.contains(&usage.as_str()) {
@@ -94,13 +93,13 @@ fn command(out: &mut String, c: &Command, blanks: &mut Blanks) {
         }
         done.push(usage);
         let alike: Vec<&Kind> = own.iter().copied().filter(|k| k.usage == *usage).collect();
-        let full: Vec<String> = alike.iter().map(|k| format!("{} {}", c.name, k.name())).collect();
-        let heading: Vec<String> = full.iter().map(|n| format!("`{n}`")).collect();
+        let full = |k: &Kind| format!("{} {}", c.name, k.name());
+        let heading: Vec<String> = alike.iter().map(|k| format!("`{}`", full(k))).collect();
         let _ = writeln!(out, "### {}\n", heading.join(", "));
-        about(out, &full.iter().map(String::as_str).collect::<Vec<_>>(), blanks);
+        about(out, alike.iter().map(|k| (full(k), k.text.about)), blanks);
         usage_of(out, usage, blanks);
         other_names(out, &alike);
-        responses(out, c.name, usage, blanks);
+        responses(out, c.name, alike[0], blanks);
     }
 }
 
@@ -113,11 +112,11 @@ fn other_names(out: &mut String, kinds: &[&Kind]) {
 }
 
 /// The responses of a kind that recorders take.
-fn responses(out: &mut String, command: &str, usage: &str, blanks: &mut Blanks) {
-    let Some(names) = response::of(command, usage) else { return };
+fn responses(out: &mut String, command: &str, kind: &Kind, blanks: &mut Blanks) {
+    let Some(names) = response::of(command, &kind.usage, kind.text.example) else { return };
     let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
     if names.is_empty() {
-        blanks.push(format!("example\t{}", usage.split(' ').take(2).collect::<Vec<_>>().join(" ")));
+        blanks.push(format!("{command} {}: no example that makes one", kind.name()));
     } else {
         let _ = writeln!(out, "Recorders take: {}.\n", names.join(", "));
     }
@@ -129,19 +128,18 @@ fn names_kinds(usage: &str) -> bool {
 }
 
 /// Names of kinds without arguments of their own, with what they are where that is known.
-fn list(out: &mut String, command: &str, names: &[&str]) {
-    let about = |name: &str| words::about(&format!("{command} {name}"));
-    if names.is_empty() {
+fn list(out: &mut String, kinds: &[&Kind]) {
+    if kinds.is_empty() {
         return;
     }
-    if names.iter().any(|n| about(n).is_some()) {
+    if kinds.iter().any(|k| !k.text.about.is_empty()) {
         out.push_str("| kind | |\n| --- | --- |\n");
-        for name in names {
-            let _ = writeln!(out, "| `{name}` | {} |", about(name).unwrap_or_default());
+        for kind in kinds {
+            let _ = writeln!(out, "| `{}` | {} |", kind.name(), kind.text.about);
         }
         out.push('\n');
     } else {
-        let names: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
+        let names: Vec<String> = kinds.iter().map(|k| format!("`{}`", k.name())).collect();
         let _ = writeln!(out, "Known names: {}.\n", names.join(", "));
     }
 }
@@ -151,6 +149,7 @@ struct Kind {
     /// The preferred name first.
     names: Vec<String>,
     usage: String,
+    text: Text,
 }
 
 impl Kind {
@@ -164,7 +163,8 @@ fn kinds_of(command: &str) -> Vec<Kind> {
     let listed = kinds(command);
     if !listed.is_empty() {
         let owned = |names: &[&str]| names.iter().map(|n| (*n).to_owned()).collect();
-        return listed.into_iter().map(|k| Kind { names: owned(k.names), usage: k.usage.to_owned() }).collect();
+        let kind = |k: KindUsage| Kind { names: owned(k.names), usage: k.usage.to_owned(), text: k.text };
+        return listed.into_iter().map(kind).collect();
     }
     let words = |kind: &str| vec![command.to_owned(), kind.to_owned()];
     let (_, names) = probe::help(MODELS[0], &words("wrong!"));
@@ -175,7 +175,7 @@ fn kinds_of(command: &str) -> Vec<Kind> {
             // The usage of the command as a whole says nothing of this kind.
             let own = usage.filter(|u| u.contains(&name));
             let usage = own.unwrap_or_else(|| format!("{command} {name}"));
-            Kind { names: vec![name], usage }
+            Kind { names: vec![name], usage, text: Text::default() }
         })
         .collect()
 }
@@ -217,24 +217,61 @@ fn more_of(before: Option<&str>, row: &Row) -> bool {
         && stem(before, '1') == stem(name, '2')
 }
 
-/// Meaning and value of a row: what the words of the project say, else what the command says.
+/// Meaning and value of a row: the declared one, else that of the messages.
 fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (String, String) {
     let head: Vec<&str> = usage::command(usage).split(' ').take(2).collect();
     let name = row.arguments.first().map_or("", String::as_str);
-    if let Some(text) = words::meaning(&head, &row.option, name) {
+    if let Some(text) = declared(&head, &row.option, name) {
         let value = found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
         return (text.to_owned(), value.unwrap_or_default());
     }
     let of = |name: &String| found.get(&(row.option.clone(), name.clone())).cloned();
     let known: Vec<Meaning> = row.arguments.iter().filter_map(of).collect();
     if row.arguments.is_empty() || known.len() < row.arguments.len() {
-        blanks.push(format!("{}\t{}\t{name}", head.join(" "), row.option));
+        blanks.push(format!("{}: no meaning of {} {name}", head.join(" "), row.option));
     }
     let mut whats: Vec<String> = known.iter().map(|m| m.what.clone()).collect();
     whats.dedup();
     let mut values: Vec<String> = known.iter().map(|m| m.value.clone()).filter(|v| !v.is_empty()).collect();
     values.dedup();
     (whats.join("; "), values.join("; "))
+}
+
+/// Meaning of an argument in the row of the command or of its kind.
+fn declared(head: &[&str], option: &str, name: &str) -> Option<&'static str> {
+    let command = commands().find(|c| c.name == head[0])?;
+    let kind = command.kinds().into_iter().find(|k| head.get(1).is_some_and(|name| k.names.contains(name)));
+    command.meaning(kind, option, name)
+}
+
+/// Declared arguments that the usage of their command or kind does not have.
+pub fn undeclared() -> Vec<String> {
+    let mut out = vec![];
+    for c in commands() {
+        let own = usage_rows(c.usage);
+        let kinds = c.kinds();
+        let of_kinds: Vec<Vec<Row>> = kinds.iter().map(|k| usage_rows(k.usage)).collect();
+        let all: Vec<&Row> = own.iter().chain(of_kinds.iter().flatten()).collect();
+        out.extend(c.text.arguments.iter().filter(|a| !all.iter().any(|r| is_of(r, a))).map(|a| told(c.name, a)));
+        for (kind, rows) in kinds.iter().zip(&of_kinds) {
+            let unknown = kind.text.arguments.iter().filter(|a| !rows.iter().any(|r| is_of(r, a)));
+            out.extend(unknown.map(|a| told(kind.names[0], a)));
+        }
+    }
+    out
+}
+
+fn usage_rows(usage: &str) -> Vec<Row> {
+    usage::rows(&usage::parse(usage))
+}
+
+/// True if an argument is declared for a row of a usage.
+fn is_of(row: &Row, arg: &Arg) -> bool {
+    row.option == arg.option && row.arguments.first().map_or("", String::as_str) == arg.name
+}
+
+fn told(name: &str, arg: &Arg) -> String {
+    format!("{name}\t{}\t{}", arg.option, arg.name)
 }
 
 /// Explanations of the arguments by the command, from the model in which it gives most of them.
@@ -282,30 +319,16 @@ fn is_of_another(what: &str, name: &str, names: &[String]) -> bool {
     symbol && last != name && names.iter().any(|n| n == last)
 }
 
-/// `amend`: its kinds have options only, of which it says itself which it needs.
+/// `amend`: its kinds have options only.
 fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
     usage_of(out, &c.usage_line(), blanks);
-    let words =
-        |more: &[&str]| ["amend", "element", "1"].iter().chain(more).map(|w| (*w).to_owned()).collect::<Vec<_>>();
-    let (_, names) = probe::help(MODELS[0], &words(&["wrong!"]));
-    for name in names.iter().filter(|n| *n != "hinges") {
-        let (_, options) = probe::help(MODELS[0], &words(&[name, "-wrong!"]));
-        let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
-        let own: Vec<&String> = options.iter().filter(|o| !common.contains(&o.as_str())).collect();
-        let _ = writeln!(out, "### `amend element ... {name}`\n");
-        about(out, &[&format!("amend {name}")], blanks);
+    for kind in AMENDMENTS.iter().filter(|k| !k.about.is_empty()) {
+        let _ = writeln!(out, "### `amend element ... {}`\n\n{}\n", kind.name, kind.about);
         out.push_str("| option | meaning | value |\n| --- | --- | --- |\n");
-        for option in &own {
-            let mut others = words(&[name]);
-            for o in own.iter().filter(|o| o != &option) {
-                others.extend([(*o).clone(), "0.5".to_owned()]);
-            }
-            let needed = matches!(probe::say(MODELS[0], &others), Said::Refused(m, _) if m.contains("is missing"));
-            let mut walk = Walk::new(MODELS[0], words(&[name]));
-            walk.take(&[MatrixMask::Word((*option).clone()), MatrixMask::Argument("value".into())]);
-            let m = walk.found.into_values().next().unwrap_or_default();
-            let shown = if needed { format!("{option} $value") } else { format!("<{option} $value>") };
-            let _ = writeln!(out, "| `{shown}` | {} | {} |", m.what, m.value);
+        for option in kind.options {
+            let shown = format!("{} $value", option.name);
+            let shown = if option.default.is_none() { shown } else { format!("<{shown}>") };
+            let _ = writeln!(out, "| `{shown}` | {} | {} |", option.what, option.value());
         }
         out.push('\n');
     }

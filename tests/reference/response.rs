@@ -2,7 +2,6 @@
 
 use super::probe::{self, MODELS, Said, Walk};
 use super::usage::{self, MatrixMask};
-use super::words;
 use hysteron::record::ElementResponse;
 
 /// Responses of materials and sections; of each kind those that it knows are told.
@@ -51,7 +50,9 @@ const SECTION: &[&str] = &[
 ];
 
 /// Responses by the usage of a kind, `None` for a command whose kinds have none. Empty if no thing of the kind could be made.
-pub fn of(command: &str, usage: &str) -> Option<Vec<&'static str>> {
+///
+/// `example` has words that make a thing of the kind; empty where the usage leads to some.
+pub fn of(command: &str, usage: &str, example: &str) -> Option<Vec<&'static str>> {
     let (around, known): (&[&str], &[&str]) = match command {
         "element" => (&[""], &[]),
         "uniaxialMaterial" => (&["\nelement zeroLength 77 1 2 -mat @ -dir 1"], MATERIAL),
@@ -60,7 +61,7 @@ pub fn of(command: &str, usage: &str) -> Option<Vec<&'static str>> {
         _ => return None,
     };
     for (model, around) in MODELS.iter().flat_map(|model| around.iter().map(move |around| (*model, *around))) {
-        for words in examples(model, usage) {
+        for words in examples(model, usage, example) {
             let around = around.replace('@', words.get(2).map_or("", String::as_str));
             let full = [words.join(" "), around].concat();
             let ran = probe::run(model, &[full]);
@@ -90,11 +91,11 @@ pub fn of(command: &str, usage: &str) -> Option<Vec<&'static str>> {
     Some(vec![])
 }
 
-/// Words of a command that make a thing of a kind: those of the texts, or those that the usage asks for.
-fn examples(model: &str, usage: &str) -> Vec<Vec<String>> {
+/// Words of a command that make a thing of a kind: those of the example, or those that the usage asks for.
+fn examples(model: &str, usage: &str, example: &str) -> Vec<Vec<String>> {
     let head: Vec<&str> = usage.split(' ').take(2).collect();
-    if let Some(text) = words::example(&head) {
-        return vec![text.split(' ').map(str::to_owned).collect()];
+    if !example.is_empty() {
+        return vec![example.split(' ').map(str::to_owned).collect()];
     }
     let parts = usage::parse(usage);
     let forms = parts.split(|p| *p == MatrixMask::Either);

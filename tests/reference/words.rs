@@ -1,44 +1,6 @@
-//! Texts that the commands do not contain.
+//! The pages of the reference of commands.
 
 use super::page::Page;
-
-/// One sentence about each command and kind, and where it is needed a call that makes one: `name<TAB>text<TAB>call`.
-const ABOUT: &str = include_str!("about.txt");
-
-/// Meanings of arguments: `command kind<TAB>option<TAB>argument<TAB>text`, with `*` for any command.
-const MEANINGS: &str = include_str!("meanings.txt");
-
-/// Text of a command that does nothing.
-pub const IDLE: &str = "Accepted without effect.";
-
-fn lines(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
-    text.lines().filter(|l| !l.is_empty() && !l.starts_with('#')).map(|l| l.split('\t').collect())
-}
-
-/// The sentence about a command or kind.
-pub fn about(name: &str) -> Option<&'static str> {
-    lines(ABOUT).find(|l| l[0] == name).and_then(|l| l.get(1).copied())
-}
-
-/// The meaning of an argument of a command: its own line, that of the command, that of any.
-pub fn meaning(head: &[&str], option: &str, argument: &str) -> Option<&'static str> {
-    let of = |scope: &str| {
-        let here = |l: &Vec<&str>| l.len() == 4 && l[0] == scope && l[1] == option && l[2] == argument;
-        lines(MEANINGS).find(here).map(|l| l[3])
-    };
-    of(&head.join(" ")).or_else(|| of(head.first().copied().unwrap_or_default())).or_else(|| of("*"))
-}
-
-/// Words of a command that make a thing of a kind, where its usage alone does not lead there.
-pub fn example(head: &[&str]) -> Option<&'static str> {
-    let head = head.join(" ");
-    lines(ABOUT).find(|l| l[0] == head).and_then(|l| l.get(2).copied())
-}
-
-/// The commands that the texts are about.
-pub fn scopes() -> impl Iterator<Item = &'static str> {
-    lines(ABOUT).chain(lines(MEANINGS)).filter_map(|l| l[0].split(' ').next())
-}
 
 /// The pages, in the order of the book.
 pub const PAGES: &[Page] = &[

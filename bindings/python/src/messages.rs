@@ -7,6 +7,7 @@ use hysteron_opensees::{Command, commands};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 use hysteron_tcl::{Form, Value};
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 
 /// Width of the line that shows a call.
 const WIDTH: usize = 100;
@@ -119,8 +120,8 @@ pub(crate) fn script_usages() -> Vec<(&'static str, String, Vec<(Vec<&'static st
     commands().map(|c| (c.name, c.usage_line(), kinds(c))).collect()
 }
 
-/// Sections of the reference of commands: names of commands, or of commands with a kind, and lines in Markdown.
+/// Lines of the reference in Markdown, by the name of a command, or of a command with a kind.
 #[pyfunction]
-pub(crate) fn reference() -> Vec<(Vec<&'static str>, Vec<&'static str>)> {
-    hysteron_lsp::reference::sections().map(|s| (s.names, s.lines)).collect()
+pub(crate) fn reference() -> BTreeMap<&'static str, &'static [&'static str]> {
+    hysteron_lsp::reference::by_name().iter().map(|(name, s)| (name.as_str(), s.lines.as_slice())).collect()
 }

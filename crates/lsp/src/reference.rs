@@ -1,5 +1,9 @@
 //! The reference of the commands of scripts: the pages that `tests/reference.rs` writes from the commands themselves.
 
+use hysteron_opensees::{Text, commands};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
 /// The pages.
 pub const PAGES: [&str; 8] = [
     include_str!("../../../docs/reference/commands/model.md"),
@@ -16,8 +20,8 @@ pub const PAGES: [&str; 8] = [
 #[derive(Clone, Debug)]
 pub struct Section {
     /// `uniaxialMaterial Steel02`, or several that share the section.
-    pub names: Vec<&'static str>,
-    /// Lines of the page.
+    names: Vec<&'static str>,
+    /// Lines of the page, the sentence first.
     pub lines: Vec<&'static str>,
 }
 
@@ -40,7 +44,7 @@ impl Argument {
 }
 
 /// The sections of all pages.
-pub fn sections() -> impl Iterator<Item = Section> {
+fn sections() -> impl Iterator<Item = Section> {
     PAGES.iter().flat_map(|page| {
         let mut sections: Vec<Section> = vec![];
         for line in page.lines() {
@@ -55,9 +59,30 @@ pub fn sections() -> impl Iterator<Item = Section> {
     })
 }
 
-/// The section of a command, or of a command with a kind: `element Truss`.
-pub fn section(name: &str) -> Option<Section> {
-    sections().find(|s| s.names.contains(&name))
+/// The sections by the name of a command, or of a command with a kind: `element Truss`. Each has the sentence of its name.
+pub fn by_name() -> &'static BTreeMap<String, Section> {
+    static ALL: OnceLock<BTreeMap<String, Section>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let named = |s: Section| s.names.clone().into_iter().map(move |name| (name.to_owned(), s.clone()));
+        let mut all: BTreeMap<String, Section> = sections().flat_map(named).collect();
+        let mut tell = |name: String, usage, text: Text| {
+            if !text.about.is_empty() {
+                all.entry(name).and_modify(|s| s.tell(text.about)).or_insert_with(|| Section::of(usage, text.about));
+            }
+        };
+        for c in commands() {
+            tell(c.name.to_owned(), c.usage, c.text);
+            for kind in c.kinds() {
+                tell(format!("{} {}", c.name, kind.names[0]), kind.usage, kind.text);
+            }
+        }
+        all
+    })
+}
+
+/// The section of a command, or of a command with a kind.
+pub fn section(name: &str) -> Option<&'static Section> {
+    by_name().get(name)
 }
 
 /// The cells of a row of a table; `None` for other lines, for rules and for headings.
@@ -70,6 +95,19 @@ pub fn cells(line: &str) -> Option<Vec<String>> {
 }
 
 impl Section {
+    /// Of a command or kind that has no section on the pages.
+    fn of(usage: &'static str, sentence: &'static str) -> Self {
+        Self { names: vec![], lines: vec!["", sentence, "", "```tcl", usage, "```"] }
+    }
+
+    /// Put a sentence in the place of those of all its names.
+    fn tell(&mut self, sentence: &'static str) {
+        let summary = self.summary();
+        if let Some(line) = self.lines.iter_mut().find(|l| **l == summary && !l.is_empty()) {
+            *line = sentence;
+        }
+    }
+
     /// Its text in Markdown: usage, meaning, arguments, responses.
     pub fn markdown(&self) -> String {
         self.lines.join("\n").trim().to_owned()
@@ -98,6 +136,14 @@ impl Section {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::section;
+
+    #[test]
+    fn a_command_that_shares_a_section_has_its_own_sentence() {
+        assert_eq!(section("nodeVel").unwrap().summary(), "Returns the velocity of a node.");
+        assert_eq!(section("timeSeries Triangle").unwrap().summary(), "A triangular wave between two times.");
+        assert_eq!(section("analysis Static").unwrap().summary(), "Steps of the load factor or of a displacement.");
+        assert_eq!(section("prp").unwrap().summary(), hysteron_opensees::WITHOUT_EFFECT);
+    }
 
     #[test]
     fn a_kind_has_its_arguments_and_options() {

@@ -1,6 +1,7 @@
 //! Tables of the kinds of a family: one row a kind.
 
 use crate::args::Args;
+use crate::text::Text;
 use hysteron_tcl::Exception;
 
 /// A kind of a family, for instance `Steel01` of `uniaxialMaterial`: one row of the family's table.
@@ -9,27 +10,36 @@ pub(crate) struct Kind<F> {
     pub(crate) names: &'static [&'static str],
     /// Usage of the family's command with this kind.
     pub(crate) usage: &'static str,
+    /// What the reference says of it.
+    pub(crate) text: Text,
     /// The kind itself, or the function that makes it from the words after its name.
     pub(crate) make: F,
 }
 
-/// Names and usage of a kind.
+/// Names, usage and text of a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KindUsage {
     /// Names of the kind, the preferred one first.
     pub names: &'static [&'static str],
     /// Usage of the family's command with this kind.
     pub usage: &'static str,
+    /// What the reference says of it.
+    pub text: Text,
 }
 
 impl<F> Kind<F> {
-    /// Names and usage.
+    /// A kind that its name describes.
+    pub(crate) const fn named(names: &'static [&'static str], usage: &'static str, make: F) -> Self {
+        Self { names, usage, text: Text::NONE, make }
+    }
+
+    /// Names, usage and text.
     pub(crate) fn described(&self) -> KindUsage {
-        KindUsage { names: self.names, usage: self.usage }
+        KindUsage { names: self.names, usage: self.usage, text: self.text }
     }
 }
 
-/// Names and usage of each kind of a table.
+/// Names, usage and text of each kind of a table.
 pub(crate) fn usages<F: 'static>(kinds: &'static [Kind<F>]) -> Vec<KindUsage> {
     kinds.iter().map(Kind::described).collect()
 }

@@ -4,7 +4,7 @@
 //! point at the word that is wrong, and changes the [`Session`].
 //!
 //! To add a command: a function in the file of its family, and a line in the family's `COMMANDS`. To add a kind of
-//! thing that a command makes: a function or a file, and a row in the family's `KINDS`.
+//! thing that a command makes: a function or a file, and a row in the family's `KINDS`. Both say what they are.
 
 #![forbid(unsafe_code)]
 
@@ -37,6 +37,7 @@ pub mod run;
 mod section;
 mod session;
 pub mod slips;
+mod text;
 pub mod things;
 
 use args::Args;
@@ -51,7 +52,7 @@ pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
 pub use check::CheckState;
 pub use element::learned::{law_of_json, law_to_json, law_to_words};
-pub use element::numbers_of_element;
+pub use element::{AMENDMENTS, AmendmentKind, AmendmentOption, numbers_of_element};
 pub use files::number_files::NumberFiles;
 pub use files::outputs::{FileFormat, NoFiles, Outputs};
 pub use files::series::{DiskSeries, FileSeries};
@@ -59,6 +60,7 @@ pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{ModelBuilder, Session};
+pub use text::{Arg, Text, WITHOUT_EFFECT};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
@@ -72,6 +74,8 @@ pub struct Command {
     pub name: &'static str,
     /// Usage in one line.
     pub usage: &'static str,
+    /// What the reference says of it.
+    pub text: Text,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
     kinds: fn() -> Vec<KindUsage>,
     /// Kinds of things that it defines, and the position of the tag among its words.
@@ -82,12 +86,24 @@ pub struct Command {
 
 impl Command {
     const fn new(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
-        Self { name, usage, run, kinds: Vec::new, defines: (&[], 0), effect: Effect::Changes }
+        Self { name, usage, text: Text::NONE, run, kinds: Vec::new, defines: (&[], 0), effect: Effect::Changes }
     }
 
     /// A command that only asks for results.
     const fn asking(name: &'static str, usage: &'static str, run: fn(&mut Tcl, &Call<'_>) -> Outcome) -> Self {
         Self::new(name, usage, run).leaving(Effect::Asks)
+    }
+
+    /// The same command with one sentence or two about it.
+    const fn about(mut self, sentence: &'static str) -> Self {
+        self.text.about = sentence;
+        self
+    }
+
+    /// The same command with meanings of arguments, of all its kinds.
+    const fn arguments(mut self, arguments: &'static [Arg]) -> Self {
+        self.text.arguments = arguments;
+        self
     }
 
     /// The same command as one whose calls leave this behind.
@@ -116,6 +132,12 @@ impl Command {
     /// Kinds of things that it defines, and the position of the tag among its words; 0 where it has none.
     pub fn definition(&self) -> (&'static [&'static str], usize) {
         self.defines
+    }
+
+    /// Meaning of an argument of the command or of its kind, where a row tells it.
+    pub fn meaning(&self, kind: Option<KindUsage>, option: &str, name: &str) -> Option<&'static str> {
+        let of_kind = kind.and_then(|k| k.text.meaning(option, name));
+        of_kind.or_else(|| self.text.meaning(option, name)).or_else(|| text::meaning_of_any(option, name))
     }
 
     /// Usage under the command's own name. Commands of a family may share one usage.

@@ -5,6 +5,7 @@ use crate::checks;
 use crate::effect::Effect;
 use crate::element::{set_parameter as set_parameter_of, with_parameter};
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
@@ -13,12 +14,23 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("parameter", PARAMETER, parameter).defining(&[things::PARAMETER], 1),
-    Command::new("addToParameter", ADD, add_to_parameter),
-    Command::new("updateParameter", UPDATE, update_parameter),
-    Command::new("getParamValue", "getParamValue $tag", value_of).leaving(Effect::Nothing),
-    Command::new("getParamTags", "getParamTags", tags).leaving(Effect::Nothing),
-    Command::new("setParameter", SET, set_parameter),
+    Command::new("parameter", PARAMETER, parameter)
+        .about("Declares a quantity that `updateParameter` can change.")
+        .defining(&[things::PARAMETER], 1),
+    Command::new("addToParameter", ADD, add_to_parameter).about("Adds a quantity to a parameter that exists."),
+    Command::new("updateParameter", UPDATE, update_parameter).about("Gives a parameter a new value."),
+    Command::new("getParamValue", "getParamValue $tag", value_of)
+        .about("Returns the value of a parameter.")
+        .leaving(Effect::Nothing),
+    Command::new("getParamTags", "getParamTags", tags)
+        .about("Returns the tags of all parameters.")
+        .leaving(Effect::Nothing),
+    Command::new("setParameter", SET, set_parameter).about("Changes a quantity of elements or nodes once.").arguments(
+        &[
+            Arg::of("-ele", "element", "tags of elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements"),
+        ],
+    ),
 ];
 
 const PARAMETER: &str = "parameter $tag <$value> | <node $node mass x|y|z|xy|xyz> | <node $node disp $dof> \

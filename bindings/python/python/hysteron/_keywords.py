@@ -160,7 +160,7 @@ def signature(name, with_model):
 
 @cache
 def _sections():
-    return {name: lines for names, lines in _hysteron.reference() for name in names}
+    return _hysteron.reference()
 
 
 def _cells(line):

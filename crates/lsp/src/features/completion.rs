@@ -122,9 +122,8 @@ impl Offer<'_> {
         let mut seen = BTreeSet::new();
         let own = hysteron_opensees::commands().filter(|c| seen.insert(c.name)).map(|c| {
             let usage = c.usage_line();
-            let about = words::section_of_command(c).map_or("", |s| s.summary());
             let item = self.item(c.name, CompletionItemKind::FUNCTION, usage.clone());
-            let item = CompletionItem { documentation: markdown(about), ..item };
+            let item = CompletionItem { documentation: markdown(c.text.about), ..item };
             let snippet = if c.kinds().is_empty() { of_usage(&usage, 1, dimensions) } else { String::new() };
             self.with_snippet(item, &snippet)
         });
@@ -156,9 +155,8 @@ impl Offer<'_> {
         let dimensions = dimensions(self.view.script());
         let item = |kind: &hysteron_opensees::KindUsage| {
             let item = self.item(kind.names[0], CompletionItemKind::CLASS, kind.usage.to_owned());
-            let about = words::about_kind(called.command, *kind);
             let filter_text = Some(kind.names.join(" "));
-            let item = CompletionItem { documentation: markdown(&about), filter_text, ..item };
+            let item = CompletionItem { documentation: markdown(kind.text.about), filter_text, ..item };
             self.with_snippet(item, &of_usage(kind.usage, 2, dimensions))
         };
         called.command.kinds().iter().map(item).collect()

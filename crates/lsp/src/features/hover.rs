@@ -84,7 +84,7 @@ fn of_kind(written: &[&str]) -> Option<String> {
     let kind = called.kind?;
     Some(match words::section_of_kind(called.command, kind) {
         Some(section) => cut(section),
-        None => format!("```tcl\n{}\n```\n{}", kind.usage, words::about_kind(called.command, kind)),
+        None => format!("```tcl\n{}\n```", kind.usage),
     })
 }
 

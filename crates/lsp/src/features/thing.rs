@@ -59,9 +59,9 @@ pub(crate) fn shown(script: &Script, command: &CalledCommand) -> String {
 }
 
 /// First sentences about the kind that a command makes.
-fn about(command: &CalledCommand) -> String {
+fn about(command: &CalledCommand) -> &'static str {
     let kind = command.words.get(1).and_then(|w| words::kind(command.command, &w.value));
-    kind.map(|k| words::about_kind(command.command, k)).unwrap_or_default()
+    kind.map_or("", |k| k.text.about)
 }
 
 fn of_model(indexed: &IndexedModel, thing: &Mention) -> Option<String> {

@@ -3,17 +3,7 @@
 use crate::reference::{self, Argument, Section};
 use hysteron_opensees::{Command, KindUsage, calls};
 use hysteron_tcl::{Interp, MemoryFiles, Silent};
-use std::collections::BTreeMap;
 use std::sync::OnceLock;
-
-/// The sections of the reference, by name.
-fn sections() -> &'static BTreeMap<&'static str, Section> {
-    static ALL: OnceLock<BTreeMap<&'static str, Section>> = OnceLock::new();
-    ALL.get_or_init(|| {
-        let named = |s: Section| s.names.clone().into_iter().map(move |name| (name, s.clone()));
-        reference::sections().flat_map(named).collect()
-    })
-}
 
 /// Commands of Tcl.
 pub(crate) fn tcl_commands() -> &'static [String] {
@@ -58,7 +48,7 @@ impl Called {
     pub(crate) fn section(&self) -> Option<&'static Section> {
         match self.kind {
             Some(kind) => section_of_kind(self.command, kind),
-            None => sections().get(self.command.name),
+            None => section_of_command(self.command),
         }
     }
 
@@ -68,22 +58,12 @@ impl Called {
     }
 }
 
-/// What the reference says of a kind; none where its command says all.
+/// What the reference says of a kind; none where its name says all.
 pub(crate) fn section_of_kind(command: &Command, kind: KindUsage) -> Option<&'static Section> {
-    sections().get(format!("{} {}", command.name, kind.names[0]).as_str())
+    reference::section(&format!("{} {}", command.name, kind.names[0]))
 }
 
 /// What the reference says of a command itself.
 pub(crate) fn section_of_command(command: &Command) -> Option<&'static Section> {
-    sections().get(command.name)
-}
-
-/// The first sentences about a kind: those of its section, or its row in the table of its command.
-pub(crate) fn about_kind(command: &Command, kind: KindUsage) -> String {
-    if let Some(section) = section_of_kind(command, kind) {
-        return section.summary().to_owned();
-    }
-    let name = format!("`{}`", kind.names[0]);
-    let rows = section_of_command(command).into_iter().flat_map(|s| s.lines.iter().filter_map(|l| reference::cells(l)));
-    rows.into_iter().find(|row| row[0] == name).and_then(|row| row.get(1).cloned()).unwrap_or_default()
+    reference::section(command.name)
 }

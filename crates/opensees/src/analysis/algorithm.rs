@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
@@ -11,8 +12,9 @@ use hysteron_engine::analysis::algorithm::{
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("algorithm", ALGORITHM, algorithm).with_kinds(|| kind::usages(KINDS))];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("algorithm", ALGORITHM, algorithm)
+    .about("Chooses the solution algorithm of a step.")
+    .with_kinds(|| kind::usages(KINDS))];
 
 const ALGORITHM: &str = "algorithm Linear | Newton | ModifiedNewton | NewtonLineSearch | KrylovNewton | SecantNewton | \
                          BFGS | Broyden | ... <options>";
@@ -57,6 +59,8 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Linear"],
         usage: "algorithm Linear <-initial | -secant> <-factorOnce>",
+        text: Text::new("One correction a step.")
+            .arguments(&[Arg::flag("-secant", "accepted with a warning: the current tangent is used")]),
         make: |interp, a| {
             let (choice, once) = tangent(interp, a)?;
             Ok(Box::new(Linear::new(mix(choice), once)))
@@ -65,11 +69,16 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Newton"],
         usage: "algorithm Newton <-initial | -initialThenCurrent | -Hall <$initial $current>>",
+        text: Text::new("A new tangent in each iteration.").arguments(&[Arg::flag(
+            "-initialThenCurrent",
+            "forms the tangent of the first iteration at the initial state, the others at the current one",
+        )]),
         make: |interp, a| Ok(Box::new(Newton::new(tangent(interp, a)?.0))),
     },
     Kind {
         names: &["ModifiedNewton"],
         usage: "algorithm ModifiedNewton <-initial | -Hall <$initial $current>> <-factorOnce>",
+        text: Text::new("One tangent for the whole step."),
         make: |interp, a| {
             let (choice, once) = tangent(interp, a)?;
             Ok(Box::new(ModifiedNewton::new(mix(choice), once)))
@@ -79,44 +88,54 @@ const KINDS: &[Kind] = &[
         names: &["NewtonLineSearch"],
         usage: "algorithm NewtonLineSearch <-type InitialInterpolated|Bisection|Secant|RegulaFalsi> <-tol $tolerance> \
                 <-maxIter $n> <-minEta $eta> <-maxEta $eta>",
+        text: Text::new("Newton's method with a search for the length of each correction.")
+            .arguments(&[Arg::flag("-type", "rule of the line search")]),
         make: line_search,
     },
     // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
     Kind {
         names: &["KrylovNewton", "MillerNewton"],
         usage: "algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>",
+        text: Text::new("Modified Newton accelerated in a Krylov subspace."),
         make: krylov,
     },
     Kind {
         names: &["SecantNewton"],
         usage: "algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> \
                 <-cutOut $R1 $R2>",
+        text: Text::new("Modified Newton accelerated by secants."),
         make: |interp, a| secant(interp, a, false),
     },
     Kind {
         names: &["PeriodicNewton"],
         usage: "algorithm PeriodicNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n>",
+        text: Text::new("Modified Newton with a new tangent from time to time."),
         make: |interp, a| secant(interp, a, true),
     },
     // In OpenSees an accelerated method that does not accelerate.
     Kind {
         names: &["RaphsonNewton"],
         usage: "algorithm RaphsonNewton <-increment $tangent> <-iterate $tangent>",
+        text: Text::new("Newton's method whose tangent is formed before the correction of each iteration."),
         make: raphson,
     },
     Kind {
         names: &["BFGS"],
         usage: "algorithm BFGS <-initial> <-count $corrections>",
+        text: Text::new("The method of Broyden, Fletcher, Goldfarb and Shanno."),
         make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| bfgs(mix, count)),
     },
     Kind {
         names: &["Broyden"],
         usage: "algorithm Broyden <-initial> <-count $corrections>",
+        text: Text::new("Broyden's method."),
         make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| broyden(mix, count)),
     },
     Kind {
         names: &["ExpressNewton"],
         usage: "algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>",
+        text: Text::new("A fixed number of corrections a step.")
+            .arguments(&[Arg::new("corrections", "number of corrections a step")]),
         make: express,
     },
 ];

@@ -11,6 +11,7 @@ use crate::model::parameter_change;
 use crate::output::collapse;
 use crate::session::{Parts, Session};
 use crate::slips;
+use crate::text::{Arg, Text, WITHOUT_EFFECT};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
@@ -24,14 +25,27 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("analysis", ANALYSIS, analysis).defining(&[things::ANALYSIS], 0).with_kinds(|| kind::usages(KINDS)),
-    Command::new("analyze", ANALYZE, analyze),
-    Command::new("eigen", EIGEN, eigen),
-    Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis),
-    Command::new("reset", "reset", reset),
-    Command::new("revertToStart", "revertToStart", reset),
-    Command::new("initialize", "initialize", initialize),
-    Command::new("ladder", LADDER, ladder),
+    Command::new("analysis", ANALYSIS, analysis)
+        .about("Makes the analysis of the chosen parts.")
+        .defining(&[things::ANALYSIS], 0)
+        .with_kinds(|| kind::usages(KINDS)),
+    Command::new("analyze", ANALYZE, analyze)
+        .about("Makes steps; returns 0 or a negative [code](../conventions.md#return-values-of-analyze).")
+        .arguments(&[
+            Arg::new("steps", "number of steps"),
+            Arg::new("dt", "time step"),
+            Arg::new("dtMin", "shortest time step"),
+            Arg::new("dtMax", "longest time step"),
+            Arg::new("iterations", "iterations wanted"),
+        ]),
+    Command::new("eigen", EIGEN, eigen)
+        .about("Computes modes; returns the eigenvalues, squares of the circular frequencies.")
+        .arguments(&[Arg::new("solver", "name of OpenSees' solver, accepted")]),
+    Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis).about("Removes the analysis and keeps the model."),
+    Command::new("reset", "reset", reset).about("Returns to the state at the start."),
+    Command::new("revertToStart", "revertToStart", reset).about("Returns to the state at the start."),
+    Command::new("initialize", "initialize", initialize).about(WITHOUT_EFFECT),
+    Command::new("ladder", LADDER, ladder).about("Turns the remedies for failed steps on or off, as `--ladder` does."),
 ];
 
 const ANALYSIS: &str = "analysis Static | Transient | VariableTransient";
@@ -61,16 +75,19 @@ const KINDS: &[kind::Kind<AnalysisKind>] = &[
     kind::Kind {
         names: &["Static"],
         usage: "analysis Static",
+        text: Text::new("Steps of the load factor or of a displacement."),
         make: AnalysisKind { kind: Kind::Static, variable: false },
     },
     kind::Kind {
         names: &["Transient"],
         usage: "analysis Transient",
+        text: Text::new("Steps in time."),
         make: AnalysisKind { kind: Kind::Transient, variable: false },
     },
     kind::Kind {
         names: &["VariableTransient", "VariableTimeStepTransient", "TransientWithVariableTimeStep"],
         usage: "analysis VariableTransient",
+        text: Text::new("Steps in time whose length follows the iterations."),
         make: AnalysisKind { kind: Kind::Transient, variable: true },
     },
 ];

@@ -5,6 +5,7 @@ use crate::checks;
 use crate::element::damping::of_tag;
 use crate::output::recorders::absent_of;
 use crate::session::Region;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
@@ -16,10 +17,31 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("rayleigh", RAYLEIGH, rayleigh),
-    Command::new("region", REGION, region).defining(&[things::REGION], 1),
-    Command::new("setElementRayleighDampingFactors", FACTORS, element_factors),
-    Command::new("setElementRayleighFactors", FACTORS, element_factors),
+    Command::new("rayleigh", RAYLEIGH, rayleigh)
+        .about(
+            "Sets Rayleigh damping of the model: $C = \\alpha_M M + \\beta_K K + \\beta_{K0} K_0 + \\beta_{Kc} K_c$ \
+             with the current, initial and committed stiffness.",
+        )
+        .arguments(&[
+            Arg::of("-ele", "tag", "tags of elements that get the damping of their stiffness and mass"),
+            Arg::of("-node", "tag", "tags of nodes that get the damping of their mass"),
+        ]),
+    Command::new("region", REGION, region)
+        .about("Names nodes and elements together, for recorders, parameters or Rayleigh damping of their own.")
+        .arguments(&[
+            Arg::of("-ele", "tag", "tags of elements; their nodes belong to the region too"),
+            Arg::of("-eleOnly", "tag", "tags of elements, without their nodes"),
+            Arg::flag("-eleOnlyRange", "first and last tag of elements, without their nodes"),
+            Arg::of("-node", "tag", "tags of nodes; elements between them belong to the region too"),
+            Arg::flag("-nodeOnlyRange", "first and last tag of nodes, without elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements"),
+            Arg::of("-nodeRange", "first", "first and last tag of nodes"),
+            Arg::flag("-nodeOnly", "tags of nodes, without elements"),
+        ])
+        .defining(&[things::REGION], 1),
+    Command::new("setElementRayleighDampingFactors", FACTORS, element_factors)
+        .about("Sets Rayleigh damping of one element."),
+    Command::new("setElementRayleighFactors", FACTORS, element_factors).about("Sets Rayleigh damping of one element."),
 ];
 
 const RAYLEIGH: &str = "rayleigh $alphaM $betaK $betaK0 $betaKc <-ele $tag ...> <-node $tag ...>";

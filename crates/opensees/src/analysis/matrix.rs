@@ -9,8 +9,12 @@ use hysteron_tcl::{Call, OpenMode, Value};
 use std::io::Write as _;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("printA", PRINT_A, print_a).leaving(Effect::Nothing),
-    Command::new("printB", PRINT_B, print_b).leaving(Effect::Nothing),
+    Command::new("printA", PRINT_A, print_a)
+        .about("Prints the matrix of the equations, under `system Diagonal` its diagonal.")
+        .leaving(Effect::Nothing),
+    Command::new("printB", PRINT_B, print_b)
+        .about("Prints the right-hand side of the equations.")
+        .leaving(Effect::Nothing),
 ];
 
 const PRINT_A: &str = "printA <-file $file> <-ret>";

@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, warn};
 use hysteron_engine::model::ModalDamping;
@@ -10,8 +11,14 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("modalDamping", USAGE, |i, c| modal_damping(i, c, true)),
-    Command::new("modalDampingQ", USAGE, |i, c| modal_damping(i, c, false)),
+    Command::new("modalDamping", USAGE, |i, c| modal_damping(i, c, true))
+        .about("Damps modes that `eigen` has found, each by a ratio.")
+        .arguments(&[
+            Arg::new("ratio", "damping ratio of all modes"),
+            Arg::new("ratio1", "damping ratio of the first mode"),
+        ]),
+    Command::new("modalDampingQ", USAGE, |i, c| modal_damping(i, c, false))
+        .about("As `modalDamping`, in the forces only and not in the tangent."),
 ];
 
 const USAGE: &str = "modalDamping $ratio | $ratio1 $ratio2 ...: damping ratios of the modes that eigen has found";

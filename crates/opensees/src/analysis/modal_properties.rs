@@ -12,8 +12,9 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("modalProperties", USAGE, modal_properties).leaving(Effect::Nothing)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("modalProperties", USAGE, modal_properties)
+    .about("Computes participation factors and effective masses of the modes.")
+    .leaving(Effect::Nothing)];
 
 const USAGE: &str = "modalProperties <-print> <-file $file> <-unorm> <-return>";
 

@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, warn};
 use hysteron_engine::analysis::ModalProperties;
@@ -10,7 +11,17 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::TAU;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum)
+    .about(
+        "Makes a step for each mode with its largest displacements under a response spectrum. The script combines \
+         the modes.",
+    )
+    .arguments(&[
+        Arg::of("-Tn", "periods", "periods of the spectrum"),
+        Arg::of("-Sa", "accelerations", "accelerations of the spectrum at these periods"),
+        Arg::of("-scale", "factor", "has no effect in OpenSees either"),
+        Arg::of("-mode", "mode", "number of the only mode that is computed"),
+    ])];
 
 const USAGE: &str = "responseSpectrumAnalysis $series $direction | $direction -Tn $periods -Sa $accelerations \
                      <-scale $factor> <-mode $mode>";

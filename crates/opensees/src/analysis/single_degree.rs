@@ -3,11 +3,31 @@
 use crate::args::Args;
 use crate::effect::Effect;
 use crate::load::series::series_of_words;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond).leaving(Effect::Nothing)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond)
+    .about(
+        "Returns the largest and the last displacement, the plastic one, the largest acceleration and its time of \
+         an elastic-plastic system of one degree of freedom under a series of forces.",
+    )
+    .arguments(&[
+        Arg::new("m", "mass"),
+        Arg::new("zeta", "damping ratio of the elastic system"),
+        Arg::new("k", "elastic stiffness"),
+        Arg::new("Fy", "yield force"),
+        Arg::new("alpha", "stiffness after yielding over the elastic one"),
+        Arg::new("dtF", "step of the forces in the file"),
+        Arg::new("file", "file of forces"),
+        Arg::new("series", "tag of a time series of forces"),
+        Arg::new("dt", "step of the analysis"),
+        Arg::of("-uresid", "u", "residual displacement at the start"),
+        Arg::of("-umaxprev", "u", "largest displacement of before"),
+        Arg::of("-tend", "t", "time of the end; that of the series where it is left out"),
+    ])
+    .leaving(Effect::Nothing)];
 
 const USAGE: &str = "sdfResponse $m $zeta $k $Fy $alpha $dtF $file $dt or $m $zeta $k $Fy $alpha $series $dt \
                      <-uresid $u> <-umaxprev $u> <-tend $t>";

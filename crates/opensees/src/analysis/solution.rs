@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::kind::{self, Kind};
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::analysis::{MatrixTerms, Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
@@ -10,10 +11,24 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("constraints", CONSTRAINTS, constraints).with_kinds(|| kind::usages(HANDLERS)),
-    Command::new("numberer", NUMBERER, numberer).with_kinds(|| kind::usages(NUMBERERS)),
-    Command::new("system", SYSTEM, system).with_kinds(|| kind::usages(SYSTEMS)),
-    Command::new("test", TEST, test).with_kinds(|| kind::usages(TESTS)),
+    Command::new("constraints", CONSTRAINTS, constraints)
+        .about("Chooses how constraints are enforced.")
+        .with_kinds(|| kind::usages(HANDLERS)),
+    Command::new("numberer", NUMBERER, numberer)
+        .about("Chooses the order of the equations. Every name is accepted.")
+        .with_kinds(|| kind::usages(NUMBERERS)),
+    Command::new("system", SYSTEM, system)
+        .about("Chooses the solver. Every name is accepted; see [Solvers](../conventions.md#solvers).")
+        .with_kinds(|| kind::usages(SYSTEMS)),
+    Command::new("test", TEST, test)
+        .about("Chooses the test of convergence.")
+        .arguments(&[
+            Arg::new("tolerance", "tolerance of the norm"),
+            Arg::new("maxIterations", "most iterations"),
+            Arg::new("printFlag", "what the test prints, 0 to 5"),
+            Arg::new("norm", "norm: 0 largest, 1 sum, 2 square root of the sum of squares"),
+        ])
+        .with_kinds(|| kind::usages(TESTS)),
 ];
 
 const CONSTRAINTS: &str = "constraints Plain | Transformation | Penalty $alphaS $alphaM | Lagrange <$alphaS $alphaM>";
@@ -24,11 +39,21 @@ const TEST: &str = "test $kind $tolerance $maxIterations <$printFlag> <$norm>";
 type MakeHandler = fn(&mut Tcl, &mut Args<'_>) -> Result<Handler, Exception>;
 
 const HANDLERS: &[Kind<MakeHandler>] = &[
-    Kind { names: &["Plain"], usage: "constraints Plain", make: |_, _| Ok(Handler::Plain) },
+    Kind::named(&["Plain"], "constraints Plain", |_, _| Ok(Handler::Plain)),
     // `Auto` chooses penalties; eliminating is exact and as general.
-    Kind { names: &["Transformation", "Auto"], usage: "constraints Transformation", make: transformation },
-    Kind { names: &["Penalty"], usage: "constraints Penalty $alphaS $alphaM", make: penalty },
-    Kind { names: &["Lagrange"], usage: "constraints Lagrange <$alphaS $alphaM>", make: lagrange },
+    Kind::named(&["Transformation", "Auto"], "constraints Transformation", transformation),
+    Kind {
+        names: &["Penalty"],
+        usage: "constraints Penalty $alphaS $alphaM",
+        text: Text::new("Constraints by stiff springs of given penalty factors."),
+        make: penalty,
+    },
+    Kind {
+        names: &["Lagrange"],
+        usage: "constraints Lagrange <$alphaS $alphaM>",
+        text: Text::new("Constraints by Lagrange multipliers, each one more equation."),
+        make: lagrange,
+    },
 ];
 
 fn transformation(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
@@ -69,9 +94,9 @@ fn constraints(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 const NUMBERERS: &[Kind<()>] = &[
-    Kind { names: &["Plain", "ParallelPlain"], usage: "numberer Plain", make: () },
-    Kind { names: &["RCM", "ParallelRCM"], usage: "numberer RCM", make: () },
-    Kind { names: &["AMD"], usage: "numberer AMD", make: () },
+    Kind::named(&["Plain", "ParallelPlain"], "numberer Plain", ()),
+    Kind::named(&["RCM", "ParallelRCM"], "numberer RCM", ()),
+    Kind::named(&["AMD"], "numberer AMD", ()),
 ];
 
 /// The numbering is our own: it fits the solver.
@@ -83,27 +108,23 @@ fn numberer(_: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Systems with the terms that their matrix holds in OpenSees.
 const SYSTEMS: &[Kind<MatrixTerms>] = &[
-    Kind { names: &["BandGeneral", "BandGEN", "BandGen"], usage: "system BandGeneral", make: MatrixTerms::OfElements },
-    Kind { names: &["BandSPD"], usage: "system BandSPD", make: MatrixTerms::OfElements },
-    Kind {
-        names: &["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"],
-        usage: "system ProfileSPD",
-        make: MatrixTerms::OfElements,
-    },
-    Kind {
-        names: &["SparseGeneral", "SparseGEN", "SparseGen", "SuperLU", "Sparse"],
-        usage: "system SparseGeneral",
-        make: MatrixTerms::OfElements,
-    },
-    Kind { names: &["SparseSPD", "SparseSYM"], usage: "system SparseSPD", make: MatrixTerms::OfElements },
-    Kind { names: &["UmfPack", "Umfpack"], usage: "system UmfPack", make: MatrixTerms::OfElements },
-    Kind { names: &["FullGeneral", "FullGen"], usage: "system FullGeneral", make: MatrixTerms::All },
-    Kind { names: &["Diagonal", "MPIDiagonal"], usage: "system Diagonal", make: MatrixTerms::Diagonal },
-    Kind { names: &["Mumps"], usage: "system Mumps", make: MatrixTerms::OfElements },
-    Kind { names: &["Petsc"], usage: "system Petsc", make: MatrixTerms::OfElements },
-    Kind { names: &["Itpack"], usage: "system Itpack", make: MatrixTerms::OfElements },
-    Kind { names: &["CuSP"], usage: "system CuSP", make: MatrixTerms::OfElements },
-    Kind { names: &["PFEM"], usage: "system PFEM", make: MatrixTerms::OfElements },
+    Kind::named(&["BandGeneral", "BandGEN", "BandGen"], "system BandGeneral", MatrixTerms::OfElements),
+    Kind::named(&["BandSPD"], "system BandSPD", MatrixTerms::OfElements),
+    Kind::named(&["ProfileSPD", "SProfileSPD", "ParallelProfileSPD"], "system ProfileSPD", MatrixTerms::OfElements),
+    Kind::named(
+        &["SparseGeneral", "SparseGEN", "SparseGen", "SuperLU", "Sparse"],
+        "system SparseGeneral",
+        MatrixTerms::OfElements,
+    ),
+    Kind::named(&["SparseSPD", "SparseSYM"], "system SparseSPD", MatrixTerms::OfElements),
+    Kind::named(&["UmfPack", "Umfpack"], "system UmfPack", MatrixTerms::OfElements),
+    Kind::named(&["FullGeneral", "FullGen"], "system FullGeneral", MatrixTerms::All),
+    Kind::named(&["Diagonal", "MPIDiagonal"], "system Diagonal", MatrixTerms::Diagonal),
+    Kind::named(&["Mumps"], "system Mumps", MatrixTerms::OfElements),
+    Kind::named(&["Petsc"], "system Petsc", MatrixTerms::OfElements),
+    Kind::named(&["Itpack"], "system Itpack", MatrixTerms::OfElements),
+    Kind::named(&["CuSP"], "system CuSP", MatrixTerms::OfElements),
+    Kind::named(&["PFEM"], "system PFEM", MatrixTerms::OfElements),
 ];
 
 /// The solver is our own: it fits the size and the symmetry of the equations.
@@ -115,49 +136,75 @@ fn system(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-const fn test_of(names: &'static [&'static str], usage: &'static str, make: Measure) -> Kind<Measure> {
-    Kind { names, usage, make }
-}
-
 const TESTS: &[Kind<Measure>] = &[
-    test_of(&["NormDispIncr"], "test NormDispIncr $tolerance $maxIterations <$printFlag> <$norm>", Measure::DispIncr),
-    test_of(
-        &["NormUnbalance"],
-        "test NormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
-        Measure::Unbalance,
-    ),
-    test_of(&["EnergyIncr"], "test EnergyIncr $tolerance $maxIterations <$printFlag> <$norm>", Measure::Energy),
-    test_of(
-        &["RelativeNormDispIncr"],
-        "test RelativeNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
-        Measure::RelativeDispIncr,
-    ),
-    test_of(
-        &["RelativeNormUnbalance"],
-        "test RelativeNormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
-        Measure::RelativeUnbalance,
-    ),
-    test_of(
-        &["RelativeEnergyIncr"],
-        "test RelativeEnergyIncr $tolerance $maxIterations <$printFlag> <$norm>",
-        Measure::RelativeEnergy,
-    ),
-    test_of(
-        &["RelativeTotalNormDispIncr"],
-        "test RelativeTotalNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
-        Measure::RelativeTotalDispIncr,
-    ),
-    test_of(&["FixedNumIter"], "test FixedNumIter $iterations <$printFlag> <$norm>", Measure::FixedIterations),
-    test_of(
-        &["NormDispAndUnbalance"],
-        "test NormDispAndUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
-        Measure::DispAndUnbalance,
-    ),
-    test_of(
-        &["NormDispOrUnbalance"],
-        "test NormDispOrUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
-        Measure::DispOrUnbalance,
-    ),
+    Kind {
+        names: &["NormDispIncr"],
+        usage: "test NormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Compares the norm of the displacement correction with the tolerance."),
+        make: Measure::DispIncr,
+    },
+    Kind {
+        names: &["NormUnbalance"],
+        usage: "test NormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Compares the norm of the unbalanced forces with the tolerance."),
+        make: Measure::Unbalance,
+    },
+    Kind {
+        names: &["EnergyIncr"],
+        usage: "test EnergyIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Compares half the product of correction and unbalanced forces with the tolerance."),
+        make: Measure::Energy,
+    },
+    Kind {
+        names: &["RelativeNormDispIncr"],
+        usage: "test RelativeNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new(
+            "Compares the norm of the displacement correction with the tolerance times that of the first correction of \
+             the step.",
+        ),
+        make: Measure::RelativeDispIncr,
+    },
+    Kind {
+        names: &["RelativeNormUnbalance"],
+        usage: "test RelativeNormUnbalance $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new(
+            "Compares the norm of the unbalanced forces with the tolerance times that of the first iteration.",
+        ),
+        make: Measure::RelativeUnbalance,
+    },
+    Kind {
+        names: &["RelativeEnergyIncr"],
+        usage: "test RelativeEnergyIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Compares the energy increment with the tolerance times that of the first iteration."),
+        make: Measure::RelativeEnergy,
+    },
+    Kind {
+        names: &["RelativeTotalNormDispIncr"],
+        usage: "test RelativeTotalNormDispIncr $tolerance $maxIterations <$printFlag> <$norm>",
+        text: Text::new(
+            "Compares the norm of the displacement correction with the tolerance times the sum of these norms over the \
+             step.",
+        ),
+        make: Measure::RelativeTotalDispIncr,
+    },
+    Kind {
+        names: &["FixedNumIter"],
+        usage: "test FixedNumIter $iterations <$printFlag> <$norm>",
+        text: Text::new("Makes a given number of iterations and accepts their result."),
+        make: Measure::FixedIterations,
+    },
+    Kind {
+        names: &["NormDispAndUnbalance"],
+        usage: "test NormDispAndUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Passes if both the correction and the unbalanced forces are within their tolerances."),
+        make: Measure::DispAndUnbalance,
+    },
+    Kind {
+        names: &["NormDispOrUnbalance"],
+        usage: "test NormDispOrUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
+        text: Text::new("Passes if the correction or the unbalanced forces are within their tolerance."),
+        make: Measure::DispOrUnbalance,
+    },
 ];
 
 /// Largest number of iterations of the test that OpenSees takes where a script has none.

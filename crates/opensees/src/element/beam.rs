@@ -4,6 +4,7 @@ use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
@@ -16,17 +17,39 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
+/// Arguments of elastic beams.
+pub(super) const ELASTIC_BEAM: &[Arg] = &[
+    Arg::new("Avy", "shear area for forces along local y"),
+    Arg::new("Avz", "shear area for forces along local z, in space"),
+    Arg::new("G", "shear modulus"),
+    Arg::new("A", "cross-sectional area"),
+    Arg::new("E", "elastic modulus"),
+    Arg::new("Iz", "second moment of area about local z"),
+    Arg::new("Iy", "second moment of area about local y, in space"),
+    Arg::new("J", "torsion constant, in space"),
+    Arg::new("section", "tag of a section"),
+    Arg::new("transf", "tag of a geometric transformation"),
+];
+
 pub(super) const ELASTIC: Kind = Kind {
     names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam", "PrismFrame"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
             <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
+    text: Text::new("Elastic beam, Euler-Bernoulli or, with shear areas, Timoshenko.")
+        .arguments(&[
+            Arg::of("-section", "section", "tag of a section"),
+            Arg::of("-transform", "transf", "tag of a geometric transformation"),
+            Arg::of("-shear", "flag", "0: without shear deformations"),
+        ])
+        .sharing(ELASTIC_BEAM),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane."),
     make: Make::TwoNodes(make_modified),
 };
 
@@ -34,6 +57,7 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
     names: &["ModElasticBeam3d", "modElasticBeam3d"],
     usage: "element ModElasticBeam3d $tag $i $j $A $E $G $J $Iy $Iz $K11y $K33y $K44y $K11z $K33z $K44z $transf \
             <-mass $m> <-cMass>",
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space."),
     make: Make::TwoNodes(make_modified_space),
 };
 

@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make, orientation};
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
@@ -20,6 +21,7 @@ pub(super) const BOUC_WEN: Kind = Kind {
     usage: "element elastomericBearingBoucWen $tag $i $j $kInit $qd $alpha1 $alpha2 $mu $eta $beta $gamma -P $mat \
             <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
             <-mass $m> <-iter $maxIter $tol>",
+    text: Text::new("Bearing with Bouc-Wen shear hysteresis."),
     make: Make::TwoNodes(make),
 };
 
@@ -27,6 +29,7 @@ pub(super) const PLASTICITY: Kind = Kind {
     names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
     usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
+    text: Text::new("Bearing with plastic shear."),
     make: Make::TwoNodes(make_plastic),
 };
 
@@ -34,6 +37,7 @@ pub(super) const UFRP: Kind = Kind {
     names: &["elastomericBearingUFRP"],
     usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
+    text: Text::new("Unbonded fibre-reinforced bearing, in the plane."),
     make: Make::TwoNodes(make_ufrp),
 };
 

@@ -6,6 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
+use crate::text::{Arg, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::element::{BrickOptions, Continuum, Element};
 use hysteron_engine::material::{SOLID, SharedMultiaxial};
@@ -16,33 +17,53 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const BODY_FORCES: &[Arg] =
+    &[Arg::new("b1", "body force along x"), Arg::new("b2", "body force along y"), Arg::new("b3", "body force along z")];
+
 pub(super) const BRICK: Kind = Kind {
     names: &["stdBrick", "Brick", "brick"],
     usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped> <-damp $damping>",
+    text: Text::new("Eight-node brick.")
+        .example("element stdBrick 77 1 2 3 4 5 6 7 8 1")
+        .arguments(&[Arg::flag("-lumped", "the mass is lumped at the corners")])
+        .sharing(BODY_FORCES),
     make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
 pub(super) const MEAN_DILATATION: Kind = Kind {
     names: &["bbarBrick"],
     usage: "element bbarBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
+    text: Text::new("Eight-node brick of elasticity with a constant dilatation.")
+        .example("element bbarBrick 77 1 2 3 4 5 6 7 8 1")
+        .sharing(BODY_FORCES),
     make: Make::AnyNodes(|interp, a| make(interp, a, true)),
 };
 
 pub(super) const STABILISED: Kind = Kind {
     names: &["SSPbrick", "SSPBrick"],
     usage: "element SSPbrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
+    text: Text::new("Eight-node brick with one point of integration and stabilised hourglass modes.")
+        .example("element SSPbrick 77 1 2 3 4 5 6 7 8 1")
+        .sharing(BODY_FORCES),
     make: Make::AnyNodes(stabilised),
 };
 
 pub(super) const FOUR_NODES: Kind = Kind {
     names: &["FourNodeTetrahedron"],
     usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
+    text: Text::new("Four-node tetrahedron with one point of integration.")
+        .example("element FourNodeTetrahedron 77 1 2 4 5 1")
+        .sharing(BODY_FORCES),
     make: Make::AnyNodes(tetrahedron::<4, 12>),
 };
 
 pub(super) const TEN_NODES: Kind = Kind {
     names: &["TenNodeTetrahedron"],
     usage: "element TenNodeTetrahedron $tag $n1 ... $n10 $material <$b1 $b2 $b3>",
+    text: Text::new(
+        "Ten-node tetrahedron; nodes 5 to 10 are the middles of the edges 1-2, 2-3, 1-3, 1-4, 3-4 and 2-4.",
+    )
+    .example("element TenNodeTetrahedron 77 1 2 4 5 11 12 13 14 15 16 1"),
     make: Make::AnyNodes(tetrahedron::<10, 30>),
 };
 

@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::{CatenaryCable, Element};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -11,6 +12,13 @@ use std::sync::Arc;
 pub(super) const CATENARY: Kind = Kind {
     names: &["CatenaryCable"],
     usage: "element CatenaryCable $tag $i $j $weight $E $A $L0 $alpha $temperature $rho $tol $parts $massType",
+    text: Text::new("An elastic cable under its weight or a uniform load.").arguments(&[
+        Arg::new("weight", "weight per length along z, until a load on the element replaces it"),
+        Arg::new("temperature", "change of temperature"),
+        Arg::new("tol", "tolerance of the shape as a part of the length"),
+        Arg::new("parts", "number of parts of a correction"),
+        Arg::new("massType", "0: mass at the nodes, 3: mass matrix of a bar"),
+    ]),
     make: Make::TwoNodes(make),
 };
 

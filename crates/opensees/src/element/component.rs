@@ -3,6 +3,7 @@
 use super::beam::no_transform;
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{ComponentBeam, ComponentOptions};
@@ -16,6 +17,7 @@ pub(super) const COMPONENT: Kind = Kind {
     names: &["componentElement2d", "componentElement", "ComponentElement2d"],
     usage: "element componentElement2d $tag $i $j $A $E $I $transf $materialI $materialJ | -stiffness $kI $kJ <-rho $m> \
             <-cMass>",
+    text: Text::new("Elastic beam between two rotational springs, in the plane."),
     make: Make::TwoNodes(make),
 };
 

@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::{
     Contact, ContactDirection, ContactFriction, ContactSurface, Element, Impact, ImpactOptions,
 };
@@ -10,21 +11,43 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const NODES: &[Arg] = &[
+    Arg::new("secondary", "node that must not enter the surface of the other one"),
+    Arg::new("primary", "node on the surface"),
+];
+
 pub(super) const IMPACT: Kind = Kind {
     names: &["zeroLengthImpact3D"],
     usage: "element zeroLengthImpact3D $tag $secondary $primary $direction $gap $friction $Kt $Kn $Kn2 $yield $cohesion",
+    text: Text::new("Contact of two nodes with friction and a bilinear hysteretic stiffness."),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const CONTACT_2D: Kind = Kind {
     names: &["zeroLengthContact2D", "ZeroLengthContact2D"],
     usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
+    text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
+        .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1.")
+        .arguments(&[Arg::of("-normal", "Nx", "vector out of the primary surface")])
+        .sharing(NODES),
     make: Make::TwoNodes(make_in_plane),
 };
 
 pub(super) const CONTACT_3D: Kind = Kind {
     names: &["zeroLengthContact3D", "ZeroLengthContact3D"],
     usage: "element zeroLengthContact3D $tag $secondary $primary $Kn $Kt $friction $cohesion $direction <$originX $originY>",
+    text: Text::new("Contact of two nodes in space with Coulomb friction, by penalties.")
+        .example("element zeroLengthContact3D 77 1 2 1. 1. 0.3 0. 3")
+        .arguments(&[
+            Arg::new(
+                "direction",
+                "1, 2 or 3: the primary surface faces along x, y or z; 0: a circle around an axis \
+                 along z",
+            ),
+            Arg::new("originX", "place of the axis of the circle; the origin without"),
+            Arg::new("originY", "place of the axis of the circle; the origin without"),
+        ])
+        .sharing(NODES),
     make: Make::TwoNodes(make_in_space),
 };
 

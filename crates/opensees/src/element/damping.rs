@@ -2,6 +2,7 @@
 
 use crate::args::Args;
 use crate::load::series::series_of;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
@@ -10,6 +11,7 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("damping", "damping $kind $tag ...", damping)
+    .about("Makes a damping of single elements, for their option `-damp` and for `region -damp`.")
     .defining(&[things::DAMPING], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -20,23 +22,39 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Uniform"],
         usage: "damping Uniform $tag $zeta $freq1 $freq2 <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
+        text: Text::new(
+            "A constant damping ratio over a range of frequencies, by low-pass filters of the element's forces.",
+        ),
         make: uniform,
     },
     Kind {
         names: &["SecStif", "SecStiff"],
         usage: "damping SecStif $tag $beta <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
+        text: Text::new(
+            "Forces in proportion to the rate of the element's forces: those before the first dynamic step count as 0.",
+        ),
         make: secant_stiffness,
     },
     Kind {
         names: &["URD"],
         usage: "damping URD $tag $n $freq1 $zeta1 $freq2 $zeta2 ... <-tol $tol> <-maxiter $rounds> \
                 <-activateTime $ta> <-deactivateTime $td> <-factor $series> <-prttag>",
+        text: Text::new("Damping ratios given over the frequency, by low-pass filters of the element's forces.")
+            .arguments(&[
+                Arg::of("-tol", "tol", "largest relative error of the damping ratios"),
+                Arg::of("-maxiter", "rounds", "most rounds with more and more filters"),
+                Arg::of("-activateTime", "ta", "time at which it begins"),
+                Arg::of("-deactivateTime", "td", "time at which it ends"),
+                Arg::of("-factor", "series", "tag of a time series that the forces are multiplied by"),
+                Arg::flag("-prttag", "printing of the filters in OpenSees, without effect"),
+            ]),
         make: user_defined_ratios,
     },
     Kind {
         names: &["URDbeta"],
         usage: "damping URDbeta $tag $n $freq1 $beta1 $freq2 $beta2 ... <-activateTime $ta> <-deactivateTime $td> \
                 <-factor $series>",
+        text: Text::new("Low-pass filters of given frequencies and coefficients."),
         make: filters,
     },
 ];

@@ -7,6 +7,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
@@ -22,16 +23,33 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
+const SECTIONS: &[Arg] = &[
+    Arg::new("integration", "tag of a beam integration"),
+    Arg::new("n", "number of sections"),
+    Arg::new("section", "tag of the section"),
+];
+
 pub(super) const DISPLACEMENT: Kind = Kind {
     names: &["dispBeamColumn", "DispBeamColumn", "CubicFrame"],
     usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> <-damp $damping> or \
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
+    text: Text::new("Displacement-based beam with sections.")
+        .example("element dispBeamColumn 77 1 2 3 1 1")
+        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .sharing(SECTIONS),
     make: Make::TwoNodes(make_displacement),
 };
 
 pub(super) const AXIAL_EQUILIBRIUM: Kind = Kind {
     names: &["AxEqDispBeamColumn2d"],
     usage: "element AxEqDispBeamColumn2d $tag $i $j $n $section $transf $tol <-integration Lobatto|Legendre> <-iter $maxIter>",
+    text: Text::new("Displacement-based beam whose sections have one axial force.")
+        .example("element AxEqDispBeamColumn2d 77 1 2 3 1 1 1e-8")
+        .arguments(&[
+            Arg::new("tol", "sum of the differences of the axial forces of adjacent sections that counts as none"),
+            Arg::of("-iter", "maxIter", "most iterations inside the element; 20 without"),
+            Arg::flag("-integration", "rule of integration; Legendre without"),
+        ]),
     make: Make::TwoNodes(make_axial_equilibrium),
 };
 
@@ -39,6 +57,10 @@ pub(super) const FORCE: Kind = Kind {
     names: &["forceBeamColumn", "ForceBeamColumn", "nonlinearBeamColumn", "NonlinearBeamColumn", "ForceFrame"],
     usage: "element forceBeamColumn $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> <-damp $damping> or \
             $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
+    text: Text::new("Force-based beam with sections.")
+        .example("element forceBeamColumn 77 1 2 3 1 1")
+        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .sharing(SECTIONS),
     make: Make::TwoNodes(make_force),
 };
 
@@ -47,12 +69,17 @@ pub(super) const CURVATURE: Kind = Kind {
     usage: "element forceBeamColumnCBDI $tag $i $j $transf $integration <-mass $m> <-iter $maxIter $tol> \
             <-shear> or $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> \
             <-integration $rule>",
+    text: Text::new("Force-based beam whose deflections follow its curvatures.")
+        .example("element forceBeamColumnCBDI 77 1 2 3 1 1")
+        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .sharing(SECTIONS),
     make: Make::TwoNodes(make_curvature),
 };
 
 pub(super) const CURVATURE_SHEAR: Kind = Kind {
     names: &["forceBeamColumnCSBDI"],
     usage: "element forceBeamColumnCSBDI as forceBeamColumnCBDI with -shear",
+    text: Text::new("Force-based beam whose deflections follow its curvatures and shear strains."),
     make: Make::TwoNodes(make_curvature_shear),
 };
 
@@ -60,6 +87,8 @@ pub(super) const MIXED: Kind = Kind {
     names: &["mixedBeamColumn", "mixedBeamColumn2d", "mixedBeamColumn3d"],
     usage: "element mixedBeamColumn $tag $i $j $transf $integration <-mass $m> or $tag $i $j $n $section $transf \
             <-mass $m> <-integration $rule>",
+    text: Text::new("Mixed beam with sections: forces in equilibrium, deformations compatible in the mean.")
+        .example("element mixedBeamColumn 77 1 2 3 1 1"),
     make: Make::TwoNodes(make_mixed),
 };
 
@@ -67,6 +96,15 @@ pub(super) const WITH_HINGES: Kind = Kind {
     names: &["beamWithHinges", "BeamWithHinges"],
     usage: "element beamWithHinges $tag $i $j $secI $lpI $secJ $lpJ $E $A $Iz <$Iy $G $J> $transf <-mass $m> \
             <-iter $maxIter $tol>",
+    text: Text::new("Force-based beam with plastic regions at its ends.").arguments(&[
+        Arg::new("E", "elastic modulus"),
+        Arg::new("A", "cross-sectional area"),
+        Arg::new("Iz", "second moment of area about local z"),
+        Arg::new("Iy", "second moment of area about local y, in space"),
+        Arg::new("G", "shear modulus, in space"),
+        Arg::new("J", "torsion constant, in space"),
+        Arg::new("transf", "tag of a geometric transformation"),
+    ]),
     make: Make::TwoNodes(make_with_hinges),
 };
 

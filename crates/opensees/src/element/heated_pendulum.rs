@@ -7,6 +7,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::slips;
+use crate::text::Text;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::sliding::{
@@ -22,6 +23,10 @@ pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
     usage: "element FPBearingPTV $tag $i $j $MuRef $IsPressureDependent $pRef $isTemperatureDependent $Diffusivity \
             $Conductivity $IsVelocityDependent $rateParameter $ReffectiveFP $Radius_Contact $kInitial $theMaterialA \
             $theMaterialB $theMaterialC $theMaterialD $x1 $x2 $x3 $y1 $y2 $y3 $shearDist $doRayleigh $mass $iter $tol $unit",
+    text: Text::new("Single friction pendulum whose friction depends on pressure, temperature and velocity.").example(
+        "element FPBearingPTV 77 1 2 0.06 1 9549. 1 4.44e-6 0.018 1 20. 2. 0.2 8000. 1 2 3 4 0 0 1 1 0 0 0.3 \
+         0 0. 20 1e-8 2",
+    ),
     make: Make::TwoNodes(make),
 };
 

@@ -5,6 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::triple::{
@@ -22,6 +23,7 @@ pub(super) const TRIPLE_X: Kind = Kind {
     usage: "element TripleFrictionPendulumX $tag $i $j $tagT $tagT2 $vertMatTag $rotZMatTag $rotXMatTag $rotYMatTag \
             $tagPres $tagTemp $tagVel $mu1 $mu2 $mu3 $L1 $L2 $L3 $d1 $d2 $d3 $b1 $b2 $b3 $t2 $t3 $W $uy $kvt $minFv $tol \
             $refPres1 $refPres2 $refPres3 $Diffusivity $Conductivity $Temperature0 $rateParam $kTmodel $unit",
+    text: Text::new("Triple friction pendulum whose friction depends on pressure, temperature and velocity."),
     make: Make::TwoNodes(make),
 };
 

@@ -4,6 +4,7 @@ use super::two_node_link::moment_ratios;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, Inerter, InerterOptions};
@@ -17,6 +18,19 @@ pub(super) const INERTER: Kind = Kind {
     names: &["inerter", "Inerter"],
     usage: "element inerter $tag $i $j -dir $dir1 ... -inertance $b11 ... <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> \
             <-pDelta <$My1 $My2> $Mz1 $Mz2> <-doRayleigh> <-damp $c11 ...> <-mass $m>",
+    text: Text::new("Forces in proportion to relative accelerations of two nodes, with damping.")
+        .example("element inerter 77 1 2 -dir 1 2 -inertance 2. 0. 0. 1.")
+        .arguments(&[
+            Arg::of(
+                "-dir",
+                "dir1",
+                "directions of the relative motions: degrees of freedom of the nodes in local axes",
+            ),
+            Arg::of("-inertance", "b11", "force over acceleration, a matrix by rows with a row for each direction"),
+            Arg::of("-damp", "c11", "force over velocity, a matrix by rows with a row for each direction"),
+            Arg::of("-pDelta", "My1", "shares of the P-Delta moments about local y at nodes i and j, in space"),
+            Arg::of("-mass", "m", "mass of the element, half at each node"),
+        ]),
     make: Make::TwoNodes(make),
 };
 

@@ -5,6 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::constraint;
 use crate::model::nodes::node_of;
+use crate::text::{Arg, Text};
 use crate::things;
 use hysteron_engine::element::{Element, Joint};
 use hysteron_engine::material::Material;
@@ -17,6 +18,18 @@ use std::sync::Arc;
 pub(super) const JOINT_2D: Kind = Kind {
     names: &["Joint2D", "Joint2d"],
     usage: "element Joint2D $tag $n1 $n2 $n3 $n4 $centre <$mat1 $mat2 $mat3 $mat4> $panel <$largeDisp>",
+    text: Text::new("Joint of beams and columns in the plane: a shear panel with rotational springs at its edges.")
+        .example("element Joint2D 77 1 2 4 3 99 9 0")
+        .arguments(&[
+            Arg::new("n1", "nodes at the middles of the edges of a parallelogram, one after the other"),
+            Arg::new("centre", "new tag of the node in the middle, with two displacements and two rotations"),
+            Arg::new("mat1", "law of the rotational spring at node 1; 0 stands for a rigid one"),
+            Arg::new("mat2", "law of the rotational spring at node 2; 0 stands for a rigid one"),
+            Arg::new("mat3", "law of the rotational spring at node 3; 0 stands for a rigid one"),
+            Arg::new("mat4", "law of the rotational spring at node 4; 0 stands for a rigid one"),
+            Arg::new("panel", "law of the moment and the shear angle of the panel"),
+            Arg::new("largeDisp", "0; large displacements are not supported"),
+        ]),
     make: Make::AnyNodes(make),
 };
 

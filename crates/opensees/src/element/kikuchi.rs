@@ -5,6 +5,7 @@ use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{
@@ -22,6 +23,7 @@ pub(super) const KIKUCHI: Kind = Kind {
             -nMSS $nMSS -matMSS $mat <-limDisp $limDisp> -nMNS $nMNS -matMNS $mat <-lambda $lambda> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m> <-noPDInput> <-noTilt> <-adjustPDOutput $ci $cj> \
             <-doBalance $limFo $limFi $nIter>",
+    text: Text::new("Bearing of shear springs between two sections of normal springs, with P-Delta and tilt."),
     make: Make::TwoNodes(make),
 };
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod amend;
 mod amended_place;
+mod amendments;
 mod beam;
 mod beam_column_joint;
 mod bearing;
@@ -49,10 +50,12 @@ use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+pub use amendments::{AMENDMENTS, AmendmentKind, AmendmentOption};
 pub use recipe::numbers_of_element;
 pub(crate) use recipe::{set_parameter, with_parameter};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind $tag $iNode $jNode ...", element)
+    .about("Makes an element between nodes.")
     .defining(&[things::ELEMENT], 2)
     .with_kinds(|| kind::usages(KINDS))];
 

@@ -4,6 +4,7 @@ use super::multiple_springs::{Orient, distribution, divisions, once, option_miss
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
@@ -15,6 +16,7 @@ pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
     names: &["multipleNormalSpring"],
     usage: "element multipleNormalSpring $tag $i $j $nDivide -mat $mat -shape round|square -size $size \
             <-lambda $lambda> <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
+    text: Text::new("A section of normal springs."),
     make: Make::TwoNodes(make),
 };
 

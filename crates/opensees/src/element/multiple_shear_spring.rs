@@ -5,6 +5,7 @@ use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, MultipleShearSpring, ShearSprings};
 use hysteron_engine::shared::Shared;
@@ -15,6 +16,7 @@ pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
     names: &["multipleShearSpring", "MSS"],
     usage: "element multipleShearSpring $tag $i $j $nSpring -mat $mat | -nMat $mat1 ... <-lim $dsp> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
+    text: Text::new("Shear springs in a circle."),
     make: Make::TwoNodes(make),
 };
 

@@ -6,6 +6,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape};
 use hysteron_engine::material::{Condensed, PLANE, Plane, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
@@ -13,52 +14,90 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const BODY: &[Arg] = &[
+    Arg::new("pressure", "surface pressure"),
+    Arg::new("rho", "mass per volume"),
+    Arg::new("bx", "body force along x"),
+    Arg::new("by", "body force along y"),
+];
+
 pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
             <-damp $damping>",
+    text: Text::new("Four-node quadrilateral.").example("element quad 77 1 2 3 4 1. PlaneStress 1").sharing(BODY),
     make: Make::AnyNodes(make),
 };
 
 pub(super) const MEAN_DILATATION: Kind = Kind {
     names: &["bbarQuad", "mixedQuad"],
     usage: "element bbarQuad $tag $i $j $k $l $thickness $material",
+    text: Text::new("Four-node quadrilateral in plane strain with a constant dilatation.")
+        .example("element bbarQuad 77 1 2 3 4 1. 1"),
     make: Make::AnyNodes(make_mean_dilatation),
 };
 
 pub(super) const STABILISED: Kind = Kind {
     names: &["SSPquad", "SSPQuad"],
     usage: "element SSPquad $tag $i $j $k $l $material PlaneStrain|PlaneStress $thickness <$bx $by>",
+    text: Text::new("Stabilised quadrilateral of plane elasticity with one Gauss point.")
+        .example("element SSPquad 77 1 2 3 4 1 PlaneStress 1."),
     make: Make::AnyNodes(make_stabilised),
 };
 
 pub(super) const TRIANGLE: Kind = Kind {
     names: &["tri31", "Tri31"],
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    text: Text::new("Three-node triangle of plane elasticity.")
+        .example("element tri31 77 1 2 3 1. PlaneStress 1")
+        .sharing(BODY),
     make: Make::AnyNodes(make_triangle),
 };
 
 pub(super) const NINE_NODES: Kind = Kind {
     names: &["quad9n", "nineNodeQuad", "NineNodeQuad"],
     usage: "element quad9n $tag $n1 ... $n9 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    text: Text::new("Nine-node quadrilateral of plane elasticity.")
+        .example("element quad9n 77 1 2 3 4 5 6 7 8 9 1. PlaneStress 1")
+        .arguments(&[
+            Arg::new("n1", "corners against the clock, then the middles of the sides in order, then the centre"),
+            Arg::new("material", "tag of the material of continua"),
+        ])
+        .sharing(BODY),
     make: Make::AnyNodes(|interp, a| make_quadratic::<9, 18>(interp, a, QuadraticShape::Lagrange)),
 };
 
 pub(super) const EIGHT_NODES: Kind = Kind {
     names: &["quad8n", "eightNodeQuad", "EightNodeQuad"],
     usage: "element quad8n $tag $n1 ... $n8 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    text: Text::new("Eight-node quadrilateral.")
+        .example("element quad8n 77 1 2 3 4 5 6 7 8 1. PlaneStress 1")
+        .arguments(&[
+            Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
+            Arg::new("material", "tag of the material of continua"),
+        ])
+        .sharing(BODY),
     make: Make::AnyNodes(|interp, a| make_quadratic::<8, 16>(interp, a, QuadraticShape::Serendipity)),
 };
 
 pub(super) const SIX_NODES: Kind = Kind {
     names: &["tri6n", "sixNodeTri", "SixNodeTri"],
     usage: "element tri6n $tag $n1 ... $n6 $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
+    text: Text::new("Six-node triangle.")
+        .example("element tri6n 77 1 2 3 5 6 9 1. PlaneStress 1")
+        .arguments(&[
+            Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
+            Arg::new("material", "tag of the material of continua"),
+        ])
+        .sharing(BODY),
     make: Make::AnyNodes(|interp, a| make_quadratic::<6, 12>(interp, a, QuadraticShape::Triangle)),
 };
 
 pub(super) const ENHANCED: Kind = Kind {
     names: &["enhancedQuad", "EnhancedQuad"],
     usage: "element enhancedQuad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material",
+    text: Text::new("Four-node quadrilateral of plane elasticity with enhanced strains.")
+        .example("element enhancedQuad 77 1 2 3 4 1. PlaneStress 1"),
     make: Make::AnyNodes(make_enhanced),
 };
 

@@ -6,6 +6,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::rheology;
 use crate::slips;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
@@ -20,6 +21,15 @@ pub(super) const RHEOLOGY: Kind = Kind {
             <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
             <-cover $tc>",
+    text: Text::new(
+        "High damping rubber bearing with rate, temperature and self-heating; see [High damping \
+         rubber](../../explanation/rubber.md).",
+    )
+    .example(
+        "element HDRRheologyBearing 77 1 2 800. 2e6 0. 0.6 0.003 0.008 20 700. 100. 20. 200. 3. 900. 100. \
+         400. 300. 0.2",
+    )
+    .arguments(&[Arg::new("n", "number of layers; the second `$n` is the parameter n of the overstress")]),
     make: Make::TwoNodes(make),
 };
 

@@ -6,6 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
@@ -23,6 +24,7 @@ pub(super) const HDR: Kind = Kind {
     names: &["HDR"],
     usage: "element HDR $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n $a1 $a2 $a3 $b1 $b2 $b3 $c1 $c2 $c3 $c4 \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$tc>>>>>>>",
+    text: Text::new("High damping rubber bearing (Grant) with the axial law of layered rubber."),
     make: Make::TwoNodes(make_hdr),
 };
 
@@ -30,6 +32,10 @@ pub(super) const ELASTOMERIC_X: Kind = Kind {
     names: &["ElastomericX"],
     usage: "element ElastomericX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$cd <$tc <$tag1 ... $tag4>>>>>>>>",
+    text: Text::new("Elastomeric bearing with the axial law of layered rubber.").arguments(&[
+        Arg::new("tag1", "1: cavitation; 0: not"),
+        Arg::new("tag4", "1: vertical stiffness varies with shear; 0: not"),
+    ]),
     make: Make::TwoNodes(make_elastomeric),
 };
 
@@ -37,6 +43,8 @@ pub(super) const LEAD_RUBBER_X: Kind = Kind {
     names: &["LeadRubberX"],
     usage: "element LeadRubberX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n <$x1 $x2 $x3 $y1 $y2 $y3 \
             <$kc <$PhiM <$ac $sDratio $m $cd <$tc <$qL $cL $kS $aS <$tag1 ... $tag5>>>>>>>",
+    text: Text::new("Lead rubber bearing whose core heats, with the axial law of layered rubber.")
+        .arguments(&[Arg::new("tag1", "1: cavitation; 0: not"), Arg::new("tag5", "1: the lead core heats; 0: not")]),
     make: Make::TwoNodes(make_leaded),
 };
 

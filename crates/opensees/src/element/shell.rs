@@ -4,6 +4,7 @@ use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::shell::{
@@ -15,27 +16,37 @@ use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const LOCAL_AXES: &[Arg] = &[
+    Arg::flag("-corotational", "the axes of the shell follow its nodes"),
+    Arg::of("-local", "x1", "direction of axis 1 of the section, projected onto the shell"),
+];
+
 pub(super) const MITC4: Kind = Kind {
     names: &["ShellMITC4", "shellMITC4", "Shell", "shell"],
     usage: "element ShellMITC4 $tag $i $j $k $l $section <-damp $damping>",
+    text: Text::new("Four-node shell with shear deformation.").example("element ShellMITC4 77 1 3 4 2 1"),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::Mitc4)),
 };
 
 pub(super) const DKGQ: Kind = Kind {
     names: &["ShellDKGQ", "shellDKGQ"],
     usage: "element ShellDKGQ $tag $i $j $k $l $section <-damp $damping>",
+    text: Text::new("Four-node thin shell with drilling.").example("element ShellDKGQ 77 1 3 4 2 1"),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffQuadrilateral)),
 };
 
 pub(super) const DKGT: Kind = Kind {
     names: &["ShellDKGT", "shellDKGT"],
     usage: "element ShellDKGT $tag $i $j $k $section <-damp $damping>",
+    text: Text::new("Three-node thin shell with drilling.").example("element ShellDKGT 77 1 3 4 1"),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffTriangle)),
 };
 
 pub(super) const UPDATED: Kind = Kind {
     names: &["ShellNLDKGQ", "shellNLDKGQ"],
     usage: "element ShellNLDKGQ $tag $i $j $k $l $section",
+    text: Text::new("Four-node thin shell with drilling and large displacements.")
+        .example("element ShellNLDKGQ 77 1 3 4 2 1"),
     make: Make::AnyNodes(make_updated),
 };
 
@@ -43,6 +54,21 @@ pub(super) const ENHANCED: Kind = Kind {
     names: &["ASDShellQ4", "asdShellQ4"],
     usage: "element ASDShellQ4 $tag $i $j $k $l $section <-corotational> <-noeas> <-drillingStab $share> <-drillingNL> \
             <-local $x1 $x2 $x3>",
+    text: Text::new(
+        "Four-node shell with shear deformation and internal modes of the membrane; large displacements on \
+         demand.",
+    )
+    .example("element ASDShellQ4 77 1 3 4 2 1")
+    .arguments(&[
+        Arg::flag("-noeas", "the membrane has no internal modes"),
+        Arg::of(
+            "-drillingStab",
+            "share",
+            "share of the drilling stiffness that is integrated fully, 0 to 1; 0.01 where nothing is given",
+        ),
+        Arg::flag("-drillingNL", "the drilling stiffness is damaged with the section"),
+    ])
+    .sharing(LOCAL_AXES),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 4)),
 };
 
@@ -50,6 +76,13 @@ pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
     names: &["ASDShellT3", "asdShellT3"],
     usage: "element ASDShellT3 $tag $i $j $k $section <-corotational> <-reducedIntegration> <-drillingNL> \
             <-local $x1 $x2 $x3>",
+    text: Text::new("Three-node shell with shear deformation and drilling; large displacements on demand.")
+        .example("element ASDShellT3 77 1 3 4 1")
+        .arguments(&[
+            Arg::flag("-reducedIntegration", "one point, and a penalty on the drilling strain"),
+            Arg::flag("-drillingNL", "with -reducedIntegration, the drilling stiffness is damaged with the section"),
+        ])
+        .sharing(LOCAL_AXES),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 3)),
 };
 

@@ -4,6 +4,7 @@ use super::bearing::{Placement, materials};
 use super::{Ends, Make, orientation};
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::sliding::{
@@ -18,6 +19,7 @@ pub(super) const FLAT: super::Kind = super::Kind {
     names: &["flatSliderBearing"],
     usage: "element flatSliderBearing $tag $i $j $frnMdlTag $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
+    text: Text::new("Flat slider."),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Flat)),
 };
 
@@ -26,6 +28,7 @@ pub(super) const PENDULUM: super::Kind = super::Kind {
     usage: "element singleFPBearing $tag $i $j $frnMdlTag $Reff $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-inclVertDisp> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
+    text: Text::new("Single friction pendulum."),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Pendulum)),
 };
 
@@ -34,6 +37,7 @@ pub(super) const RJ_WATSON: super::Kind = super::Kind {
     usage: "element RJWatsonEqsBearing $tag $i $j $frnMdlTag $kInit -P $mat -Vy $mat <-Vz $mat -T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
+    text: Text::new("Slider with an elastic spring (EradiQuake)."),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Springs)),
 };
 

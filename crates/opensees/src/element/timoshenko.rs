@@ -3,6 +3,7 @@
 use super::beam::{elastic_part, no_transform, numbers_ahead};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
@@ -17,6 +18,7 @@ pub(super) const TIMOSHENKO: Kind = Kind {
     names: &["ElasticTimoshenkoBeam", "elasticTimoshenkoBeam"],
     usage: "element ElasticTimoshenkoBeam $tag $i $j $E $G $A $Iz $Avy $transf (in the plane) or \
             $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
+    text: Text::new("Elastic beam with shear deformation.").sharing(super::beam::ELASTIC_BEAM),
     make: Make::TwoNodes(make),
 };
 

@@ -4,6 +4,7 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron_engine::element::friction::Friction;
@@ -18,6 +19,13 @@ pub(super) const TRIPLE: Kind = Kind {
     names: &["TripleFrictionPendulum"],
     usage: "element TripleFrictionPendulum $tag $i $j $frnTag1 $frnTag2 $frnTag3 $vertMatTag $rotZMatTag $rotXMatTag \
             $rotYMatTag $L1 $L2 $L3 $d1 $d2 $d3 $W $uy $kvt $minFv $tol",
+    text: Text::new("Triple friction pendulum.")
+        .example("element TripleFrictionPendulum 77 1 2 2 1 1 1 2 2 2 0.3 1. 1. 0.05 0.25 0.25 300. 0.002 1. 0.1 1e-8")
+        .arguments(&[
+            Arg::new("kvt", "tension stiffness kvt"),
+            Arg::new("minFv", "smallest vertical force minFv"),
+            Arg::new("tol", "tolerance"),
+        ]),
     make: Make::TwoNodes(make),
 };
 

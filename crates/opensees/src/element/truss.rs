@@ -3,6 +3,7 @@
 use super::beam::numbers_ahead;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
 use hysteron_engine::material::Material;
@@ -14,24 +15,29 @@ use std::sync::Arc;
 pub(super) const TRUSS: Kind = Kind {
     names: &["truss", "Truss"],
     usage: "element truss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag> <-useInitialDisp $flag>",
+    text: Text::new("Axial bar.").arguments(&[Arg::new("matTag", "tag of the law")]),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS: Kind = Kind {
     names: &["corotTruss", "CorotTruss"],
     usage: "element corotTruss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    text: Text::new("Axial bar with large displacements.").arguments(&[Arg::new("matTag", "tag of the law")]),
     make: Make::TwoNodes(make_corot),
 };
 
 pub(super) const TRUSS_SECTION: Kind = Kind {
     names: &["trussSection", "TrussSection"],
     usage: "element trussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    text: Text::new("Axial bar with a section.").arguments(&[Arg::new("section", "tag of a section")]),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
     names: &["corotTrussSection", "CorotTrussSection"],
     usage: "element corotTrussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    text: Text::new("Axial bar with a section and large displacements.")
+        .arguments(&[Arg::new("section", "tag of a section")]),
     make: Make::TwoNodes(make_corot),
 };
 

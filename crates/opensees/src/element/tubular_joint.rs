@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::{Element, TubularJoint, TubularJointOptions};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -11,6 +12,12 @@ use std::sync::Arc;
 pub(super) const TUBULAR_JOINT: Kind = Kind {
     names: &["ElasticTubularJoint", "elasticTubularJoint"],
     usage: "element ElasticTubularJoint $tag $i $j $braceDiameter $braceAngle $E $chordDiameter $chordThickness $chordAngle",
+    text: Text::new("Elastic flexibility of the wall of a tubular chord where a brace meets it.")
+        .example("element ElasticTubularJoint 77 1 2 0.3 60. 2e8 0.6 0.02 0.")
+        .arguments(&[
+            Arg::new("braceAngle", "angle between brace and chord, degrees"),
+            Arg::new("chordAngle", "angle between the chord and the axis x, degrees"),
+        ]),
     make: Make::TwoNodes(make),
 };
 

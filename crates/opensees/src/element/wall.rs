@@ -5,6 +5,7 @@ use crate::args::Args;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{
     Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
@@ -17,10 +18,30 @@ use hysteron_tcl::diagnostic::Span;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const PLATE: &[Arg] = &[
+    Arg::of("-CoR", "c", "height of the centre of rotation as a share of the height"),
+    Arg::of("-ThickMod", "factor", "thickness in bending over the mean thickness"),
+    Arg::of("-Poisson", "nu", "Poisson's ratio of the plate"),
+    Arg::of("-Density", "density", "mass per volume of the wall"),
+];
+
 pub(super) const MVLEM: Kind = Kind {
     names: &["MVLEM"],
     usage: "element MVLEM $tag $density $i $j $m $c -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat",
+    text: Text::new("Wall of vertical fibres between rigid beams, with a spring for the shear.")
+        .example("element MVLEM 77 0. 1 2 1 0.4 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9")
+        .arguments(&[
+            Arg::new("density", "mass per volume of the wall"),
+            Arg::new("m", "number of vertical fibres, from the left to the right"),
+            Arg::new("c", "height of the shear spring as a share of the height of the element"),
+            Arg::of("-thick", "t1", "thickness of each fibre"),
+            Arg::of("-width", "w1", "width of each fibre"),
+            Arg::of("-rho", "ratio1", "area of reinforcement of each fibre as a share of its area"),
+            Arg::of("-matConcrete", "mat1", "concrete of each fibre"),
+            Arg::of("-matSteel", "mat1", "reinforcement of each fibre"),
+            Arg::of("-matShear", "mat", "law of the shear force and the shear deformation"),
+        ]),
     make: Make::AnyNodes(lines),
 };
 
@@ -28,18 +49,28 @@ pub(super) const MVLEM_3D: Kind = Kind {
     names: &["MVLEM_3D"],
     usage: "element MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat <-CoR $c> <-ThickMod $factor> <-Poisson $nu> <-Density $density>",
+    text: Text::new(
+        "Wall of vertical fibres in space, an elastic plate out of its plane. The corners go against the \
+         clock.",
+    )
+    .example("element MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9")
+    .sharing(PLATE),
     make: Make::AnyNodes(lines_in_space),
 };
 
 pub(super) const SFI_MVLEM: Kind = Kind {
     names: &["SFI_MVLEM"],
     usage: "element SFI_MVLEM $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    text: Text::new("Wall of panels in plane stress, without horizontal stress.")
+        .example("element SFI_MVLEM 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels(interp, a, ("SFI_MVLEM", PanelLaw::NoStress))),
 };
 
 pub(super) const E_SFI: Kind = Kind {
     names: &["E_SFI", "E_SFI_MVLEM"],
     usage: "element E_SFI $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
+    text: Text::new("Wall of panels in plane stress, whose horizontal strain follows from the shear strain.")
+        .example("element E_SFI 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
     make: Make::AnyNodes(|interp, a| panels(interp, a, ("E_SFI", PanelLaw::FromShear))),
 };
 
@@ -47,6 +78,14 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
     names: &["SFI_MVLEM_3D"],
     usage: "element SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> <-ThickMod $factor> \
             <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    text: Text::new("`SFI_MVLEM` in space, an elastic plate out of its plane. The corners go against the clock.")
+        .example("element SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
+        .arguments(&[Arg::of(
+            "-Eave",
+            "modulus",
+            "modulus of elasticity of the plate; the mean of the concretes without",
+        )])
+        .sharing(PLATE),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("SFI_MVLEM_3D", PanelLaw::NoStress))),
 };
 
@@ -54,6 +93,14 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
     names: &["E_SFI_MVLEM_3D"],
     usage: "element E_SFI_MVLEM_3D $tag $i $j $k $l $m -thick $t1 ... -width $w1 ... -mat $mat1 ... <-CoR $c> \
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
+    text: Text::new("`E_SFI` in space, an elastic plate out of its plane. The corners go against the clock.")
+        .example("element E_SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
+        .arguments(&[Arg::of(
+            "-Eave",
+            "modulus",
+            "modulus of elasticity of the plate; the mean of the concretes without",
+        )])
+        .sharing(PLATE),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
 };
 

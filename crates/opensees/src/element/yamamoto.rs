@@ -5,6 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, ShearBearing, ShearLaw, YamamotoShear};
 use hysteron_engine::shared::Shared;
@@ -15,6 +16,7 @@ pub(super) const YAMAMOTO: Kind = Kind {
     names: &["YamamotoBiaxialHDR"],
     usage: "element YamamotoBiaxialHDR $tag $i $j $tp $dDo $dDi $hr <-coRS $cr $cs> <-orient <$x1 $x2 $x3> $y1 $y2 $y3> \
             <-mass $m>",
+    text: Text::new("High damping rubber bearing with bidirectional shear (Yamamoto)."),
     make: Make::TwoNodes(make),
 };
 

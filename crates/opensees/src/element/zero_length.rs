@@ -6,6 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
@@ -20,12 +21,15 @@ pub(super) const ZERO_LENGTH: Kind = Kind {
     names: &["zeroLength"],
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
             <-dampMats $mat1 ...> <-damp $damping> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
+    text: Text::new("Springs between two nodes at one place."),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COUPLED: Kind = Kind {
     names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
     usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
+    text: Text::new("One spring for two directions.")
+        .arguments(&[Arg::new("doRayleigh", "1: the element takes part in Rayleigh damping")]),
     make: Make::TwoNodes(make_coupled),
 };
 

@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, ZeroLengthSection};
@@ -14,6 +15,7 @@ use std::sync::Arc;
 pub(super) const ZERO_LENGTH_SECTION: Kind = Kind {
     names: &["zeroLengthSection", "ZeroLengthSection"],
     usage: "element zeroLengthSection $tag $i $j $section <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3> <-doRayleigh $flag>",
+    text: Text::new("A section between two nodes at one place."),
     make: Make::TwoNodes(make),
 };
 

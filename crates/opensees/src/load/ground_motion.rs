@@ -4,6 +4,7 @@ use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::node_of;
 use crate::slips;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
@@ -12,9 +13,22 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("groundMotion", GROUND, ground_motion).defining(&[things::GROUND_MOTION], 1),
-    Command::new("imposedMotion", IMPOSED, imposed_motion),
-    Command::new("imposedSupportMotion", IMPOSED, imposed_motion),
+    Command::new("groundMotion", GROUND, ground_motion)
+        .about("Makes a motion of supports, in a pattern `MultipleSupport`.")
+        .arguments(&[
+            Arg::of("-accel", "series", "tag of a series of accelerations"),
+            Arg::of("-vel", "series", "tag of a series of velocities"),
+            Arg::of("-disp", "series", "tag of a series of displacements"),
+            Arg::flag("-int", "rule of integration of a series that is not given"),
+            Arg::of("-dtInt", "dt", "time step of this integration"),
+            Arg::of("-fact", "factor", "factor; of `Interpolated` one for each motion"),
+            Arg::new("motion", "tags of ground motions"),
+        ])
+        .defining(&[things::GROUND_MOTION], 1),
+    Command::new("imposedMotion", IMPOSED, imposed_motion)
+        .about("Moves a support by a ground motion.")
+        .arguments(&[Arg::flag("-other", "the support follows the displacements without their rates")]),
+    Command::new("imposedSupportMotion", IMPOSED, imposed_motion).about("Moves a support by a ground motion."),
 ];
 
 const GROUND: &str = "groundMotion $tag Plain <-accel $series> <-vel $series> <-disp $series> <-int Trapezoidal> \

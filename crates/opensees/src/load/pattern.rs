@@ -9,6 +9,7 @@ use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{need_model, node_of};
 use crate::session::Session;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::element::ElementLoad;
@@ -21,12 +22,30 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("pattern", PLAIN, pattern).defining(&[things::PATTERN], 2).with_kinds(|| kind::usages(KINDS)),
-    Command::new("load", LOAD, load),
-    Command::new("sp", SP, sp),
-    Command::new("eleLoad", ELE_LOAD, ele_load),
-    Command::new("loadConst", LOAD_CONST, load_const),
-    Command::new("setTime", SET_TIME, set_time),
+    Command::new("pattern", PLAIN, pattern)
+        .about("Makes a pattern of loads that follow a time series, or an excitation.")
+        .arguments(&[Arg::of("-fact", "factor", "factor on all loads")])
+        .defining(&[things::PATTERN], 2)
+        .with_kinds(|| kind::usages(KINDS)),
+    Command::new("load", LOAD, load).about("Adds a nodal load to a pattern."),
+    Command::new("sp", SP, sp).about("Imposes the displacement of a degree of freedom, in a pattern."),
+    Command::new("eleLoad", ELE_LOAD, ele_load).about("Adds loads on beams to a pattern.").arguments(&[
+        Arg::flag("-type", "before the kind of load, may be left out"),
+        Arg::flag(
+            "-beamUniform",
+            "in the plane $w_y$ <$w_x$>, in space $w_y$ $w_z$ <$w_x$>: forces per length in \
+             local axes",
+        ),
+        Arg::flag(
+            "-beamPoint",
+            "in the plane $P_y$ $x/L$ <$P_x$>, in space $P_y$ $P_z$ $x/L$ <$P_x$>: force in local \
+             axes and its place over the length",
+        ),
+        Arg::of("-range", "first", "first and last tag of elements"),
+        Arg::of("-ele", "tag", "tags of elements"),
+    ]),
+    Command::new("loadConst", LOAD_CONST, load_const).about("Keeps the loads of all patterns at their present level."),
+    Command::new("setTime", SET_TIME, set_time).about("Sets the clock of the domain."),
 ];
 
 const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ... eleLoad ... }";
@@ -41,15 +60,22 @@ const SET_TIME: &str = "setTime $time";
 type Kind = kind::Kind<fn(&mut Tcl, Tag, Args<'_>) -> Outcome>;
 
 const KINDS: &[Kind] = &[
-    Kind { names: &["Plain", "LoadPattern"], usage: PLAIN, make: plain },
+    Kind {
+        names: &["Plain", "LoadPattern"],
+        usage: PLAIN,
+        text: Text::new("Nodal loads, imposed displacements and loads on elements."),
+        make: plain,
+    },
     Kind {
         names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
         usage: "pattern UniformExcitation $tag $direction <-accel $series> <-vel $series> <-disp $series> <-vel0 $v> <-fact $factor>",
+        text: Text::new("One ground acceleration for all supports."),
         make: uniform,
     },
     Kind {
         names: &["MultipleSupport", "MultiSupport"],
         usage: "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }",
+        text: Text::new("Ground motions of single supports."),
         make: ground_motion::multiple_support,
     },
 ];

@@ -3,6 +3,7 @@
 use super::motion_file::{self, FILE_OPTIONS, FileOptions, FileSeries};
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
@@ -12,6 +13,11 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
+    .about("Makes a factor that varies with time.")
+    .arguments(&[
+        Arg::of("-zeroShift", "z", "added to the value"),
+        Arg::of("-width", "w", "width of a pulse over the period"),
+    ])
     .defining(&[things::SERIES], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -21,18 +27,40 @@ type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Series, Exception>>
 const WAVE: &str = "timeSeries Trig|Triangle $tag $tStart $tEnd $period <-factor $c> <-shift $shift> <-zeroShift $z>";
 
 const KINDS: &[Kind] = &[
-    Kind { names: &["Constant", "ConstantSeries"], usage: "timeSeries Constant $tag <-factor $c>", make: constant },
-    Kind { names: &["Linear", "LinearSeries"], usage: "timeSeries Linear $tag <-factor $c>", make: linear },
-    Kind { names: &["Trig", "TrigSeries", "Sine", "SineSeries"], usage: WAVE, make: trig },
-    Kind { names: &["Triangle", "TriangleSeries"], usage: WAVE, make: triangle },
+    Kind {
+        names: &["Constant", "ConstantSeries"],
+        usage: "timeSeries Constant $tag <-factor $c>",
+        text: Text::new("A constant factor."),
+        make: constant,
+    },
+    Kind {
+        names: &["Linear", "LinearSeries"],
+        usage: "timeSeries Linear $tag <-factor $c>",
+        text: Text::new("A factor that grows with time."),
+        make: linear,
+    },
+    Kind {
+        names: &["Trig", "TrigSeries", "Sine", "SineSeries"],
+        usage: WAVE,
+        text: Text::new("A sine between two times."),
+        make: trig,
+    },
+    Kind {
+        names: &["Triangle", "TriangleSeries"],
+        usage: WAVE,
+        text: Text::new("A triangular wave between two times."),
+        make: triangle,
+    },
     Kind {
         names: &["Rectangular"],
         usage: "timeSeries Rectangular $tag $tStart $tEnd <-factor $c>",
+        text: Text::new("A constant factor between two times."),
         make: rectangular,
     },
     Kind {
         names: &["Pulse", "PulseSeries"],
         usage: "timeSeries Pulse $tag $tStart $tEnd $period <-width $w> <-shift $shift> <-factor $c> <-zeroShift $z>",
+        text: Text::new("A rectangular wave between two times."),
         make: pulse,
     },
     Kind {
@@ -40,6 +68,13 @@ const KINDS: &[Kind] = &[
         usage: "timeSeries Path $tag -dt $dt -values {...} | -dt $dt -filePath $file | -time {...} -values {...} | \
                 -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
                 <-unit $unit> <-layout $word> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
+        text: Text::new("A factor given by points, interpolated linearly.").arguments(&[
+            Arg::flag("-values", "values, with `-dt` at equal steps, with `-time` at these times"),
+            Arg::of("-factor", "c", "factor"),
+            Arg::of("-startTime", "t", "time of the first value"),
+            Arg::of("-fileTime", "file", "file of times"),
+            Arg::of("-filePath", "file", "file of values"),
+        ]),
         make: path,
     },
 ];

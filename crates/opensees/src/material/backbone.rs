@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{Backbone, BackboneElastic, Material, SoilCurve};
@@ -12,10 +13,14 @@ use std::sync::Arc;
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Backbone"],
     usage: "uniaxialMaterial Backbone $tag $backbone <$factor>",
+    text: Text::new("Elastic along a curve of `hystereticBackbone`.")
+        .example("hystereticBackbone Bilinear 1 0.01 1. 0.1 1.5; uniaxialMaterial Backbone 77 1")
+        .arguments(&[Arg::new("factor", "factor of the stress")]),
     make: backbone_material,
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone)
+    .about("Makes a curve of stress over strain, for `uniaxialMaterial Backbone`.")
     .defining(&[things::BACKBONE], 2)
     .with_kinds(|| kind::usages(BACKBONES))];
 
@@ -28,68 +33,97 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["Bilinear"],
         usage: "hystereticBackbone Bilinear $tag $e1 $s1 $e2 $s2",
+        text: Text::new("Two straight lines."),
         make: |_, a| points(a, 2),
     },
     BackboneKind {
         names: &["Trilinear"],
         usage: "hystereticBackbone Trilinear $tag $e1 $s1 $e2 $s2 $e3 $s3",
+        text: Text::new("Three straight lines."),
         make: |_, a| points(a, 3),
     },
     BackboneKind {
         names: &["Multilinear"],
         usage: "hystereticBackbone Multilinear $tag $e1 $s1 $e2 $s2 ...",
+        text: Text::new("Straight lines through points, from the origin."),
         make: |_, a| points(a, a.left() / 2),
     },
     BackboneKind {
         names: &["Arctangent"],
         usage: "hystereticBackbone Arctangent $tag $K1 $gammaY $alpha or $E $Fy",
+        text: Text::new("An arctangent of the strain.")
+            .arguments(&[Arg::new("Fy", "strength, for the form with a modulus")]),
         make: arctangent,
     },
-    BackboneKind { names: &["Mander"], usage: "hystereticBackbone Mander $tag $fc $epsc $E", make: mander },
+    BackboneKind {
+        names: &["Mander"],
+        usage: "hystereticBackbone Mander $tag $fc $epsc $E",
+        text: Text::new("Concrete under compression, with positive strains."),
+        make: mander,
+    },
     BackboneKind {
         names: &["Raynor"],
         usage: "hystereticBackbone Raynor $tag $Es $fy $fsu $epssh $epssm $C1 $Ey",
+        text: Text::new("Reinforcing steel with a plateau and hardening."),
         make: raynor,
     },
     BackboneKind {
         names: &["ReeseSand"],
         usage: "hystereticBackbone ReeseSand $tag $kx $ym $pm $yu $pu",
+        text: Text::new("Lateral resistance of sand around a pile."),
         make: reese_sand,
     },
     BackboneKind {
         names: &["ReeseSoftClay"],
         usage: "hystereticBackbone ReeseSoftClay $tag $pu $y50 $n",
+        text: Text::new("Lateral resistance of soft clay around a pile."),
         make: reese_soft_clay,
     },
     BackboneKind {
         names: &["ReeseStiffClayBelowWS"],
         usage: "hystereticBackbone ReeseStiffClayBelowWS $tag $Esi $y50 $As $Pc",
+        text: Text::new("Lateral resistance of stiff clay below the water surface."),
         make: reese_stiff_clay_below,
     },
     BackboneKind {
         names: &["ReeseStiffClayAboveWS"],
         usage: "hystereticBackbone ReeseStiffClayAboveWS $tag $pu $y50 <$hl>",
+        text: Text::new("Lateral resistance of stiff clay above the water surface."),
         make: reese_stiff_clay_above,
     },
     BackboneKind {
         names: &["VuggyLimestone"],
         usage: "hystereticBackbone VuggyLimestone $tag $b $su",
+        text: Text::new("Lateral resistance of vuggy limestone around a pile."),
         make: vuggy_limestone,
     },
     BackboneKind {
         names: &["CementedSoil"],
         usage: "hystereticBackbone CementedSoil $tag $pM $pU $Kpy $z $b",
+        text: Text::new("Lateral resistance of cemented soil around a pile."),
         make: cemented_soil,
     },
-    BackboneKind { names: &["WeakRock"], usage: "hystereticBackbone WeakRock $tag $Kir $pur $yrm", make: weak_rock },
+    BackboneKind {
+        names: &["WeakRock"],
+        usage: "hystereticBackbone WeakRock $tag $Kir $pur $yrm",
+        text: Text::new("Lateral resistance of weak rock around a pile."),
+        make: weak_rock,
+    },
     BackboneKind {
         names: &["Material"],
         usage: "hystereticBackbone Material $tag $material <-compression>",
+        text: Text::new("The virgin curve of a uniaxial material.")
+            .arguments(&[Arg::flag("-compression", "the curve of compression, with positive strains")]),
         make: of_material,
     },
     BackboneKind {
         names: &["LinearCapped"],
         usage: "hystereticBackbone LinearCapped $tag $backbone $eCap $E $sRes",
+        text: Text::new("Another curve up to a strain, then a line to a residual stress.").arguments(&[
+            Arg::new("eCap", "strain of the cap"),
+            Arg::new("E", "slope behind the cap"),
+            Arg::new("sRes", "residual stress"),
+        ]),
         make: linear_capped,
     },
 ];

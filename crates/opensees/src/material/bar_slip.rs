@@ -4,6 +4,7 @@ use super::Kind;
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::{Arg, Text};
 use hysteron_engine::material::{BarPlace, BarSlip, Bond, BondDamage, Material, Pinching4, StressUnit};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -12,6 +13,14 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["BarSlip"],
     usage: "uniaxialMaterial BarSlip $tag $fc $fy $Es $fu $Eh $db $ld $nb $width $depth <$ancLratio> strong|weak \
             beamTop|beamBot|column <Damage1|Damage2|NoDamage $unit>",
+    text: Text::new("Slip of bars anchored in a joint: `Pinching4` with a backbone from the bond.")
+        .example("uniaxialMaterial BarSlip 77 30. 450. 200000. 600. 4000. 20. 400. 4 400. 400. strong beamTop")
+        .arguments(&[
+            Arg::new("width", "width of the member"),
+            Arg::new("depth", "depth of the member"),
+            Arg::new("ancLratio", "factor of the anchorage length"),
+            Arg::new("unit", "unit of stress: `MPa`, `psi`, `Pa`, `psf`, `ksi` or `ksf`; that of length follows"),
+        ]),
     make: bar_slip,
 }];
 

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use hysteron_engine::material::{
     AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, Device, ElasticRange, HighDampingRubber, KikuchiAiken, LeadRubber,
     LeadRubberParameters, Material, Uniaxial,
@@ -15,22 +16,26 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["AxialSp"],
         usage: "uniaxialMaterial AxialSp $tag $sce $fty $fcy <$bte $bty $bcy $fcr>",
+        text: Text::new("Axial spring of an elastomeric bearing."),
         make: axial_sp,
     },
     Kind {
         names: &["AxialSpHD"],
         usage: "uniaxialMaterial AxialSpHD $tag $sce $fty $fcy <$bte $bty $bth $bcy $fcr $ath>",
+        text: Text::new("Axial spring of an elastomeric bearing, with hardening."),
         make: axial_sp_hd,
     },
     Kind {
         names: &["KikuchiAikenHDR"],
         usage: "uniaxialMaterial KikuchiAikenHDR $tag $tp $ar $hr <-coGHU $cg $ch $cu> <-coMSS $rs $rf>",
+        text: Text::new("Shear spring of a high damping rubber bearing (Kikuchi and Aiken, 1997)."),
         make: kikuchi_aiken_hdr,
     },
     Kind {
         names: &["KikuchiAikenLRB"],
         usage: "uniaxialMaterial KikuchiAikenLRB $tag $type $ar $hr $gr $ap $tp $alph $beta <-T $temp> <-coKQ $rk $rq> \
                 <-coMSS $rs $rf>",
+        text: Text::new("Shear spring of a lead rubber bearing (Kikuchi and Aiken, 1997)."),
         make: kikuchi_aiken_lrb,
     },
 ];

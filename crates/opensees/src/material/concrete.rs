@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
@@ -16,58 +17,113 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01", "concrete01"],
         usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
+        text: Text::new("Concrete of Kent, Scott and Park without tensile strength."),
         make: concrete01,
     },
     Kind {
         names: &["Concrete02", "concrete02"],
         usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
+        text: Text::new("Concrete with linear tension softening."),
         make: concrete02,
     },
     Kind {
         names: &["Concrete04"],
         usage: "uniaxialMaterial Concrete04 $tag $fpc $epsc0 $epscu $Ec0 <$ft $etu <$beta>>",
+        text: Text::new("Concrete by Popovics' curve, with exponential softening in tension.")
+            .example("uniaxialMaterial Concrete04 77 -30. -0.002 -0.006 25000. 3. 0.002 0.2"),
         make: concrete04,
     },
     Kind {
         names: &["ConcreteCM"],
         usage: "uniaxialMaterial ConcreteCM $tag $fpcc $epcc $Ec $rc $xcrn $ft $et $rt $xcrp <$mon | -GapClose $gap>",
+        text: Text::new("Concrete of Chang and Mander with closing cracks.")
+            .example("uniaxialMaterial ConcreteCM 77 -30. -0.002 25000. 7. 1.035 3. 0.0002 1.2 1e4")
+            .arguments(&[
+                Arg::new("mon", "1: the envelopes alone, without memory; 0: cycles"),
+                Arg::of("-GapClose", "gap", "1: cracks close with a stiffness of their own; 0: without"),
+            ]),
         make: concrete_cm,
     },
     Kind {
         names: &["Concrete02IS"],
         usage: "uniaxialMaterial Concrete02IS $tag $E0 $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
+        text: Text::new("As `Concrete02`, with an initial modulus and Popovics' curve.")
+            .example("uniaxialMaterial Concrete02IS 77 25000. -30. -0.002 -6. -0.005"),
         make: concrete02_is,
     },
     Kind {
         names: &["Concrete06"],
         usage: "uniaxialMaterial Concrete06 $tag $fc $e0 $n $k $alpha1 $fcr $ecr $b $alpha2",
+        text: Text::new("Concrete with Thorenfeldt's curve and tension stiffening.")
+            .example("uniaxialMaterial Concrete06 77 -30. -0.002 2. 1.1 0.32 3. 0.0002 0.4 0.08"),
         make: concrete06,
     },
     Kind {
         names: &["Concrete07"],
         usage: "uniaxialMaterial Concrete07 $tag $fpc $epsc0 $Ec $ft $et $xp $xn $r",
+        text: Text::new("Concrete of Chang and Mander with Tsai's envelopes and simple rules of unloading.")
+            .example("uniaxialMaterial Concrete07 77 -30. -0.002 25000. 3. 0.0002 2. 2.3 4."),
         make: concrete07,
     },
     Kind {
         names: &["ConcreteD"],
         usage: "uniaxialMaterial ConcreteD $tag $fc $epsc $ft $epst $Ec $alphac $alphat <$cesp $etap>",
+        text: Text::new("Concrete of the Chinese code GB 50010, with plastic strains.")
+            .example("uniaxialMaterial ConcreteD 77 -30. -0.002 3. 0.00015 25000. 1.5 2."),
         make: concrete_d,
     },
     Kind {
         names: &["ConcretewBeta"],
         usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
                 <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
+        text: Text::new("Concrete with multilinear softening, of planar trusses and panels.")
+            .example("uniaxialMaterial ConcretewBeta 77 -30. -0.002 -15. -0.006 -3. -0.012 3. 1.5 0.0005 0.3 0.001")
+            .arguments(&[
+                Arg::new("fcint", "stress in the middle of softening in compression"),
+                Arg::new("ecint", "strain of that stress"),
+                Arg::new("fcres", "residual stress in compression"),
+                Arg::new("ecres", "strain at which it begins"),
+                Arg::new("ft", "tensile strength"),
+                Arg::new("ftint", "stress in the middle of softening in tension"),
+                Arg::new("etint", "strain of that stress"),
+                Arg::new("ftres", "residual stress in tension"),
+                Arg::new("etres", "strain at which it begins"),
+                Arg::of(
+                    "-lambda",
+                    "lambda",
+                    "share of the secant modulus in the modulus of unloading from compression",
+                ),
+                Arg::of("-alpha", "alpha", "compressive stress at which cracks have closed, over the tensile strength"),
+                Arg::of("-beta", "bint", "reduction by the strain across; of effect in panels alone"),
+                Arg::of("-M", "M", "share of the tensile strength that tension stiffening leaves"),
+                Arg::of("-E", "Ec", "initial modulus, one to two secant moduli of the strength"),
+                Arg::of("-conf", "fcc", "strength with confinement and its strain"),
+            ]),
         make: concrete_w_beta,
     },
     Kind {
         names: &["Concrete01WithSITC"],
         usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
+        text: Text::new("As `Concrete01`, with debris that keeps cracks open."),
         make: concrete01_sitc,
     },
     Kind {
         names: &["ECC01"],
         usage: "uniaxialMaterial ECC01 $tag $sigt0 $epst0 $sigt1 $epst1 $epst2 $sigc0 $epsc0 $epsc1 $alphaT1 $alphaT2 \
                 $alphaC $alphaCU $betaT $betaC",
+        text: Text::new("Engineered cementitious composite, ductile in tension.")
+            .example("uniaxialMaterial ECC01 77 3. 0.0002 4. 0.01 0.03 -40. -0.003 -0.01 3. 4. 2. 1.5 0.4 0.3")
+            .arguments(&[
+                Arg::new("sigc0", "compressive strength"),
+                Arg::new("epsc0", "strain at the strength"),
+                Arg::new("epsc1", "ultimate compressive strain"),
+                Arg::new("alphaT1", "exponent of unloading in hardening tension"),
+                Arg::new("alphaT2", "exponent of unloading in softening tension"),
+                Arg::new("alphaC", "exponent of unloading in compression"),
+                Arg::new("alphaCU", "exponent of softening in compression"),
+                Arg::new("betaT", "permanent part of the tensile strain beyond cracking"),
+                Arg::new("betaC", "permanent part of the compressive strain beyond the strength"),
+            ]),
         make: ecc01,
     },
 ];

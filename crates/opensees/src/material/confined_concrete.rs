@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
@@ -17,6 +18,16 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["FRPConfinedConcrete02"],
         usage: "uniaxialMaterial FRPConfinedConcrete02 $tag $fc0 $Ec $ec0 <-JacketC $tfrp $Efrp $erup $R | -Ultimate $fcu $ecu> \
                 $ft $Ets $Unit",
+        text: Text::new("Concrete confined by fibre-reinforced polymer.")
+            .example("uniaxialMaterial FRPConfinedConcrete02 77 -30. 25000. -0.002 -Ultimate -50. -0.012 3. 2000. 1")
+            .arguments(&[
+                Arg::of(
+                    "-JacketC",
+                    "tfrp",
+                    "jacket of a circular column: thickness, modulus, hoop strain at rupture, radius of the concrete",
+                ),
+                Arg::of("-Ultimate", "fcu", "ultimate stress and strain, in place of a jacket"),
+            ]),
         make: frp_confined_concrete02,
     },
     Kind {
@@ -25,6 +36,35 @@ pub(super) const KINDS: &[Kind] = &[
                 -nu $nu | -varub | -varnoub $L1 <$L2> <$L3> $phis $S $fyh $Es0 $haRatio $mu $phiLon <-internal $phisi $Si $fyhi \
                 $Es0i $haRatioi $mui> <-wrap $cover $Am $Sw $fuil $Es0w> <-gravel> <-silica> <-tol $tol> <-maxNumIter $maxNumIter> \
                 <-epscuLimit $epscuLimit> <-stRatio $stRatio>",
+        text: Text::new("Concrete confined by hoops and jackets, by Braga, Gigliotti and Laterza; MPa and mm.")
+            .example(
+                "uniaxialMaterial ConfinedConcrete01 77 S1 30. 26000. -epscu 0.02 -varub 300. 10. 100. 300. 206000. 0. \
+                 1000. 16.",
+            )
+            .arguments(&[
+                Arg::of("-epscu", "epscu", "ultimate strain"),
+                Arg::flag("-scott", "ultimate strain of Scott, Park and Priestley"),
+                Arg::of(
+                    "-gamma",
+                    "gamma",
+                    "the ultimate strain is where the stress has fallen to this share of the strength",
+                ),
+                Arg::of("-nu", "nu", "Poisson's ratio of the concrete, constant"),
+                Arg::flag("-varub", "Poisson's ratio grows with the strain to 0.5"),
+                Arg::of(
+                    "-internal",
+                    "phisi",
+                    "inner ties of S2 to S5: diameter, spacing, yield stress, modulus, hardening ratio, ductility",
+                ),
+                Arg::of("-wrap", "cover", "jacket: cover of the hoops, area, spacing, strength, modulus"),
+                Arg::flag("-gravel", "aggregate of gravel in place of crushed stone"),
+                Arg::flag("-silica", "concrete with silica fume"),
+                Arg::of("-tol", "tol", "relative change of the secant modulus that ends the iteration"),
+                Arg::of("-maxNumIter", "maxNumIter", "most iterations at a strain"),
+                Arg::of("-epscuLimit", "epscuLimit", "largest ultimate strain of -gamma"),
+                Arg::of("-stRatio", "stRatio", "strength in the column over that of the cylinder"),
+                Arg::of("-varnoub", "L1", "side of the hoops, or diameter"),
+            ]),
         make: confined_concrete01,
     },
 ];

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     BilinearOilDamper, CoulombDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper,
@@ -12,27 +13,59 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const SUBSTEPS: &[Arg] = &[Arg::new("absTol", "absolute tolerance"), Arg::new("maxHalf", "most halvings of a step")];
+
 pub(super) const KINDS: &[Kind] = &[
-    Kind { names: &["Viscous"], usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>", make: viscous },
+    Kind {
+        names: &["Viscous"],
+        usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>",
+        text: Text::new("Dashpot of a power of the velocity."),
+        make: viscous,
+    },
     Kind {
         names: &["ViscousDamper"],
         usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
+        text: Text::new("Dashpot of a power of the velocity in series with a spring.")
+            .arguments(&[Arg::new("relTol", "relative tolerance"), Arg::new("NM", "method of integration of OpenSees")])
+            .sharing(SUBSTEPS),
         make: viscous_damper,
     },
     Kind {
         names: &["BilinearOilDamper"],
         usage: "uniaxialMaterial BilinearOilDamper $tag $K $C <$Fr $p> <$LGap> <$NM $relTol $absTol $maxHalf>",
+        text: Text::new("Oil damper with a relief valve, in series with a spring.")
+            .example("uniaxialMaterial BilinearOilDamper 77 200. 5. 30. 0.1")
+            .arguments(&[
+                Arg::new("LGap", "length of the gap"),
+                Arg::new("NM", "method of integration: 1 Dormand-Prince, 2 finite differences"),
+            ])
+            .sharing(SUBSTEPS),
         make: bilinear_oil_damper,
     },
     Kind {
         names: &["CoulombDamper"],
         usage: "uniaxialMaterial CoulombDamper $tag $tangent $friction <-tol $tol> <-numFlipped $numFlipped> <-reduceFc> \
                 <-dampOutTangent $dampOutTangent>",
+        text: Text::new("Spring and Coulomb friction side by side.").arguments(&[
+            Arg::of("-tol", "tol", "rate below which the friction is proportional to it"),
+            Arg::of(
+                "-numFlipped",
+                "numFlipped",
+                "no effect; in OpenSees the friction depends on the iterations of a step",
+            ),
+            Arg::flag("-reduceFc", "no effect; in OpenSees the friction depends on the iterations of a step"),
+            Arg::of(
+                "-dampOutTangent",
+                "dampOutTangent",
+                "no effect; in OpenSees the friction depends on the iterations of a step",
+            ),
+        ]),
         make: coulomb_damper,
     },
     Kind {
         names: &["Maxwell", "MaxwellMaterial"],
         usage: "uniaxialMaterial Maxwell $tag $K $C $alpha $L <-returnD>",
+        text: Text::new("Spring and linear dashpot in series."),
         make: maxwell,
     },
 ];

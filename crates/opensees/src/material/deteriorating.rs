@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Damage, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Material, Pinching, Pinching4,
@@ -20,12 +21,37 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Pinching4 $tag $f1p $d1p $f2p $d2p $f3p $d3p $f4p $d4p \
                 <$f1n $d1n $f2n $d2n $f3n $d3n $f4n $d4n> $rDispP $rForceP $uForceP <$rDispN $rForceN $uForceN> \
                 $gK1 $gK2 $gK3 $gK4 $gKLim $gD1 $gD2 $gD3 $gD4 $gDLim $gF1 $gF2 $gF3 $gF4 $gFLim $gE $dmgType",
+        text: Text::new(
+            "Pinched hysteresis between envelopes of four points, with damage of stiffness, reloading and strength.",
+        )
+        .example(
+            "uniaxialMaterial Pinching4 77 1.5 0.01 2. 0.02 2.2 0.05 0.5 0.09 -1.2 -0.008 -1.8 -0.025 -2. -0.04 \
+             -0.4 -0.1 0.5 0.25 0.05 0.4 0.3 -0.1 0.2 0.1 0.3 0.2 0.9 0.1 0.2 0.5 1. 0.5 0.1 0.1 1. 1. 0.3 10. \
+             energy",
+        )
+        .arguments(&[
+            Arg::new("f1n", "stress 1 on the negative side, negative"),
+            Arg::new("d1n", "strain 1 on the negative side, negative"),
+            Arg::new("f2n", "stress 2 on the negative side, negative"),
+            Arg::new("d2n", "strain 2 on the negative side, negative"),
+            Arg::new("f3n", "stress 3 on the negative side, negative"),
+            Arg::new("d3n", "strain 3 on the negative side, negative"),
+            Arg::new("f4n", "stress 4 on the negative side, negative"),
+            Arg::new("d4n", "strain 4 on the negative side, negative"),
+            Arg::new("rDispN", "share of the largest strain at the begin of reloading, negative side"),
+            Arg::new("rForceN", "share of the stress at the begin of reloading, negative side"),
+            Arg::new("uForceN", "share of the strength at the end of unloading, negative side"),
+        ]),
         make: pinching4,
     },
     Kind {
         names: &["IMKBilin"],
         usage: "uniaxialMaterial IMKBilin $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
                 $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaK $cS $cC $cK $DPos $DNeg",
+        text: Text::new("Plastic hinge that deteriorates, bilinear (Ibarra, Medina and Krawinkler; RESSLab).").example(
+            "uniaxialMaterial IMKBilin 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. 1. 1. 1. 1. \
+             0.8",
+        ),
         make: imk_bilin,
     },
     Kind {
@@ -33,6 +59,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial IMKPeakOriented $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
                 $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
                 $cS $cC $cA $cK $DPos $DNeg",
+        text: Text::new("Plastic hinge that deteriorates, peak-oriented (Ibarra, Medina and Krawinkler; RESSLab).")
+            .example(
+                "uniaxialMaterial IMKPeakOriented 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. \
+                 6. 1. 1. 1. 1. 1. 0.8",
+            ),
         make: imk_peak_oriented,
     },
     Kind {
@@ -40,6 +71,10 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial IMKPinching $tag $Ke $dpPos $dpcPos $duPos $FyPos $FmaxFyPos $FresFyPos \
                 $dpNeg $dpcNeg $duNeg $FyNeg $FmaxFyNeg $FresFyNeg $LambdaS $LambdaC $LambdaA $LambdaK \
                 $cS $cC $cA $cK $DPos $DNeg $kappaF $kappaD",
+        text: Text::new("Plastic hinge that deteriorates, pinched (Ibarra, Medina and Krawinkler; RESSLab).").example(
+            "uniaxialMaterial IMKPinching 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. 6. 1. 1. \
+             1. 1. 1. 0.8 0.4 0.6",
+        ),
         make: imk_pinching,
     },
 ];

@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material, NoTension,
@@ -12,32 +13,61 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
 pub(super) const KINDS: &[Kind] = &[
-    Kind { names: &["Elastic"], usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>", make: elastic },
+    Kind {
+        names: &["Elastic"],
+        usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>",
+        text: Text::new("Linear elastic, with an optional viscous part.")
+            .arguments(&[Arg::new("Eneg", "elastic modulus in compression")]),
+        make: elastic,
+    },
     Kind {
         names: &["ElasticPP"],
         usage: "uniaxialMaterial ElasticPP $tag $E $epsyP <$epsyN> <$eps0>",
+        text: Text::new("Elastic, perfectly plastic.").arguments(&[Arg::new("eps0", "initial strain")]),
         make: elastic_pp,
     },
     Kind {
         names: &["ElasticPPGap"],
         usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
+        text: Text::new("Elastic, perfectly plastic beyond a gap."),
         make: elastic_pp_gap,
     },
-    Kind { names: &["HookGap"], usage: "uniaxialMaterial HookGap $tag $E $gap <$gapP>", make: hook_gap },
-    Kind { names: &["ENT"], usage: "uniaxialMaterial ENT $tag $E <$a> <$b>", make: no_tension },
+    Kind {
+        names: &["HookGap"],
+        usage: "uniaxialMaterial HookGap $tag $E $gap <$gapP>",
+        text: Text::new("Elastic beyond a gap in either sense."),
+        make: hook_gap,
+    },
+    Kind {
+        names: &["ENT"],
+        usage: "uniaxialMaterial ENT $tag $E <$a> <$b>",
+        text: Text::new("Elastic without tension.").arguments(&[Arg::new("b", "factor of the strain in tension")]),
+        make: no_tension,
+    },
     Kind {
         names: &["ElasticBilin", "ElasticBilinear"],
         usage: "uniaxialMaterial ElasticBilin $tag $EP1 $EP2 $epsP2 <$EN1 $EN2 $epsN2>",
+        text: Text::new("Elastic with two slopes in each sense."),
         make: elastic_bilin,
     },
     Kind {
         names: &["ElasticPowerFunc"],
         usage: "uniaxialMaterial ElasticPowerFunc $tag <$eta> -coeff $c1 $c2 ... -exp $e1 $e2 ...",
+        text: Text::new("Elastic, a sum of powers of the strain.")
+            .example("uniaxialMaterial ElasticPowerFunc 77 -coeff 20. 300. -exp 1. 3.")
+            .arguments(&[
+                Arg::new("eta", "damping modulus"),
+                Arg::of("-coeff", "c1", "coefficients of the powers"),
+                Arg::of("-exp", "e1", "exponents, as many as coefficients"),
+            ]),
         make: elastic_power,
     },
     Kind {
         names: &["ElasticMultiLinear"],
         usage: "uniaxialMaterial ElasticMultiLinear $tag <$eta> -strain $e1 $e2 ... -stress $s1 $s2 ...",
+        text: Text::new("Elastic along given points.")
+            .example("uniaxialMaterial ElasticMultiLinear 77 -strain -0.1 0. 0.1 -stress -1. 0. 1.")
+            .arguments(&[Arg::new("eta", "viscous coefficient")]),
         make: elastic_multi_linear,
     },
 ];

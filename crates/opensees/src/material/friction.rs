@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
+use crate::text::Text;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::element::friction::{
@@ -15,6 +16,7 @@ use std::sync::Arc;
 const USAGE: &str = "frictionModel $kind $tag ...";
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("frictionModel", USAGE, friction_model)
+    .about("Makes a law of friction, for sliding bearings.")
     .defining(&[things::FRICTION], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -22,25 +24,34 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("frictionModel", USAGE, f
 type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Friction, Exception>>;
 
 const KINDS: &[Kind] = &[
-    Kind { names: &["Coulomb", "Constant"], usage: "frictionModel Coulomb $tag $mu", make: coulomb },
+    Kind {
+        names: &["Coulomb", "Constant"],
+        usage: "frictionModel Coulomb $tag $mu",
+        text: Text::new("A constant coefficient of friction."),
+        make: coulomb,
+    },
     Kind {
         names: &["VelDependent", "VDependent"],
         usage: "frictionModel VelDependent $tag $muSlow $muFast $transRate",
+        text: Text::new("A coefficient that rises from slow to fast sliding."),
         make: vel_dependent,
     },
     Kind {
         names: &["VelPressureDep", "VPDependent"],
         usage: "frictionModel VelPressureDep $tag $muSlow $muFast0 $A $deltaMu $alpha $transRate",
+        text: Text::new("A coefficient that depends on velocity and pressure."),
         make: vel_pressure_dep,
     },
     Kind {
         names: &["VelDepMultiLinear", "VDependentMultiLinear"],
         usage: "frictionModel VelDepMultiLinear $tag -vel $v1 $v2 ... -frn $mu1 $mu2 ...",
+        text: Text::new("A coefficient given over velocity by points."),
         make: vel_dep_multi_linear,
     },
     Kind {
         names: &["VelNormalFrcDep", "VNDependent"],
         usage: "frictionModel VelNormalFrcDep $tag $aSlow $nSlow $aFast $nFast $alpha0 $alpha1 $alpha2 $maxMuFact",
+        text: Text::new("A coefficient that depends on velocity and normal force."),
         make: vel_normal_frc_dep,
     },
 ];

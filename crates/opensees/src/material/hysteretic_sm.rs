@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{HystereticSm, Material, SmEnvelope};
 use hysteron_engine::shared::Shared;
@@ -13,6 +14,20 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             <-pinch $pinchX $pinchY> <-damage $damage1 $damage2> <-beta $beta> <-degEnv $degEnvp <$degEnvn>> <-XYorder> \
             <-defoLimitStates $d1 ...> <-forceLimitStates $f1 ...> or $s1p $e1p ... $s1n $e1n ... $pinchX $pinchY \
             $damage1 $damage2 <$beta>",
+    text: Text::new("Backbone of up to seven points a side with pinching, damage and a degrading envelope.")
+        .example("uniaxialMaterial HystereticSM 77 -posEnv 1. 0.005 1.2 0.02 0.4 0.05 -pinch 0.7 0.4")
+        .arguments(&[
+            Arg::flag("-XYorder", "points are given as strain and stress"),
+            Arg::new("s1p", "stress at the first point in tension"),
+            Arg::new("e1p", "strain at the first point in tension"),
+            Arg::new("s1n", "stress at the first point in compression"),
+            Arg::new("e1n", "strain at the first point in compression"),
+            Arg::new("pinchX", "pinching factor of strain"),
+            Arg::new("pinchY", "pinching factor of stress"),
+            Arg::new("damage1", "damage by ductility"),
+            Arg::new("damage2", "damage by energy"),
+            Arg::new("beta", "exponent of the unloading stiffness"),
+        ]),
     make: hysteretic_sm,
 }];
 

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, warn};
 use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth, ViscoelasticGap};
 use hysteron_engine::shared::Shared;
@@ -14,26 +15,32 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ImpactMaterial", "Impact"],
         usage: "uniaxialMaterial ImpactMaterial $tag $K1 $K2 $deltaY $gap",
+        text: Text::new("Pounding: a bilinear approximation of Hertz contact."),
         make: impact,
     },
     Kind {
         names: &["HertzDamp", "Hertzdamp"],
         usage: "uniaxialMaterial HertzDamp $tag $Kh $xiNorm $gap <$n>",
+        text: Text::new("Pounding: Hertz contact with a damping force."),
         make: hertz_damp,
     },
     Kind {
         names: &["JankowskiImpact"],
         usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
+        text: Text::new("Pounding: Hertz contact, damped on approach (Jankowski)."),
         make: jankowski,
     },
     Kind {
         names: &["ViscoelasticGap"],
         usage: "uniaxialMaterial ViscoelasticGap $tag $K $C $gap",
+        text: Text::new("Contact with a spring and a dashpot, in compression alone."),
         make: viscoelastic_gap,
     },
     Kind {
         names: &["Ratchet"],
         usage: "uniaxialMaterial Ratchet $tag $E $freeTravel $freeTravelInitial 1|2",
+        text: Text::new("Strut that follows the closing of its ends and resists their opening.")
+            .example("uniaxialMaterial Ratchet 77 200. 0.02 0.01 1"),
         make: ratchet,
     },
 ];

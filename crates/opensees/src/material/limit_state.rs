@@ -3,6 +3,7 @@
 use super::Kind;
 use super::hysteretic::envelope;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, slips};
 use hysteron_engine::material::{
@@ -11,14 +12,36 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 
+const DRIFT: &[Arg] = &[
+    Arg::new("nodeI", "tags of the nodes whose drift counts, for defType 2"),
+    Arg::new("nodeJ", "tags of the nodes whose drift counts, for defType 2"),
+    Arg::new("dof", "degree of freedom of the drift"),
+    Arg::new("perpDirn", "coordinate along the column, 1 to 3"),
+];
+
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["LimitState"],
     usage: "uniaxialMaterial LimitState $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> $pinchX $pinchY \
             $damage1 $damage2 <$beta <$curve $curveType <$degrade>>>",
+    text: Text::new(
+        "Hysteresis with pinching that fails when a column reaches a limit curve. Springs in `zeroLength`, \
+         `twoNodeLink` and in sections `Aggregator` watch their column; inside other materials they do \
+         not.",
+    )
+    .arguments(&[
+        Arg::new("s3p", "third point; without it the second is the last"),
+        Arg::new("s3n", "third point; without it the second is the last"),
+        Arg::new("curve", "tag of a limit curve"),
+        Arg::new("curveType", "1: a spring that loses axial load; 0: no curve; else a spring that loses shear"),
+        Arg::new("degrade", "1: the largest deformation of one side counts for the other one too"),
+        Arg::new("e3p", "strain of the third point"),
+        Arg::new("e3n", "strain of the third point"),
+    ]),
     make: limit_state,
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("limitCurve", USAGE, limit_curve)
+    .about("Makes a surface of deformations and forces at which a column fails.")
     .defining(&[things::LIMIT_CURVE], 2)
     .with_kinds(|| kind::usages(CURVES))];
 
@@ -32,24 +55,67 @@ const CURVES: &[CurveKind] = &[
         names: &["Shear"],
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
+        text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
+            .arguments(&[Arg::new("delta", "shift of the drift")])
+            .sharing(DRIFT),
         make: shear,
     },
     CurveKind {
         names: &["Axial"],
         usage: "limitCurve Axial $tag $element $Fsw $Kdeg $Fres $defType $forType <$nodeI $nodeJ $dof $perpDirn> \
                 <$delta <$eleRemove>>",
+        text: Text::new(
+            "Axial load of a column by friction along its shear crack (Elwood and Moehle). The element is not removed.",
+        )
+        .arguments(&[
+            Arg::new("delta", "shift of the drift"),
+            Arg::new("eleRemove", "0: the element is not removed at its failure"),
+        ])
+        .sharing(DRIFT),
         make: axial,
     },
     CurveKind {
         names: &["ThreePoint"],
         usage: "limitCurve ThreePoint $tag $element $x1 $y1 $x2 $y2 $x3 $y3 $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn>",
+        text: Text::new("Straight lines between three points.")
+            .arguments(&[
+                Arg::new("Kdeg", "slope after failure, negative"),
+                Arg::new("Fres", "residual force"),
+                Arg::new(
+                    "defType",
+                    "deformation: 1 the larger chord rotation of the element, 2 the drift of two nodes",
+                ),
+                Arg::new("forType", "force: 0 of the spring, 1 shear of the element, 2 its axial load"),
+            ])
+            .sharing(DRIFT),
         make: three_point,
     },
     CurveKind {
         names: &["RotationShearCurve"],
         usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
                 $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
+        text: Text::new("Rotation of a plastic hinge, or a shear force (Leborgne); kip, in. and ksi.").arguments(&[
+            Arg::new(
+                "defType",
+                "rotation at failure: 1 of the hinge, 2 total, 3 flexural, 4 plastic, 5 flexural \
+                 plastic",
+            ),
+            Arg::new("b", "width of the column"),
+            Arg::new("d", "effective depth"),
+            Arg::new("h", "depth"),
+            Arg::new("L", "length of the column"),
+            Arg::new("st", "spacing of the hoops"),
+            Arg::new("As", "area of the longitudinal bars"),
+            Arg::new("Acc", "area of the core"),
+            Arg::new("ld", "development length of the longitudinal bars"),
+            Arg::new("db", "diameter of the longitudinal bars"),
+            Arg::new("rhot", "ratio of hoops"),
+            Arg::new("fc", "concrete strength, ksi"),
+            Arg::new("fy", "yield stress of the longitudinal bars"),
+            Arg::new("fyt", "yield stress of the hoops"),
+            Arg::new("delta", "shift of the rotation"),
+        ]),
         make: rotation_shear,
     },
 ];

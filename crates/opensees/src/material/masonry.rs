@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, slips};
 use hysteron_engine::material::{Masonry, Material};
 use hysteron_engine::shared::Shared;
@@ -11,6 +12,10 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Masonry"],
     usage: "uniaxialMaterial Masonry $tag $Fm $Ft $Um $Uult $Ucl $Emo $L $a1 $a2 $D1 $D2 $Ach $Are $Ba $Bch $Gun $Gplu $Gplr \
             $Exp1 $Exp2 $IENV",
+    text: Text::new("Force and shortening of a strut of masonry in a frame (Crisafulli).").example(
+        "uniaxialMaterial Masonry 77 -5. 0.2 -0.002 -0.01 0.001 5000. 2. 0.3 0.2 -0.003 -0.008 0.3 0.4 1.5 \
+         0.7 1.5 0.6 1.1 1.5 1. 1",
+    ),
     make: masonry,
 }];
 

@@ -43,14 +43,25 @@ pub(crate) use rubber::rheology;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("uniaxialMaterial", "uniaxialMaterial $kind $tag ...", uniaxial_material)
+        .about("Makes a uniaxial law: stress over strain, or force over deformation.")
         .defining(&[things::MATERIAL], 2)
         .with_kinds(|| kinds().map(kind::Kind::described).collect()),
-    Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test),
-    Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain),
-    Command::new("getStrain", "getStrain", material_test::get).leaving(Effect::Nothing),
-    Command::new("getStress", "getStress", material_test::get).leaving(Effect::Nothing),
-    Command::new("getTangent", "getTangent", material_test::get).leaving(Effect::Nothing),
-    Command::new("getDampTangent", "getDampTangent", material_test::get).leaving(Effect::Nothing),
+    Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test)
+        .about("Chooses the law that `setStrain` drives."),
+    Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain)
+        .about("Strains the chosen law and commits its state."),
+    Command::new("getStrain", "getStrain", material_test::get)
+        .about("Returns the strain of the chosen law.")
+        .leaving(Effect::Nothing),
+    Command::new("getStress", "getStress", material_test::get)
+        .about("Returns the stress of the chosen law.")
+        .leaving(Effect::Nothing),
+    Command::new("getTangent", "getTangent", material_test::get)
+        .about("Returns the tangent of the chosen law.")
+        .leaving(Effect::Nothing),
+    Command::new("getDampTangent", "getDampTangent", material_test::get)
+        .about("Returns the derivative of the stress of the chosen law with respect to the strain rate.")
+        .leaving(Effect::Nothing),
 ];
 
 /// A kind of material, made from the words after its tag.

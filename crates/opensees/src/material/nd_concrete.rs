@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
 use hysteron_engine::shared::Shared;
@@ -145,6 +146,34 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     usage: "uniaxialMaterial ASDConcrete1D $tag $E <-fc $fc <-ft $ft>> <-Te $strains -Ts $stresses <-Td $damages>> \
             <-Ce $strains -Cs $stresses <-Cd $damages>> <-implex> <-implexControl $tolerance $limit> <-implexAlpha $alpha> \
             <-eta $eta> <-tangent> <-autoRegularization $length>",
+    text: Text::new("Concrete with plasticity and damage by curves in tension and compression, or by its strengths.")
+        .example("uniaxialMaterial ASDConcrete1D 77 30000. -fc 30.")
+        .arguments(&[
+            Arg::of("-fc", "fc", "compressive strength in MPa, which makes both curves; lengths are in mm"),
+            Arg::of("-ft", "ft", "tensile strength in MPa; a tenth of fc without it"),
+            Arg::of("-Te", "strains", "total strains in tension, as a list or as words"),
+            Arg::of("-Ts", "stresses", "stresses in tension, as many"),
+            Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without"),
+            Arg::of("-Ce", "strains", "total strains in compression, without sign"),
+            Arg::of("-Cs", "stresses", "stresses in compression, as many"),
+            Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without"),
+            Arg::of("-eta", "eta", "viscosity, a time"),
+            Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps"),
+            Arg::of(
+                "-implexControl",
+                "tolerance",
+                "largest error of the extrapolated damage, and the shortest step over the first one for which it \
+                 counts",
+            ),
+            Arg::of("-implexAlpha", "alpha", "factor of the extrapolation"),
+            Arg::flag("-tangent", "the tangent is the consistent one, not the secant"),
+            Arg::of(
+                "-autoRegularization",
+                "length",
+                "length for which the curves hold; their energy depends on the length of the bar, or of the section's \
+                 part of a beam",
+            ),
+        ]),
     make: asd_concrete_1d,
 }];
 

@@ -2,6 +2,7 @@
 
 use super::{nd_concrete, nd_wrapper};
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
@@ -15,6 +16,7 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("nDMaterial", USAGE, nd_material)
+    .about("Makes a law of a continuum, for `quad`, bricks and plates.")
     .defining(&[things::ND_MATERIAL], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -27,31 +29,37 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["ElasticIsotropic", "ElasticIsotropic3D"],
         usage: "nDMaterial ElasticIsotropic $tag $E $nu <$rho>",
+        text: Text::new("A linear elastic, isotropic continuum."),
         make: elastic_isotropic,
     },
     Kind {
         names: &["J2Plasticity", "J2"],
         usage: "nDMaterial J2Plasticity $tag $K $G $sig0 $sigInf $delta $H <$eta> <$rho>",
+        text: Text::new("Plasticity of von Mises with isotropic hardening that saturates, and viscosity."),
         make: j2_plasticity,
     },
     Kind {
         names: &["ElasticOrthotropic", "ElasticOrthotropic3D"],
         usage: "nDMaterial ElasticOrthotropic $tag $Ex $Ey $Ez $nu_xy $nu_yz $nu_zx $Gxy $Gyz $Gzx <$rho>",
+        text: Text::new("A linear elastic continuum with other constants along each axis."),
         make: elastic_orthotropic,
     },
     Kind {
         names: &["Simplified3DJ2", "3DJ2", "SimplifiedJ2"],
         usage: "nDMaterial Simplified3DJ2 $tag $G $K $sig0 $H_kin $H_iso",
+        text: Text::new("Plasticity of von Mises with linear isotropic and kinematic hardening."),
         make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", simplified_j2(a)?.shared())),
     },
     Kind {
         names: &["PlaneStressSimplifiedJ2"],
         usage: "nDMaterial PlaneStressSimplifiedJ2 $tag $G $K $sig0 $H_kin $H_iso",
+        text: Text::new("Plasticity of von Mises with linear hardening, in plane stress alone."),
         make: plane_stress_j2,
     },
     Kind {
         names: &["PlaneStress", "PlaneStressMaterial"],
         usage: "nDMaterial PlaneStress $tag $material",
+        text: Text::new("A law in space, used in plane stress."),
         make: |interp, a| {
             Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?))
         },
@@ -59,6 +67,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["PlaneStrain", "PlaneStrainMaterial"],
         usage: "nDMaterial PlaneStrain $tag $material",
+        text: Text::new("A law in space, used in plane strain."),
         make: |interp, a| {
             Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?))
         },
@@ -66,63 +75,124 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["InitStrain", "InitStrainMaterial"],
         usage: "nDMaterial InitStrain $tag $material $eps | $eps11 $eps22 $eps33 $eps12 $eps23 $eps13",
+        text: Text::new("A law in space with strains at rest."),
         make: initial_strain,
     },
     Kind {
         names: &["Parallel3D"],
         usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
+        text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[Arg::of(
+            "-weights",
+            "w1",
+            "factor of the stresses of each law; 1 without",
+        )]),
         make: parallel,
     },
     Kind {
         names: &["InitStress", "InitStressND", "InitStressNDMaterial", "InitStressMaterial"],
         usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
+        text: Text::new("A law in space with a pressure at rest.")
+            .arguments(&[Arg::new("dimensions", "a number that is not used")]),
         make: nd_wrapper::initial_stress,
     },
     Kind {
         names: &["Series3D"],
         usage: "nDMaterial Series3D $tag $material1 $material2 ... <-weights $w1 $w2 ...> <-maxIter $n> <-relTol $tol> <-absTol $tol> \
                 <-verbose>",
+        text: Text::new("Laws in space with one stress, whose strains add up.").arguments(&[
+            Arg::of("-weights", "w1", "factor of the strains of each law; 1 without"),
+            Arg::flag("-verbose", "says nothing more"),
+            Arg::of("-maxIter", "n", "most iterations; ten times as many with the initial tangents"),
+            Arg::of("-relTol", "tol", "difference of the stresses over their size that counts as none"),
+            Arg::of("-absTol", "tol", "difference of the stresses that counts as none"),
+        ]),
         make: nd_wrapper::series,
     },
     Kind {
         names: &["BeamFiber", "BeamFiberMaterial"],
         usage: "nDMaterial BeamFiber $tag $material",
+        text: Text::new("A law in space for fibres of beams in space: only the stresses 11, 12 and 13 are not zero."),
         make: nd_wrapper::beam_fiber,
     },
     Kind {
         names: &["BeamFiber2d", "BeamFiberMaterial2d"],
         usage: "nDMaterial BeamFiber2d $tag $material",
+        text: Text::new("A law in space for fibres of beams in the plane: only the stresses 11 and 12 are not zero."),
         make: nd_wrapper::plane_beam_fiber,
     },
     Kind {
         names: &["BeamFiber2dPS", "BeamFiberMaterial2dPS"],
         usage: "nDMaterial BeamFiber2dPS $tag $material",
+        text: Text::new("A law in plane stress for fibres of beams in the plane: the stress 22 is zero."),
         make: nd_wrapper::beam_fiber_of_plane_stress,
     },
     Kind {
         names: &["J2BeamFiber"],
         usage: "nDMaterial J2BeamFiber $tag $E $nu $sigmaY $Hiso $Hkin <$rho>",
+        text: Text::new("Plasticity of von Mises with linear hardening for fibres of beams."),
         make: nd_wrapper::j2_beam_fiber,
     },
-    Kind { names: &["ASDConcrete3D"], usage: nd_concrete::USAGE, make: nd_concrete::make },
+    Kind {
+        names: &["ASDConcrete3D"],
+        usage: nd_concrete::USAGE,
+        text: Text::new(
+            "Concrete with plasticity and damage by curves in tension and compression; crack planes are not modelled.",
+        )
+        .arguments(&[
+            Arg::of("-Te", "strains", "total strains in tension, as a list or as words"),
+            Arg::of("-Ts", "stresses", "stresses in tension, as many"),
+            Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without"),
+            Arg::of("-Ce", "strains", "total strains in compression, without sign"),
+            Arg::of("-Cs", "stresses", "stresses in compression, as many"),
+            Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without"),
+            Arg::of("-rho", "rho", "mass per volume"),
+            Arg::of("-Kc", "Kc", "shape of the surface of failure, from 2/3 to 1"),
+            Arg::of("-eta", "eta", "viscosity, a time"),
+            Arg::of("-cdf", "share", "share of damage in tension that counts in compression"),
+            Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps"),
+            Arg::of(
+                "-implexControl",
+                "tolerance",
+                "largest error of the extrapolated damage, and the shortest step over the first one for which it \
+                 counts",
+            ),
+            Arg::of("-implexAlpha", "alpha", "factor of the extrapolation"),
+            Arg::flag("-tangent", "the tangent is that of differences, not the secant"),
+            Arg::of(
+                "-autoRegularization",
+                "length",
+                "length for which the curves hold; their energy depends on the least distance of two nodes",
+            ),
+        ]),
+        make: nd_concrete::make,
+    },
     Kind {
         names: &["FSAM"],
         usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
+        text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles.").arguments(&[
+            Arg::new("ratioX", "area of bars along x as a share of that of the concrete"),
+            Arg::new("ratioY", "area of bars along y as a share of that of the concrete"),
+            Arg::new("nu", "coefficient of friction of the interlock in cracks"),
+            Arg::new("alfadow", "shear stiffness of bars over their modulus"),
+        ]),
         make: fsam,
     },
     Kind {
         names: &["PlateFiber", "PlateFiberMaterial"],
         usage: "nDMaterial PlateFiber $tag $material",
+        text: Text::new("A continuum without stress across a plate."),
         make: plate_fiber,
     },
     Kind {
         names: &["PlateFromPlaneStress", "PlateFromPlaneStressMaterial"],
         usage: "nDMaterial PlateFromPlaneStress $tag $material $G",
+        text: Text::new("A membrane with a shear modulus across the plate."),
         make: plate_from_plane_stress,
     },
     Kind {
         names: &["PlateRebar", "PlateRebarMaterial"],
         usage: "nDMaterial PlateRebar $tag $uniaxialMaterial $angle",
+        text: Text::new("Bars in one direction, smeared over a layer of a plate."),
         make: plate_rebar,
     },
 ];

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     BarFatigue, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material,
@@ -18,67 +19,122 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["CastFuse", "Cast"],
         usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
+            .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
+            .arguments(&[Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")]),
         make: cast_fuse,
     },
-    Kind { names: &["Steel01"], usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>", make: steel01 },
+    Kind {
+        names: &["Steel01"],
+        usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>",
+        text: Text::new("Bilinear steel with kinematic and optional isotropic hardening."),
+        make: steel01,
+    },
     Kind {
         names: &["Steel02"],
         usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
+        text: Text::new("Steel of Giuffré, Menegotto and Pinto with curved transitions."),
         make: steel02,
     },
     Kind {
         names: &["Steel03"],
         usage: "uniaxialMaterial Steel03 $tag $fy $E0 $b $r $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Steel with a curved transition to hardening and isotropic hardening as of `Steel01`."),
         make: steel03,
     },
     Kind {
         names: &["SteelBRB"],
         usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
                 <$tol>",
+        text: Text::new("Steel core of a buckling-restrained brace."),
         make: steel_brb,
     },
     Kind {
         names: &["SteelMPF"],
         usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Steel of Menegotto and Pinto with its own yield strength and hardening on either side."),
         make: steel_mpf,
     },
     Kind {
         names: &["ReinforcingSteel"],
         usage: "uniaxialMaterial ReinforcingSteel $tag $fy $fu $Es $Esh $esh $eult <-GABuck $lsr $beta $r $gamma | \
                 -DMBuck $lsr $alpha> <-CMFatigue $Cf $alpha $Cd> <-IsoHard $a1 $limit> <-MPCurveParams $R1 $R2 $R3>",
+        text: Text::new("Reinforcing bar with yield plateau, strain hardening, buckling and fatigue.")
+            .example("uniaxialMaterial ReinforcingSteel 77 60. 90. 29000. 700. 0.008 0.1")
+            .arguments(&[
+                Arg::of(
+                    "-GABuck",
+                    "lsr",
+                    "buckling of Gomes and Appleton: slenderness, an amplification that OpenSees does not use, least \
+                     share of the buckled stress, stress of the pivot as a share of the ultimate one",
+                ),
+                Arg::of("-DMBuck", "lsr", "buckling of Dhakal and Maekawa: slenderness, adjustment 0.75 to 1"),
+                Arg::of(
+                    "-CMFatigue",
+                    "Cf",
+                    "fatigue of Coffin and Manson: ductility constant, exponent, strength reduction constant",
+                ),
+                Arg::of("-IsoHard", "a1", "shortening of the yield plateau per plastic strain, and its least share"),
+                Arg::of("-MPCurveParams", "R1", "constants of the curves after reversals"),
+            ]),
         make: reinforcing_steel,
     },
     Kind {
         names: &["Dodd_Restrepo", "DoddRestrepo", "Restrepo"],
         usage: "uniaxialMaterial Dodd_Restrepo $tag $Fy $Fsu $ESH $ESU $Youngs $ESHI $FSHI <$OmegaFac <$Conv>>",
+        text: Text::new("Reinforcing bar with a yield plateau, in true stresses and natural strains.")
+            .example("uniaxialMaterial Dodd_Restrepo 77 400. 600. 0.01 0.12 2e5 0.04 520."),
         make: dodd_restrepo,
     },
     Kind {
         names: &["Hardening"],
         usage: "uniaxialMaterial Hardening $tag $E $sigmaY $Hiso $Hkin <$eta>",
+        text: Text::new("Plastic with linear kinematic and isotropic hardening."),
         make: hardening,
     },
     Kind {
         names: &["MultiLinear"],
         usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
+        text: Text::new("Plastic with a multilinear backbone and kinematic hardening.").arguments(&[
+            Arg::new("u2", "strains of more points"),
+            Arg::new("f2", "stresses of more points"),
+            Arg::new("u1", "strain of the first point"),
+            Arg::new("f1", "stress of the first point"),
+        ]),
         make: multi_linear,
     },
     Kind {
         names: &["UVCuniaxial"],
         usage: "uniaxialMaterial UVCuniaxial $tag $E $fy $QInf $b $DInf $a $N $C1 $gamma1 <$C2 $gamma2 ...>",
+        text: Text::new("Structural steel: updated Voce-Chaboche plasticity.")
+            .example("uniaxialMaterial UVCuniaxial 77 200. 2. 0.5 10. 0.3 100. 2 20. 40. 4. 5.")
+            .arguments(&[
+                Arg::new("C2", "modulus of the second backstress"),
+                Arg::new("gamma2", "rate of the second backstress"),
+            ]),
         make: uvc_uniaxial,
     },
     Kind {
         names: &["Bond_SP01", "Bond"],
         usage: "uniaxialMaterial Bond_SP01 $tag $fy $sy $fu $su $b $R <$Cd $db $fc $la>",
+        text: Text::new("Slip of an anchored bar by strain penetration, ksi and in.")
+            .example("uniaxialMaterial Bond_SP01 77 60. 0.02 90. 0.6 0.4 0.7"),
         make: bond_sp01,
     },
     Kind {
         names: &["SteelFractureDI"],
         usage: "uniaxialMaterial SteelFractureDI $tag $Fy $FyC $E0 $b $R0 $cR1 $cR2 $a1 $a2 $a3 $a4 $sigcr $m $sigmin $FI_lim",
+        text: Text::new(
+            "Steel of Giuffrè, Menegotto and Pinto that breaks in tension when a damage index comes to its limit.",
+        ),
         make: steel_fracture_di,
     },
-    Kind { names: &["GNG"], usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>", make: gng },
+    Kind {
+        names: &["GNG"],
+        usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>",
+        text: Text::new("Grip 'n' grab: a tension device that ratchets."),
+        make: gng,
+    },
 ];
 
 /// The hardening ratio of a steel, with a warning where it is none: numbers in another order, or percent.

@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{Decay, GallardoShear, HdrRheology, Material, Mullins, Softening};
@@ -14,18 +15,35 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HDRRheology"],
         usage: USAGE,
+        text: Text::new(
+            "High damping rubber with rate, temperature and self-heating; see [High damping \
+             rubber](../../explanation/rubber.md).",
+        )
+        .example("uniaxialMaterial HDRRheology 77 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2"),
         make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _| Ok(false))?.shared()),
     },
     Kind {
         names: &["Mullins"],
         usage: "uniaxialMaterial Mullins $tag $material $excess $strain <-power $p> <-heal $fraction $time> \
                 <-preload $strain>",
+        text: Text::new(
+            "Softens another law as virgin rubber softens; see [High damping rubber](../../explanation/rubber.md).",
+        ),
         make: mullins,
     },
     Kind {
         names: &["HDR_mat"],
         usage: "uniaxialMaterial HDR_mat $tag $a1 $a2 $a3 $fs1 $ps1 $fs2 $ps2 $fs3 $ps3 $fm $pm $ky $fy $beta $eta \
                 $phiMax $Pphi $h",
+        text: Text::new(
+            "Shear of a high damping rubber bearing by Gallardo et al. (2023): softening by the largest strain and by \
+             cycles, stiffening, temporary hardening. Forces over displacements.",
+        )
+        .example(
+            "uniaxialMaterial HDR_mat 77 46. 59. 317. 1.04 0.38 30. 0.71 3.4 0.37 0.06 0.57 121. 1.8 0.9 0.32 \
+             0.14 0.018 20.4",
+        )
+        .arguments(&[Arg::new("Pphi", "rate of the temporary hardening"), Arg::new("h", "thickness of the rubber")]),
         make: gallardo,
     },
 ];

@@ -3,6 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
+use crate::text::{Arg, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
 use hysteron_engine::shared::Shared;
@@ -13,26 +14,47 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HystereticSmooth"],
         usage: "uniaxialMaterial HystereticSmooth $tag $ka $kb $fbar $beta <-alpha>",
+        text: Text::new("Smooth hysteresis in closed form, symmetric."),
         make: smooth,
     },
     Kind {
         names: &["HystereticAsym"],
         usage: "uniaxialMaterial HystereticAsym $tag $ka $kb $fo $b1 $b2 $gamma <-alpha>",
+        text: Text::new("Smooth hysteresis in closed form, asymmetric."),
         make: asym,
     },
     Kind {
         names: &["HystereticPoly"],
         usage: "uniaxialMaterial HystereticPoly $tag $ka $kb $a $b1 $b2 <$tol>",
+        text: Text::new("Smooth hysteresis in closed form, by polynomials."),
         make: poly,
     },
     Kind {
         names: &["BWBN"],
         usage: "uniaxialMaterial BWBN $tag $alpha $ko $n $gamma $beta $Ao $q $zetas $p $Shi $deltaShi $lambda $tol \
                 $maxIter",
+        text: Text::new("Bouc-Wen hysteresis with pinching (Baber and Noori).")
+            .example("uniaxialMaterial BWBN 77 0.1 1000. 1.7 15. 25. 1. 0.4 0.9 0.5 0.4 0.05 0.3 1e-8 100"),
         make: bwbn,
     },
-    Kind { names: &["ASD_SMA_3K"], usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta", make: sma_3k },
-    Kind { names: &["SMA"], usage: "uniaxialMaterial SMA $tag $E $epsL $sigAMs $sigAMf $sigMAs $sigMAf", make: sma },
+    Kind {
+        names: &["ASD_SMA_3K"],
+        usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta",
+        text: Text::new("Shape-memory alloy with three stiffnesses.")
+            .example("uniaxialMaterial ASD_SMA_3K 77 200. 5. 60. 2. 0.6")
+            .arguments(&[
+                Arg::new("sigAct", "force at which the upper plateau begins"),
+                Arg::new("beta", "height of the flag over that force"),
+            ]),
+        make: sma_3k,
+    },
+    Kind {
+        names: &["SMA"],
+        usage: "uniaxialMaterial SMA $tag $E $epsL $sigAMs $sigAMf $sigMAs $sigMAf",
+        text: Text::new("Superelastic shape-memory alloy (Auricchio, Taylor and Lubliner).")
+            .example("uniaxialMaterial SMA 77 200. 0.04 2. 2.6 1.5 0.8"),
+        make: sma,
+    },
 ];
 
 /// ka and kb, which is less.

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     HyperbolicGap, Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
@@ -17,17 +18,29 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["PySimple1"],
         usage: "uniaxialMaterial PySimple1 $tag $soilType $pult $Y50 $Cd <$c>",
+        text: Text::new("Lateral spring between pile and soil."),
         make: py_simple1,
     },
-    Kind { names: &["TzSimple1"], usage: "uniaxialMaterial TzSimple1 $tag $tzType $tult $z50 <$c>", make: tz_simple1 },
+    Kind {
+        names: &["TzSimple1"],
+        usage: "uniaxialMaterial TzSimple1 $tag $tzType $tult $z50 <$c>",
+        text: Text::new("Shaft spring between pile and soil."),
+        make: tz_simple1,
+    },
     Kind {
         names: &["QzSimple1"],
         usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
+        text: Text::new("Tip spring between pile and soil.").arguments(&[
+            Arg::new("suction", "resistance in uplift over the ultimate one"),
+            Arg::new("c", "viscous coefficient"),
+        ]),
         make: qz_simple1,
     },
     Kind {
         names: &["HyperbolicGapMaterial"],
         usage: "uniaxialMaterial HyperbolicGapMaterial $tag $Kmax $Kur $Rf $Fult $gap",
+        text: Text::new("Backfill of an abutment: a hyperbola in compression behind a gap.")
+            .example("uniaxialMaterial HyperbolicGapMaterial 77 200. 180. 0.7 -3. -0.02"),
         make: hyperbolic_gap,
     },
 ];

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{Material, Steel4, Steel4Side};
 use hysteron_engine::shared::Shared;
@@ -11,6 +12,19 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Steel4"],
     usage: "uniaxialMaterial Steel4 $tag $fy $E0 <-asym> <-kin $bk $R0 $r1 $r2 <$bkc $R0c $r1c $r2c>> \
             <-iso $bi $rhoi $bl $Ri $lyp <$bic $rhoic $blc $Ric>> <-ult $fu $Ru <$fuc $Ruc>> <-init $sig0> <-mem $cycles>",
+    text: Text::new("Steel with asymmetric hardening, an ultimate strength and a memory of its cycles.")
+        .example("uniaxialMaterial Steel4 77 355. 210000. -kin 0.01 20. 0.9 0.15")
+        .arguments(&[
+            Arg::flag("-asym", "what follows is given for tension, then for compression"),
+            Arg::of("-kin", "bk", "kinematic hardening ratio, and the radius of the curve with its two coefficients"),
+            Arg::of(
+                "-iso",
+                "bi",
+                "isotropic hardening: ratio, position of the turn, ratio of the bound, radius, \
+                 length of the yield plateau",
+            ),
+            Arg::of("-ult", "fu", "ultimate strength and the radius of the curve towards it"),
+        ]),
     make: steel4,
 }];
 

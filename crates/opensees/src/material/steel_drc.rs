@@ -2,6 +2,7 @@
 
 use super::Kind;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
 use hysteron_engine::shared::Shared;
@@ -11,6 +12,24 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["SteelDRC"],
     usage: "uniaxialMaterial SteelDRC $tag $Es $fy $eu $fu $esh <-Psh $Psh> <-shPoint $esh1 $fsh1> <-omegaFactor $omegaFac> \
             <-fractStrain $efract> <-bausch $type> <-stiffOutput $type> <-viscousDamper $C $alpha> <-Dfu $Dfu>",
+    text: Text::new(
+        "Reinforcing bar as of `Dodd_Restrepo`, with curves that rejoin the skeleton and softening before \
+         fracture.",
+    )
+    .arguments(&[
+        Arg::of("-Psh", "Psh", "exponent of the hardening curve"),
+        Arg::of("-shPoint", "esh1", "point of the hardening curve, in place of its exponent: strain and stress"),
+        Arg::of("-omegaFactor", "omegaFac", "factor of the area of Bauschinger curves"),
+        Arg::of("-fractStrain", "efract", "strain of fracture; the stress stays at the strength without it"),
+        Arg::of("-bausch", "type", "Bauschinger curves: 0 power, 1 cubic, 2 rational"),
+        Arg::of(
+            "-stiffOutput",
+            "type",
+            "stiffness: 0 tangent, 1 secant from the last reversal if that is more, 2 elastic",
+        ),
+        Arg::of("-viscousDamper", "C", "dashpot beside the steel: coefficient and velocity exponent"),
+        Arg::of("-Dfu", "Dfu", "length of the straight line after a reversal over the yield stress"),
+    ]),
     make: steel_drc,
 }];
 

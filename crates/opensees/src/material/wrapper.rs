@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
@@ -16,37 +17,44 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Parallel"],
         usage: "uniaxialMaterial Parallel $tag $material1 $material2 ... <-factors $factor1 $factor2 ...>",
+        text: Text::new("Adds the stresses of other laws."),
         make: parallel,
     },
     Kind {
         names: &["Multiplier", "MultiplierMaterial"],
         usage: "uniaxialMaterial Multiplier $tag $material $factor",
+        text: Text::new("A law whose stress is multiplied by a factor."),
         make: multiplier,
     },
     Kind {
         names: &["Series"],
         usage: "uniaxialMaterial Series $tag $material1 $material2 ... <-iter $maxIter $tol>",
+        text: Text::new("Adds the strains of other laws."),
         make: series,
     },
     Kind {
         names: &["MinMax", "MinMaxMaterial"],
         usage: "uniaxialMaterial MinMax $tag $material <-min $minStrain> <-max $maxStrain>",
+        text: Text::new("Another law that fails for good beyond a strain."),
         make: min_max,
     },
     Kind {
         names: &["Fatigue", "FatigueMaterial"],
         usage: "uniaxialMaterial Fatigue $tag $material <-E0 $strain> <-m $slope> <-min $minStrain> <-max $maxStrain> \
                 <-Dmax $damage>",
+        text: Text::new("Another law that fails by low-cycle fatigue."),
         make: fatigue,
     },
     Kind {
         names: &["InitStrainMaterial", "InitStrain"],
         usage: "uniaxialMaterial InitStrainMaterial $tag $material $strain",
+        text: Text::new("Another law with an initial strain."),
         make: init_strain,
     },
     Kind {
         names: &["InitStressMaterial", "InitStress"],
         usage: "uniaxialMaterial InitStressMaterial $tag $material $stress",
+        text: Text::new("Another law with an initial stress."),
         make: init_stress,
     },
 ];

@@ -2,11 +2,16 @@
 
 use crate::args::Args;
 use crate::model::nodes::need_model;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("block2D", USAGE, block2d), Command::new("block3D", USAGE_3D, block3d)];
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("block2D", USAGE, block2d)
+        .about("Makes a grid of nodes and of elements between them, in the plane.")
+        .arguments(&[Arg::flag("-numEleNodes", "nodes of an element")]),
+    Command::new("block3D", USAGE_3D, block3d).about("Makes a grid of nodes and of bricks between them."),
+];
 
 const USAGE_3D: &str = "block3D $nx $ny $nz $firstNode $firstElement $kind {arguments} {1 $x1 $y1 $z1 2 $x2 ... 8 ...}";
 

@@ -3,20 +3,33 @@
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("fix", FIX, fix),
-    Command::new("fixX", FIX_LEVEL, |i, c| fix_level(i, c, 0)),
-    Command::new("fixY", FIX_LEVEL, |i, c| fix_level(i, c, 1)),
-    Command::new("fixZ", FIX_LEVEL, |i, c| fix_level(i, c, 2)),
-    Command::new("equalDOF", EQUAL, equal_dof),
-    Command::new("equalDOF_Mixed", EQUAL_MIXED, equal_dof_mixed),
-    Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm),
-    Command::new("rigidLink", LINK, rigid_link),
+    Command::new("fix", FIX, fix).about("Holds degrees of freedom of a node."),
+    Command::new("fixX", FIX_LEVEL, |i, c| fix_level(i, c, 0))
+        .about("Holds degrees of freedom of all nodes at a coordinate x."),
+    Command::new("fixY", FIX_LEVEL, |i, c| fix_level(i, c, 1))
+        .about("Holds degrees of freedom of all nodes at a coordinate y."),
+    Command::new("fixZ", FIX_LEVEL, |i, c| fix_level(i, c, 2))
+        .about("Holds degrees of freedom of all nodes at a coordinate z."),
+    Command::new("equalDOF", EQUAL, equal_dof).about("Gives degrees of freedom of two nodes the same displacement."),
+    Command::new("equalDOF_Mixed", EQUAL_MIXED, equal_dof_mixed)
+        .about("Gives degrees of freedom of two nodes the same displacement, pair by pair.")
+        .arguments(&[
+            Arg::new("retainedDof2", "further pairs: degree of freedom of the retained node"),
+            Arg::new("constrainedDof2", "further pairs: degree of freedom of the constrained node"),
+        ]),
+    Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm).about(
+        "Makes nodes move in a plane like one rigid body. In a plane model 1 and 2 make that displacement \
+         equal, and 3 makes a rigid body.",
+    ),
+    Command::new("rigidLink", LINK, rigid_link)
+        .about("Makes a node follow another: `beam` with its rotation, `bar` without."),
 ];
 
 const FIX: &str = "fix $node $flag1 <$flag2 ...> (1 held, 0 free)";

@@ -9,9 +9,13 @@ use hysteron_tcl::{Call, Exception, OpenMode, Value};
 use std::io::Write as _;
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("database", DATABASE, database),
-    Command::new("save", SAVE, save).leaving(Effect::Nothing),
-    Command::new("restore", RESTORE, restore).leaving(Effect::ReadsState),
+    Command::new("database", DATABASE, database).about("Names the files of `save` and `restore`."),
+    Command::new("save", SAVE, save)
+        .about("Saves the committed state, exact to the bit. The next step begins anew, as it does after `restore`.")
+        .leaving(Effect::Nothing),
+    Command::new("restore", RESTORE, restore)
+        .about("Goes back to a saved state of the same model, in this run or another one.")
+        .leaving(Effect::ReadsState),
 ];
 
 const DATABASE: &str = "database File $name";

@@ -10,13 +10,21 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("wipe", "wipe", wipe).leaving(Effect::Empties),
-    Command::new("model", MODEL, model).defining(&[things::MODEL], 0),
-    Command::new("node", NODE, node).defining(&[things::NODE], 1),
-    Command::new("mass", MASS, mass),
-    Command::new("pset", PSET, pset),
-    Command::new("setNodeCoord", SET_COORD, set_node_coord),
-    Command::new("setStartNodeTag", START_TAG, set_start_node_tag),
+    Command::new("wipe", "wipe", wipe)
+        .about("Removes the model, the analysis and the recorders.")
+        .leaving(Effect::Empties),
+    Command::new("model", MODEL, model)
+        .about(
+            "Sets the dimensions of the model and the degrees of freedom of its nodes. It comes before all that it \
+             counts for.",
+        )
+        .defining(&[things::MODEL], 0),
+    Command::new("node", NODE, node).about("Makes a node.").defining(&[things::NODE], 1),
+    Command::new("mass", MASS, mass).about("Sets the mass of a node in each of its directions."),
+    Command::new("pset", PSET, pset).about("Sets a variable, unless a study gives it another value."),
+    Command::new("setNodeCoord", SET_COORD, set_node_coord).about("Moves a node that has no displacement."),
+    Command::new("setStartNodeTag", START_TAG, set_start_node_tag)
+        .about("Has no effect: the nodes that it counts are those of OpenSees' meshes."),
 ];
 
 const MODEL: &str = "model BasicBuilder -ndm $ndm <-ndf $ndf>";

@@ -3,13 +3,19 @@
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::Tag;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("remove", USAGE, remove)];
+pub(crate) const COMMANDS: &[Command] =
+    &[Command::new("remove", USAGE, remove).about("Removes something from the model.").arguments(&[
+        Arg::new("dof", "degree of freedom"),
+        Arg::new("pattern", "tag of the pattern"),
+        Arg::new("tag", "tag of what is removed; for `mp` also that of its constrained node"),
+    ])];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
                      sp $tag | sp $node $dof <$pattern> | mp $tag | material $tag | timeSeries $tag | parameter $tag";

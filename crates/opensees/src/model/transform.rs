@@ -4,6 +4,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
 use crate::slips;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
@@ -12,6 +13,12 @@ use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("geomTransf", USAGE, geom_transf)
+    .about("Makes a transformation between local and global coordinates, for beams.")
+    .arguments(&[Arg::of(
+        "-jntOffset",
+        "dxi",
+        "rigid ends at i and j, as vectors from the node to the end of the beam",
+    )])
     .defining(&[things::TRANSFORM], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -19,11 +26,22 @@ const USAGE: &str = "geomTransf Linear|PDelta|Corotational $tag <$x $y $z of a v
                      <-jntOffset $dxi $dyi <$dzi> $dxj $dyj <$dzj>>";
 
 const KINDS: &[kind::Kind<TransformKind>] = &[
-    kind::Kind { names: &["Linear"], usage: USAGE_LINEAR, make: TransformKind::Linear },
-    kind::Kind { names: &["PDelta", "LinearWithPDelta"], usage: USAGE_PDELTA, make: TransformKind::PDelta },
+    kind::Kind {
+        names: &["Linear"],
+        usage: USAGE_LINEAR,
+        text: Text::new("Displacements are small: equilibrium is formed in the undeformed geometry."),
+        make: TransformKind::Linear,
+    },
+    kind::Kind {
+        names: &["PDelta", "LinearWithPDelta"],
+        usage: USAGE_PDELTA,
+        text: Text::new("Equilibrium of the axial force in the displaced chord; else as `Linear`."),
+        make: TransformKind::PDelta,
+    },
     kind::Kind {
         names: &["Corotational", "Corotational2d", "Corotational3d"],
         usage: USAGE_COROTATIONAL,
+        text: Text::new("Large displacements and rotations of the chord, with small deformations."),
         make: TransformKind::Corotational,
     },
 ];

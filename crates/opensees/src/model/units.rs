@@ -1,11 +1,14 @@
 //! `defaultUnits`: variables with the sizes of units.
 
 use crate::args::Args;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish, ignore_option};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("defaultUnits", USAGE, default_units)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("defaultUnits", USAGE, default_units)
+    .about("Sets variables with the sizes of units: `$kip`, `$in`, `$ksi`, `$g` and others.")
+    .arguments(&[Arg::flag("-force", "unit of force"), Arg::flag("-length", "unit of length")])];
 
 const USAGE: &str = "defaultUnits -force lb|kip|N|kN|MN|kgf|tonf -length in|ft|mm|cm|m -time sec|msec <-temp $unit>";
 

@@ -1,7 +1,7 @@
 //! `recorder Collapse`: infill walls that fail are removed while an analysis runs, and nodes that are left alone.
 
-use super::recorder::{range, region};
 use super::recorder_file::make_room;
+use super::recorder_options::{range, region};
 use crate::args::Args;
 use crate::checks;
 use crate::host::Mode;

@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
+use crate::text::WITHOUT_EFFECT;
 use crate::{Command, Outcome, Tcl, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Value};
@@ -25,11 +26,12 @@ pub(crate) const COMMANDS: &[Command] = &[
     without_effect("setMaxOpenFiles", "setMaxOpenFiles $n"),
     without_effect("start", "start"),
     without_effect("stop", "stop"),
-    without_effect("domainChange", "domainChange"),
+    without_effect("domainChange", "domainChange")
+        .about("Accepted without effect: a change of the model is noticed by itself."),
 ];
 
 const fn without_effect(name: &'static str, usage: &'static str) -> Command {
-    Command::new(name, usage, nothing).leaving(Effect::Nothing)
+    Command::new(name, usage, nothing).about(WITHOUT_EFFECT).leaving(Effect::Nothing)
 }
 
 fn nothing(_: &mut Tcl, _: &Call<'_>) -> Outcome {

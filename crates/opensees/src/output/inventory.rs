@@ -2,28 +2,46 @@
 
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::model::{Model, NodeId};
 use hysteron_tcl::{Call, Value};
 use std::collections::BTreeSet;
+
+const RETAINED: &[Arg] = &[Arg::new("retained", "tag of the node that leads; all where it is left out")];
+
+const CONSTRAINED: &[Arg] = &[Arg::new("constrained", "tag of the node that follows; all where it is left out")];
 
 const RESPONSE: &str = "nodeResponse $node $dof $response (1 displacement, 2 velocity, 3 acceleration)";
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("getNumElements", "getNumElements", |i, _| {
         Ok(Value::from(i.host.engine.model().elements.len() as i64))
-    }),
-    Command::asking("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied()))),
+    })
+    .about("Returns the number of elements."),
+    Command::asking("getPatterns", "getPatterns", |i, _| Ok(tags(i.host.engine.model().patterns.keys().copied())))
+        .about("Returns the tags of all load patterns."),
     Command::asking("getFixedNodes", "getFixedNodes", |i, _| {
         let model = i.host.engine.model();
         Ok(nodes(model, held(model).map(|(node, _)| node)))
-    }),
-    Command::asking("getFixedDOFs", "getFixedDOFs $node", fixed_dofs),
-    Command::asking("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true)),
-    Command::asking("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false)),
-    Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true)),
-    Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false)),
-    Command::asking("nodeResponse", RESPONSE, node_response),
+    })
+    .about("Returns the tags of all nodes with a constraint of their own."),
+    Command::asking("getFixedDOFs", "getFixedDOFs $node", fixed_dofs)
+        .about("Returns the degrees of freedom of a node that are held."),
+    Command::asking("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true))
+        .about("Returns the tags of the nodes that follow others.")
+        .arguments(RETAINED),
+    Command::asking("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false))
+        .about("Returns the tags of the nodes that others follow.")
+        .arguments(CONSTRAINED),
+    Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true))
+        .about("Returns the degrees of freedom of a node that follow others.")
+        .arguments(RETAINED),
+    Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false))
+        .about("Returns the degrees of freedom of a node that others follow.")
+        .arguments(CONSTRAINED),
+    Command::asking("nodeResponse", RESPONSE, node_response)
+        .about("Returns a displacement, velocity or acceleration of a node by number."),
 ];
 
 fn tags(tags: impl IntoIterator<Item = i32>) -> Value {

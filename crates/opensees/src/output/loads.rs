@@ -1,29 +1,46 @@
 //! Queries that programs which draw models make: numbers of classes, and the loads of patterns.
 
 use crate::args::Args;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::Pattern;
 use hysteron_tcl::{Call, Exception, Value};
 
+const PATTERN: &[Arg] = &[Arg::new("pattern", "tag of a load pattern")];
+
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::asking("getEleClassTags", "getEleClassTags <$element>", class_tags),
-    Command::asking("classType", CLASS_TYPE, class_type),
+    Command::asking("getEleClassTags", "getEleClassTags <$element>", class_tags)
+        .about("Returns OpenSees' numbers of the classes of all elements, or of one.")
+        .arguments(&[Arg::new("element", "tag of an element")]),
+    Command::asking("classType", CLASS_TYPE, class_type)
+        .about("Returns the name of the class of a section or an element."),
     Command::asking("getCrdTransfTags", "getCrdTransfTags", |i, _| {
         Ok(Value::list(i.host.builder.definitions.transforms.tags().map(|t| Value::from(i64::from(t)))))
-    }),
+    })
+    .about("Returns the tags of all geometric transformations."),
     Command::asking("getEleLoadTags", "getEleLoadTags <$pattern>", |i, c| {
         element_loads(i, c, |tag, _, _, out| out.push(Value::from(i64::from(tag))))
-    }),
+    })
+    .about("Returns the element of each element load, of all patterns or of one.")
+    .arguments(PATTERN),
     Command::asking("getEleLoadClassTags", "getEleLoadClassTags <$pattern>", |i, c| {
         element_loads(i, c, |_, load, space, out| out.push(Value::from(described(load, space).0)))
-    }),
+    })
+    .about("Returns OpenSees' number of the class of each element load.")
+    .arguments(PATTERN),
     Command::asking("getEleLoadData", "getEleLoadData <$pattern>", |i, c| {
         element_loads(i, c, |_, load, space, out| out.extend(described(load, space).1.into_iter().map(Value::from)))
-    }),
-    Command::asking("getNodeLoadTags", "getNodeLoadTags <$pattern>", node_load_tags),
-    Command::asking("getNodeLoadData", "getNodeLoadData <$pattern>", node_load_data),
+    })
+    .about("Returns the numbers of all element loads, in OpenSees' order.")
+    .arguments(PATTERN),
+    Command::asking("getNodeLoadTags", "getNodeLoadTags <$pattern>", node_load_tags)
+        .about("Returns the node of each nodal load, of all patterns or of one.")
+        .arguments(PATTERN),
+    Command::asking("getNodeLoadData", "getNodeLoadData <$pattern>", node_load_data)
+        .about("Returns the forces of all nodal loads.")
+        .arguments(PATTERN),
 ];
 
 /// OpenSees' numbers of the classes of elements (`SRC/classTags.h`; that of the tubular joint stands in its own file, and

@@ -12,6 +12,7 @@ mod pvd;
 pub(crate) mod query;
 pub(crate) mod recorder;
 mod recorder_file;
+mod recorder_options;
 pub(crate) mod recorders;
 pub(crate) mod verify;
 

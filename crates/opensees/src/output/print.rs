@@ -3,6 +3,7 @@
 use super::model_file::model_file;
 use crate::args::Args;
 use crate::effect::Effect;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::model::{ElementEntry, Model, Tag};
@@ -14,8 +15,13 @@ use std::io::Write as _;
 pub(crate) const COMMANDS: &[Command] = &[telling("print"), telling("printModel")];
 
 const fn telling(name: &'static str) -> Command {
-    Command::new(name, PRINT, print).leaving(Effect::Nothing)
+    Command::new(name, PRINT, print).about("Prints nodes and elements.").arguments(TAGS).leaving(Effect::Nothing)
 }
+
+const TAGS: &[Arg] = &[
+    Arg::of("-node", "tag", "tags of nodes; all where there is none"),
+    Arg::of("-ele", "tag", "tags of elements; all where there is none"),
+];
 
 const PRINT: &str = "print <-file $file> <-JSON> <-node <-flag $n> <$tag ...>> <-ele <-flag $n> <$tag ...>>";
 

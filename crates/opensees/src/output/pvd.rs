@@ -1,7 +1,7 @@
 //! `recorder PVD`: a file of the Visualization Toolkit for each step, and the list of them in time.
 
-use super::recorder::{Placed, add};
 use super::recorder_file::make_room;
+use super::recorder_options::{Placed, add};
 use crate::args::Args;
 use crate::checks;
 use crate::files::series::FileSeries;

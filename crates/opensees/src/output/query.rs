@@ -6,6 +6,7 @@ use crate::checks;
 use crate::model::nodes::node_of;
 use crate::session::Session;
 use crate::slips;
+use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
@@ -14,64 +15,119 @@ use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it is left out")];
+
+const PROCESS: &[Arg] = &[Arg::of("-pid", "process", "number of the other process")];
+
 const NODE: &str = "nodeDisp $node <$dof>";
 const SET: &str = "setNodeDisp $node $dof $value <-commit>";
 const DOF: &str = "degree of freedom";
 const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::asking("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp)),
-    Command::asking("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)),
-    Command::asking("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel)),
-    Command::asking("nodeReaction", NODE, node_reaction),
-    Command::asking("nodeUnbalance", NODE, node_unbalance),
-    Command::asking("nodeCoord", "nodeCoord $node <$direction>", node_coord),
-    Command::asking("nodeMass", NODE, node_mass),
-    Command::asking("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector),
-    Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions),
-    Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp)),
-    Command::new("setNodeVel", SET, |i, c| set_node(i, c, |s| &mut s.vel)),
-    Command::new("setNodeAccel", SET, |i, c| set_node(i, c, |s| &mut s.accel)),
-    Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass),
-    Command::asking("eleResponse", RESPONSE, ele_response),
-    Command::asking("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force")),
-    Command::asking("eleDynamicalForce", DYNAMIC, dynamic_force),
-    Command::asking("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce")),
-    Command::asking("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force")),
-    Command::asking("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation")),
-    Command::asking("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness")),
-    Command::asking("sectionFlexibility", OF_SECTION, |i, c| of_section(i, c, "flexibility")),
-    Command::asking("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints")),
-    Command::asking("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights")),
-    Command::asking("sectionTag", ALONG, |i, c| along(i, c, "sectionTags")),
-    Command::asking("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce")),
-    Command::asking("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation")),
-    Command::asking("basicStiffness", "basicStiffness $element", |i, c| named(i, c, "basicStiffness")),
-    Command::asking("eleNodes", "eleNodes $element", ele_nodes),
-    Command::asking("eleType", "eleType $element", ele_type),
-    Command::asking("getTime", "getTime", |i, _| Ok(Value::from(i.host.engine.state().time))),
-    Command::asking("getLoadFactor", "getLoadFactor $pattern", load_factor),
-    Command::asking("getNodeTags", "getNodeTags", node_tags),
-    Command::asking("getEleTags", "getEleTags", ele_tags),
-    Command::asking("nodeBounds", "nodeBounds", node_bounds),
+    Command::asking("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp))
+        .about("Returns the displacement of a node.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)).about("Returns the velocity of a node."),
+    Command::asking("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel))
+        .about("Returns the acceleration of a node."),
+    Command::asking("nodeReaction", NODE, node_reaction)
+        .about("Returns the reaction of a node in the present state; `reactions` chooses what it includes."),
+    Command::asking("nodeUnbalance", NODE, node_unbalance).about("Returns the unbalanced load of a node."),
+    Command::asking("nodeCoord", "nodeCoord $node <$direction>", node_coord)
+        .about("Returns the coordinates of a node.")
+        .arguments(&[Arg::new("direction", "direction from 1; all where it is left out")]),
+    Command::asking("nodeMass", NODE, node_mass).about("Returns the mass of a node."),
+    Command::asking("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector)
+        .about("Returns the mode shape at a node.")
+        .arguments(DOF_OR_ALL),
+    Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions)
+        .about("Chooses what `nodeReaction` includes: inertia with `-dynamic`, Rayleigh damping with `-rayleigh`."),
+    Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp)).about("Sets the displacement of a node."),
+    Command::new("setNodeVel", SET, |i, c| set_node(i, c, |s| &mut s.vel)).about("Sets the velocity of a node."),
+    Command::new("setNodeAccel", SET, |i, c| set_node(i, c, |s| &mut s.accel))
+        .about("Sets the acceleration of a node."),
+    Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass)
+        .about("Sets the mass of a node in one direction."),
+    Command::asking("eleResponse", RESPONSE, ele_response)
+        .about("Returns a response of an element, by the names that recorders use."),
+    Command::asking("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force"))
+        .about("Returns the global forces of an element.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("eleDynamicalForce", DYNAMIC, dynamic_force)
+        .about("Returns the global forces of an element with those of its damping and its inertia.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce"))
+        .about("Returns the local forces of an element.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force"))
+        .about("Returns the resultants of a section of a beam.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation"))
+        .about("Returns the deformations of a section of a beam."),
+    Command::asking("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness"))
+        .about("Returns the tangent of a section of a beam."),
+    Command::asking("sectionFlexibility", OF_SECTION, |i, c| of_section(i, c, "flexibility"))
+        .about("Returns the inverse of the tangent of a section of a beam."),
+    Command::asking("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints"))
+        .about("Returns the places of the sections along a beam.")
+        .arguments(&[Arg::new("section", "number of the section from 1; all where it is left out")]),
+    Command::asking("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights"))
+        .about("Returns the weights of the sections along a beam."),
+    Command::asking("sectionTag", ALONG, |i, c| along(i, c, "sectionTags"))
+        .about("Returns the tags of the sections along a beam."),
+    Command::asking("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce"))
+        .about("Returns the basic forces of an element.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation"))
+        .about("Returns the basic deformations of an element.")
+        .arguments(DOF_OR_ALL),
+    Command::asking("basicStiffness", "basicStiffness $element", |i, c| named(i, c, "basicStiffness"))
+        .about("Returns the basic stiffness of an element."),
+    Command::asking("eleNodes", "eleNodes $element", ele_nodes).about("Returns the tags of the nodes of an element."),
+    Command::asking("eleType", "eleType $element", ele_type).about("Returns the kind of an element."),
+    Command::asking("getTime", "getTime", |i, _| Ok(Value::from(i.host.engine.state().time)))
+        .about("Returns the time of the domain."),
+    Command::asking("getLoadFactor", "getLoadFactor $pattern", load_factor)
+        .about("Returns the load factor of a pattern."),
+    Command::asking("getNodeTags", "getNodeTags", node_tags).about("Returns the tags of all nodes."),
+    Command::asking("getEleTags", "getEleTags", ele_tags).about("Returns the tags of all elements."),
+    Command::asking("nodeBounds", "nodeBounds", node_bounds)
+        .about("Returns the smallest and largest coordinates of all nodes."),
     // Scripts that may be run in parallel ask how many they are: this one is alone.
-    Command::asking("getPID", "getPID", |_, _| Ok(Value::from(0i64))),
-    Command::asking("getNP", "getNP", |_, _| Ok(Value::from(1i64))),
-    Command::asking("barrier", "barrier", alone),
-    Command::asking("partition", "partition <$element>", alone),
-    Command::asking("send", "send -pid $process $data", alone),
-    Command::asking("recv", "recv -pid $process $variable", alone),
-    Command::asking("Bcast", "Bcast $data", alone),
-    Command::asking("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64))),
-    Command::asking("getNDF", "getNDF <$node>", ndf),
-    Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs),
-    Command::asking("systemSize", "systemSize", system_size),
-    Command::asking("testIter", "testIter", iterations),
-    Command::asking("numIter", "numIter", algorithm_iterations),
-    Command::asking("testNorm", "testNorm", norms),
-    Command::asking("testNorms", "testNorms", norms),
-    Command::asking("numFact", "numFact", factorizations),
-    Command::asking("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION")))),
+    Command::asking("getPID", "getPID", |_, _| Ok(Value::from(0i64))).about("Returns 0: there is one process."),
+    Command::asking("getNP", "getNP", |_, _| Ok(Value::from(1i64))).about("Returns 1: there is one process."),
+    Command::asking("barrier", "barrier", alone).about("Has no effect: there is one process."),
+    Command::asking("partition", "partition <$element>", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(&[Arg::new("element", "tag of an element")]),
+    Command::asking("send", "send -pid $process $data", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(PROCESS),
+    Command::asking("recv", "recv -pid $process $variable", alone)
+        .about("Has no effect: there is one process. The variable stays as it is.")
+        .arguments(PROCESS),
+    Command::asking("Bcast", "Bcast $data", alone)
+        .about("Has no effect: there is one process.")
+        .arguments(&[Arg::new("data", "value")]),
+    Command::asking("getNDM", "getNDM", |i, _| Ok(Value::from(i.host.builder.ndm as i64)))
+        .about("Returns the number of dimensions."),
+    Command::asking("getNDF", "getNDF <$node>", ndf)
+        .about("Returns the number of degrees of freedom of a node.")
+        .arguments(&[Arg::new("node", "tag of a node; the number of the model where it is left out")]),
+    Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs).about("Returns the numbers of the equations of a node."),
+    Command::asking("systemSize", "systemSize", system_size).about("Returns the number of equations."),
+    Command::asking("testIter", "testIter", iterations).about("Returns the number of iterations of the last step."),
+    Command::asking("numIter", "numIter", algorithm_iterations).about(
+        "Returns the number of iterations of the last step; 0 of an algorithm that searches along lines or has \
+         no test.",
+    ),
+    Command::asking("testNorm", "testNorm", norms).about("Returns the norms of the last test."),
+    Command::asking("testNorms", "testNorms", norms).about("Returns the norms of the last test."),
+    Command::asking("numFact", "numFact", factorizations)
+        .about("Returns the number of factorisations of the last step."),
+    Command::asking("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))))
+        .about("Returns the version of hysteron."),
 ];
 
 /// What processes tell each other: a process that is alone has nobody to wait for or to talk to, as in OpenSees.

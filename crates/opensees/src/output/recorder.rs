@@ -1,284 +1,171 @@
 //! `recorder` and `record`.
 
-use super::recorder_file::make_room;
-use super::recorders::PlacedRecorder;
+use super::recorder_options::{COMMON, Common, Keep, range, region};
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
-use crate::files::outputs::FileFormat;
-use crate::things;
+use crate::text::{Arg, Text};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
-use hysteron_engine::number_format::Style;
-use hysteron_engine::record::{
-    Cadence, Drift, ElementResponse, Layout, Misspelled, NodeQuantity, NodeResponse, Output, Recorder, Separator,
-    Source,
-};
+use hysteron_engine::record::{Drift, ElementResponse, Misspelled, NodeQuantity, NodeResponse, Recorder};
 use hysteron_engine::series::Series;
-use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span, nearest};
+use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron_tcl::{Call, Exception, Value};
-use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder)
+        .about("Records responses in a file.")
+        .arguments(&[
+            Arg::flag("-file", "text, columns separated by blanks"),
+            Arg::flag("-csv", "text, columns separated by commas"),
+            Arg::flag("-xml", "XML"),
+            Arg::of("-binary", "file", "numbers of eight bytes"),
+            Arg::of("-region", "tag", "tag of a region"),
+            Arg::of("-dof", "column", "columns of the response, from 1"),
+            Arg::of("-timeSeries", "tag", "tags of series whose values are added"),
+            Arg::of("-node", "tag", "tags of nodes"),
+            Arg::of("-nodeRange", "first", "first and last tag of nodes"),
+            Arg::of("-ele", "tag", "tags of elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements"),
+            Arg::of("-iNode", "tag", "tags of the lower nodes"),
+            Arg::of("-jNode", "tag", "tags of the upper nodes"),
+        ])
         .with_kinds(|| kind::usages(KINDS))
         .leaving(Effect::Nothing),
-    Command::new("record", "record", record).leaving(Effect::Nothing),
-    Command::new("setPrecision", "setPrecision $digits", set_precision),
+    Command::new("record", "record", record).about("Makes all recorders write a row now.").leaving(Effect::Nothing),
+    Command::new("setPrecision", "setPrecision $digits", set_precision)
+        .about("Sets the digits of recorders that are made afterwards."),
 ];
 
 /// A kind of recorder, added to the session by the words after its name.
 type Kind = kind::Kind<fn(&mut Tcl, &Call<'_>, Args<'_>) -> Outcome>;
-
-/// A recorder that keeps rows in one way.
-type Keep = fn(Box<dyn Source>, Box<dyn Output>, Cadence) -> Recorder;
 
 const KINDS: &[Kind] = &[
     Kind {
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
+        text: Text::new("Records responses of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, eigen N, eigen (a \
+             row of each mode) ...",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeNode"],
         usage: "recorder EnvelopeNode -file $file <-time> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
+        text: Text::new("Records minimum, maximum and absolute maximum of responses of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["NodeRMS"],
         usage: "recorder NodeRMS -file $file <-dT $dt> -node $tag ... | -nodeRange $first $last | -region $tag \
                 -dof $dof ... $response",
+        text: Text::new("Records the root mean squares of responses of nodes over the steps.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degrees of freedom, then the response",
+        )]),
         make: |interp, call, a| node(interp, call, a, Recorder::root_mean_square),
     },
     Kind {
         names: &["Element"],
         usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
+        text: Text::new("Records responses of elements."),
         make: |interp, call, a| element(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeElement"],
         usage: "recorder EnvelopeElement -file $file <-time> -ele $tag ... | -eleRange $first $last | -region $tag \
                 <-dof $column ...> $response ...",
+        text: Text::new("Records minimum, maximum and absolute maximum of responses of elements."),
         make: |interp, call, a| element(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["Drift", "DriftRecorder"],
         usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
+        text: Text::new("Records drifts between pairs of nodes.").arguments(&[Arg::of(
+            "-dof",
+            "dof",
+            "degree of freedom of the drift",
+        )]),
         make: |interp, call, a| drift(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeDrift"],
         usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
                 -perpDirn $direction",
+        text: Text::new("Writes minimum, maximum and largest absolute value of drifts between nodes."),
         make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
     },
     Kind {
         names: &["Collapse", "Remove", "ElementRemoval", "NodeRemoval"],
         usage: collapse::USAGE,
+        text: Text::new(
+            "Removes the elements of an infill wall whose drifts in and out of its plane reach a curve, and nodes that \
+             are left alone.",
+        )
+        .example("recorder Collapse -ele 1 -node 2")
+        .arguments(&[
+            Arg::flag(
+                "-crit",
+                "drift in the plane of a wall against a limit that depends on the drift out of it; \
+                 other criteria have no value, as in OpenSees 3",
+            ),
+            Arg::of("-file_infill", "curve", "file with pairs of drifts: out of the plane, rising, and in it"),
+            Arg::of("-checknodes", "bottom", "nodes at the lower end, in the middle and at the upper end of the wall"),
+            Arg::of("-global_gravaxis", "axis", "number of the vertical axis"),
+            Arg::flag("-secondary", "the elements that follow are removed with the last of the others"),
+            Arg::of("-mass", "m", "mass of each element, half of which is taken off each of its nodes"),
+            Arg::of(
+                "-g",
+                "acceleration",
+                "weight per mass, direction and load pattern of the loads that take it off the nodes",
+            ),
+            Arg::of("-node", "node", "node that is removed once all of the elements are"),
+            Arg::of("-file", "file", "file with a line for each removal: time, Elem or Node, tag"),
+            Arg::of("-dT", "dt", "time between two looks at the elements; every step without"),
+        ]),
         make: collapse::collapse,
     },
-    Kind { names: &["PVD", "pvd"], usage: pvd::USAGE, make: pvd::pvd },
     Kind {
-        names: &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
-        usage: "recorder mpco ...: files for other programs, not written",
-        make: display::of_other_program,
+        names: &["PVD", "pvd"],
+        usage: pvd::USAGE,
+        text: Text::new(
+            "Writes the model with fields of nodes and elements for ParaView: a list `$file.pvd`, and a file of each \
+             step in the folder `$file`.",
+        )
+        .arguments(&[
+            Arg::of("-precision", "digits", "accepted and not used: the files have all digits"),
+            Arg::new("response", "words of a response of elements; those that follow belong to it"),
+        ]),
+        make: pvd::pvd,
     },
+    Kind::named(
+        &["mpco", "vtk", "VTK", "vtkhdf", "VTKHDF", "gmsh", "GMSH"],
+        "recorder mpco ...: files for other programs, not written",
+        display::of_other_program,
+    ),
     // Windows of OpenSees.
-    Kind {
-        names: &["display", "plot", "plotDifferent", "increments"],
-        usage: "recorder display ...",
-        make: |_, _, _| Ok(Value::from(-1i64)),
-    },
+    Kind::named(&["display", "plot", "plotDifferent", "increments"], "recorder display ...", |_, _, _| {
+        Ok(Value::from(-1i64))
+    }),
 ];
-
-/// The options that all recorders share.
-#[derive(Default)]
-struct Common {
-    file: Option<(String, Option<Span>)>,
-    style: Option<Style>,
-    layout: Option<Layout>,
-    close_on_write: bool,
-    cadence: Cadence,
-    /// Places of the tags of nodes and elements and of the degrees of freedom, for messages.
-    tags: BTreeMap<Absent, Span>,
-    /// None of the elements that are there has the response, which has been said.
-    knows_missing_response: bool,
-}
-
-const COMMON: &[&str] =
-    &["-file", "-csv", "-xml", "-binary", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
-
-impl Common {
-    fn new(interp: &Tcl) -> Self {
-        Self {
-            style: Some(interp.host.output.style),
-            cadence: Cadence { tolerance: 1e-5, ..Cadence::default() },
-            ..Self::default()
-        }
-    }
-
-    /// Take an option that all recorders share; `false` if it is none.
-    fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
-        let style = self.style.get_or_insert_default();
-        match option {
-            "-file" | "-fileCSV" | "-csv" | "-xml" | "-binary" => {
-                self.layout = Some(match option {
-                    "-file" => Layout::Text(Separator::Space),
-                    "-xml" => Layout::Xml,
-                    "-binary" => Layout::Binary,
-                    _ => Layout::Text(Separator::Comma),
-                });
-                self.file = Some((a.word("name of the file")?.into_owned(), a.last_span()));
-            }
-            "-time" | "-load" => self.cadence.time = true,
-            "-dT" | "-dt" => self.cadence.dt = a.not_negative("step of time dT")?,
-            "-rTolDt" => self.cadence.tolerance = a.not_negative("tolerance rTolDt")?,
-            "-closeOnWrite" => self.close_on_write = true,
-            "-precision" => style.precision = a.count("number of digits")?,
-            "-scientific" => style.scientific = true,
-            "-tcp" | "-database" | "-fileAdd" => {
-                let message = format!("recorder: the output {option} is not supported yet");
-                return Err(a.refuse(message, "expected -file, -csv, -xml or -binary"));
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
-    /// Take tags of nodes or elements.
-    fn take_tags(&mut self, what: &'static str, a: &mut Args<'_>) -> Vec<Tag> {
-        let placed = a.tags(what);
-        for (tag, span) in &placed {
-            self.tags.extend(span.map(|s| (Absent::new(what, tag), s)));
-        }
-        placed.into_iter().map(|(tag, _)| tag).collect()
-    }
-
-    /// Degrees of freedom or columns, counted from 0.
-    fn take_dofs(&mut self, a: &mut Args<'_>) -> Result<Vec<usize>, Exception> {
-        let mut out = vec![];
-        for (d, span) in a.placed_ints() {
-            match usize::try_from(d - 1) {
-                Ok(from_zero) => out.push(from_zero),
-                Err(_) => return Err(a.absent(things::DOF, d, "expected 1, 2, ...")),
-            }
-            self.tags.extend(span.map(|s| (Absent::new(things::DOF, d), s)));
-        }
-        Ok(out)
-    }
-
-    /// Open the output and add the recorder; its tag.
-    fn finish(self, interp: &mut Tcl, call: &Call<'_>, source: Box<dyn Source>, keep: Keep) -> Outcome {
-        let path = self.file.as_ref().map(|(name, _)| interp.absolute(name));
-        let output: Box<dyn Output> = match self.file.as_ref().zip(path.as_ref()) {
-            Some(((name, span), path)) => {
-                let format = FileFormat {
-                    style: self.style.unwrap_or_default(),
-                    layout: self.layout.unwrap_or(Layout::Text(Separator::Space)),
-                    close_on_write: self.close_on_write,
-                };
-                make_room(interp, call, (name, path), *span)?;
-                let made = interp.host.output.outputs.create(name, path.as_ref(), format);
-                made.map_err(|e| Exception::diagnosed(Diagnostic::error(e.to_string()).at(*span, "cannot write here")))?
-            }
-            None => {
-                let d = Diagnostic::warning(&checks::output::NO_FILE, "recorder: there is no file, so nothing is kept");
-                warn(interp, d.at(call.span(0), "expected -file"))?;
-                Box::new(Nowhere)
-            }
-        };
-        let recorder = keep(source, output, self.cadence);
-        let file = self.file.map(|(name, _)| name).zip(path);
-        let placed = Placed { recorder, tags: self.tags, knows_missing_response: self.knows_missing_response };
-        Ok(add(interp, call, placed, file))
-    }
-}
-
-/// A recorder with the places of the tags in its command.
-pub(super) struct Placed {
-    pub(super) recorder: Recorder,
-    pub(super) tags: BTreeMap<Absent, Span>,
-    pub(super) knows_missing_response: bool,
-}
-
-impl Placed {
-    /// A recorder whose command names no tags.
-    pub(super) fn without_tags(recorder: Recorder) -> Self {
-        Self { recorder, tags: BTreeMap::new(), knows_missing_response: false }
-    }
-}
-
-/// Add a recorder to the session, with the name of its file and where that is; its tag.
-pub(super) fn add(interp: &mut Tcl, call: &Call<'_>, placed: Placed, file: Option<(String, String)>) -> Value {
-    let Placed { recorder, tags, knows_missing_response } = placed;
-    let (file, path) = file.unzip();
-    if let Some(path) = &path {
-        interp.host.output.recorders.live.add(path, recorder.live().as_ref());
-    }
-    let (span, words) = (call.whole_span(), words(call));
-    let placed = PlacedRecorder { recorder, span, tags, path, file, words, reported: false, knows_missing_response };
-    Value::from(i64::from(interp.host.output.recorders.add(placed)))
-}
-
-/// The words of a command.
-pub(super) fn words(call: &Call<'_>) -> Vec<String> {
-    call.args().iter().map(|w| w.as_str().into_owned()).collect()
-}
-
-/// An output that keeps nothing.
-#[derive(Debug)]
-struct Nowhere;
-
-impl Output for Nowhere {
-    fn row(&mut self, _: &[f64]) -> Result<(), hysteron_engine::record::RecordError> {
-        Ok(())
-    }
-    fn finish(&mut self) -> Result<(), hysteron_engine::record::RecordError> {
-        Ok(())
-    }
-}
 
 fn recorder(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "recorder $kind -file $file ...");
     let kind = kind::take(&mut a, "kind of recorder", "recorder", KINDS.iter())?;
     (kind.make)(interp, call, a)
-}
-
-/// Tags of a region's nodes or elements.
-pub(super) fn region(interp: &Tcl, a: &mut Args<'_>, nodes: bool) -> Result<Vec<Tag>, Exception> {
-    let tag = a.tag(things::REGION, "tag of a region")?;
-    let Some(r) = interp.host.builder.regions.get(&tag) else {
-        return Err(a.absent(things::REGION, tag, "expected the tag of a region"));
-    };
-    let model = interp.host.engine.model();
-    Ok(if nodes {
-        r.nodes.iter().map(|n| model.nodes[n.0].tag).collect()
-    } else {
-        r.elements.iter().map(|e| model.elements[e.0].tag).collect()
-    })
-}
-
-/// Tags within a range that are there when the recorder is made, with a warning where there is none.
-pub(super) fn range(
-    interp: &mut Tcl,
-    a: &mut Args<'_>,
-    what: &'static str,
-    there: Vec<Tag>,
-) -> Result<Vec<Tag>, Exception> {
-    let first = a.int("first tag")?;
-    let span = a.last_span();
-    let last = a.int("last tag")?;
-    let found: Vec<Tag> = there.into_iter().filter(|t| (first.min(last)..=first.max(last)).contains(t)).collect();
-    if found.is_empty() && !interp.host.check.holds_back(&Absent::new(what, first)) {
-        let message = format!("recorder: no {what} from {first} to {last} has been defined");
-        warn(interp, Diagnostic::warning(&checks::output::NOTHING_RECORDED, message).at(span, "nothing is recorded"))?;
-    }
-    Ok(found)
 }
 
 fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outcome {

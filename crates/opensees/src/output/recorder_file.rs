@@ -1,6 +1,6 @@
 //! The file of a recorder: its folder is there, and no other recorder writes it.
 
-use super::recorder::words;
+use super::recorder_options::words;
 use crate::checks;
 use crate::host::Mode;
 use crate::{Tcl, warn};

@@ -2,13 +2,19 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 const USAGE: &str = "verify value|error $result $reference <$tolerance> <$text>";
 
-pub(crate) const COMMANDS: &[Command] = &[Command::new("verify", USAGE, verify)];
+pub(crate) const COMMANDS: &[Command] = &[Command::new("verify", USAGE, verify)
+    .about(
+        "Compares a result with a number: `value` by the difference, `error` by its share of the reference. It \
+         prints that they agree, or ends the script.",
+    )
+    .arguments(&[Arg::new("text", "text that is printed")])];
 
 /// Tolerance where none is given, as in the OpenSees that has the command.
 const TOLERANCE: f64 = 1e-12;

@@ -1,6 +1,7 @@
 //! `beamIntegration`, and the rules of quadrature that elements name.
 
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::beam::{Hinge, Rule};
@@ -8,6 +9,19 @@ use hysteron_engine::model::Integration;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("beamIntegration", USAGE, beam_integration)
+    .about("Makes a rule of integration along a beam, with its sections.")
+    .arguments(&[
+        Arg::new("section", "tag of the section"),
+        Arg::new("n", "number of sections"),
+        Arg::new("secI", "tag of the section of the hinge at i"),
+        Arg::new("lpI", "length of the hinge at i"),
+        Arg::new("secJ", "tag of the section of the hinge at j"),
+        Arg::new("lpJ", "length of the hinge at j"),
+        Arg::new("secE", "tag of the section between the hinges"),
+        Arg::new("sections", "tags of the sections"),
+        Arg::new("places", "places over the length, 0 to 1"),
+        Arg::new("weights", "weights over the length"),
+    ])
     .defining(&[things::INTEGRATION], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -31,71 +45,94 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Lobatto"],
         usage: "beamIntegration Lobatto $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Gauss-Lobatto points, the ends of the beam among them."),
         make: Family::Simple(|| Rule::Lobatto),
     },
     Kind {
         names: &["Legendre"],
         usage: "beamIntegration Legendre $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Gauss-Legendre points, all inside the beam."),
         make: Family::Simple(|| Rule::Legendre),
     },
     Kind {
         names: &["Radau"],
         usage: "beamIntegration Radau $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Gauss-Radau points, one of them at the first end."),
         make: Family::Simple(|| Rule::Radau),
     },
     Kind {
         names: &["NewtonCotes"],
         usage: "beamIntegration NewtonCotes $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Newton and Cotes."),
         make: Family::Simple(|| Rule::NewtonCotes),
     },
     Kind {
         names: &["Trapezoidal"],
         usage: "beamIntegration Trapezoidal $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Equally spaced points, the ends among them, with the weights of the trapezoidal rule."),
         make: Family::Simple(|| Rule::Trapezoidal),
     },
     Kind {
         names: &["CompositeSimpson", "Simpson"],
         usage: "beamIntegration CompositeSimpson $tag $section $n | $tag $n $sections ...",
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Simpson's rule."),
         make: Family::Simple(|| Rule::Simpson),
     },
     Kind {
         names: &["HingeRadau"],
         usage: "beamIntegration HingeRadau $tag $secI $lpI $secJ $lpJ $secE",
+        text: Text::new(
+            "Plastic hinges of given lengths by Gauss-Radau points over four hinge lengths; the beam between them is \
+             elastic.",
+        ),
         make: Family::Hinges(Hinge::Radau),
     },
     Kind {
         names: &["HingeRadauTwo"],
         usage: "beamIntegration HingeRadauTwo $tag $secI $lpI $secJ $lpJ $secE",
+        text: Text::new(
+            "Plastic hinges of given lengths with two Gauss-Radau points each; the beam between them is elastic.",
+        ),
         make: Family::Hinges(Hinge::RadauTwo),
     },
     Kind {
         names: &["HingeMidpoint"],
         usage: "beamIntegration HingeMidpoint $tag $secI $lpI $secJ $lpJ $secE",
+        text: Text::new(
+            "Plastic hinges of given lengths with a point in the middle of each; the beam between them is elastic.",
+        ),
         make: Family::Hinges(Hinge::Midpoint),
     },
     Kind {
         names: &["HingeEndpoint"],
         usage: "beamIntegration HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE",
+        text: Text::new("Plastic hinges of given lengths with a point at each end; the beam between them is elastic."),
         make: Family::Hinges(Hinge::Endpoint),
     },
     Kind {
         names: &["UserDefined"],
         usage: "beamIntegration UserDefined $tag $n $sections ... $places ... $weights ...",
+        text: Text::new("Points at given places with given weights."),
         make: Family::Located(|places, weights, n| (weights.len() == n).then_some(Rule::Given(places, weights))),
     },
     Kind {
         names: &["FixedLocation"],
         usage: "beamIntegration FixedLocation $tag $n $sections ... $places ...",
+        text: Text::new("Points at given places, with weights that are exact for polynomials."),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::Located(places, weights))),
     },
     Kind {
         names: &["LowOrder"],
         usage: "beamIntegration LowOrder $tag $n $sections ... $places ... <$weights ...>",
+        text: Text::new(
+            "Points at given places, some with given weights; the other weights are exact for polynomials.",
+        ),
         make: Family::Located(|places, weights, n| (weights.len() <= n).then_some(Rule::Located(places, weights))),
     },
     Kind {
         names: &["MidDistance"],
         usage: "beamIntegration MidDistance $tag $n $sections ... $places ...",
+        text: Text::new("Points at given places, each with the length up to the middle between it and its neighbours."),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::MidDistance(places))),
     },
 ];

@@ -5,6 +5,7 @@ use super::open::OpenSection;
 use crate::args::Args;
 use crate::checks;
 use crate::material::nd_material::Family;
+use crate::text::Arg;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
@@ -12,8 +13,22 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
-pub(crate) const COMMANDS: &[Command] =
-    &[Command::new("fiber", FIBER, fiber), Command::new("patch", PATCH, patch), Command::new("layer", LAYER, layer)];
+pub(crate) const COMMANDS: &[Command] = &[
+    Command::new("fiber", FIBER, fiber).about("Adds one fibre to the section."),
+    Command::new("patch", PATCH, patch).about("Adds fibres that fill an area.").arguments(&[
+        Arg::new("nY", "number of fibres along y"),
+        Arg::new("nZ", "number of fibres along z"),
+        Arg::new("nCirc", "number of fibres around the circle"),
+        Arg::new("nRad", "number of fibres along the radius"),
+        Arg::new("y", "centre y"),
+        Arg::new("z", "centre z"),
+        Arg::new("rInner", "inner radius"),
+        Arg::new("rOuter", "outer radius"),
+        Arg::new("angle1", "first angle in degrees"),
+        Arg::new("angle2", "last angle in degrees"),
+    ]),
+    Command::new("layer", LAYER, layer).about("Adds fibres along a line or an arc, as reinforcing bars."),
+];
 
 const FIBER: &str = "fiber $y $z $area $material";
 const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL $zL | rect $material $nY $nZ $yI $zI $yK $zK | \

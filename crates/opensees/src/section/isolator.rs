@@ -3,6 +3,7 @@
 use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use hysteron_engine::section::{Bidirectional, Elliptical, Resultant, SharedSection, TwoSpringIsolator};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -10,18 +11,32 @@ use hysteron_tcl::Exception;
 pub(super) const BIDIRECTIONAL: Kind = Kind {
     names: &["Bidirectional"],
     usage: "section Bidirectional $tag $E $Fy $Hiso $Hkin <$code1 $code2>",
+    text: Text::new("Two resultants that yield together, with isotropic and kinematic hardening.").arguments(&[
+        Arg::new("code1", "first resultant: `P`, `Mz`, `Vy`, `My`, `Vz` or `T`"),
+        Arg::new("code2", "second resultant"),
+    ]),
     make: Make::Beam(bidirectional),
 };
 
 pub(super) const ELLIPTICAL: Kind = Kind {
     names: &["Elliptical", "Elliptical2"],
     usage: "section Elliptical $tag $E1 $E2 $Fy1 $Fy2 $Hiso $Hkin1 $Hkin2 <$code1 $code2>",
+    text: Text::new("Two resultants that yield together on an ellipse, each with its own stiffness and strength.")
+        .arguments(&[
+            Arg::new("E1", "elastic stiffness of the first resultant, and E2 of the second"),
+            Arg::new("Fy1", "yield force of the first resultant alone, and Fy2 of the second"),
+            Arg::new("Hiso", "isotropic hardening, as a part of the size of the yield surface"),
+            Arg::new("Hkin1", "kinematic hardening modulus of the first resultant, and Hkin2 of the second"),
+            Arg::new("code1", "first resultant: `P`, `Mz`, `Vy`, `My`, `Vz` or `T`; `Mz` where both are left out"),
+            Arg::new("code2", "second resultant; `Vy` where both are left out"),
+        ]),
     make: Make::Beam(elliptical),
 };
 
 pub(super) const TWO_SPRINGS: Kind = Kind {
     names: &["Isolator2spring", "Iso2spring"],
     usage: "section Isolator2spring $tag $tol $k1 $Fyo $k2o $kvo $hb $PE <$Po>",
+    text: Text::new("An elastomeric bearing of two springs that buckles, for `zeroLengthSection` in the plane."),
     make: Make::Beam(two_springs),
 };
 

@@ -11,6 +11,7 @@ mod shapes;
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
@@ -23,6 +24,7 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
+    .about("Makes a cross-section.")
     .defining(&[things::SECTION, things::PLATE], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -45,27 +47,41 @@ const KINDS: &[Kind] = &[
         names: &["Elastic", "ElasticSection", "elastic"],
         usage: "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or $E $A $Iz $Iy $G $J <$alphaY $alphaZ> \
                 (in space)",
+        text: Text::new("A linear elastic section."),
         make: Make::Beam(elastic),
     },
     Kind {
         names: &["ElasticFrame", "FrameElastic"],
         usage: "section ElasticFrame $tag <$E $A $Iz $Iy $G $J> <-E $E> <-A $A> <-Iz $Iz> <-Iy $Iy> <-G $G> <-J $J> \
                 <-Ay $Avy> <-Az $Avz>",
+        text: Text::new(
+            "An elastic section whose properties are given by their names, or in the order of `section Elastic`.",
+        )
+        .example("section ElasticFrame 9 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 1e-3 -G 8e7 -J 1e-3"),
         make: Make::Beam(elastic_frame),
     },
     Kind {
         names: &["Fiber", "fiberSec", "FiberSec", "FiberSection", "fiber"],
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
+        text: Text::new("A section of fibres, which `fiber`, `patch` and `layer` in its body make.")
+            .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
+            .arguments(&[
+                Arg::of("-GJ", "GJ", "torsional stiffness"),
+                Arg::of("-torsion", "material", "law of torsion"),
+            ]),
         make: Make::Beam(fibers),
     },
     Kind {
         names: &["Aggregator", "AddDeformation"],
         usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
+        text: Text::new("A section of uniaxial laws, one for each resultant, optionally added to another section.")
+            .arguments(&[Arg::new("material1", "tags of the laws, each followed by the response that it adds")]),
         make: Make::Beam(aggregator),
     },
     Kind {
         names: &["Uniaxial", "Generic1D", "Generic1d"],
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
+        text: Text::new("A section with one resultant."),
         make: Make::Beam(uniaxial),
     },
     nd_fiber::ND_FIBER,

@@ -4,6 +4,7 @@ use super::fiber::ContinuumFiber;
 use super::{Kind, Make};
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{NdMaterial, SharedMultiaxial};
 use hysteron_engine::section::{NdFiber, NdFiberSection, SharedSection};
@@ -13,6 +14,9 @@ use hysteron_tcl::Exception;
 pub(super) const ND_FIBER: Kind = Kind {
     names: &["NDFiber"],
     usage: "section NDFiber $tag <-noCentroid> <-alpha $alpha> {fibers}",
+    text: Text::new("A section of fibres with shear stresses, of materials of continua.")
+        .example("section NDFiber 77 {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
+        .arguments(&[Arg::of("-alpha", "alpha", "shape factor of the shear strains")]),
     make: Make::Beam(make),
 };
 

@@ -4,6 +4,7 @@ use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::of_plates;
+use crate::text::{Arg, Text};
 use hysteron_engine::section::plate::{ElasticPlate, LayeredPlate, SharedPlateSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -11,18 +12,25 @@ use hysteron_tcl::Exception;
 pub(super) const ELASTIC: Kind = Kind {
     names: &["ElasticMembranePlateSection", "ElasticPlateSection"],
     usage: "section ElasticMembranePlateSection $tag $E $nu $h <$rho> <$bendingRatio>",
+    text: Text::new("An isotropic elastic plate, for shells.")
+        .example("section ElasticMembranePlateSection 77 1. 0.2 0.1"),
     make: Make::Plate(elastic),
 };
 
 pub(super) const UNIFORM: Kind = Kind {
     names: &["PlateFiber", "platefiber"],
     usage: "section PlateFiber $tag $material $h <Lobatto|Gauss>",
+    text: Text::new("A plate of one material with five points across its thickness, for shells.")
+        .example("section PlateFiber 77 1 0.1"),
     make: Make::Plate(uniform),
 };
 
 pub(super) const LAYERED: Kind = Kind {
     names: &["LayeredShell"],
     usage: "section LayeredShell $tag $layers $material1 $h1 $material2 $h2 ... | $layers $material $h",
+    text: Text::new("A plate of layers, for shells.")
+        .example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1")
+        .arguments(&[Arg::new("material2", "tags of the materials and thicknesses of the layers from the bottom up")]),
     make: Make::Plate(layered),
 };
 

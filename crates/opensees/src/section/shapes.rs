@@ -3,6 +3,7 @@
 use super::{Kind, Make, warn_of_torsion};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Text};
 use hysteron_engine::material::{Elastic, Material};
 use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
@@ -12,12 +13,29 @@ use std::f64::consts::PI;
 pub(super) const WIDE_FLANGE: Kind = Kind {
     names: &["WFSection2d", "WSection2d"],
     usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
+    text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4").arguments(&[
+        Arg::new("nfdw", "fibres of the web"),
+        Arg::new("nftf", "fibres of a flange across its thickness"),
+        Arg::new("nfbf", "fibres of a flange across its width"),
+        Arg::new("nftw", "fibres across the web; not used"),
+        Arg::of("-GJ", "GJ", "torsional rigidity, in space"),
+    ]),
     make: Make::Beam(wide_flange),
 };
 
 pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
     names: &["RCSection2d"],
     usage: "section RCSection2d $tag $core $cover $steel $d $b $coverDepth $Atop $Abottom $Aside $nfcore $nfcover $nfs",
+    text: Text::new("A rectangle of concrete with bars, bent about one axis.")
+        .example("section RCSection2d 77 1 2 3 20. 12. 2. 0.5 0.5 0.3 16 4 3")
+        .arguments(&[
+            Arg::new("Atop", "area of a bar of the top layer"),
+            Arg::new("Abottom", "area of a bar of the bottom layer"),
+            Arg::new("Aside", "area of a bar of the sides"),
+            Arg::new("nfcore", "fibres of the core"),
+            Arg::new("nfcover", "fibres of a cover"),
+            Arg::new("nfs", "bars of a layer"),
+        ]),
     make: Make::Beam(rectangular_concrete),
 };
 
@@ -25,6 +43,17 @@ pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
     names: &["RCCircularSection"],
     usage: "section RCCircularSection $tag $core $cover $steel $d $coverDepth $As $nRingsCore $nRingsCover $nWedges $nSteel \
             <-GJ $GJ | -torsion $material>",
+    text: Text::new("A circle of concrete with bars.")
+        .example("section RCCircularSection 77 1 2 3 20. 2. 0.5 4 2 8 8 -GJ 1.")
+        .arguments(&[
+            Arg::new("As", "area of a bar"),
+            Arg::new("nRingsCore", "rings of the core"),
+            Arg::new("nRingsCover", "rings of the cover"),
+            Arg::new("nWedges", "wedges of a ring"),
+            Arg::new("nSteel", "bars"),
+            Arg::of("-GJ", "GJ", "torsional rigidity, in space"),
+            Arg::of("-torsion", "material", "law of torsion, in space"),
+        ]),
     make: Make::Beam(circular_concrete),
 };
 

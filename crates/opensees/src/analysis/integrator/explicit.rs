@@ -4,6 +4,7 @@ use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
+use crate::text::{Arg, Text};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference,
     KrAlpha,
@@ -13,38 +14,59 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["CentralDifference"],
         usage: "integrator CentralDifference <$alphaM $betaK $betaK0 $betaKc>",
+        text: Text::new("Central differences."),
         make: |interp, a| central_difference(interp, a, "CentralDifference", true),
     },
     Kind {
         names: &["CentralDifferenceAlternative"],
         usage: "integrator CentralDifferenceAlternative <$alphaM $betaK $betaK0 $betaKc>",
+        text: Text::new("Central differences in another form."),
         make: central_difference_alternative,
     },
     Kind {
         names: &["CentralDifferenceNoDamping"],
         usage: "integrator CentralDifferenceNoDamping <$alphaM $betaK $betaK0 $betaKc>",
+        text: Text::new("Central differences without damping."),
         make: |interp, a| central_difference(interp, a, "CentralDifferenceNoDamping", false),
     },
     Kind {
         names: &["ExplicitDifference", "Explicitdifference"],
         usage: "integrator ExplicitDifference",
+        text: Text::new("The leap-frog method."),
         make: |interp, _| Ok(Box::new(ExplicitDifference::new(interp.host.follows(&[slips::EXPLICIT_START])))),
     },
-    Kind { names: &["ExplicitBathe"], usage: "integrator ExplicitBathe $p", make: explicit_bathe },
-    Kind { names: &["NewmarkExplicit"], usage: "integrator NewmarkExplicit $gamma", make: newmark_explicit },
+    Kind {
+        names: &["ExplicitBathe"],
+        usage: "integrator ExplicitBathe $p",
+        text: Text::new("The explicit method of Noh and Bathe."),
+        make: explicit_bathe,
+    },
+    Kind {
+        names: &["NewmarkExplicit"],
+        usage: "integrator NewmarkExplicit $gamma",
+        text: Text::new("Newmark's explicit method."),
+        make: newmark_explicit,
+    },
     Kind {
         names: &["HHTExplicit"],
         usage: "integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>",
+        text: Text::new("The explicit method of Hilber, Hughes and Taylor."),
         make: hht_explicit,
     },
     Kind {
         names: &["HHTGeneralizedExplicit"],
         usage: "integrator HHTGeneralizedExplicit $rhoB $alphaF | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
+        text: Text::new("The explicit generalised alpha method.").arguments(&[
+            Arg::new("rhoB", "spectral radius at the bifurcation"),
+            Arg::new("alphaF", "weight alphaF of the forces at the end"),
+            Arg::new("alphaI", "weight alphaI of the inertia at the end"),
+        ]),
         make: hht_generalized_explicit,
     },
     Kind {
         names: &["KRAlphaExplicit"],
         usage: "integrator KRAlphaExplicit $rhoInf <-updateElemDisp>",
+        text: Text::new("The explicit method of Kolay and Ricles."),
         make: kolay_ricles,
     },
 ];

@@ -2,6 +2,7 @@
 
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, Newmark, Restrained,
@@ -31,71 +32,89 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["NewmarkHSIncrReduct"],
         usage: "integrator NewmarkHSIncrReduct $gamma $beta $factor",
+        text: Text::new(
+            "Newmark's, HHT and collocation methods for hybrid simulation, with corrections reduced by a factor.",
+        ),
         make: |interp, a| implicit(interp, a, "NewmarkHSIncrReduct", Method::Newmark, Reduced),
     },
     Kind {
         names: &["NewmarkHSIncrLimit"],
         usage: "integrator NewmarkHSIncrLimit $gamma $beta $limit <-normType $p>",
+        text: Text::new("Newmark's method for hybrid simulation, with corrections of limited size."),
         make: |interp, a| implicit(interp, a, "NewmarkHSIncrLimit", Method::Newmark, Limited),
     },
     Kind {
         names: &["NewmarkHSFixedNumIter"],
         usage: "integrator NewmarkHSFixedNumIter $gamma $beta <-polyOrder 1|2|3>",
+        text: Text::new("Newmark's method for hybrid simulation, with a fixed number of iterations."),
         make: |interp, a| implicit(interp, a, "NewmarkHSFixedNumIter", Method::Newmark, FixedNumber),
     },
     Kind {
         names: &["HHTHSIncrReduct"],
         usage: "integrator HHTHSIncrReduct $rhoInf|{$alphaI $alphaF $beta $gamma} $factor",
+        text: Text::new(
+            "The method of Hilber, Hughes and Taylor for hybrid simulation, with corrections reduced by a factor.",
+        ),
         make: |interp, a| implicit(interp, a, "HHTHSIncrReduct", Method::Hht, Reduced),
     },
     Kind {
         names: &["HHTHSIncrLimit"],
         usage: "integrator HHTHSIncrLimit $rhoInf|{$alphaI $alphaF $beta $gamma} $limit <-normType $p>",
+        text: Text::new("The same with corrections of limited size."),
         make: |interp, a| implicit(interp, a, "HHTHSIncrLimit", Method::Hht, Limited),
     },
     Kind {
         names: &["HHTHSFixedNumIter"],
         usage: "integrator HHTHSFixedNumIter $rhoInf|{$alphaI $alphaF $beta $gamma} <-polyOrder 1|2|3>",
+        text: Text::new("The same with a fixed number of iterations."),
         make: |interp, a| implicit(interp, a, "HHTHSFixedNumIter", Method::Hht, FixedNumber),
     },
     Kind {
         names: &["HHTHSIncrReduct_TP"],
         usage: "integrator HHTHSIncrReduct_TP $rhoInf|{$alphaI $alphaF $beta $gamma} $factor",
+        text: Text::new("`HHTHSIncrReduct` with trapezoidal weights."),
         make: |interp, a| implicit(interp, a, "HHTHSIncrReduct_TP", Method::HhtTrapezoidal, Reduced),
     },
     Kind {
         names: &["HHTHSIncrLimit_TP"],
         usage: "integrator HHTHSIncrLimit_TP $rhoInf|{$alphaI $alphaF $beta $gamma} $limit <-normType $p>",
+        text: Text::new("`HHTHSIncrLimit` with trapezoidal weights."),
         make: |interp, a| implicit(interp, a, "HHTHSIncrLimit_TP", Method::HhtTrapezoidal, Limited),
     },
     Kind {
         names: &["HHTHSFixedNumIter_TP"],
         usage: "integrator HHTHSFixedNumIter_TP $rhoInf|{$alphaI $alphaF $beta $gamma} <-polyOrder 1|2|3>",
+        text: Text::new("`HHTHSFixedNumIter` with trapezoidal weights."),
         make: |interp, a| implicit(interp, a, "HHTHSFixedNumIter_TP", Method::HhtTrapezoidal, FixedNumber),
     },
     Kind {
         names: &["CollocationHSIncrReduct"],
         usage: "integrator CollocationHSIncrReduct $theta <$beta $gamma> $factor",
+        text: Text::new("The collocation method for hybrid simulation, with corrections reduced by a factor."),
         make: |interp, a| implicit(interp, a, "CollocationHSIncrReduct", Method::Collocation, Reduced),
     },
     Kind {
         names: &["CollocationHSIncrLimit"],
         usage: "integrator CollocationHSIncrLimit $theta <$beta $gamma> $limit <-normType $p>",
+        text: Text::new("The same with corrections of limited size."),
         make: |interp, a| implicit(interp, a, "CollocationHSIncrLimit", Method::Collocation, Limited),
     },
     Kind {
         names: &["CollocationHSFixedNumIter"],
         usage: "integrator CollocationHSFixedNumIter $theta <$beta $gamma> <-polyOrder 1|2|3>",
+        text: Text::new("The same with a fixed number of iterations."),
         make: |interp, a| implicit(interp, a, "CollocationHSFixedNumIter", Method::Collocation, FixedNumber),
     },
     Kind {
         names: &["AlphaOS"],
         usage: "integrator AlphaOS $alpha <$beta $gamma> <-updateElemDisp>",
+        text: Text::new("Operator splitting."),
         make: |interp, a| operator_splitting(interp, a, "AlphaOS"),
     },
     Kind {
         names: &["AlphaOSGeneralized"],
         usage: "integrator AlphaOSGeneralized $rhoInf|{$alphaI $alphaF $beta $gamma} <-updateElemDisp>",
+        text: Text::new("Generalised operator splitting."),
         make: |interp, a| operator_splitting(interp, a, "AlphaOSGeneralized"),
     },
 ];

@@ -4,6 +4,7 @@ use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::analysis::Coefficients;
 use hysteron_engine::analysis::integrator::{
@@ -14,35 +15,84 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
 pub(super) const KINDS: &[Kind] = &[
-    Kind { names: &["Newmark"], usage: "integrator Newmark $gamma $beta <-form D|V|A>", make: newmark },
+    Kind {
+        names: &["Newmark"],
+        usage: "integrator Newmark $gamma $beta <-form D|V|A>",
+        text: Text::new("Newmark's method."),
+        make: newmark,
+    },
     Kind {
         names: &["Newmark1"],
         usage: "integrator Newmark1 $gamma $beta <$alphaM $betaK $betaK0 $betaKc>",
+        text: Text::new("Newmark's method in its older form."),
         make: newmark1,
     },
-    Kind { names: &["HHT"], usage: "integrator HHT $alpha <$gamma $beta>", make: hht },
+    Kind {
+        names: &["HHT"],
+        usage: "integrator HHT $alpha <$gamma $beta>",
+        text: Text::new("The method of Hilber, Hughes and Taylor."),
+        make: hht,
+    },
     Kind {
         names: &["HHTGeneralized"],
         usage: "integrator HHTGeneralized $rhoInf | $alphaI $alphaF $beta $gamma",
+        text: Text::new("The generalised alpha method by a spectral radius."),
         make: hht_generalized,
     },
     Kind {
         names: &["GeneralizedAlpha"],
         usage: "integrator GeneralizedAlpha $alphaM $alphaF <$beta $gamma>",
+        text: Text::new("The generalised alpha method."),
         make: generalized_alpha,
     },
-    Kind { names: &["Collocation"], usage: "integrator Collocation $theta <$beta $gamma>", make: collocation },
-    Kind { names: &["WilsonTheta"], usage: "integrator WilsonTheta $theta", make: wilson_theta },
-    Kind { names: &["TRBDF2", "Bathe"], usage: "integrator TRBDF2", make: |_, _| Ok(trbdf2()) },
-    Kind { names: &["TRBDF3", "Bathe3"], usage: "integrator TRBDF3", make: |_, _| Ok(trbdf3()) },
-    Kind { names: &["Houbolt"], usage: "integrator Houbolt", make: |_, _| Ok(houbolt()) },
-    Kind { names: &["ParkLMS3"], usage: "integrator ParkLMS3", make: |_, _| Ok(park_lms3()) },
+    Kind {
+        names: &["Collocation"],
+        usage: "integrator Collocation $theta <$beta $gamma>",
+        text: Text::new("The collocation method."),
+        make: collocation,
+    },
+    Kind {
+        names: &["WilsonTheta"],
+        usage: "integrator WilsonTheta $theta",
+        text: Text::new("Wilson's method."),
+        make: wilson_theta,
+    },
+    Kind {
+        names: &["TRBDF2", "Bathe"],
+        usage: "integrator TRBDF2",
+        text: Text::new("The composite method of Bank and others."),
+        make: |_, _| Ok(trbdf2()),
+    },
+    Kind {
+        names: &["TRBDF3", "Bathe3"],
+        usage: "integrator TRBDF3",
+        text: Text::new("A composite method of three steps."),
+        make: |_, _| Ok(trbdf3()),
+    },
+    Kind {
+        names: &["Houbolt"],
+        usage: "integrator Houbolt",
+        text: Text::new("Houbolt's method."),
+        make: |_, _| Ok(houbolt()),
+    },
+    Kind {
+        names: &["ParkLMS3"],
+        usage: "integrator ParkLMS3",
+        text: Text::new("Park's method."),
+        make: |_, _| Ok(park_lms3()),
+    },
     Kind {
         names: &["BackwardEuler"],
         usage: "integrator BackwardEuler <0 | 1>",
+        text: Text::new("Backward differences."),
         make: |_, a| Ok(backward_euler(a.optional_int("option")? == Some(1))),
     },
-    Kind { names: &["GimmeMCK", "ZZTop"], usage: "integrator GimmeMCK $m $c $k", make: gimme_mck },
+    Kind {
+        names: &["GimmeMCK", "ZZTop"],
+        usage: "integrator GimmeMCK $m $c $k",
+        text: Text::new("No motion: the matrix $m M + c C + k K$, for `printA`."),
+        make: gimme_mck,
+    },
 ];
 
 fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {

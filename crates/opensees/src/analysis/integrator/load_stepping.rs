@@ -4,6 +4,7 @@ use super::{IntegratorResult, Kind};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::nodes::node_of;
+use crate::text::Text;
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::integrator::{
     Adaptive, ArcLength, DisplacementControl, EquilibriumPath, LoadControl, MinUnbalDispNorm, PathConstraint, Sense,
@@ -14,24 +15,43 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["LoadControl"],
         usage: "integrator LoadControl $increment <$iterations $min $max>",
+        text: Text::new("Steps of the load factor."),
         make: load_control,
     },
     Kind {
         names: &["DisplacementControl"],
         usage: "integrator DisplacementControl $node $dof $increment <$iterations $min $max>",
+        text: Text::new("Steps of one displacement."),
         make: displacement_control,
     },
-    Kind { names: &["ArcLength"], usage: "integrator ArcLength $length <$alpha>", make: arc_length },
-    Kind { names: &["ArcLength1"], usage: "integrator ArcLength1 $length <$alpha>", make: linearised_arc_length },
+    Kind {
+        names: &["ArcLength"],
+        usage: "integrator ArcLength $length <$alpha>",
+        text: Text::new("Steps along the path of equilibrium."),
+        make: arc_length,
+    },
+    Kind {
+        names: &["ArcLength1"],
+        usage: "integrator ArcLength1 $length <$alpha>",
+        text: Text::new("Steps along the path of equilibrium, by displacements."),
+        make: linearised_arc_length,
+    },
     Kind {
         names: &["HSConstraint"],
         usage: "integrator HSConstraint $length <$psiU> <$psiF> <$uRef>",
+        text: Text::new("Steps along the path of equilibrium, of a given length in displacements and loads."),
         make: hyper_spherical,
     },
-    Kind { names: &["EQPath"], usage: "integrator EQPath $length $constraint (1 to 8)", make: equilibrium_path },
+    Kind {
+        names: &["EQPath"],
+        usage: "integrator EQPath $length $constraint (1 to 8)",
+        text: Text::new("Steps along the path of equilibrium, with corrections that keep to one of eight constraints."),
+        make: equilibrium_path,
+    },
     Kind {
         names: &["MinUnbalDispNorm"],
         usage: "integrator MinUnbalDispNorm $increment <$iterations $min $max> <-determinant>",
+        text: Text::new("Steps of the load factor with least corrections."),
         make: min_unbal_disp_norm,
     },
 ];

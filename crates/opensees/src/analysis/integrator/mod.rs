@@ -8,12 +8,26 @@ mod trapezoidal;
 
 use crate::args::Args;
 use crate::checks;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish, kind, slips, warn};
 use hysteron_engine::analysis::integrator::{AlphaParameters, Integrator};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR, integrator)
+    .about("Chooses how a step advances time or load.")
+    .arguments(&[
+        Arg::new("iterations", "iterations wanted: the step grows where fewer are needed"),
+        Arg::new("rhoInf", "spectral radius at infinite frequency"),
+        Arg::new("theta", "collocation parameter theta"),
+        Arg::new("limit", "limit of a correction, for `...HSIncrLimit`"),
+        Arg::flag("-polyOrder", "order of the polynomial between steps"),
+        Arg::new("gamma", "Newmark parameter gamma"),
+        Arg::new("beta", "Newmark parameter beta"),
+        Arg::new("alphaI", "weight alphaI of the inertia at the end"),
+        Arg::new("alphaF", "weight alphaF of the forces at the end"),
+        Arg::new("alpha", "weight alpha of the forces at the end"),
+    ])
     .with_kinds(|| FAMILIES.iter().flat_map(|kinds| kind::usages(kinds)).collect())];
 
 const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";

@@ -3,6 +3,7 @@
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::slips;
+use crate::text::Text;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
@@ -10,29 +11,50 @@ use hysteron_engine::analysis::integrator::{
 use hysteron_tcl::Exception;
 
 pub(super) const KINDS: &[Kind] = &[
-    Kind { names: &["HHT_TP"], usage: "integrator HHT_TP $alpha <$gamma $beta>", make: hht },
+    Kind {
+        names: &["HHT_TP"],
+        usage: "integrator HHT_TP $alpha <$gamma $beta>",
+        text: Text::new(
+            "The method of Hilber, Hughes and Taylor with trapezoidal weights on the forces of both ends of a step.",
+        ),
+        make: hht,
+    },
     Kind {
         names: &["HHTGeneralized_TP"],
         usage: "integrator HHTGeneralized_TP $rhoInf | $alphaI $alphaF $beta $gamma",
+        text: Text::new("The generalised alpha method with trapezoidal weights."),
         make: hht_generalized,
     },
-    Kind { names: &["HHTExplicit_TP"], usage: "integrator HHTExplicit_TP $alpha <$gamma>", make: hht_explicit },
+    Kind {
+        names: &["HHTExplicit_TP"],
+        usage: "integrator HHTExplicit_TP $alpha <$gamma>",
+        text: Text::new("The explicit HHT method with trapezoidal weights."),
+        make: hht_explicit,
+    },
     Kind {
         names: &["HHTGeneralizedExplicit_TP"],
         usage: "integrator HHTGeneralizedExplicit_TP $rhoB $alphaF | $alphaI $alphaF $beta $gamma",
+        text: Text::new("The explicit generalised alpha method with trapezoidal weights."),
         make: hht_generalized_explicit,
     },
     Kind {
         names: &["AlphaOS_TP"],
         usage: "integrator AlphaOS_TP $alpha <$beta $gamma> <-updateElemDisp>",
+        text: Text::new("Operator splitting with trapezoidal weights."),
         make: alpha_os,
     },
     Kind {
         names: &["AlphaOSGeneralized_TP"],
         usage: "integrator AlphaOSGeneralized_TP $rhoInf | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
+        text: Text::new("Generalised operator splitting with trapezoidal weights."),
         make: alpha_os_generalized,
     },
-    Kind { names: &["KRAlphaExplicit_TP"], usage: "integrator KRAlphaExplicit_TP $rhoInf", make: kolay_ricles },
+    Kind {
+        names: &["KRAlphaExplicit_TP"],
+        usage: "integrator KRAlphaExplicit_TP $rhoInf",
+        text: Text::new("The method of Kolay and Ricles with trapezoidal weights."),
+        make: kolay_ricles,
+    },
 ];
 
 /// Take the numbers of a method that has no options.

@@ -1,0 +1,394 @@
+//! Kinds of amendments of elements.
+
+use super::{joints, learned};
+use crate::args::Args;
+use crate::{Outcome, Tcl};
+use hysteron_engine::element::amendment::{
+    Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
+    Yielding,
+};
+use hysteron_engine::element::bearing::BoucWenShear;
+use hysteron_engine::material::Softening;
+use hysteron_engine::model::ElementId;
+use hysteron_tcl::Exception;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Range that the number of an option must lie in.
+#[derive(Clone, Copy)]
+enum Range {
+    Any,
+    Positive,
+    NotNegative,
+    /// From 0 to below 1.
+    Ratio,
+}
+
+/// An option with one number.
+pub struct AmendmentOption {
+    /// Name, with its dash.
+    pub name: &'static str,
+    /// Meaning of the number.
+    pub what: &'static str,
+    range: Range,
+    /// Value where the script says nothing; `None` where it must.
+    pub default: Option<f64>,
+}
+
+impl AmendmentOption {
+    /// Value that the option takes, in a word or two.
+    pub fn value(&self) -> &'static str {
+        match self.range {
+            Any => "number",
+            Positive => "number > 0",
+            NotNegative | Ratio => "number ≥ 0",
+        }
+    }
+
+    pub(super) fn take(&self, a: &mut Args<'_>) -> Result<f64, Exception> {
+        match self.range {
+            Any => a.float(self.what),
+            Positive => a.positive(self.what),
+            NotNegative => a.not_negative(self.what),
+            Ratio => {
+                let x = a.not_negative(self.what)?;
+                if x < 1.0 { Ok(x) } else { Err(a.refuse(format!("{} is {x}", self.what), "expected 0 to below 1")) }
+            }
+        }
+    }
+}
+
+const fn needed(name: &'static str, what: &'static str, range: Range) -> AmendmentOption {
+    AmendmentOption { name, what, range, default: None }
+}
+
+const fn optional(name: &'static str, what: &'static str, range: Range, default: f64) -> AmendmentOption {
+    AmendmentOption { name, what, range, default: Some(default) }
+}
+
+/// The numbers that a kind has been given.
+pub(super) struct Numbers(pub(super) BTreeMap<&'static str, f64>);
+
+impl Numbers {
+    fn get(&self, name: &str) -> f64 {
+        self.0.get(name).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// Makes an amendment from the values of its options, what the factor acts on, and the stiffness of the element.
+pub(super) type MakeLaw = fn(&Numbers, Share, f64) -> Arc<dyn Amendment>;
+
+/// Making of an amendment.
+pub(super) enum Make {
+    /// From options with one number each.
+    Law(MakeLaw),
+    /// From words of its own, for these elements.
+    Words(fn(&mut Tcl, &mut Args<'_>, &[ElementId]) -> Outcome),
+}
+
+/// A kind of amendment of elements.
+pub struct AmendmentKind {
+    /// Name.
+    pub name: &'static str,
+    /// Sentence about it; empty where the usage of the command says all.
+    pub about: &'static str,
+    /// Options with one number.
+    pub options: &'static [AmendmentOption],
+    pub(super) make: Make,
+}
+
+use Make::{Law, Words};
+use Range::{Any, NotNegative, Positive, Ratio};
+
+/// All kinds of amendments of elements.
+pub const AMENDMENTS: &[AmendmentKind] = &[
+    AmendmentKind {
+        name: "temperature",
+        about: "Another temperature than that of the parameters.",
+        options: &[
+            needed("-softening", "softening b per degree", Any),
+            needed("-at", "temperature T", Any),
+            needed("-reference", "temperature T0 that the parameters belong to", Any),
+        ],
+        make: Law(|n, share, _| {
+            let (softening, at, reference) = (n.get("-softening"), n.get("-at"), n.get("-reference"));
+            Arc::new(Temperature { softening, at, reference, share })
+        }),
+    },
+    AmendmentKind {
+        name: "heating",
+        about: "Dissipated work warms the device and softens it.",
+        options: &[
+            needed("-softening", "softening b per degree", Any),
+            needed("-capacity", "heat capacity C, work per degree", Positive),
+            optional("-cooling", "cooling time", Positive, f64::INFINITY),
+            optional("-conduction", "time of conduction into a half-space", Positive, f64::INFINITY),
+        ],
+        make: Law(|n, share, _| {
+            let (softening, capacity) = (n.get("-softening"), n.get("-capacity"));
+            let (cooling, conduction) = (n.get("-cooling"), n.get("-conduction"));
+            Arc::new(Heating { softening, capacity, cooling, conduction, share })
+        }),
+    },
+    AmendmentKind {
+        name: "degradation",
+        about: "Strength is lost with dissipated energy.",
+        options: &[
+            needed("-loss", "part of the force lost in the end", Any),
+            needed("-energy", "energy that brings 63 % of the loss", Positive),
+        ],
+        make: Law(|n, share, _| Arc::new(Degradation { loss: n.get("-loss"), energy: n.get("-energy"), share })),
+    },
+    AmendmentKind {
+        name: "mullins",
+        about: "Virgin rubber is stiffer on its first way to a deformation.",
+        options: &[
+            needed("-virgin", "excess of the virgin force", Any),
+            optional("-power", "exponent of the way back to the virgin path; 0: there is none", NotNegative, 2.0),
+            needed("-onset", "deformation by which softening has begun", Positive),
+            optional("-healing", "time constant of healing", Positive, f64::INFINITY),
+        ],
+        make: Law(|n, share, _| {
+            let time = n.get("-healing");
+            let softening = Softening {
+                excess: n.get("-virgin"),
+                strain: n.get("-onset"),
+                power: Some(n.get("-power")).filter(|p| *p > 0.0),
+                healed: if time.is_finite() { 1.0 } else { 0.0 },
+                time,
+                preload: 0.0,
+            };
+            Arc::new(Mullins { softening, share })
+        }),
+    },
+    AmendmentKind {
+        name: "stiffening",
+        about: "Hardening at large deformation.",
+        options: &[
+            needed("-factor", "force at one unit of deformation beyond the onset", Any),
+            optional("-from", "deformation where it begins", NotNegative, 0.0),
+            optional("-power", "exponent", Positive, 2.0),
+        ],
+        make: Law(|n, _, _| {
+            Arc::new(Stiffening { factor: n.get("-factor"), from: n.get("-from"), power: n.get("-power") })
+        }),
+    },
+    AmendmentKind {
+        name: "overstress",
+        about: "Viscous overstress in parallel.",
+        options: &[
+            needed("-force", "overstress at the reference speed", Positive),
+            optional("-speed", "reference speed", Positive, 1.0),
+            optional("-power", "exponent n of the speed, above 0 and at most 1", Positive, 1.0),
+            needed("-stiffness", "stiffness of its spring", Positive),
+        ],
+        make: Law(|n, _, _| {
+            let (force, speed) = (n.get("-force"), n.get("-speed"));
+            Arc::new(Overstress { force, speed, power: n.get("-power"), stiffness: n.get("-stiffness") })
+        }),
+    },
+    AmendmentKind {
+        name: "relaxation",
+        about: "The force relaxes after each change.",
+        options: &[
+            needed("-strength", "part by which the force of a sudden change is larger", NotNegative),
+            needed("-time", "relaxation time, the shortest where there are several", Positive),
+            optional(
+                "-decades",
+                "decades over which four relaxation times are spread; 0: there is one",
+                NotNegative,
+                0.0,
+            ),
+        ],
+        make: Law(|n, _, _| {
+            Arc::new(Relaxation { strength: n.get("-strength"), time: n.get("-time"), decades: n.get("-decades") })
+        }),
+    },
+    AmendmentKind {
+        name: "axial",
+        about: "Lateral stiffness is lost under axial load.",
+        options: &[
+            needed("-critical", "critical load at rest", Positive),
+            optional("-power", "exponent of the load over the critical one", Positive, 2.0),
+            optional("-width", "width of the plates", Positive, f64::INFINITY),
+            optional("-load", "compression, where the model does not carry it", Any, f64::NAN),
+            optional("-reference", "compression that the parameters belong to", NotNegative, 0.0),
+        ],
+        make: Law(|n, share, _| {
+            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
+            let (critical, power, width) = (n.get("-critical"), n.get("-power"), n.get("-width"));
+            Arc::new(Axial { critical, power, width, load, reference: n.get("-reference"), share })
+        }),
+    },
+    AmendmentKind {
+        name: "coupling",
+        about: "One yield surface for two directions.",
+        options: &[
+            needed("-stiffness", "initial stiffness", Positive),
+            needed("-strength", "characteristic strength", Positive),
+            needed("-alpha", "post-yield over initial stiffness", Ratio),
+            optional("-eta", "yielding exponent", Positive, 2.0),
+        ],
+        make: Law(|n, _, _| {
+            let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
+            let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
+            let (beta, gamma, compat) = (0.5, 0.5, false);
+            Arc::new(Coupling { law: BoucWenShear { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
+        }),
+    },
+    AmendmentKind {
+        name: "pinching",
+        about: "Loops narrow near zero.",
+        options: &[
+            needed("-depth", "part of the force that is missing at zero deformation", Any),
+            needed("-width", "width of the slack over the largest deformation", Positive),
+            optional("-onset", "deformation from which there is slack", NotNegative, 0.0),
+        ],
+        make: Law(|n, share, _| {
+            Arc::new(Pinching { depth: n.get("-depth"), width: n.get("-width"), onset: n.get("-onset"), share })
+        }),
+    },
+    AmendmentKind {
+        name: "slip",
+        about: "Slack in series with the hysteretic part.",
+        options: &[
+            needed("-size", "deformation from end to end of the slack", NotNegative),
+            optional("-growth", "more of it for each deformation that has been reached", NotNegative, 0.0),
+            needed("-width", "hysteretic force within which it slips", Positive),
+        ],
+        make: Law(|n, share, _| {
+            let (size, growth, width) = (n.get("-size"), n.get("-growth"), n.get("-width"));
+            Arc::new(Slip { size, growth, width, share })
+        }),
+    },
+    AmendmentKind {
+        name: "pressure",
+        about: "Strength follows the axial force.",
+        options: &[
+            needed("-reference", "compression that the parameters belong to", Positive),
+            optional("-power", "exponent", Positive, 1.0),
+            optional("-lever", "compression per deformation of the first direction that overturning adds", Any, 0.0),
+            optional("-load", "compression, where the model does not carry it", NotNegative, f64::NAN),
+        ],
+        make: Law(|n, share, _| {
+            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
+            let (reference, power, lever) = (n.get("-reference"), n.get("-power"), n.get("-lever"));
+            Arc::new(Pressure { reference, power, lever, load, share })
+        }),
+    },
+    AmendmentKind {
+        name: "friction",
+        about: "Coulomb friction in parallel.",
+        options: &[
+            needed("-force", "friction force", NotNegative),
+            needed("-stiffness", "stiffness before it slips", Positive),
+        ],
+        make: Law(|n, _, _| Arc::new(Friction { force: n.get("-force"), stiffness: n.get("-stiffness") })),
+    },
+    AmendmentKind {
+        name: "bristles",
+        about: "Friction whose bristles bend before they slip.",
+        options: &[
+            needed("-force", "friction force of a fast motion", NotNegative),
+            needed("-stiffness", "stiffness before it slips", Positive),
+            optional("-breakaway", "what the friction of a slow motion has more", NotNegative, 0.0),
+            optional("-speed", "speed by which that has gone", Positive, f64::INFINITY),
+        ],
+        make: Law(|n, _, _| {
+            let (force, stiffness) = (n.get("-force"), n.get("-stiffness"));
+            Arc::new(Bristles { force, stiffness, breakaway: n.get("-breakaway"), speed: n.get("-speed") })
+        }),
+    },
+    AmendmentKind {
+        name: "sliding",
+        about: "Friction smoothed over speed.",
+        options: &[
+            needed("-force", "friction force of a fast motion", NotNegative),
+            needed("-speed", "speed over which it is smoothed", Positive),
+        ],
+        make: Law(|n, _, _| Arc::new(Sliding { force: n.get("-force"), speed: n.get("-speed") })),
+    },
+    AmendmentKind {
+        name: "gap",
+        about: "Contact beyond a gap.",
+        options: &[
+            needed("-at", "deformation at which contact begins", NotNegative),
+            needed("-stiffness", "contact stiffness", Positive),
+            optional("-power", "exponent of the penetration", Positive, 1.0),
+            optional("-damping", "damping, time per length", NotNegative, 0.0),
+            optional("-side", "side of the wall: 1, -1, or 0 for both", Any, 0.0),
+        ],
+        make: Law(|n, _, _| {
+            let side = n.get("-side");
+            let sides = if side > 0.0 {
+                Sides::Positive
+            } else if side < 0.0 {
+                Sides::Negative
+            } else {
+                Sides::Both
+            };
+            let (at, stiffness, power) = (n.get("-at"), n.get("-stiffness"), n.get("-power"));
+            Arc::new(Gap { at, stiffness, power, damping: n.get("-damping"), sides })
+        }),
+    },
+    AmendmentKind {
+        name: "damping",
+        about: "Viscous damping in parallel.",
+        options: &[
+            needed("-coefficient", "damping coefficient", NotNegative),
+            optional("-power", "exponent of the rate", Positive, 1.0),
+        ],
+        make: Law(|n, _, _| Arc::new(Damping { coefficient: n.get("-coefficient"), power: n.get("-power") })),
+    },
+    AmendmentKind {
+        name: "yielding",
+        about: "An elastic element yields.",
+        options: &[
+            needed("-force", "yield force", Positive),
+            optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
+        ],
+        make: Law(|n, _, stiffness| {
+            Arc::new(Yielding { force: n.get("-force"), stiffness, hardening: n.get("-hardening") })
+        }),
+    },
+    AmendmentKind {
+        name: "peakOriented",
+        about: "An elastic element yields and reloads towards its largest deformation.",
+        options: &[
+            needed("-force", "yield force", Positive),
+            optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
+            optional("-unloading", "exponent of the unloading stiffness", NotNegative, 0.0),
+        ],
+        make: Law(|n, _, stiffness| {
+            let (force, hardening, unloading) = (n.get("-force"), n.get("-hardening"), n.get("-unloading"));
+            Arc::new(PeakOriented { force, stiffness, hardening, unloading })
+        }),
+    },
+    AmendmentKind {
+        name: "cavitation",
+        about: "Tension is limited and damaged.",
+        options: &[
+            needed("-strength", "cavitation strength", Positive),
+            needed("-extension", "extension at which it is reached", Positive),
+            optional("-damage", "part of the strength lost in the end", Ratio, 0.0),
+            optional("-rate", "rate of the loss", Positive, 1.0),
+            optional("-rise", "gain far beyond the strength, as a part of it", NotNegative, 0.0),
+            optional("-reach", "extension of the gain", Positive, f64::INFINITY),
+            optional("-sign", "sign of the deformation that is tension, 1 or -1", Any, 1.0),
+        ],
+        make: Law(|n, share, _| {
+            let (strength, extension) = (n.get("-strength"), n.get("-extension"));
+            let (damage, rate) = (n.get("-damage"), n.get("-rate"));
+            let (rise, reach, sign) = (n.get("-rise"), n.get("-reach"), n.get("-sign").signum());
+            Arc::new(Cavitation { strength, extension, damage, rate, rise, reach, sign, share })
+        }),
+    },
+    AmendmentKind { name: "hinges", about: "", options: &[], make: Words(joints::hinge) },
+    AmendmentKind {
+        name: "learned",
+        about: "A law with memory in place of the element's own, found from recordings.",
+        options: &[],
+        make: Words(learned::learned),
+    },
+];
