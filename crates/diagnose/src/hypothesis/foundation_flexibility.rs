@@ -202,3 +202,47 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
     }
     added
 }
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// A footing lifts off where the column above it bends, at a moment on the scale of that; springs come with a dashpot and
+    /// without one.
+    #[test]
+    fn a_footing_below_a_bent_column_lifts_off() {
+        let text = "model basic -ndm 2 -ndf 3
+            node 1 0. 0.; node 2 0. 3. -mass 1. 1. 0.; fix 1 1 1 1
+            geomTransf Linear 1
+            element elasticBeamColumn 1 1 2 1. 1e3 1. 1
+            timeSeries Constant 2
+            pattern UniformExcitation 2 1 -accel 2
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator Newmark 0.5 0.25
+            analysis Transient
+            analyze 2 0.01\n";
+        let (inventory, study) = (inventory_of(text), pad_study());
+        let forms = |moment: Option<f64>| -> Vec<(String, Vec<String>)> {
+            let end_moments = moment.map(|m| (1, m)).into_iter().collect();
+            let responses = ResponseRanges { end_moments, ..ResponseRanges::default() };
+            let proposals = propose(&proposal_context(&inventory, &study, &responses));
+            let names =
+                |p: &crate::candidate::proposal::Proposal| p.parameters.iter().map(|a| a.name.clone()).collect();
+            proposals.iter().map(|p| (p.form.clone(), names(p))).collect()
+        };
+        let rocking = |all: Vec<(String, Vec<String>)>| -> Vec<String> {
+            all.into_iter()
+                .filter(|(f, _)| f.starts_with("rocking"))
+                .map(|(f, n)| format!("{f}: {}", n.join(" ")))
+                .collect()
+        };
+        let springs = ["rocking spring: hy_rocking hy_rocking_dashpot", "rocking spring without a dashpot: hy_rocking"];
+        assert_eq!(rocking(forms(None)), springs);
+        let lifts = "rocking spring of a footing that lifts off: \
+                     hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";
+        assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], lifts]);
+    }
+}
