@@ -60,7 +60,7 @@ pub(super) const KINDS: &[Kind] = &[
                  0.4 0.5 0.5 1. 0.8 0.",
             )
             .arguments(UNUSED)
-            .sharing(HINGE),
+            .groups(&[HINGE]),
         make: bilin,
     },
     Kind {
@@ -73,7 +73,7 @@ pub(super) const KINDS: &[Kind] = &[
                  0.4 0.5 0.5 1. 0.8 0.",
             )
             .arguments(UNUSED)
-            .sharing(HINGE),
+            .groups(&[HINGE]),
         make: bilin02,
     },
     Kind {
@@ -87,7 +87,7 @@ pub(super) const KINDS: &[Kind] = &[
                  0.15 0.2 0.3 0.4 0.5 0.5 1. 0.8 0.",
             )
             .arguments(RELOADING)
-            .sharing(HINGE),
+            .groups(&[HINGE]),
         make: mod_imk_peak_oriented,
     },
     Kind {
@@ -106,7 +106,7 @@ pub(super) const KINDS: &[Kind] = &[
                 LAMBDA_A,
                 C_A,
             ])
-            .sharing(HINGE),
+            .groups(&[HINGE]),
         make: mod_imk_pinching,
     },
     Kind {
