@@ -192,7 +192,7 @@ fn usage_of(out: &mut String, usage: &str, blanks: &mut Blanks) {
     if rows.is_empty() {
         return;
     }
-    let is_declared = |r: &Row| declared_for(usage, r).is_some_and(|a| a.domain.is_some());
+    let is_declared = |r: &Row| declared_for(usage, r).is_some_and(|a| a.domain.is_some() || r.arguments.is_empty());
     let found = if rows.iter().all(is_declared) { Meanings::new() } else { meanings(usage, &parts) };
     out.push_str("| argument | meaning | value |\n| --- | --- | --- |\n");
     let mut before: Option<String> = None;

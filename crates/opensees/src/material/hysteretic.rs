@@ -15,6 +15,28 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const BOUC_WEN: [Arg; 9] = [
+    Arg::number("alpha", "ratio of post-yield stiffness alpha"),
+    Arg::positive("ko", "elastic stiffness ko"),
+    Arg::positive("n", "exponent n"),
+    Arg::number("gamma", "gamma"),
+    Arg::number("beta", "beta"),
+    Arg::number("Ao", "Ao"),
+    Arg::number("deltaA", "deltaA"),
+    Arg::number("deltaNu", "deltaNu"),
+    Arg::number("deltaEta", "deltaEta"),
+];
+
+const FLAG: [Arg; 4] = [
+    Arg::positive("k1", "initial stiffness k1"),
+    Arg::number("k2", "stiffness after activation k2"),
+    Arg::positive("sigAct", "stress at activation sigAct"),
+    Arg::not_negative("beta", "height of the flag beta"),
+];
+const EPS_SLIP: Arg = Arg::number("epsSlip", "strain at slip epsSlip");
+const EPS_BEAR: Arg = Arg::number("epsBear", "strain at bearing epsBear");
+const R_BEAR: Arg = Arg::number("rBear", "ratio of bearing stiffness rBear");
+
 /// Arguments that deteriorating hinges share.
 const HINGE: &[Arg] = &[
     Arg::new("MyPos", "yield strength on the positive side"),
@@ -114,7 +136,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["BoucWen"],
         usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
-        text: Text::new("Bouc-Wen hysteresis with degradation (Baber and Noori)."),
+        text: Text::new("Bouc-Wen hysteresis with degradation (Baber and Noori).").groups(&[&BOUC_WEN]),
         make: bouc_wen,
     },
     Kind {
@@ -138,10 +160,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["SelfCentering"],
         usage: "uniaxialMaterial SelfCentering $tag $k1 $k2 $sigAct $beta <$epsSlip> <$epsBear> <$rBear>",
-        text: Text::new("Flag-shaped hysteresis.").arguments(&[
-            Arg::new("epsBear", "strain at which the device bears"),
-            Arg::new("rBear", "stiffness ratio after bearing"),
-        ]),
+        text: Text::new("Flag-shaped hysteresis.").groups(&[&FLAG, &[EPS_SLIP, EPS_BEAR, R_BEAR]]),
         make: self_centering,
     },
 ];
@@ -255,17 +274,8 @@ fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exce
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let law = BoucWen {
-        alpha: a.float("ratio of post-yield stiffness alpha")?,
-        ko: a.positive("elastic stiffness ko")?,
-        n: a.positive("exponent n")?,
-        gamma: a.float("gamma")?,
-        beta: a.float("beta")?,
-        ao: a.float("Ao")?,
-        delta_a: a.float("deltaA")?,
-        delta_nu: a.float("deltaNu")?,
-        delta_eta: a.float("deltaEta")?,
-    };
+    let [alpha, ko, n, gamma, beta, ao, delta_a, delta_nu, delta_eta] = a.read_all(interp, &BOUC_WEN)?;
+    let law = BoucWen { alpha, ko, n, gamma, beta, ao, delta_a, delta_nu, delta_eta };
     // Tolerance and number of iterations: the root is always found to round-off.
     a.optional_float("tolerance")?;
     a.optional_int("largest number of iterations")?;
@@ -311,16 +321,13 @@ fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let k1 = a.positive("initial stiffness k1")?;
-    let k2 = a.float("stiffness after activation k2")?;
-    let activation = a.positive("stress at activation sigAct")?;
-    let beta = a.not_negative("height of the flag beta")?;
+    let [k1, k2, activation, beta] = a.read_all(interp, &FLAG)?;
     if beta > 1.0 {
         return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected beta, 0 to 1"));
     }
-    let slip = a.optional_float("strain at slip epsSlip")?.unwrap_or(0.0);
-    let bearing = a.optional_float("strain at bearing epsBear")?.unwrap_or(0.0);
-    let bearing_ratio = a.optional_float("ratio of bearing stiffness rBear")?.unwrap_or(0.0);
+    let slip = a.read_optional(interp, &EPS_SLIP)?.unwrap_or(0.0);
+    let bearing = a.read_optional(interp, &EPS_BEAR)?.unwrap_or(0.0);
+    let bearing_ratio = a.read_optional(interp, &R_BEAR)?.unwrap_or(0.0);
     if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
         let rules = OpenSees;
         return Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }.shared());
