@@ -4,7 +4,7 @@ use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
 use super::words;
-use hysteron::opensees::{AMENDMENTS, Arg, Command, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
+use hysteron::opensees::{AMENDMENTS, Arg, Command, Domain, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
 use std::fmt::Write as _;
 
 /// A page.
@@ -192,7 +192,8 @@ fn usage_of(out: &mut String, usage: &str, blanks: &mut Blanks) {
     if rows.is_empty() {
         return;
     }
-    let found = meanings(usage, &parts);
+    let is_declared = |r: &Row| declared_for(usage, r).is_some_and(|a| a.domain.is_some() || r.arguments.is_empty());
+    let found = if rows.iter().all(is_declared) { Meanings::new() } else { meanings(usage, &parts) };
     out.push_str("| argument | meaning | value |\n| --- | --- | --- |\n");
     let mut before: Option<String> = None;
     for row in rows {
@@ -219,16 +220,16 @@ fn more_of(before: Option<&str>, row: &Row) -> bool {
 
 /// Meaning and value of a row: the declared one, else that of the messages.
 fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (String, String) {
-    let head: Vec<&str> = usage::command(usage).split(' ').take(2).collect();
     let name = row.arguments.first().map_or("", String::as_str);
-    if let Some(text) = declared(&head, &row.option, name) {
-        let value = found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
-        return (text.to_owned(), value.unwrap_or_default());
+    if let Some(arg) = declared_for(usage, row) {
+        let of_messages = || found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
+        let value = arg.domain.map(|d| d.told().to_owned()).or_else(of_messages);
+        return (arg.meaning.to_owned(), value.unwrap_or_default());
     }
     let of = |name: &String| found.get(&(row.option.clone(), name.clone())).cloned();
     let known: Vec<Meaning> = row.arguments.iter().filter_map(of).collect();
     if row.arguments.is_empty() || known.len() < row.arguments.len() {
-        blanks.push(format!("{}: no meaning of {} {name}", head.join(" "), row.option));
+        blanks.push(format!("{usage}: no meaning of {} {name}", row.option));
     }
     let mut whats: Vec<String> = known.iter().map(|m| m.what.clone()).collect();
     whats.dedup();
@@ -237,11 +238,13 @@ fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (
     (whats.join("; "), values.join("; "))
 }
 
-/// Meaning of an argument in the row of the command or of its kind.
-fn declared(head: &[&str], option: &str, name: &str) -> Option<&'static str> {
-    let command = commands().find(|c| c.name == head[0])?;
-    let kind = command.kinds().into_iter().find(|k| head.get(1).is_some_and(|name| k.names.contains(name)));
-    command.meaning(kind, option, name)
+/// The argument of a row of a usage, where the command or its kind declares it.
+fn declared_for(usage: &str, row: &Row) -> Option<&'static Arg> {
+    let mut head = usage::command(usage).split(' ');
+    let name = head.next()?;
+    let command = commands().find(|c| c.name == name)?;
+    let kind = head.next().and_then(|word| command.kinds().into_iter().find(|k| k.names.contains(&word)));
+    command.argument(kind, &row.option, row.arguments.first().map_or("", String::as_str))
 }
 
 /// Declared arguments that the usage of their command or kind does not have.
@@ -326,9 +329,14 @@ fn amend(out: &mut String, c: &Command, blanks: &mut Blanks) {
         let _ = writeln!(out, "### `amend element ... {}`\n\n{}\n", kind.name, kind.about);
         out.push_str("| option | meaning | value |\n| --- | --- | --- |\n");
         for option in kind.options {
-            let shown = format!("{} $value", option.name);
+            let shown = format!("{} ${}", option.arg.option, option.arg.name);
             let shown = if option.default.is_none() { shown } else { format!("<{shown}>") };
-            let _ = writeln!(out, "| `{shown}` | {} | {} |", option.what, option.value());
+            let _ = writeln!(
+                out,
+                "| `{shown}` | {} | {} |",
+                option.arg.meaning,
+                option.arg.domain.map_or("", Domain::told)
+            );
         }
         out.push('\n');
     }

@@ -33,6 +33,7 @@ def test_every_command_has_a_text_of_its_own():
 def test_about_has_the_words_of_a_kind():
     text = hysteron.about("uniaxialMaterial", "Steel01")
     assert text.startswith("uniaxialMaterial('Steel01', tag, Fy, E0, b") and "yield" in text and "`" not in text and "$" not in text
+    assert "Returns the velocity of a node.\n" in hysteron.about("nodeVel") and "displacement" not in hysteron.about("nodeVel")
     with pytest.raises(OpenSeesError, match="Steel01"):
         hysteron.about("uniaxialMaterial", "Stel01")
     with pytest.raises(OpenSeesError, match="unknown command"):

@@ -1,5 +1,6 @@
 //! The words of an OpenSees command, taken one after the other with a message for each that is not what it should be.
 
+mod declared;
 mod number_names;
 mod number_words;
 mod switches;

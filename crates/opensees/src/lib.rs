@@ -60,7 +60,7 @@ pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
 pub use output::{AnalysedModel, Balances, ModelSize};
 pub use session::{ModelBuilder, Session};
-pub use text::{Arg, Text, WITHOUT_EFFECT};
+pub use text::{Arg, Domain, Text, WITHOUT_EFFECT};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
@@ -134,10 +134,10 @@ impl Command {
         self.defines
     }
 
-    /// Meaning of an argument of the command or of its kind, where a row tells it.
-    pub fn meaning(&self, kind: Option<KindUsage>, option: &str, name: &str) -> Option<&'static str> {
-        let of_kind = kind.and_then(|k| k.text.meaning(option, name));
-        of_kind.or_else(|| self.text.meaning(option, name)).or_else(|| text::meaning_of_any(option, name))
+    /// An argument of the command or of its kind, where a row declares it.
+    pub fn argument(&self, kind: Option<KindUsage>, option: &str, name: &str) -> Option<&'static Arg> {
+        let of_kind = kind.and_then(|k| k.text.argument(option, name));
+        of_kind.or_else(|| self.text.argument(option, name)).or_else(|| text::argument_of_any(option, name))
     }
 
     /// Usage under the command's own name. Commands of a family may share one usage.

@@ -2,7 +2,38 @@
 
 mod any_command;
 
-/// Meaning of an argument or an option that the messages of the command do not tell.
+/// Values that a number may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// Any number.
+    Number,
+    /// Greater than 0.
+    Positive,
+    /// Not less than 0.
+    NotNegative,
+    /// From 0 to below 1.
+    Ratio,
+    /// Greater than 0, though OpenSees takes any number.
+    UsuallyPositive,
+    /// Not less than 0, though OpenSees takes any number.
+    UsuallyNotNegative,
+    /// A whole number.
+    Whole,
+}
+
+impl Domain {
+    /// The domain in the tables of the reference.
+    pub fn told(self) -> &'static str {
+        match self {
+            Self::Number | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
+            Self::Positive => "number > 0",
+            Self::NotNegative | Self::Ratio => "number ≥ 0",
+            Self::Whole => "whole number",
+        }
+    }
+}
+
+/// An argument or an option of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arg {
     /// Option that the argument follows, or that this is; empty for an argument by position.
@@ -11,22 +42,54 @@ pub struct Arg {
     pub name: &'static str,
     /// Meaning of it, or of all arguments behind the option.
     pub meaning: &'static str,
+    /// Domain of a number that is read by this declaration, whose messages have the meaning; none elsewhere.
+    pub domain: Option<Domain>,
 }
 
 impl Arg {
     /// An argument by position.
     pub(crate) const fn new(name: &'static str, meaning: &'static str) -> Self {
-        Self { option: "", name, meaning }
+        Self { option: "", name, meaning, domain: None }
     }
 
     /// The arguments behind an option.
     pub(crate) const fn of(option: &'static str, name: &'static str, meaning: &'static str) -> Self {
-        Self { option, name, meaning }
+        Self { option, name, meaning, domain: None }
     }
 
     /// An option without arguments.
     pub(crate) const fn flag(option: &'static str, meaning: &'static str) -> Self {
-        Self { option, name: "", meaning }
+        Self { option, name: "", meaning, domain: None }
+    }
+
+    /// A number of a domain behind an option.
+    pub(crate) const fn behind(option: &'static str, meaning: &'static str, domain: Domain) -> Self {
+        Self { option, name: "value", meaning, domain: Some(domain) }
+    }
+
+    /// A number of a domain, by position.
+    pub(crate) const fn of_domain(name: &'static str, meaning: &'static str, domain: Domain) -> Self {
+        Self { option: "", name, meaning, domain: Some(domain) }
+    }
+
+    /// A number, by position.
+    pub(crate) const fn number(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::Number)
+    }
+
+    /// A number greater than 0, by position.
+    pub(crate) const fn positive(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::Positive)
+    }
+
+    /// A number not less than 0, by position.
+    pub(crate) const fn not_negative(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::NotNegative)
+    }
+
+    /// A number greater than 0, though OpenSees takes any, by position.
+    pub(crate) const fn usually_positive(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::UsuallyPositive)
     }
 }
 
@@ -37,8 +100,8 @@ pub struct Text {
     pub about: &'static str,
     /// Arguments of its own.
     pub arguments: &'static [Arg],
-    /// Arguments that related kinds share.
-    pub shared: &'static [Arg],
+    /// Further arguments, in groups that are read together or that related kinds share.
+    pub groups: &'static [&'static [Arg]],
     /// Words that make a thing of the kind, where its usage alone does not lead to one; empty elsewhere.
     pub example: &'static str,
 }
@@ -51,7 +114,7 @@ impl Text {
     pub(crate) const NONE: Self = Self::new("");
 
     pub(crate) const fn new(about: &'static str) -> Self {
-        Self { about, arguments: &[], shared: &[], example: "" }
+        Self { about, arguments: &[], groups: &[], example: "" }
     }
 
     /// The same text with words that make a thing of the kind.
@@ -66,23 +129,56 @@ impl Text {
         self
     }
 
-    /// The same text with meanings of arguments that related kinds share.
-    pub(crate) const fn sharing(mut self, arguments: &'static [Arg]) -> Self {
-        self.shared = arguments;
+    /// The same text with arguments in groups.
+    pub(crate) const fn groups(mut self, groups: &'static [&'static [Arg]]) -> Self {
+        self.groups = groups;
         self
     }
 
-    /// Meaning of an argument, or of an option alone.
-    pub(crate) fn meaning(&self, option: &str, name: &str) -> Option<&'static str> {
-        meaning(self.arguments.iter().chain(self.shared), option, name)
+    /// All arguments.
+    fn all(&self) -> impl Iterator<Item = &'static Arg> {
+        self.arguments.iter().chain(self.groups.iter().copied().flatten())
+    }
+
+    /// The argument of this name, or the option alone.
+    pub(crate) fn argument(&self, option: &str, name: &str) -> Option<&'static Arg> {
+        find(self.all(), option, name)
     }
 }
 
-/// Meaning of an argument of any command.
-pub(crate) fn meaning_of_any(option: &str, name: &str) -> Option<&'static str> {
-    meaning(any_command::ANY_COMMAND, option, name)
+/// The argument of this name in any command.
+pub(crate) fn argument_of_any(option: &str, name: &str) -> Option<&'static Arg> {
+    find(any_command::ANY_COMMAND, option, name)
 }
 
-fn meaning(arguments: impl IntoIterator<Item = &'static Arg>, option: &str, name: &str) -> Option<&'static str> {
-    arguments.into_iter().find(|a| a.option == option && a.name == name).map(|a| a.meaning)
+fn find(arguments: impl IntoIterator<Item = &'static Arg>, option: &str, name: &str) -> Option<&'static Arg> {
+    arguments.into_iter().find(|a| a.option == option && a.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Arg;
+
+    /// Names of the arguments of a usage, in its order.
+    fn names(usage: &str) -> Vec<&str> {
+        let end = |rest: &str| rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+        usage.split('$').skip(1).map(|rest| &rest[..end(rest)]).collect()
+    }
+
+    /// True if the numbers that are declared stand in a usage, in their order.
+    fn are_in_order<'a>(arguments: impl Iterator<Item = &'a Arg>, usage: &str) -> bool {
+        let mut names = names(usage).into_iter();
+        arguments.filter(|a| a.domain.is_some()).all(|a| names.any(|n| n == a.name))
+    }
+
+    #[test]
+    fn numbers_are_declared_in_the_order_of_the_usage() {
+        for kind in crate::commands().flat_map(crate::Command::kinds) {
+            assert!(are_in_order(kind.text.all(), kind.usage), "{}", kind.usage);
+        }
+        let [fy, e] = ["Fy", "E"].map(|name| Arg::number(name, ""));
+        assert!(
+            are_in_order([fy, e].iter(), "law $tag $Fy <$E>") && !are_in_order([e, fy].iter(), "law $tag $Fy <$E>")
+        );
+    }
 }

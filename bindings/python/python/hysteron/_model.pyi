@@ -29,7 +29,7 @@ class Model:
         Chooses the solution algorithm of a step.
         """
     def amend(self, *args: _Word, **options: _Word) -> None:
-        """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-to', t2>)
+        """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-reached', t2>, <'-to', t3>)
 
         Adds physics to an element that exists; see Amendments.
         """
@@ -118,7 +118,10 @@ class Model:
         """
     def defaultUnits(self, *args: _Word) -> None: ...
     def display(self, *args: _Word, **options: _Word) -> None:
-        """display(...)"""
+        """display(...)
+
+        Accepted without effect.
+        """
     def domainChange(self) -> None:
         """domainChange()
 
@@ -189,7 +192,10 @@ class Model:
         Draws curves into an SVG file.
         """
     def fill(self, mode: _Word) -> None:
-        """fill(mode)"""
+        """fill(mode)
+
+        Accepted without effect.
+        """
     def filter(self, *args: Any) -> NoReturn: ...
     def findCurvatures(self, *args: Any) -> NoReturn: ...
     def findDesignPoint(self, *args: Any) -> NoReturn: ...
@@ -201,17 +207,17 @@ class Model:
     def fixX(self, *args: _Word, **options: _Word) -> None:
         """fixX(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-        Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+        Holds degrees of freedom of all nodes at a coordinate x.
         """
     def fixY(self, *args: _Word, **options: _Word) -> None:
         """fixY(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-        Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+        Holds degrees of freedom of all nodes at a coordinate y.
         """
     def fixZ(self, *args: _Word, **options: _Word) -> None:
         """fixZ(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-        Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+        Holds degrees of freedom of all nodes at a coordinate z.
         """
     def frictionModel(self, *args: _Word, **options: _Word) -> None:
         """frictionModel(kind, tag, ...)
@@ -404,7 +410,10 @@ class Model:
         Moves a support by a ground motion.
         """
     def initialize(self) -> None:
-        """initialize()"""
+        """initialize()
+
+        Accepted without effect.
+        """
     def InitialStateAnalysis(self, *args: Any) -> NoReturn: ...
     def integrator(self, *args: _Word, **options: _Word) -> None:
         """integrator('LoadControl' | 'DisplacementControl' | 'ArcLength' | 'Newmark' | 'HHT' | ..., <'options'>)
@@ -445,9 +454,15 @@ class Model:
     @overload
     def localForce(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def logCommands(self, *args: _Word, **options: _Word) -> None:
-        """logCommands(...)"""
+        """logCommands(...)
+
+        Accepted without effect.
+        """
     def logFile(self, *args: _Word, **options: _Word) -> None:
-        """logFile(file, ...)"""
+        """logFile(file, ...)
+
+        Accepted without effect.
+        """
     def mass(self, *args: _Word, **options: _Word) -> None:
         """mass(node, m1, <m2, ...>)
 
@@ -459,12 +474,12 @@ class Model:
     def modalDamping(self, *args: _Word, **options: _Word) -> None:
         """modalDamping(ratio | ratio1, ratio2, ...)
 
-        Damps modes that eigen has found, each by a ratio. As modalDamping, in the forces only and not in the tangent.
+        Damps modes that eigen has found, each by a ratio.
         """
     def modalDampingQ(self, *args: _Word, **options: _Word) -> None:
         """modalDampingQ(ratio | ratio1, ratio2, ...)
 
-        Damps modes that eigen has found, each by a ratio. As modalDamping, in the forces only and not in the tangent.
+        As modalDamping, in the forces only and not in the tangent.
         """
     def modalProperties(self, *args: _Word, **options: _Word) -> dict[str, list[float]] | None:
         """modalProperties(<'-print'>, <'-file', file>, <'-unorm'>, <'-return'>)
@@ -497,7 +512,7 @@ class Model:
     def nodeAccel(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeAccel(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the acceleration of a node.
         """
     @overload
     def nodeAccel(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -518,7 +533,7 @@ class Model:
     def nodeDisp(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeDisp(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the displacement of a node.
         """
     @overload
     def nodeDisp(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -535,14 +550,14 @@ class Model:
     def nodeMass(self, node: _Word, dof: _Word = ...) -> list[float] | float:
         """nodeMass(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the mass of a node.
         """
     def nodePressure(self, node: _Word) -> float: ...
     @overload
     def nodeReaction(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeReaction(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the reaction of a node in the present state; reactions chooses what it includes.
         """
     @overload
     def nodeReaction(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -554,13 +569,13 @@ class Model:
     def nodeUnbalance(self, node: _Word, dof: _Word = ...) -> list[float] | float:
         """nodeUnbalance(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the unbalanced load of a node.
         """
     @overload
     def nodeVel(self, node: float, dof: float = ..., /) -> list[float] | float:
         """nodeVel(node, <dof>)
 
-        Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+        Returns the velocity of a node.
         """
     @overload
     def nodeVel(self, node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -602,10 +617,16 @@ class Model:
         """
     def performanceFunction(self, *args: Any) -> NoReturn: ...
     def plane(self, front: _Word, back: _Word) -> None:
-        """plane(front, back)"""
+        """plane(front, back)
+
+        Accepted without effect.
+        """
     def plot(self, file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
     def port(self, xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
-        """port(xmin, xmax, ymin, ymax)"""
+        """port(xmin, xmax, ymin, ymax)
+
+        Accepted without effect.
+        """
     def pressureConstraint(self, *args: Any) -> NoReturn: ...
     def printA(self, *args: _Word, **options: _Word) -> list[float] | None:
         """printA(<'-file', file>, <'-ret'>)
@@ -626,9 +647,15 @@ class Model:
     def printX(self, *args: Any) -> NoReturn: ...
     def probabilityTransformation(self, *args: Any) -> NoReturn: ...
     def projection(self, mode: _Word) -> None:
-        """projection(mode)"""
+        """projection(mode)
+
+        Accepted without effect.
+        """
     def prp(self, x: _Word, y: _Word, z: _Word) -> None:
-        """prp(x, y, z)"""
+        """prp(x, y, z)
+
+        Accepted without effect.
+        """
     def pyversion(self, *args: _Word) -> str: ...
     def randomNumberGenerator(self, *args: Any) -> NoReturn: ...
     def randomVariable(self, *args: Any) -> NoReturn: ...
@@ -724,38 +751,38 @@ class Model:
     def sectionDeformation(self, element: _Word, section: _Word, dof: _Word = ...) -> list[float] | float:
         """sectionDeformation(element, section, <dof>)
 
-        Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+        Returns the deformations of a section of a beam.
         """
     def sectionDisplacement(self, *args: Any) -> NoReturn: ...
     def sectionFlexibility(self, element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
         """sectionFlexibility(element, section, <dof>)
 
-        Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+        Returns the inverse of the tangent of a section of a beam.
         """
     def sectionForce(self, element: _Word, section: _Word, dof: _Word = ...) -> list[float] | float:
         """sectionForce(element, section, <dof>)
 
-        Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+        Returns the resultants of a section of a beam.
         """
     def sectionLocation(self, element: _Word, section: _Word = ...) -> list[float] | float:
         """sectionLocation(element, <section>)
 
-        Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+        Returns the places of the sections along a beam.
         """
     def sectionStiffness(self, element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
         """sectionStiffness(element, section, <dof>)
 
-        Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+        Returns the tangent of a section of a beam.
         """
     def sectionTag(self, element: _Word, section: _Word = ...) -> list[int] | int:
         """sectionTag(element, <section>)
 
-        Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+        Returns the tags of the sections along a beam.
         """
     def sectionWeight(self, element: _Word, section: _Word = ...) -> list[float] | float:
         """sectionWeight(element, <section>)
 
-        Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+        Returns the weights of the sections along a beam.
         """
     def send(self, *args: _Word, **options: _Word) -> None:
         """send('-pid', process, data)
@@ -781,11 +808,14 @@ class Model:
         Sets Rayleigh damping of one element.
         """
     def setMaxOpenFiles(self, n: _Word) -> None:
-        """setMaxOpenFiles(n)"""
+        """setMaxOpenFiles(n)
+
+        Accepted without effect.
+        """
     def setNodeAccel(self, *args: _Word, **options: _Word) -> None:
         """setNodeAccel(node, dof, value, <'-commit'>)
 
-        Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+        Sets the acceleration of a node.
         """
     def setNodeCoord(self, node: _Word, direction: _Word, value: _Word) -> None:
         """setNodeCoord(node, direction, value)
@@ -795,7 +825,7 @@ class Model:
     def setNodeDisp(self, *args: _Word, **options: _Word) -> None:
         """setNodeDisp(node, dof, value, <'-commit'>)
 
-        Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+        Sets the displacement of a node.
         """
     def setNodeMass(self, node: _Word, dof: _Word, mass: _Word) -> None:
         """setNodeMass(node, dof, mass)
@@ -807,7 +837,7 @@ class Model:
     def setNodeVel(self, *args: _Word, **options: _Word) -> None:
         """setNodeVel(node, dof, value, <'-commit'>)
 
-        Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+        Sets the velocity of a node.
         """
     def setNumThreads(self, number: int) -> None: ...
     def setParameter(self, *args: _Word, **options: _Word) -> None:
@@ -844,12 +874,18 @@ class Model:
         """
     def spectrum(self, *args: Any) -> NoReturn: ...
     def start(self) -> None:
-        """start()"""
+        """start()
+
+        Accepted without effect.
+        """
     def startPoint(self, *args: Any) -> NoReturn: ...
     def stepSizeRule(self, *args: Any) -> NoReturn: ...
     def stiffnessDegradation(self, *args: Any) -> NoReturn: ...
     def stop(self) -> None:
-        """stop()"""
+        """stop()
+
+        Accepted without effect.
+        """
     def strengthControl(self, *args: Any) -> NoReturn: ...
     def strengthDegradation(self, *args: Any) -> NoReturn: ...
     def stripXML(self, *args: Any) -> NoReturn: ...
@@ -919,13 +955,25 @@ class Model:
         Returns the version of hysteron.
         """
     def viewWindow(self, xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
-        """viewWindow(xmin, xmax, ymin, ymax)"""
+        """viewWindow(xmin, xmax, ymin, ymax)
+
+        Accepted without effect.
+        """
     def vpn(self, x: _Word, y: _Word, z: _Word) -> None:
-        """vpn(x, y, z)"""
+        """vpn(x, y, z)
+
+        Accepted without effect.
+        """
     def vrp(self, x: _Word, y: _Word, z: _Word) -> None:
-        """vrp(x, y, z)"""
+        """vrp(x, y, z)
+
+        Accepted without effect.
+        """
     def vup(self, x: _Word, y: _Word, z: _Word) -> None:
-        """vup(x, y, z)"""
+        """vup(x, y, z)
+
+        Accepted without effect.
+        """
     def watch(self) -> None: ...
     def wipe(self) -> None:
         """wipe()

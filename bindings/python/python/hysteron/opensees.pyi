@@ -23,7 +23,7 @@ def algorithm(*args: _Word, **options: _Word) -> None:
     Chooses the solution algorithm of a step.
     """
 def amend(*args: _Word, **options: _Word) -> None:
-    """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-to', t2>)
+    """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-reached', t2>, <'-to', t3>)
 
     Adds physics to an element that exists; see Amendments.
     """
@@ -112,7 +112,10 @@ def database(*args: _Word, **options: _Word) -> None:
     """
 def defaultUnits(*args: _Word) -> None: ...
 def display(*args: _Word, **options: _Word) -> None:
-    """display(...)"""
+    """display(...)
+
+    Accepted without effect.
+    """
 def domainChange() -> None:
     """domainChange()
 
@@ -183,7 +186,10 @@ def figure(*args: _Word, **options: _Word) -> None:
     Draws curves into an SVG file.
     """
 def fill(mode: _Word) -> None:
-    """fill(mode)"""
+    """fill(mode)
+
+    Accepted without effect.
+    """
 def filter(*args: Any) -> NoReturn: ...
 def findCurvatures(*args: Any) -> NoReturn: ...
 def findDesignPoint(*args: Any) -> NoReturn: ...
@@ -195,17 +201,17 @@ def fix(*args: _Word, **options: _Word) -> None:
 def fixX(*args: _Word, **options: _Word) -> None:
     """fixX(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-    Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+    Holds degrees of freedom of all nodes at a coordinate x.
     """
 def fixY(*args: _Word, **options: _Word) -> None:
     """fixY(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-    Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+    Holds degrees of freedom of all nodes at a coordinate y.
     """
 def fixZ(*args: _Word, **options: _Word) -> None:
     """fixZ(coordinate, flag1, <flag2, ...>, <'-tol', tolerance>)
 
-    Holds degrees of freedom of all nodes at a coordinate x. Holds degrees of freedom of all nodes at a coordinate y. Holds degrees of freedom of all nodes at a coordinate z.
+    Holds degrees of freedom of all nodes at a coordinate z.
     """
 def frictionModel(*args: _Word, **options: _Word) -> None:
     """frictionModel(kind, tag, ...)
@@ -398,7 +404,10 @@ def imposedSupportMotion(*args: _Word, **options: _Word) -> None:
     Moves a support by a ground motion.
     """
 def initialize() -> None:
-    """initialize()"""
+    """initialize()
+
+    Accepted without effect.
+    """
 def InitialStateAnalysis(*args: Any) -> NoReturn: ...
 def integrator(*args: _Word, **options: _Word) -> None:
     """integrator('LoadControl' | 'DisplacementControl' | 'ArcLength' | 'Newmark' | 'HHT' | ..., <'options'>)
@@ -439,9 +448,15 @@ def localForce(element: float, dof: float = ..., /) -> list[float] | float:
 @overload
 def localForce(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def logCommands(*args: _Word, **options: _Word) -> None:
-    """logCommands(...)"""
+    """logCommands(...)
+
+    Accepted without effect.
+    """
 def logFile(*args: _Word, **options: _Word) -> None:
-    """logFile(file, ...)"""
+    """logFile(file, ...)
+
+    Accepted without effect.
+    """
 def mass(*args: _Word, **options: _Word) -> None:
     """mass(node, m1, <m2, ...>)
 
@@ -453,12 +468,12 @@ def metaData(*args: _Word) -> None: ...
 def modalDamping(*args: _Word, **options: _Word) -> None:
     """modalDamping(ratio | ratio1, ratio2, ...)
 
-    Damps modes that eigen has found, each by a ratio. As modalDamping, in the forces only and not in the tangent.
+    Damps modes that eigen has found, each by a ratio.
     """
 def modalDampingQ(*args: _Word, **options: _Word) -> None:
     """modalDampingQ(ratio | ratio1, ratio2, ...)
 
-    Damps modes that eigen has found, each by a ratio. As modalDamping, in the forces only and not in the tangent.
+    As modalDamping, in the forces only and not in the tangent.
     """
 def modalProperties(*args: _Word, **options: _Word) -> dict[str, list[float]] | None:
     """modalProperties(<'-print'>, <'-file', file>, <'-unorm'>, <'-return'>)
@@ -491,7 +506,7 @@ def node(*args: _Word, **options: _Word) -> None:
 def nodeAccel(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeAccel(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the acceleration of a node.
     """
 @overload
 def nodeAccel(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -512,7 +527,7 @@ def nodeCoord(node: _Tags = ..., direction: _Word = ..., /) -> np.ndarray: ...
 def nodeDisp(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeDisp(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the displacement of a node.
     """
 @overload
 def nodeDisp(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -529,14 +544,14 @@ def nodeEigenvector(node: _Word, mode: _Word, dof: _Word = ...) -> list[float] |
 def nodeMass(node: _Word, dof: _Word = ...) -> list[float] | float:
     """nodeMass(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the mass of a node.
     """
 def nodePressure(node: _Word) -> float: ...
 @overload
 def nodeReaction(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeReaction(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the reaction of a node in the present state; reactions chooses what it includes.
     """
 @overload
 def nodeReaction(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -548,13 +563,13 @@ def nodeResponse(*args: _Word, **options: _Word) -> float:
 def nodeUnbalance(node: _Word, dof: _Word = ...) -> list[float] | float:
     """nodeUnbalance(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the unbalanced load of a node.
     """
 @overload
 def nodeVel(node: float, dof: float = ..., /) -> list[float] | float:
     """nodeVel(node, <dof>)
 
-    Returns the displacement of a node. Returns the velocity of a node. Returns the acceleration of a node. Returns the reaction of a node in the present state; reactions chooses what it includes. Returns the unbalanced load of a node. Returns the mass of a node.
+    Returns the velocity of a node.
     """
 @overload
 def nodeVel(node: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
@@ -596,10 +611,16 @@ def pattern(*args: _Word, **options: _Word) -> None:
     """
 def performanceFunction(*args: Any) -> NoReturn: ...
 def plane(front: _Word, back: _Word) -> None:
-    """plane(front, back)"""
+    """plane(front, back)
+
+    Accepted without effect.
+    """
 def plot(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
 def port(xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
-    """port(xmin, xmax, ymin, ymax)"""
+    """port(xmin, xmax, ymin, ymax)
+
+    Accepted without effect.
+    """
 def pressureConstraint(*args: Any) -> NoReturn: ...
 def printA(*args: _Word, **options: _Word) -> list[float] | None:
     """printA(<'-file', file>, <'-ret'>)
@@ -620,9 +641,15 @@ def printModel(*args: _Word, **options: _Word) -> None:
 def printX(*args: Any) -> NoReturn: ...
 def probabilityTransformation(*args: Any) -> NoReturn: ...
 def projection(mode: _Word) -> None:
-    """projection(mode)"""
+    """projection(mode)
+
+    Accepted without effect.
+    """
 def prp(x: _Word, y: _Word, z: _Word) -> None:
-    """prp(x, y, z)"""
+    """prp(x, y, z)
+
+    Accepted without effect.
+    """
 def pyversion(*args: _Word) -> str: ...
 def randomNumberGenerator(*args: Any) -> NoReturn: ...
 def randomVariable(*args: Any) -> NoReturn: ...
@@ -718,38 +745,38 @@ def section(*args: _Word, **options: _Word) -> None:
 def sectionDeformation(element: _Word, section: _Word, dof: _Word = ...) -> list[float] | float:
     """sectionDeformation(element, section, <dof>)
 
-    Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+    Returns the deformations of a section of a beam.
     """
 def sectionDisplacement(*args: Any) -> NoReturn: ...
 def sectionFlexibility(element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
     """sectionFlexibility(element, section, <dof>)
 
-    Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+    Returns the inverse of the tangent of a section of a beam.
     """
 def sectionForce(element: _Word, section: _Word, dof: _Word = ...) -> list[float] | float:
     """sectionForce(element, section, <dof>)
 
-    Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+    Returns the resultants of a section of a beam.
     """
 def sectionLocation(element: _Word, section: _Word = ...) -> list[float] | float:
     """sectionLocation(element, <section>)
 
-    Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+    Returns the places of the sections along a beam.
     """
 def sectionStiffness(element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
     """sectionStiffness(element, section, <dof>)
 
-    Returns the resultants of a section of a beam. Returns the deformations of a section of a beam. Returns the tangent of a section of a beam. Returns the inverse of the tangent of a section of a beam.
+    Returns the tangent of a section of a beam.
     """
 def sectionTag(element: _Word, section: _Word = ...) -> list[int] | int:
     """sectionTag(element, <section>)
 
-    Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+    Returns the tags of the sections along a beam.
     """
 def sectionWeight(element: _Word, section: _Word = ...) -> list[float] | float:
     """sectionWeight(element, <section>)
 
-    Returns the places of the sections along a beam. Returns the weights of the sections along a beam. Returns the tags of the sections along a beam.
+    Returns the weights of the sections along a beam.
     """
 def send(*args: _Word, **options: _Word) -> None:
     """send('-pid', process, data)
@@ -775,11 +802,14 @@ def setElementRayleighFactors(element: _Word, alphaM: _Word, betaK: _Word, betaK
     Sets Rayleigh damping of one element.
     """
 def setMaxOpenFiles(n: _Word) -> None:
-    """setMaxOpenFiles(n)"""
+    """setMaxOpenFiles(n)
+
+    Accepted without effect.
+    """
 def setNodeAccel(*args: _Word, **options: _Word) -> None:
     """setNodeAccel(node, dof, value, <'-commit'>)
 
-    Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+    Sets the acceleration of a node.
     """
 def setNodeCoord(node: _Word, direction: _Word, value: _Word) -> None:
     """setNodeCoord(node, direction, value)
@@ -789,7 +819,7 @@ def setNodeCoord(node: _Word, direction: _Word, value: _Word) -> None:
 def setNodeDisp(*args: _Word, **options: _Word) -> None:
     """setNodeDisp(node, dof, value, <'-commit'>)
 
-    Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+    Sets the displacement of a node.
     """
 def setNodeMass(node: _Word, dof: _Word, mass: _Word) -> None:
     """setNodeMass(node, dof, mass)
@@ -801,7 +831,7 @@ def setNodeTemperature(*args: Any) -> NoReturn: ...
 def setNodeVel(*args: _Word, **options: _Word) -> None:
     """setNodeVel(node, dof, value, <'-commit'>)
 
-    Sets the displacement of a node. Sets the velocity of a node. Sets the acceleration of a node.
+    Sets the velocity of a node.
     """
 def setNumThreads(number: int) -> None: ...
 def setParameter(*args: _Word, **options: _Word) -> None:
@@ -838,12 +868,18 @@ def sp(*args: _Word, **options: _Word) -> None:
     """
 def spectrum(*args: Any) -> NoReturn: ...
 def start() -> None:
-    """start()"""
+    """start()
+
+    Accepted without effect.
+    """
 def startPoint(*args: Any) -> NoReturn: ...
 def stepSizeRule(*args: Any) -> NoReturn: ...
 def stiffnessDegradation(*args: Any) -> NoReturn: ...
 def stop() -> None:
-    """stop()"""
+    """stop()
+
+    Accepted without effect.
+    """
 def strengthControl(*args: Any) -> NoReturn: ...
 def strengthDegradation(*args: Any) -> NoReturn: ...
 def stripXML(*args: Any) -> NoReturn: ...
@@ -913,13 +949,25 @@ def version() -> str:
     Returns the version of hysteron.
     """
 def viewWindow(xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
-    """viewWindow(xmin, xmax, ymin, ymax)"""
+    """viewWindow(xmin, xmax, ymin, ymax)
+
+    Accepted without effect.
+    """
 def vpn(x: _Word, y: _Word, z: _Word) -> None:
-    """vpn(x, y, z)"""
+    """vpn(x, y, z)
+
+    Accepted without effect.
+    """
 def vrp(x: _Word, y: _Word, z: _Word) -> None:
-    """vrp(x, y, z)"""
+    """vrp(x, y, z)
+
+    Accepted without effect.
+    """
 def vup(x: _Word, y: _Word, z: _Word) -> None:
-    """vup(x, y, z)"""
+    """vup(x, y, z)
+
+    Accepted without effect.
+    """
 def watch() -> None: ...
 def wipe() -> None:
     """wipe()

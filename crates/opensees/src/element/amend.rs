@@ -122,7 +122,8 @@ struct Words {
 
 impl Words {
     fn take(interp: &mut Tcl, a: &mut Args<'_>, kind: &AmendmentKind, make: MakeLaw) -> Result<Self, Exception> {
-        let mut numbers: BTreeMap<_, _> = kind.options.iter().filter_map(|o| Some((o.name, o.default?))).collect();
+        let mut numbers: BTreeMap<_, _> =
+            kind.options.iter().filter_map(|o| Some((o.arg.option, o.default?))).collect();
         let (mut share, mut place) = (Share::default(), Place::default());
         while let Some(word) = a.option() {
             if place.takes(interp, a, &word)? {
@@ -141,18 +142,18 @@ impl Words {
                     }
                 }
                 word => {
-                    let Some(o) = kind.options.iter().find(|o| o.name == word) else {
+                    let Some(o) = kind.options.iter().find(|o| o.arg.option == word) else {
                         let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
-                        let known = kind.options.iter().map(|o| o.name).chain(common);
+                        let known = kind.options.iter().map(|o| o.arg.option).chain(common);
                         return Err(a.unknown_name("option", known));
                     };
-                    numbers.insert(o.name, o.take(a)?);
+                    numbers.insert(o.arg.option, a.read(interp, &o.arg)?);
                 }
             }
         }
-        if let Some(o) = kind.options.iter().find(|o| !numbers.contains_key(o.name)) {
-            let message = format!("amend {}: {} $value is missing", kind.name, o.name);
-            return Err(a.refuse(message, format!("expected the {} as well", o.what)));
+        if let Some(o) = kind.options.iter().find(|o| !numbers.contains_key(o.arg.option)) {
+            let message = format!("amend {}: {} $value is missing", kind.name, o.arg.option);
+            return Err(a.refuse(message, format!("expected the {} as well", o.arg.meaning)));
         }
         let numbers = Numbers(numbers);
         if share.of_strength && !weakens(make(&numbers, share, 1.0).as_ref()) {

@@ -2,6 +2,7 @@
 
 use super::{joints, learned};
 use crate::args::Args;
+use crate::text::{Arg, Domain};
 use crate::{Outcome, Tcl};
 use hysteron_engine::element::amendment::{
     Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
@@ -11,60 +12,23 @@ use hysteron_engine::element::amendment::{
 use hysteron_engine::element::bearing::BoucWenShear;
 use hysteron_engine::material::Softening;
 use hysteron_engine::model::ElementId;
-use hysteron_tcl::Exception;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Range that the number of an option must lie in.
-#[derive(Clone, Copy)]
-enum Range {
-    Any,
-    Positive,
-    NotNegative,
-    /// From 0 to below 1.
-    Ratio,
-}
-
 /// An option with one number.
 pub struct AmendmentOption {
-    /// Name, with its dash.
-    pub name: &'static str,
-    /// Meaning of the number.
-    pub what: &'static str,
-    range: Range,
+    /// The option and its number.
+    pub arg: Arg,
     /// Value where the script says nothing; `None` where it must.
     pub default: Option<f64>,
 }
 
-impl AmendmentOption {
-    /// Value that the option takes, in a word or two.
-    pub fn value(&self) -> &'static str {
-        match self.range {
-            Any => "number",
-            Positive => "number > 0",
-            NotNegative | Ratio => "number ≥ 0",
-        }
-    }
-
-    pub(super) fn take(&self, a: &mut Args<'_>) -> Result<f64, Exception> {
-        match self.range {
-            Any => a.float(self.what),
-            Positive => a.positive(self.what),
-            NotNegative => a.not_negative(self.what),
-            Ratio => {
-                let x = a.not_negative(self.what)?;
-                if x < 1.0 { Ok(x) } else { Err(a.refuse(format!("{} is {x}", self.what), "expected 0 to below 1")) }
-            }
-        }
-    }
+const fn needed(name: &'static str, what: &'static str, domain: Domain) -> AmendmentOption {
+    AmendmentOption { arg: Arg::behind(name, what, domain), default: None }
 }
 
-const fn needed(name: &'static str, what: &'static str, range: Range) -> AmendmentOption {
-    AmendmentOption { name, what, range, default: None }
-}
-
-const fn optional(name: &'static str, what: &'static str, range: Range, default: f64) -> AmendmentOption {
-    AmendmentOption { name, what, range, default: Some(default) }
+const fn optional(name: &'static str, what: &'static str, domain: Domain, default: f64) -> AmendmentOption {
+    AmendmentOption { arg: Arg::behind(name, what, domain), default: Some(default) }
 }
 
 /// The numbers that a kind has been given.
@@ -98,8 +62,8 @@ pub struct AmendmentKind {
     pub(super) make: Make,
 }
 
+use Domain::{NotNegative, Number, Positive, Ratio};
 use Make::{Law, Words};
-use Range::{Any, NotNegative, Positive, Ratio};
 
 /// All kinds of amendments of elements.
 pub const AMENDMENTS: &[AmendmentKind] = &[
@@ -107,9 +71,9 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "temperature",
         about: "Another temperature than that of the parameters.",
         options: &[
-            needed("-softening", "softening b per degree", Any),
-            needed("-at", "temperature T", Any),
-            needed("-reference", "temperature T0 that the parameters belong to", Any),
+            needed("-softening", "softening b per degree", Number),
+            needed("-at", "temperature T", Number),
+            needed("-reference", "temperature T0 that the parameters belong to", Number),
         ],
         make: Law(|n, share, _| {
             let (softening, at, reference) = (n.get("-softening"), n.get("-at"), n.get("-reference"));
@@ -120,7 +84,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "heating",
         about: "Dissipated work warms the device and softens it.",
         options: &[
-            needed("-softening", "softening b per degree", Any),
+            needed("-softening", "softening b per degree", Number),
             needed("-capacity", "heat capacity C, work per degree", Positive),
             optional("-cooling", "cooling time", Positive, f64::INFINITY),
             optional("-conduction", "time of conduction into a half-space", Positive, f64::INFINITY),
@@ -135,7 +99,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "degradation",
         about: "Strength is lost with dissipated energy.",
         options: &[
-            needed("-loss", "part of the force lost in the end", Any),
+            needed("-loss", "part of the force lost in the end", Number),
             needed("-energy", "energy that brings 63 % of the loss", Positive),
         ],
         make: Law(|n, share, _| Arc::new(Degradation { loss: n.get("-loss"), energy: n.get("-energy"), share })),
@@ -144,7 +108,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "mullins",
         about: "Virgin rubber is stiffer on its first way to a deformation.",
         options: &[
-            needed("-virgin", "excess of the virgin force", Any),
+            needed("-virgin", "excess of the virgin force", Number),
             optional("-power", "exponent of the way back to the virgin path; 0: there is none", NotNegative, 2.0),
             needed("-onset", "deformation by which softening has begun", Positive),
             optional("-healing", "time constant of healing", Positive, f64::INFINITY),
@@ -166,7 +130,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "stiffening",
         about: "Hardening at large deformation.",
         options: &[
-            needed("-factor", "force at one unit of deformation beyond the onset", Any),
+            needed("-factor", "force at one unit of deformation beyond the onset", Number),
             optional("-from", "deformation where it begins", NotNegative, 0.0),
             optional("-power", "exponent", Positive, 2.0),
         ],
@@ -212,7 +176,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             needed("-critical", "critical load at rest", Positive),
             optional("-power", "exponent of the load over the critical one", Positive, 2.0),
             optional("-width", "width of the plates", Positive, f64::INFINITY),
-            optional("-load", "compression, where the model does not carry it", Any, f64::NAN),
+            optional("-load", "compression, where the model does not carry it", Number, f64::NAN),
             optional("-reference", "compression that the parameters belong to", NotNegative, 0.0),
         ],
         make: Law(|n, share, _| {
@@ -241,7 +205,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         name: "pinching",
         about: "Loops narrow near zero.",
         options: &[
-            needed("-depth", "part of the force that is missing at zero deformation", Any),
+            needed("-depth", "part of the force that is missing at zero deformation", Number),
             needed("-width", "width of the slack over the largest deformation", Positive),
             optional("-onset", "deformation from which there is slack", NotNegative, 0.0),
         ],
@@ -268,7 +232,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         options: &[
             needed("-reference", "compression that the parameters belong to", Positive),
             optional("-power", "exponent", Positive, 1.0),
-            optional("-lever", "compression per deformation of the first direction that overturning adds", Any, 0.0),
+            optional("-lever", "compression per deformation of the first direction that overturning adds", Number, 0.0),
             optional("-load", "compression, where the model does not carry it", NotNegative, f64::NAN),
         ],
         make: Law(|n, share, _| {
@@ -317,7 +281,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             needed("-stiffness", "contact stiffness", Positive),
             optional("-power", "exponent of the penetration", Positive, 1.0),
             optional("-damping", "damping, time per length", NotNegative, 0.0),
-            optional("-side", "side of the wall: 1, -1, or 0 for both", Any, 0.0),
+            optional("-side", "side of the wall: 1, -1, or 0 for both", Number, 0.0),
         ],
         make: Law(|n, _, _| {
             let side = n.get("-side");
@@ -375,7 +339,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             optional("-rate", "rate of the loss", Positive, 1.0),
             optional("-rise", "gain far beyond the strength, as a part of it", NotNegative, 0.0),
             optional("-reach", "extension of the gain", Positive, f64::INFINITY),
-            optional("-sign", "sign of the deformation that is tension, 1 or -1", Any, 1.0),
+            optional("-sign", "sign of the deformation that is tension, 1 or -1", Number, 1.0),
         ],
         make: Law(|n, share, _| {
             let (strength, extension) = (n.get("-strength"), n.get("-extension"));

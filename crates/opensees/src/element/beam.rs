@@ -42,7 +42,7 @@ pub(super) const ELASTIC: Kind = Kind {
             Arg::of("-transform", "transf", "tag of a geometric transformation"),
             Arg::of("-shear", "flag", "0: without shear deformations"),
         ])
-        .sharing(ELASTIC_BEAM),
+        .groups(&[ELASTIC_BEAM]),
     make: Make::TwoNodes(make),
 };
 

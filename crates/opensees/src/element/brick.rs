@@ -26,7 +26,7 @@ pub(super) const BRICK: Kind = Kind {
     text: Text::new("Eight-node brick.")
         .example("element stdBrick 77 1 2 3 4 5 6 7 8 1")
         .arguments(&[Arg::flag("-lumped", "the mass is lumped at the corners")])
-        .sharing(BODY_FORCES),
+        .groups(&[BODY_FORCES]),
     make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
@@ -35,7 +35,7 @@ pub(super) const MEAN_DILATATION: Kind = Kind {
     usage: "element bbarBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
     text: Text::new("Eight-node brick of elasticity with a constant dilatation.")
         .example("element bbarBrick 77 1 2 3 4 5 6 7 8 1")
-        .sharing(BODY_FORCES),
+        .groups(&[BODY_FORCES]),
     make: Make::AnyNodes(|interp, a| make(interp, a, true)),
 };
 
@@ -44,7 +44,7 @@ pub(super) const STABILISED: Kind = Kind {
     usage: "element SSPbrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
     text: Text::new("Eight-node brick with one point of integration and stabilised hourglass modes.")
         .example("element SSPbrick 77 1 2 3 4 5 6 7 8 1")
-        .sharing(BODY_FORCES),
+        .groups(&[BODY_FORCES]),
     make: Make::AnyNodes(stabilised),
 };
 
@@ -53,7 +53,7 @@ pub(super) const FOUR_NODES: Kind = Kind {
     usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
     text: Text::new("Four-node tetrahedron with one point of integration.")
         .example("element FourNodeTetrahedron 77 1 2 4 5 1")
-        .sharing(BODY_FORCES),
+        .groups(&[BODY_FORCES]),
     make: Make::AnyNodes(tetrahedron::<4, 12>),
 };
 

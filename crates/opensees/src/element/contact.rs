@@ -29,7 +29,7 @@ pub(super) const CONTACT_2D: Kind = Kind {
     text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
         .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1.")
         .arguments(&[Arg::of("-normal", "Nx", "vector out of the primary surface")])
-        .sharing(NODES),
+        .groups(&[NODES]),
     make: Make::TwoNodes(make_in_plane),
 };
 
@@ -47,7 +47,7 @@ pub(super) const CONTACT_3D: Kind = Kind {
             Arg::new("originX", "place of the axis of the circle; the origin without"),
             Arg::new("originY", "place of the axis of the circle; the origin without"),
         ])
-        .sharing(NODES),
+        .groups(&[NODES]),
     make: Make::TwoNodes(make_in_space),
 };
 

@@ -36,7 +36,7 @@ pub(super) const DISPLACEMENT: Kind = Kind {
     text: Text::new("Displacement-based beam with sections.")
         .example("element dispBeamColumn 77 1 2 3 1 1")
         .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
-        .sharing(SECTIONS),
+        .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_displacement),
 };
 
@@ -60,7 +60,7 @@ pub(super) const FORCE: Kind = Kind {
     text: Text::new("Force-based beam with sections.")
         .example("element forceBeamColumn 77 1 2 3 1 1")
         .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
-        .sharing(SECTIONS),
+        .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_force),
 };
 
@@ -72,7 +72,7 @@ pub(super) const CURVATURE: Kind = Kind {
     text: Text::new("Force-based beam whose deflections follow its curvatures.")
         .example("element forceBeamColumnCBDI 77 1 2 3 1 1")
         .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
-        .sharing(SECTIONS),
+        .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_curvature),
 };
 

@@ -25,7 +25,7 @@ pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
             <-damp $damping>",
-    text: Text::new("Four-node quadrilateral.").example("element quad 77 1 2 3 4 1. PlaneStress 1").sharing(BODY),
+    text: Text::new("Four-node quadrilateral.").example("element quad 77 1 2 3 4 1. PlaneStress 1").groups(&[BODY]),
     make: Make::AnyNodes(make),
 };
 
@@ -50,7 +50,7 @@ pub(super) const TRIANGLE: Kind = Kind {
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     text: Text::new("Three-node triangle of plane elasticity.")
         .example("element tri31 77 1 2 3 1. PlaneStress 1")
-        .sharing(BODY),
+        .groups(&[BODY]),
     make: Make::AnyNodes(make_triangle),
 };
 
@@ -63,7 +63,7 @@ pub(super) const NINE_NODES: Kind = Kind {
             Arg::new("n1", "corners against the clock, then the middles of the sides in order, then the centre"),
             Arg::new("material", "tag of the material of continua"),
         ])
-        .sharing(BODY),
+        .groups(&[BODY]),
     make: Make::AnyNodes(|interp, a| make_quadratic::<9, 18>(interp, a, QuadraticShape::Lagrange)),
 };
 
@@ -76,7 +76,7 @@ pub(super) const EIGHT_NODES: Kind = Kind {
             Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
             Arg::new("material", "tag of the material of continua"),
         ])
-        .sharing(BODY),
+        .groups(&[BODY]),
     make: Make::AnyNodes(|interp, a| make_quadratic::<8, 16>(interp, a, QuadraticShape::Serendipity)),
 };
 
@@ -89,7 +89,7 @@ pub(super) const SIX_NODES: Kind = Kind {
             Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
             Arg::new("material", "tag of the material of continua"),
         ])
-        .sharing(BODY),
+        .groups(&[BODY]),
     make: Make::AnyNodes(|interp, a| make_quadratic::<6, 12>(interp, a, QuadraticShape::Triangle)),
 };
 

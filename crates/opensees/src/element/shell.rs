@@ -68,7 +68,7 @@ pub(super) const ENHANCED: Kind = Kind {
         ),
         Arg::flag("-drillingNL", "the drilling stiffness is damaged with the section"),
     ])
-    .sharing(LOCAL_AXES),
+    .groups(&[LOCAL_AXES]),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 4)),
 };
 
@@ -82,7 +82,7 @@ pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
             Arg::flag("-reducedIntegration", "one point, and a penalty on the drilling strain"),
             Arg::flag("-drillingNL", "with -reducedIntegration, the drilling stiffness is damaged with the section"),
         ])
-        .sharing(LOCAL_AXES),
+        .groups(&[LOCAL_AXES]),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 3)),
 };
 

@@ -54,7 +54,7 @@ pub(super) const MVLEM_3D: Kind = Kind {
          clock.",
     )
     .example("element MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9")
-    .sharing(PLATE),
+    .groups(&[PLATE]),
     make: Make::AnyNodes(lines_in_space),
 };
 
@@ -85,7 +85,7 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
             "modulus",
             "modulus of elasticity of the plate; the mean of the concretes without",
         )])
-        .sharing(PLATE),
+        .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("SFI_MVLEM_3D", PanelLaw::NoStress))),
 };
 
@@ -100,7 +100,7 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
             "modulus",
             "modulus of elasticity of the plate; the mean of the concretes without",
         )])
-        .sharing(PLATE),
+        .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
 };
 

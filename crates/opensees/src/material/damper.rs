@@ -27,7 +27,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
         text: Text::new("Dashpot of a power of the velocity in series with a spring.")
             .arguments(&[Arg::new("relTol", "relative tolerance"), Arg::new("NM", "method of integration of OpenSees")])
-            .sharing(SUBSTEPS),
+            .groups(&[SUBSTEPS]),
         make: viscous_damper,
     },
     Kind {
@@ -39,7 +39,7 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::new("LGap", "length of the gap"),
                 Arg::new("NM", "method of integration: 1 Dormand-Prince, 2 finite differences"),
             ])
-            .sharing(SUBSTEPS),
+            .groups(&[SUBSTEPS]),
         make: bilinear_oil_damper,
     },
     Kind {

@@ -12,42 +12,72 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const E: Arg = Arg::number("E", "elastic modulus E");
+const ETA: Arg = Arg::number("eta", "damping modulus eta");
+const E_NEG: Arg = Arg::number("Eneg", "modulus in compression Eneg");
+
+const USUAL_E: Arg = Arg::usually_positive("E", "elastic modulus E");
+const EPSY_P: Arg = Arg::number("epsyP", "yield strain in tension epsyP");
+const EPSY_N: Arg = Arg::number("epsyN", "yield strain in compression epsyN");
+const EPS_0: Arg = Arg::number("eps0", "initial strain eps0");
+
+const STIFFNESS: Arg = Arg::not_negative("E", "elastic modulus E");
+const FY: Arg = Arg::number("Fy", "yield stress Fy");
+const CLOSING: Arg = Arg::number("gap", "strain at which the gap closes");
+const HARDENING: Arg = Arg::number("eta", "hardening ratio eta");
+
+const GAP: Arg = Arg::number("gap", "gap");
+const GAP_P: Arg = Arg::number("gapP", "gap in tension");
+
+const TENSION: Arg = Arg::number("a", "part of the modulus that acts in tension, a");
+const FACTOR: Arg = Arg::number("b", "factor of the strain in tension, b");
+
+const BILINEAR: [Arg; 3] = [
+    Arg::number("EP1", "first modulus EP1"),
+    Arg::number("EP2", "second modulus EP2"),
+    Arg::number("epsP2", "strain epsP2"),
+];
+const BILINEAR_N: [Arg; 3] = [
+    Arg::number("EN1", "first modulus in compression EN1"),
+    Arg::number("EN2", "second modulus in compression EN2"),
+    Arg::number("epsN2", "strain in compression epsN2"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Elastic"],
         usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>",
-        text: Text::new("Linear elastic, with an optional viscous part.")
-            .arguments(&[Arg::new("Eneg", "elastic modulus in compression")]),
+        text: Text::new("Linear elastic, with an optional viscous part.").arguments(&[E, ETA, E_NEG]),
         make: elastic,
     },
     Kind {
         names: &["ElasticPP"],
         usage: "uniaxialMaterial ElasticPP $tag $E $epsyP <$epsyN> <$eps0>",
-        text: Text::new("Elastic, perfectly plastic.").arguments(&[Arg::new("eps0", "initial strain")]),
+        text: Text::new("Elastic, perfectly plastic.").arguments(&[USUAL_E, EPSY_P, EPSY_N, EPS_0]),
         make: elastic_pp,
     },
     Kind {
         names: &["ElasticPPGap"],
         usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
-        text: Text::new("Elastic, perfectly plastic beyond a gap."),
+        text: Text::new("Elastic, perfectly plastic beyond a gap.").arguments(&[STIFFNESS, FY, CLOSING, HARDENING]),
         make: elastic_pp_gap,
     },
     Kind {
         names: &["HookGap"],
         usage: "uniaxialMaterial HookGap $tag $E $gap <$gapP>",
-        text: Text::new("Elastic beyond a gap in either sense."),
+        text: Text::new("Elastic beyond a gap in either sense.").arguments(&[E, GAP, GAP_P]),
         make: hook_gap,
     },
     Kind {
         names: &["ENT"],
         usage: "uniaxialMaterial ENT $tag $E <$a> <$b>",
-        text: Text::new("Elastic without tension.").arguments(&[Arg::new("b", "factor of the strain in tension")]),
+        text: Text::new("Elastic without tension.").arguments(&[STIFFNESS, TENSION, FACTOR]),
         make: no_tension,
     },
     Kind {
         names: &["ElasticBilin", "ElasticBilinear"],
         usage: "uniaxialMaterial ElasticBilin $tag $EP1 $EP2 $epsP2 <$EN1 $EN2 $epsN2>",
-        text: Text::new("Elastic with two slopes in each sense."),
+        text: Text::new("Elastic with two slopes in each sense.").groups(&[&BILINEAR, &BILINEAR_N]),
         make: elastic_bilin,
     },
     Kind {
@@ -75,7 +105,7 @@ pub(super) const KINDS: &[Kind] = &[
 /// A modulus that may be 0, as that of a spring which is there for its name only. A negative one stands for an effect
 /// that softens: seldom meant.
 fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
-    let e = a.float("elastic modulus E")?;
+    let e = a.read(interp, &E)?;
     if e < 0.0 {
         let d = Diagnostic::warning(
             &checks::materials::UNUSUAL_PARAMETER,
@@ -87,7 +117,8 @@ fn modulus(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
 }
 
 /// A yield strain whose sign is made to fit its side, as in OpenSees.
-fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f64) -> Result<(), Exception> {
+fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg, x: f64, sign: f64) -> Result<(), Exception> {
+    let what = arg.meaning;
     if x == 0.0 {
         // A cable has no strength in compression.
         let side = if sign > 0.0 { "tension" } else { "compression" };
@@ -112,42 +143,42 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, what: &str, x: f64, sign: f6
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = modulus(interp, a)?;
-    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
-    let e_neg = a.optional_float("modulus in compression Eneg")?.unwrap_or(e);
+    let eta = a.read_optional(interp, &ETA)?.unwrap_or(0.0);
+    let e_neg = a.read_optional(interp, &E_NEG)?.unwrap_or(e);
     Ok(Elastic { e_pos: e, eta, e_neg }.shared())
 }
 
 fn elastic_pp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.usually_positive(interp, "elastic modulus E")?;
-    let tension = a.float("yield strain in tension epsyP")?;
-    yield_strain(interp, a, "yield strain in tension epsyP", tension, 1.0)?;
-    let compression = a.optional_float("yield strain in compression epsyN")?;
+    let e = a.read(interp, &USUAL_E)?;
+    let tension = a.read(interp, &EPSY_P)?;
+    yield_strain(interp, a, &EPSY_P, tension, 1.0)?;
+    let compression = a.read_optional(interp, &EPSY_N)?;
     if let Some(x) = compression {
-        yield_strain(interp, a, "yield strain in compression epsyN", x, -1.0)?;
+        yield_strain(interp, a, &EPSY_N, x, -1.0)?;
     }
     let compression = compression.unwrap_or(-tension);
     if tension == 0.0 && compression == 0.0 {
         a.doubt(interp, "ElasticPP: both yield strains are 0", "expected a strain other than 0")?;
     }
-    let initial = a.optional_float("initial strain eps0")?.unwrap_or(0.0);
+    let initial = a.read_optional(interp, &EPS_0)?.unwrap_or(0.0);
     Ok(ElasticPP::new(e, tension, compression, initial).shared())
 }
 
 fn hook_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = modulus(interp, a)?;
     // One gap is that of both senses; of two the first is that in compression, with either sign.
-    let first = a.float("gap")?;
-    let second = a.optional_float("gap in tension")?.unwrap_or(first);
+    let first = a.read(interp, &GAP)?;
+    let second = a.read_optional(interp, &GAP_P)?.unwrap_or(first);
     Ok(HookGap { e, gap: [-first.abs(), second] }.shared())
 }
 
 fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let mut e = a.not_negative("elastic modulus E")?;
+    let mut e = a.read(interp, &STIFFNESS)?;
     let e_span = a.last_span();
-    let fy = a.float("yield stress Fy")?;
-    let gap = a.float("strain at which the gap closes")?;
+    let fy = a.read(interp, &FY)?;
+    let gap = a.read(interp, &CLOSING)?;
     let gap_span = a.last_span();
-    let mut eta = a.optional_float("hardening ratio eta")?.unwrap_or(0.0);
+    let mut eta = a.read_optional(interp, &HARDENING)?.unwrap_or(0.0);
     if e == 0.0 {
         // As in OpenSees: a yield strain of 0.2 %.
         e = fy.abs() / 0.002;
@@ -175,24 +206,16 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     Ok(ElasticPPGap { e, fy, gap, eta, damage }.shared())
 }
 
-fn no_tension(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.not_negative("elastic modulus E")?;
-    let tension = a.optional_float("part of the modulus that acts in tension, a")?.unwrap_or(0.0);
-    let b = a.optional_float("factor of the strain in tension, b")?.unwrap_or(1.0);
+fn no_tension(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let e = a.read(interp, &STIFFNESS)?;
+    let tension = a.read_optional(interp, &TENSION)?.unwrap_or(0.0);
+    let b = a.read_optional(interp, &FACTOR)?.unwrap_or(1.0);
     Ok(NoTension { e, a: tension, b }.shared())
 }
 
-fn elastic_bilin(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let tension = [a.float("first modulus EP1")?, a.float("second modulus EP2")?, a.float("strain epsP2")?];
-    let compression = if a.left() > 0 {
-        [
-            a.float("first modulus in compression EN1")?,
-            a.float("second modulus in compression EN2")?,
-            a.float("strain in compression epsN2")?,
-        ]
-    } else {
-        tension
-    };
+fn elastic_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let tension = a.read_all(interp, &BILINEAR)?;
+    let compression = if a.left() > 0 { a.read_all(interp, &BILINEAR_N)? } else { tension };
     let both = |i: usize| [tension[i], compression[i]];
     Ok(ElasticBilin { first: both(0), second: both(1), bend: both(2).map(f64::abs) }.shared())
 }

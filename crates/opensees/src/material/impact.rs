@@ -4,52 +4,73 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{HertzDamp, Impact, JankowskiImpact, Material, Ratchet, Teeth, ViscoelasticGap};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const BILINEAR: [Arg; 2] =
+    [Arg::positive("K1", "initial stiffness K1"), Arg::not_negative("K2", "secondary stiffness K2")];
+const DELTA_Y: Arg = Arg::number("deltaY", "yield displacement deltaY");
+const GAP: Arg = Arg::number("gap", "displacement gap at which contact begins");
+const HERTZ: [Arg; 2] =
+    [Arg::positive("Kh", "contact stiffness Kh"), Arg::not_negative("xiNorm", "normalised damping coefficient xiNorm")];
+const JANKOWSKI: [Arg; 3] = [
+    Arg::positive("Kh", "contact stiffness Kh"),
+    Arg::not_negative("xi", "impact damping ratio xi"),
+    Arg::not_negative("mEff", "effective mass mEff"),
+];
+const EXPONENT: Arg = Arg::number("n", "exponent n");
+const KELVIN: [Arg; 2] = [Arg::positive("K", "stiffness K"), Arg::not_negative("C", "damping coefficient C")];
+const STRUT: [Arg; 3] = [
+    Arg::positive("E", "stiffness E"),
+    Arg::positive("freeTravel", "free travel"),
+    Arg::number("freeTravelInitial", "free travel at the beginning"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ImpactMaterial", "Impact"],
         usage: "uniaxialMaterial ImpactMaterial $tag $K1 $K2 $deltaY $gap",
-        text: Text::new("Pounding: a bilinear approximation of Hertz contact."),
+        text: Text::new("Pounding: a bilinear approximation of Hertz contact.").groups(&[&BILINEAR, &[DELTA_Y, GAP]]),
         make: impact,
     },
     Kind {
         names: &["HertzDamp", "Hertzdamp"],
         usage: "uniaxialMaterial HertzDamp $tag $Kh $xiNorm $gap <$n>",
-        text: Text::new("Pounding: Hertz contact with a damping force."),
+        text: Text::new("Pounding: Hertz contact with a damping force.").groups(&[&HERTZ, &[GAP, EXPONENT]]),
         make: hertz_damp,
     },
     Kind {
         names: &["JankowskiImpact"],
         usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
-        text: Text::new("Pounding: Hertz contact, damped on approach (Jankowski)."),
+        text: Text::new("Pounding: Hertz contact, damped on approach (Jankowski).")
+            .groups(&[&JANKOWSKI, &[GAP, EXPONENT]]),
         make: jankowski,
     },
     Kind {
         names: &["ViscoelasticGap"],
         usage: "uniaxialMaterial ViscoelasticGap $tag $K $C $gap",
-        text: Text::new("Contact with a spring and a dashpot, in compression alone."),
+        text: Text::new("Contact with a spring and a dashpot, in compression alone.").groups(&[&KELVIN, &[GAP]]),
         make: viscoelastic_gap,
     },
     Kind {
         names: &["Ratchet"],
         usage: "uniaxialMaterial Ratchet $tag $E $freeTravel $freeTravelInitial 1|2",
         text: Text::new("Strut that follows the closing of its ends and resists their opening.")
-            .example("uniaxialMaterial Ratchet 77 200. 0.02 0.01 1"),
+            .example("uniaxialMaterial Ratchet 77 200. 0.02 0.01 1")
+            .groups(&[&STRUT]),
         make: ratchet,
     },
 ];
 
 /// A displacement on the compression side; a positive one is turned, as OpenSees does.
-fn compressive(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let x = a.float(what)?;
+fn compressive(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg) -> Result<f64, Exception> {
+    let x = a.read(interp, arg)?;
     if x > 0.0 {
-        let message = format!("the {what} is {x}, which is in tension: {} is taken", -x);
+        let message = format!("the {} is {x}, which is in tension: {} is taken", arg.meaning, -x);
         warn(
             interp,
             Diagnostic::warning(&checks::words::REPLACED_VALUE, message)
@@ -59,21 +80,18 @@ fn compressive(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Ex
     Ok(-x.abs())
 }
 
-const GAP: &str = "displacement gap at which contact begins";
-
 fn impact(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let k1 = a.positive("initial stiffness K1")?;
-    let k2 = a.not_negative("secondary stiffness K2")?;
+    let [k1, k2] = a.read_all(interp, &BILINEAR)?;
     if k2 > k1 {
         return Err(a.refuse(format!("K2 is {k2}"), format!("expected a stiffness from 0 to K1, {k1}")));
     }
-    let delta_y = compressive(interp, a, "yield displacement deltaY")?;
-    let gap = compressive(interp, a, GAP)?;
+    let delta_y = compressive(interp, a, &DELTA_Y)?;
+    let gap = compressive(interp, a, &GAP)?;
     Ok(Impact { k1, k2, delta_y, gap, compat: interp.host.follows(&[slips::IMPACT_GAP]) }.shared())
 }
 
-fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
-    let n = a.optional_float("exponent n")?.unwrap_or(1.5);
+fn exponent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    let n = a.read_optional(interp, &EXPONENT)?.unwrap_or(1.5);
     if n < 1.0 {
         return Err(a.refuse(format!("the exponent n is {n}"), "expected an exponent of at least 1"));
     }
@@ -81,31 +99,26 @@ fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
 }
 
 fn hertz_damp(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let kh = a.positive("contact stiffness Kh")?;
-    let xi = a.not_negative("normalised damping coefficient xiNorm")?;
-    let gap = compressive(interp, a, GAP)?;
-    let n = exponent(a)?;
+    let [kh, xi] = a.read_all(interp, &HERTZ)?;
+    let gap = compressive(interp, a, &GAP)?;
+    let n = exponent(interp, a)?;
     Ok(HertzDamp { kh, xi, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }.shared())
 }
 
 fn jankowski(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let kh = a.positive("contact stiffness Kh")?;
-    let xi = a.not_negative("impact damping ratio xi")?;
-    let mass = a.not_negative("effective mass mEff")?;
-    let gap = compressive(interp, a, GAP)?;
-    let n = exponent(a)?;
+    let [kh, xi, mass] = a.read_all(interp, &JANKOWSKI)?;
+    let gap = compressive(interp, a, &GAP)?;
+    let n = exponent(interp, a)?;
     Ok(JankowskiImpact { kh, xi, mass, gap, n, compat: interp.host.follows(&[slips::IMPACT_TANGENT]) }.shared())
 }
 
 fn viscoelastic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (k, c) = (a.positive("stiffness K")?, a.not_negative("damping coefficient C")?);
-    Ok(ViscoelasticGap { k, c, gap: compressive(interp, a, GAP)? }.shared())
+    let [k, c] = a.read_all(interp, &KELVIN)?;
+    Ok(ViscoelasticGap { k, c, gap: compressive(interp, a, &GAP)? }.shared())
 }
 
-fn ratchet(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("stiffness E")?;
-    let travel = a.positive("free travel")?;
-    let first = a.float("free travel at the beginning")?;
+fn ratchet(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [e, travel, first] = a.read_all(interp, &STRUT)?;
     let teeth = match a.int("kind of ratchet")? {
         1 => Teeth::Spaced,
         2 => Teeth::Continuous,

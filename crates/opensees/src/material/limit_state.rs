@@ -57,7 +57,7 @@ const CURVES: &[CurveKind] = &[
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
             .arguments(&[Arg::new("delta", "shift of the drift")])
-            .sharing(DRIFT),
+            .groups(&[DRIFT]),
         make: shear,
     },
     CurveKind {
@@ -71,7 +71,7 @@ const CURVES: &[CurveKind] = &[
             Arg::new("delta", "shift of the drift"),
             Arg::new("eleRemove", "0: the element is not removed at its failure"),
         ])
-        .sharing(DRIFT),
+        .groups(&[DRIFT]),
         make: axial,
     },
     CurveKind {
@@ -88,7 +88,7 @@ const CURVES: &[CurveKind] = &[
                 ),
                 Arg::new("forType", "force: 0 of the spring, 1 shear of the element, 2 its axial load"),
             ])
-            .sharing(DRIFT),
+            .groups(&[DRIFT]),
         make: three_point,
     },
     CurveKind {

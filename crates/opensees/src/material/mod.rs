@@ -24,12 +24,14 @@ mod recipe;
 mod rubber;
 mod smooth;
 mod soil;
+mod steel;
 mod steel4;
 mod steel_drc;
 mod wrapper;
 
 use crate::args::Args;
 use crate::effect::Effect;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::Material;
@@ -44,6 +46,7 @@ pub(crate) use rubber::rheology;
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("uniaxialMaterial", "uniaxialMaterial $kind $tag ...", uniaxial_material)
         .about("Makes a uniaxial law: stress over strain, or force over deformation.")
+        .arguments(&[TAG])
         .defining(&[things::MATERIAL], 2)
         .with_kinds(|| kinds().map(kind::Kind::described).collect()),
     Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test)
@@ -64,6 +67,8 @@ pub(crate) const COMMANDS: &[Command] = &[
         .leaving(Effect::Nothing),
 ];
 
+const TAG: Arg = Arg::of_domain("tag", "tag of the material", Domain::Whole);
+
 /// A kind of material, made from the words after its tag.
 type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Material, Exception>>;
 
@@ -71,6 +76,7 @@ type Kind = kind::Kind<fn(&mut Tcl, &mut Args<'_>) -> Result<Material, Exception
 fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
     [
         elastic::KINDS,
+        steel::KINDS,
         plastic::KINDS,
         concrete::KINDS,
         confined_concrete::KINDS,
@@ -100,7 +106,7 @@ fn uniaxial_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "uniaxialMaterial $kind $tag ...");
     let kind = kind::take(&mut a, "kind of material", "uniaxial material", kinds())?;
     interp.host.note_kind("uniaxialMaterial", kind.names[0]);
-    let tag = a.int("tag of the material")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let material = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;

@@ -1,60 +1,82 @@
-//! Steels and other plastic materials.
+//! Bars, plastic laws and connections.
 
 use super::Kind;
+use super::steel::{B, hardening_ratio};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
-    BarFatigue, BondSp01, BrbBranch, Buckling, Cast, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material,
-    MultiLinear, ReinforcingSteel, Steel01, Steel02, Steel03, SteelBrb, SteelFractureDi, SteelMpf, UvcUniaxial,
+    BarFatigue, BondSp01, Buckling, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
+    ReinforcingSteel, SteelFractureDi, UvcUniaxial,
 };
 use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const DODD_RESTREPO: [Arg; 7] = [
+    Arg::positive("Fy", "yield stress Fy"),
+    Arg::positive("Fsu", "strength Fsu"),
+    Arg::not_negative("ESH", "strain ESH where hardening begins"),
+    Arg::positive("ESU", "strain ESU of the strength"),
+    Arg::positive("Youngs", "modulus Youngs"),
+    Arg::number("ESHI", "strain ESHI on the hardening curve"),
+    Arg::number("FSHI", "stress FSHI on the hardening curve"),
+];
+const OMEGA: Arg = Arg::number("OmegaFac", "factor of the Bauschinger curves OmegaFac");
+const STRAIN_UNIT: Arg = Arg::positive("Conv", "unit of the strains Conv");
+
+const HARDENING: [Arg; 4] = [
+    Arg::usually_positive("E", "elastic modulus E"),
+    Arg::of_domain("sigmaY", "yield stress sigmaY", Domain::UsuallyNotNegative),
+    Arg::number("Hiso", "isotropic hardening modulus Hiso"),
+    Arg::number("Hkin", "kinematic hardening modulus Hkin"),
+];
+const VISCOSITY: Arg = Arg::number("eta", "viscosity eta");
+
+const BAR: [Arg; 2] =
+    [Arg::positive("fy", "yield strength fy of the bar"), Arg::positive("sy", "slip sy at the yield strength")];
+const ULTIMATE: [Arg; 2] =
+    [Arg::positive("fu", "ultimate strength fu of the bar"), Arg::number("su", "slip su at the ultimate strength")];
+const LOOPS: [Arg; 2] = [Arg::positive("b", "initial hardening ratio b"), Arg::positive("R", "pinching factor R")];
+/// Numbers without effect in OpenSees.
+const UNUSED: [Arg; 4] = [
+    Arg::number("Cd", "damage factor Cd"),
+    Arg::number("db", "bar diameter db"),
+    Arg::number("fc", "concrete strength fc"),
+    Arg::number("la", "anchorage length la"),
+];
+
+const FRACTURE: [Arg; 3] = [
+    Arg::positive("Fy", "yield strength in tension Fy"),
+    Arg::positive("FyC", "yield strength in compression FyC"),
+    Arg::positive("E0", "elastic modulus E0"),
+];
+const FRACTURE_TRANSITION: [Arg; 3] =
+    [Arg::positive("R0", "sharpness of the transition R0"), Arg::number("cR1", "cR1"), Arg::positive("cR2", "cR2")];
+const FRACTURE_ISOTROPIC: [Arg; 4] = [
+    Arg::number("a1", "isotropic hardening parameter a1"),
+    Arg::positive("a2", "isotropic hardening parameter a2"),
+    Arg::number("a3", "isotropic hardening parameter a3"),
+    Arg::positive("a4", "isotropic hardening parameter a4"),
+];
+const DAMAGE_INDEX: [Arg; 4] = [
+    Arg::positive("sigcr", "critical sum of stresses sigcr"),
+    Arg::not_negative("m", "share of compression that heals, m"),
+    Arg::not_negative("sigmin", "stress sigmin up to which nothing counts"),
+    Arg::positive("FI_lim", "index FI_lim at which the steel breaks"),
+];
+
+const GRIP: [Arg; 3] = [
+    Arg::positive("E", "elastic stiffness E"),
+    Arg::positive("sigY", "yield force sigY"),
+    Arg::positive("P", "pitch of the teeth P"),
+];
+const GRIP_HARDENING: Arg = Arg::number("eta", "hardening ratio eta");
+
 pub(super) const KINDS: &[Kind] = &[
-    Kind {
-        names: &["CastFuse", "Cast"],
-        usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
-        text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
-            .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
-            .arguments(&[Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")]),
-        make: cast_fuse,
-    },
-    Kind {
-        names: &["Steel01"],
-        usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>",
-        text: Text::new("Bilinear steel with kinematic and optional isotropic hardening."),
-        make: steel01,
-    },
-    Kind {
-        names: &["Steel02"],
-        usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
-        text: Text::new("Steel of Giuffré, Menegotto and Pinto with curved transitions."),
-        make: steel02,
-    },
-    Kind {
-        names: &["Steel03"],
-        usage: "uniaxialMaterial Steel03 $tag $fy $E0 $b $r $cR1 $cR2 <$a1 $a2 $a3 $a4>",
-        text: Text::new("Steel with a curved transition to hardening and isotropic hardening as of `Steel01`."),
-        make: steel03,
-    },
-    Kind {
-        names: &["SteelBRB"],
-        usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
-                <$tol>",
-        text: Text::new("Steel core of a buckling-restrained brace."),
-        make: steel_brb,
-    },
-    Kind {
-        names: &["SteelMPF"],
-        usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
-        text: Text::new("Steel of Menegotto and Pinto with its own yield strength and hardening on either side."),
-        make: steel_mpf,
-    },
     Kind {
         names: &["ReinforcingSteel"],
         usage: "uniaxialMaterial ReinforcingSteel $tag $fy $fu $Es $Esh $esh $eult <-GABuck $lsr $beta $r $gamma | \
@@ -83,13 +105,14 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Dodd_Restrepo", "DoddRestrepo", "Restrepo"],
         usage: "uniaxialMaterial Dodd_Restrepo $tag $Fy $Fsu $ESH $ESU $Youngs $ESHI $FSHI <$OmegaFac <$Conv>>",
         text: Text::new("Reinforcing bar with a yield plateau, in true stresses and natural strains.")
-            .example("uniaxialMaterial Dodd_Restrepo 77 400. 600. 0.01 0.12 2e5 0.04 520."),
+            .example("uniaxialMaterial Dodd_Restrepo 77 400. 600. 0.01 0.12 2e5 0.04 520.")
+            .groups(&[&DODD_RESTREPO, &[OMEGA, STRAIN_UNIT]]),
         make: dodd_restrepo,
     },
     Kind {
         names: &["Hardening"],
         usage: "uniaxialMaterial Hardening $tag $E $sigmaY $Hiso $Hkin <$eta>",
-        text: Text::new("Plastic with linear kinematic and isotropic hardening."),
+        text: Text::new("Plastic with linear kinematic and isotropic hardening.").groups(&[&HARDENING, &[VISCOSITY]]),
         make: hardening,
     },
     Kind {
@@ -118,7 +141,8 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Bond_SP01", "Bond"],
         usage: "uniaxialMaterial Bond_SP01 $tag $fy $sy $fu $su $b $R <$Cd $db $fc $la>",
         text: Text::new("Slip of an anchored bar by strain penetration, ksi and in.")
-            .example("uniaxialMaterial Bond_SP01 77 60. 0.02 90. 0.6 0.4 0.7"),
+            .example("uniaxialMaterial Bond_SP01 77 60. 0.02 90. 0.6 0.4 0.7")
+            .groups(&[&BAR, &ULTIMATE, &LOOPS, &UNUSED]),
         make: bond_sp01,
     },
     Kind {
@@ -126,167 +150,51 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial SteelFractureDI $tag $Fy $FyC $E0 $b $R0 $cR1 $cR2 $a1 $a2 $a3 $a4 $sigcr $m $sigmin $FI_lim",
         text: Text::new(
             "Steel of Giuffrè, Menegotto and Pinto that breaks in tension when a damage index comes to its limit.",
-        ),
+        )
+        .groups(&[&FRACTURE, &[B], &FRACTURE_TRANSITION, &FRACTURE_ISOTROPIC, &DAMAGE_INDEX]),
         make: steel_fracture_di,
     },
     Kind {
         names: &["GNG"],
         usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>",
-        text: Text::new("Grip 'n' grab: a tension device that ratchets."),
+        text: Text::new("Grip 'n' grab: a tension device that ratchets.").groups(&[&GRIP, &[GRIP_HARDENING]]),
         make: gng,
     },
 ];
 
-/// The hardening ratio of a steel, with a warning where it is none: numbers in another order, or percent.
-fn hardening_ratio(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
-    let b = a.float("hardening ratio b")?;
-    if !(0.0..=1.0).contains(&b) {
-        let d = Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, format!("the hardening ratio b is {b}"));
-        let d = d.at(a.last_span(), "expected the stiffness after yielding over that before, 0 to 1");
-        let what = if b < 0.0 { "softens after yielding" } else { "is stiffer after yielding than before" };
-        warn(interp, d.help(format!("such a steel {what}")))?;
-    }
-    Ok(b)
-}
-
-fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.usually_positive(interp, "yield strength Fy")?;
-    let e0 = a.usually_positive(interp, "elastic modulus E0")?;
-    let b = hardening_ratio(interp, a)?;
-    let isotropic = isotropic(a, Steel01::NO_ISOTROPIC)?;
-    Ok(Steel01 { fy, e0, b, a: isotropic }.shared())
-}
-
-/// a1 to a4: all or none.
-fn isotropic(a: &mut Args<'_>, mut values: [f64; 4]) -> Result<[f64; 4], Exception> {
-    if a.left() > 0 {
-        for (value, name) in values.iter_mut().zip(["a1", "a2", "a3", "a4"]) {
-            *value = a.float(&format!("isotropic hardening parameter {name}"))?;
-        }
-    }
-    Ok(values)
-}
-
-fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.positive("yield stress fy")?;
-    let e0 = a.positive("elastic modulus E0")?;
-    let b = hardening_ratio(interp, a)?;
-    if b == 1.0 {
-        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
-    }
-    let r = a.positive("radius of the transition r")?;
-    let c_r = [a.not_negative("coefficient cR1")?, a.not_negative("coefficient cR2")?];
-    if c_r[0] >= Steel03::TRILINEAR && c_r[1] == 0.0 {
-        return Err(a.refuse("the coefficient cR2 is 0", "expected more than 0, or cR1 less than 0.1"));
-    }
-    let isotropic = isotropic(a, Steel03::NO_ISOTROPIC)?;
-    for scale in [isotropic[1], isotropic[3]] {
-        if scale <= 0.0 {
-            let label = "expected a2 and a4 greater than 0";
-            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
-        }
-    }
-    Ok(Steel03 { fy, e0, b, r, c_r, a: isotropic }.shared())
-}
-
 fn steel_fracture_di(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let tension = a.positive("yield strength in tension Fy")?;
-    let fy = [a.positive("yield strength in compression FyC")?, tension];
-    let e0 = a.positive("elastic modulus E0")?;
+    let [tension, compression, e0] = a.read_all(interp, &FRACTURE)?;
     let b = hardening_ratio(interp, a)?;
     if b == 1.0 {
         return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet"));
     }
-    let r0 = a.positive("sharpness of the transition R0")?;
-    let c_r = [a.float("cR1")?, a.positive("cR2")?];
-    if c_r[0] > 1.0 {
-        return Err(a.refuse(format!("cR1 is {}", c_r[0]), "the sharpness would become negative: expected at most 1"));
+    let [r0, c_r1, c_r2] = a.read_all(interp, &FRACTURE_TRANSITION)?;
+    if c_r1 > 1.0 {
+        return Err(a.refuse(format!("cR1 is {c_r1}"), "the sharpness would become negative: expected at most 1"));
     }
-    let mut isotropic = [0.0; 4];
-    for (i, value) in isotropic.iter_mut().enumerate() {
-        let what = format!("isotropic hardening parameter a{}", i + 1);
-        *value = if i % 2 == 0 { a.float(&what)? } else { a.positive(&what)? };
-    }
-    let critical = a.positive("critical sum of stresses sigcr")?;
-    let healing = a.not_negative("share of compression that heals, m")?;
-    let threshold = a.not_negative("stress sigmin up to which nothing counts")?;
-    let limit = a.positive("index FI_lim at which the steel breaks")?;
+    let isotropic = a.read_all(interp, &FRACTURE_ISOTROPIC)?;
+    let [critical, healing, threshold, limit] = a.read_all(interp, &DAMAGE_INDEX)?;
+    let (fy, c_r) = ([compression, tension], [c_r1, c_r2]);
     let law = SteelFractureDi { fy, e0, b, r0, c_r, a: isotropic, critical, healing, threshold, limit };
     Ok(law.shared())
 }
 
-fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.usually_positive(interp, "yield strength Fy")?;
-    let e0 = a.usually_positive(interp, "elastic modulus E0")?;
-    let b = hardening_ratio(interp, a)?;
-    if b == 1.0 {
-        let d = Diagnostic::warning(
-            &checks::materials::UNUSUAL_PARAMETER,
-            "the hardening ratio is 1: the steel never yields",
-        );
-        warn(interp, d.at(a.last_span(), "expected less than 1, or the material Elastic"))?;
-    }
-    let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
-    if a.left() > 0 {
-        r0 = a.usually_positive(interp, "sharpness of the transition R0")?;
-        c_r1 = a.float("cR1")?;
-        if c_r1 > 1.0 {
-            let label = "the sharpness of the transition would come to be negative: expected at most 1";
-            return Err(a.refuse(format!("cR1 is {c_r1}"), label));
-        }
-        c_r2 = a.usually_positive(interp, "cR2")?;
-    }
-    let isotropic = isotropic(a, Steel02::NO_ISOTROPIC)?;
-    for [growth, scale] in [[isotropic[0], isotropic[1]], [isotropic[2], isotropic[3]]] {
-        if growth != 0.0 && scale <= 0.0 {
-            let label = "expected a2 and a4 greater than 0";
-            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
-        }
-    }
-    let sig_init = a.optional_float("initial stress sigInit")?.unwrap_or(0.0);
-    Ok(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }.shared())
-}
-
-fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic modulus E")?;
-    let yield_stress = a.positive("initial yield stress sigmaY0")?;
-    let mut branch = |side: &str| {
-        Ok::<_, Exception>(BrbBranch {
-            yield_stress: a.positive(&format!("hardened yield stress sigmaY{side}"))?,
-            alpha: a.positive(&format!("exponent alpha{side} of the transition"))?,
-            beta: a.not_negative(&format!("kinematic hardening beta{side}"))?,
-            delta: a.positive(&format!("plastic strain delta{side} of isotropic hardening"))?,
-        })
-    };
-    let (tension, compression) = (branch("T")?, branch("C")?);
-    // Found to round-off here.
-    a.optional_float("tolerance")?;
-    let compat = interp.host.follows(&[slips::STEEL_BRB_FIRST]);
-    Ok(SteelBrb { e, yield_stress, tension, compression, compat }.shared())
-}
-
 fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let stress = [a.positive("yield stress Fy")?, a.positive("strength Fsu")?];
-    let strain = [a.not_negative("strain ESH where hardening begins")?, a.positive("strain ESU of the strength")?];
-    let e0 = a.positive("modulus Youngs")?;
-    let inner = [a.float("strain ESHI on the hardening curve")?, a.float("stress FSHI on the hardening curve")?];
-    let omega = a.optional_float("factor of the Bauschinger curves OmegaFac")?.unwrap_or(1.0);
-    let unit = if a.left() > 0 { a.positive("unit of the strains Conv")? } else { 1.0 };
-    let law = DoddRestrepo::new(stress, strain, e0, inner, omega, unit)
+    let [fy, fsu, esh, esu, e0, eshi, fshi] = a.read_all(interp, &DODD_RESTREPO)?;
+    let omega = a.read_optional(interp, &OMEGA)?.unwrap_or(1.0);
+    let unit = if a.left() > 0 { a.read(interp, &STRAIN_UNIT)? } else { 1.0 };
+    let law = DoddRestrepo::new([fy, fsu], [esh, esu], e0, [eshi, fshi], omega, unit)
         .map_err(|message| a.refuse(message, "expected a point between the beginning of hardening and the strength"))?;
     Ok(law.compat(interp.host.follows(&[slips::BAUSCHINGER_ROUNDS])).shared())
 }
 
 fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.usually_positive(interp, "elastic modulus E")?;
-    let sigma_y = a.usually_not_negative(interp, "yield stress sigmaY")?;
-    let h_iso = a.float("isotropic hardening modulus Hiso")?;
-    let h_kin = a.float("kinematic hardening modulus Hkin")?;
+    let [e, sigma_y, h_iso, h_kin] = a.read_all(interp, &HARDENING)?;
     if e + h_iso + h_kin <= 0.0 {
         let message = format!("E + Hiso + Hkin is {}", e + h_iso + h_kin);
         return Err(a.refuse(message, "expected a modulus after yield that softens less than E stiffens"));
     }
-    if a.optional_float("viscosity eta")?.is_some_and(|eta| eta != 0.0) {
+    if a.read_optional(interp, &VISCOSITY)?.is_some_and(|eta| eta != 0.0) {
         let message = "Hardening: the viscosity is ignored, as in OpenSees";
         warn(
             interp,
@@ -341,8 +249,7 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
 const LARGEST_BAR: [f64; 2] = [1000.0, 1.0];
 
 fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = a.positive("yield strength fy of the bar")?;
-    let sy = a.positive("slip sy at the yield strength")?;
+    let [fy, sy] = a.read_all(interp, &BAR)?;
     if fy >= LARGEST_BAR[0] || sy >= LARGEST_BAR[1] {
         let message = "Bond_SP01: the first reversal goes to a slip of 0.00405 in, whatever the units";
         warn(
@@ -350,18 +257,15 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
             Diagnostic::warning(&checks::materials::FIXED_UNITS, message).at(a.last_span(), "expected ksi and in"),
         )?;
     }
-    let fu = a.positive("ultimate strength fu of the bar")?;
-    let su = a.float("slip su at the ultimate strength")?;
+    let [fu, su] = a.read_all(interp, &ULTIMATE)?;
     if su <= sy {
         return Err(
             a.refuse(format!("the ultimate slip su is {su}"), format!("expected more than the yield slip, {sy}"))
         );
     }
-    let b = a.positive("initial hardening ratio b")?;
-    let r = a.positive("pinching factor R")?;
-    for what in ["damage factor Cd", "bar diameter db", "concrete strength fc", "anchorage length la"] {
-        // Without effect in OpenSees.
-        a.optional_float(what)?;
+    let [b, r] = a.read_all(interp, &LOOPS)?;
+    for arg in &UNUSED {
+        a.read_optional(interp, arg)?;
     }
     if interp.host.follows(&[slips::BOND_SLIP_TANGENT]) {
         return Ok(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }.shared());
@@ -370,10 +274,8 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 }
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic stiffness E")?;
-    let yield_stress = a.positive("yield force sigY")?;
-    let pitch = a.positive("pitch of the teeth P")?;
-    let mut eta = a.optional_float("hardening ratio eta")?.unwrap_or(0.0);
+    let [e, yield_stress, pitch] = a.read_all(interp, &GRIP)?;
+    let mut eta = a.read_optional(interp, &GRIP_HARDENING)?.unwrap_or(0.0);
     if eta.abs() >= 1.0 {
         let message = format!("GNG: the hardening ratio {eta} is taken for 0");
         warn(
@@ -384,29 +286,6 @@ fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         eta = 0.0;
     }
     Ok(Gng { e, yield_stress, pitch, eta }.shared())
-}
-
-fn steel_mpf(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fy = [a.positive("yield strength in tension fyp")?, a.positive("yield strength in compression fyn")?];
-    let e = a.positive("elastic modulus E0")?;
-    let mut b = [0.0; 2];
-    for (b, side) in b.iter_mut().zip(["tension bp", "compression bn"]) {
-        *b = a.float(&format!("hardening ratio in {side}"))?;
-        if *b >= 1.0 {
-            return Err(a.refuse(format!("the hardening ratio is {b}"), "expected less than 1"));
-        }
-    }
-    let r0 = a.positive("exponent of the first loading R0")?;
-    let cr1 = a.float("loss of the exponent cR1")?;
-    let cr2 = a.positive("plastic strain of half the loss cR2")?;
-    let mut shift = [(0.0, 1.0); 2];
-    if a.left() > 0 {
-        for (shift, (share, first)) in shift.iter_mut().rev().zip([("a1", "a2"), ("a3", "a4")]) {
-            *shift =
-                (a.float(&format!("isotropic hardening {share}"))?, a.float(&format!("isotropic hardening {first}"))?);
-        }
-    }
-    Ok(SteelMpf { fy, e, b, r0, cr1, cr2, shift }.shared())
 }
 
 fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -454,26 +333,4 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
         }
     }
     Ok(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }.shared())
-}
-
-fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let legs = a.positive("number of fingers n")?;
-    let (width, thickness) = (a.positive("width of a finger bo")?, a.positive("thickness of a finger h")?);
-    let (fy, e) = (a.positive("yield stress fy")?, a.positive("elastic modulus E")?);
-    let length = a.positive("length of a finger L")?;
-    let b = a.float("hardening ratio b")?;
-    if b >= 1.0 {
-        return Err(a.refuse(format!("the hardening ratio b is {b}"), "expected less than 1"));
-    }
-    let r = [a.positive("radius R0")?, a.not_negative("coefficient cR1")?, a.positive("coefficient cR2")?];
-    let mut hardening = [0.0, 1.0, 0.0, 1.0];
-    if a.left() > 0 {
-        hardening = [
-            a.not_negative("isotropic hardening a1")?,
-            a.positive("isotropic hardening a2")?,
-            a.not_negative("isotropic hardening a3")?,
-            a.positive("isotropic hardening a4")?,
-        ];
-    }
-    Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
 }

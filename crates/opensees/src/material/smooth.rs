@@ -3,30 +3,86 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const STIFFNESSES: [Arg; 2] = [
+    Arg::positive("ka", "stiffness ka at the beginning of a branch"),
+    Arg::number("kb", "stiffness kb of the limit curves"),
+];
+const SYMMETRIC: [Arg; 2] = [Arg::positive("fbar", "half the height of the loop fbar"), Arg::number("beta", "beta")];
+const ASYMMETRIC: [Arg; 4] = [
+    Arg::positive("fo", "half the height of the loop fo"),
+    Arg::number("b1", "b1"),
+    Arg::number("b2", "b2"),
+    Arg::number("gamma", "growth of the loop gamma"),
+];
+const EXPONENT: Arg = Arg::positive("a", "exponent a");
+const SHAPE: [Arg; 2] = [Arg::number("b1", "b1"), Arg::number("b2", "b2")];
+const TOLERANCE: Arg = Arg::positive("tol", "tolerance tol");
+
+const BOUC_WEN: [Arg; 5] = [
+    Arg::number("alpha", "ratio of post-yield stiffness alpha"),
+    Arg::positive("ko", "elastic stiffness ko"),
+    Arg::positive("n", "exponent n"),
+    Arg::number("gamma", "gamma"),
+    Arg::number("beta", "beta"),
+];
+const PINCHING: [Arg; 8] = [
+    Arg::number("Ao", "Ao"),
+    Arg::number("q", "share q of the strength at which the loop is pinched most"),
+    Arg::not_negative("zetas", "total slip zetas"),
+    Arg::not_negative("p", "rate p of the pinching"),
+    Arg::positive("Shi", "spread Shi of the pinching"),
+    Arg::not_negative("deltaShi", "growth deltaShi of the spread"),
+    Arg::positive("lambda", "lambda"),
+    Arg::positive("tol", "tolerance"),
+];
+const ITERATIONS: Arg = Arg::of_domain("maxIter", "largest number of iterations maxIter", Domain::Whole);
+
+const ALLOY: [Arg; 3] = [
+    Arg::positive("k1", "elastic stiffness k1"),
+    Arg::not_negative("k2", "stiffness of the plateaus k2"),
+    Arg::positive("k3", "stiffness of unloading k3"),
+];
+const FLAG: [Arg; 2] =
+    [Arg::positive("sigAct", "force of activation sigAct"), Arg::number("beta", "height of the flag beta")];
+
+const AUSTENITE: [Arg; 6] = [
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("epsL", "largest strain of transformation epsL"),
+    Arg::number("sigAMs", "stress sigAMs at the start of austenite to martensite"),
+    Arg::number("sigAMf", "stress sigAMf at the finish of austenite to martensite"),
+    Arg::number("sigMAs", "stress sigMAs at the start of martensite to austenite"),
+    Arg::number("sigMAf", "stress sigMAf at the finish of martensite to austenite"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HystereticSmooth"],
         usage: "uniaxialMaterial HystereticSmooth $tag $ka $kb $fbar $beta <-alpha>",
-        text: Text::new("Smooth hysteresis in closed form, symmetric."),
+        text: Text::new("Smooth hysteresis in closed form, symmetric.").groups(&[&STIFFNESSES, &SYMMETRIC]),
         make: smooth,
     },
     Kind {
         names: &["HystereticAsym"],
         usage: "uniaxialMaterial HystereticAsym $tag $ka $kb $fo $b1 $b2 $gamma <-alpha>",
-        text: Text::new("Smooth hysteresis in closed form, asymmetric."),
+        text: Text::new("Smooth hysteresis in closed form, asymmetric.").groups(&[&STIFFNESSES, &ASYMMETRIC]),
         make: asym,
     },
     Kind {
         names: &["HystereticPoly"],
         usage: "uniaxialMaterial HystereticPoly $tag $ka $kb $a $b1 $b2 <$tol>",
-        text: Text::new("Smooth hysteresis in closed form, by polynomials."),
+        text: Text::new("Smooth hysteresis in closed form, by polynomials.").groups(&[
+            &STIFFNESSES,
+            &[EXPONENT],
+            &SHAPE,
+            &[TOLERANCE],
+        ]),
         make: poly,
     },
     Kind {
@@ -34,7 +90,8 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial BWBN $tag $alpha $ko $n $gamma $beta $Ao $q $zetas $p $Shi $deltaShi $lambda $tol \
                 $maxIter",
         text: Text::new("Bouc-Wen hysteresis with pinching (Baber and Noori).")
-            .example("uniaxialMaterial BWBN 77 0.1 1000. 1.7 15. 25. 1. 0.4 0.9 0.5 0.4 0.05 0.3 1e-8 100"),
+            .example("uniaxialMaterial BWBN 77 0.1 1000. 1.7 15. 25. 1. 0.4 0.9 0.5 0.4 0.05 0.3 1e-8 100")
+            .groups(&[&BOUC_WEN, &PINCHING, &[ITERATIONS]]),
         make: bwbn,
     },
     Kind {
@@ -42,25 +99,22 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta",
         text: Text::new("Shape-memory alloy with three stiffnesses.")
             .example("uniaxialMaterial ASD_SMA_3K 77 200. 5. 60. 2. 0.6")
-            .arguments(&[
-                Arg::new("sigAct", "force at which the upper plateau begins"),
-                Arg::new("beta", "height of the flag over that force"),
-            ]),
+            .groups(&[&ALLOY, &FLAG]),
         make: sma_3k,
     },
     Kind {
         names: &["SMA"],
         usage: "uniaxialMaterial SMA $tag $E $epsL $sigAMs $sigAMf $sigMAs $sigMAf",
         text: Text::new("Superelastic shape-memory alloy (Auricchio, Taylor and Lubliner).")
-            .example("uniaxialMaterial SMA 77 200. 0.04 2. 2.6 1.5 0.8"),
+            .example("uniaxialMaterial SMA 77 200. 0.04 2. 2.6 1.5 0.8")
+            .groups(&[&AUSTENITE]),
         make: sma,
     },
 ];
 
 /// ka and kb, which is less.
-fn stiffnesses(a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
-    let ka = a.positive("stiffness ka at the beginning of a branch")?;
-    let kb = a.float("stiffness kb of the limit curves")?;
+fn stiffnesses(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
+    let [ka, kb] = a.read_all(interp, &STIFFNESSES)?;
     if kb >= ka {
         return Err(
             a.refuse(format!("the stiffness kb of the limit curves is {kb}"), format!("expected less than ka, {ka}"))
@@ -74,76 +128,47 @@ fn height(a: &mut Args<'_>, [ka, kb]: [f64; 2], given: f64) -> f64 {
     if a.flag("-alpha") { 0.5 * (ka - kb) / given } else { given }
 }
 
-fn smooth(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let k = stiffnesses(a)?;
-    let given = a.positive("half the height of the loop fbar")?;
-    let beta = a.float("beta")?;
+fn smooth(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k = stiffnesses(interp, a)?;
+    let [given, beta] = a.read_all(interp, &SYMMETRIC)?;
     Ok(HystereticSmooth::new(k[0], k[1], height(a, k, given), beta).shared())
 }
 
-fn asym(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let k = stiffnesses(a)?;
-    let given = a.positive("half the height of the loop fo")?;
-    let b = [a.float("b1")?, a.float("b2")?];
-    let gamma = a.float("growth of the loop gamma")?;
-    Ok(HystereticAsym { ka: k[0], kb: k[1], fo: height(a, k, given), b, gamma }.shared())
+fn asym(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let k = stiffnesses(interp, a)?;
+    let [given, b1, b2, gamma] = a.read_all(interp, &ASYMMETRIC)?;
+    Ok(HystereticAsym { ka: k[0], kb: k[1], fo: height(a, k, given), b: [b1, b2], gamma }.shared())
 }
 
 fn poly(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let [ka, kb] = stiffnesses(a)?;
-    let exponent = a.positive("exponent a")?;
+    let [ka, kb] = stiffnesses(interp, a)?;
+    let exponent = a.read(interp, &EXPONENT)?;
     if exponent == 1.0 {
         return Err(a.refuse("the exponent a is 1", "expected a positive number other than 1"));
     }
-    let b = [a.float("b1")?, a.float("b2")?];
+    let b = a.read_all(interp, &SHAPE)?;
     let tolerance = match a.left() {
         0 => HystereticPoly::TOLERANCE,
-        _ => a.positive("tolerance tol")?,
+        _ => a.read(interp, &TOLERANCE)?,
     };
     let compat = interp.host.follows(&[slips::HYSTERETIC_POLY_BRANCH]);
     Ok(HystereticPoly { ka, kb, a: exponent, b, tolerance, compat }.shared())
 }
 
-fn bwbn(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let alpha = a.float("ratio of post-yield stiffness alpha")?;
-    let ko = a.positive("elastic stiffness ko")?;
-    let n = a.positive("exponent n")?;
-    let gamma = a.float("gamma")?;
-    let beta = a.float("beta")?;
+fn bwbn(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [alpha, ko, n, gamma, beta] = a.read_all(interp, &BOUC_WEN)?;
     if beta + gamma <= 0.0 {
         return Err(a.refuse(format!("beta + gamma is {}", beta + gamma), "expected a sum greater than 0"));
     }
-    Ok(Bwbn {
-        alpha,
-        ko,
-        n,
-        gamma,
-        beta,
-        ao: a.float("Ao")?,
-        q: a.float("share q of the strength at which the loop is pinched most")?,
-        zetas: a.not_negative("total slip zetas")?,
-        p: a.not_negative("rate p of the pinching")?,
-        shi: a.positive("spread Shi of the pinching")?,
-        delta_shi: a.not_negative("growth deltaShi of the spread")?,
-        lambda: a.positive("lambda")?,
-        tolerance: a.positive("tolerance")?,
-        iterations: a.count("largest number of iterations maxIter")?,
-    }
-    .shared())
+    let [ao, q, zetas, p, shi, delta_shi, lambda, tolerance] = a.read_all(interp, &PINCHING)?;
+    let iterations = a.count(ITERATIONS.meaning)?;
+    let law = Bwbn { alpha, ko, n, gamma, beta, ao, q, zetas, p, shi, delta_shi, lambda, tolerance, iterations };
+    Ok(law.shared())
 }
 
 fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic modulus E")?;
-    let eps_l = a.positive("largest strain of transformation epsL")?;
-    let forward = [
-        a.float("stress sigAMs at the start of austenite to martensite")?,
-        a.float("stress sigAMf at the finish of austenite to martensite")?,
-    ];
-    let reverse = [
-        a.float("stress sigMAs at the start of martensite to austenite")?,
-        a.float("stress sigMAf at the finish of martensite to austenite")?,
-    ];
-    let [start, finish] = forward;
+    let [e, eps_l, start, finish, back, end] = a.read_all(interp, &AUSTENITE)?;
+    let (forward, reverse) = ([start, finish], [back, end]);
     if !(0.0 < start && start <= finish && finish >= reverse[0] && 0.0 <= reverse[1] && reverse[1] <= reverse[0]) {
         let d = Diagnostic::warning(
             &checks::materials::UNUSUAL_PARAMETER,
@@ -154,14 +179,12 @@ fn sma(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     Ok(Sma { e, eps_l, forward, reverse }.shared())
 }
 
-fn sma_3k(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let k1 = a.positive("elastic stiffness k1")?;
-    let (k2, k3) = (a.not_negative("stiffness of the plateaus k2")?, a.positive("stiffness of unloading k3")?);
+fn sma_3k(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [k1, k2, k3] = a.read_all(interp, &ALLOY)?;
     if k2 >= k1 || k3 > k1 || k3 <= k2 {
         return Err(a.refuse(format!("k1, k2 and k3 are {k1}, {k2}, {k3}"), "expected k2 < k3 <= k1 and k2 < k1"));
     }
-    let force = a.positive("force of activation sigAct")?;
-    let beta = a.float("height of the flag beta")?;
+    let [force, beta] = a.read_all(interp, &FLAG)?;
     if !(0.0..=1.0).contains(&beta) {
         return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected 0 to 1"));
     }

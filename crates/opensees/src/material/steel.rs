@@ -1,0 +1,258 @@
+//! Steels with curved or sharp transitions.
+
+use super::Kind;
+use crate::args::Args;
+use crate::checks;
+use crate::slips;
+use crate::text::{Arg, Text};
+use crate::{Tcl, warn};
+use hysteron_engine::material::{BrbBranch, Cast, Material, Steel01, Steel02, Steel03, SteelBrb, SteelMpf};
+use hysteron_engine::shared::Shared;
+use hysteron_tcl::Exception;
+use hysteron_tcl::diagnostic::Diagnostic;
+
+/// Yield strength and modulus of steels for which OpenSees takes any number.
+const USUAL: [Arg; 2] =
+    [Arg::usually_positive("Fy", "yield strength Fy"), Arg::usually_positive("E0", "elastic modulus E0")];
+pub(super) const B: Arg = Arg::number("b", "hardening ratio b");
+const ISOTROPIC: [Arg; 4] = [
+    Arg::number("a1", "isotropic hardening parameter a1"),
+    Arg::number("a2", "isotropic hardening parameter a2"),
+    Arg::number("a3", "isotropic hardening parameter a3"),
+    Arg::number("a4", "isotropic hardening parameter a4"),
+];
+
+const R0: Arg = Arg::usually_positive("R0", "sharpness of the transition R0");
+const C_R1: Arg = Arg::number("cR1", "cR1");
+const C_R2: Arg = Arg::usually_positive("cR2", "cR2");
+const SIG_INIT: Arg = Arg::number("sigInit", "initial stress sigInit");
+
+const STEEL03: [Arg; 2] = [Arg::positive("fy", "yield stress fy"), Arg::positive("E0", "elastic modulus E0")];
+const STEEL03_TRANSITION: [Arg; 3] = [
+    Arg::positive("r", "radius of the transition r"),
+    Arg::not_negative("cR1", "coefficient cR1"),
+    Arg::not_negative("cR2", "coefficient cR2"),
+];
+
+const BRB: [Arg; 2] =
+    [Arg::positive("E", "elastic modulus E"), Arg::positive("sigmaY0", "initial yield stress sigmaY0")];
+const BRB_TENSION: [Arg; 4] = [
+    Arg::positive("sigmaYT", "hardened yield stress sigmaYT"),
+    Arg::positive("alphaT", "exponent alphaT of the transition"),
+    Arg::not_negative("betaT", "kinematic hardening betaT"),
+    Arg::positive("deltaT", "plastic strain deltaT of isotropic hardening"),
+];
+const BRB_COMPRESSION: [Arg; 4] = [
+    Arg::positive("sigmaYC", "hardened yield stress sigmaYC"),
+    Arg::positive("alphaC", "exponent alphaC of the transition"),
+    Arg::not_negative("betaC", "kinematic hardening betaC"),
+    Arg::positive("deltaC", "plastic strain deltaC of isotropic hardening"),
+];
+const TOLERANCE: Arg = Arg::number("tol", "tolerance");
+
+const MPF: [Arg; 3] = [
+    Arg::positive("fyp", "yield strength in tension fyp"),
+    Arg::positive("fyn", "yield strength in compression fyn"),
+    Arg::positive("E0", "elastic modulus E0"),
+];
+const MPF_RATIOS: [Arg; 2] =
+    [Arg::number("bp", "hardening ratio in tension bp"), Arg::number("bn", "hardening ratio in compression bn")];
+const MPF_CURVE: [Arg; 3] = [
+    Arg::positive("R0", "exponent of the first loading R0"),
+    Arg::number("cR1", "loss of the exponent cR1"),
+    Arg::positive("cR2", "plastic strain of half the loss cR2"),
+];
+const MPF_ISOTROPIC: [Arg; 4] = [
+    Arg::number("a1", "isotropic hardening a1"),
+    Arg::number("a2", "isotropic hardening a2"),
+    Arg::number("a3", "isotropic hardening a3"),
+    Arg::number("a4", "isotropic hardening a4"),
+];
+
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["CastFuse", "Cast"],
+        usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
+            .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
+            .arguments(&[Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")]),
+        make: cast_fuse,
+    },
+    Kind {
+        names: &["Steel01"],
+        usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>",
+        text: Text::new("Bilinear steel with kinematic and optional isotropic hardening.").groups(&[
+            &USUAL,
+            &[B],
+            &ISOTROPIC,
+        ]),
+        make: steel01,
+    },
+    Kind {
+        names: &["Steel02"],
+        usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
+        text: Text::new("Steel of Giuffré, Menegotto and Pinto with curved transitions.").groups(&[
+            &USUAL,
+            &[B, R0, C_R1, C_R2],
+            &ISOTROPIC,
+            &[SIG_INIT],
+        ]),
+        make: steel02,
+    },
+    Kind {
+        names: &["Steel03"],
+        usage: "uniaxialMaterial Steel03 $tag $fy $E0 $b $r $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Steel with a curved transition to hardening and isotropic hardening as of `Steel01`.")
+            .groups(&[&STEEL03, &[B], &STEEL03_TRANSITION, &ISOTROPIC]),
+        make: steel03,
+    },
+    Kind {
+        names: &["SteelBRB"],
+        usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
+                <$tol>",
+        text: Text::new("Steel core of a buckling-restrained brace.").groups(&[
+            &BRB,
+            &BRB_TENSION,
+            &BRB_COMPRESSION,
+            &[TOLERANCE],
+        ]),
+        make: steel_brb,
+    },
+    Kind {
+        names: &["SteelMPF"],
+        usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
+        text: Text::new("Steel of Menegotto and Pinto with its own yield strength and hardening on either side.")
+            .groups(&[&MPF, &MPF_RATIOS, &MPF_CURVE, &MPF_ISOTROPIC]),
+        make: steel_mpf,
+    },
+];
+
+/// The hardening ratio of a steel, with a warning where it is none: numbers in another order, or percent.
+pub(super) fn hardening_ratio(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    let b = a.read(interp, &B)?;
+    if !(0.0..=1.0).contains(&b) {
+        let d = Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, format!("the hardening ratio b is {b}"));
+        let d = d.at(a.last_span(), "expected the stiffness after yielding over that before, 0 to 1");
+        let what = if b < 0.0 { "softens after yielding" } else { "is stiffer after yielding than before" };
+        warn(interp, d.help(format!("such a steel {what}")))?;
+    }
+    Ok(b)
+}
+
+fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fy, e0] = a.read_all(interp, &USUAL)?;
+    let b = hardening_ratio(interp, a)?;
+    let isotropic = isotropic(interp, a, Steel01::NO_ISOTROPIC)?;
+    Ok(Steel01 { fy, e0, b, a: isotropic }.shared())
+}
+
+/// a1 to a4: all or none.
+fn isotropic(interp: &mut Tcl, a: &mut Args<'_>, none: [f64; 4]) -> Result<[f64; 4], Exception> {
+    if a.left() > 0 { a.read_all(interp, &ISOTROPIC) } else { Ok(none) }
+}
+
+fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fy, e0] = a.read_all(interp, &STEEL03)?;
+    let b = hardening_ratio(interp, a)?;
+    if b == 1.0 {
+        return Err(a.refuse("the hardening ratio is 1", "the asymptotes never meet: use the material Elastic"));
+    }
+    let [r, c_r1, c_r2] = a.read_all(interp, &STEEL03_TRANSITION)?;
+    let c_r = [c_r1, c_r2];
+    if c_r[0] >= Steel03::TRILINEAR && c_r[1] == 0.0 {
+        return Err(a.refuse("the coefficient cR2 is 0", "expected more than 0, or cR1 less than 0.1"));
+    }
+    let isotropic = isotropic(interp, a, Steel03::NO_ISOTROPIC)?;
+    for scale in [isotropic[1], isotropic[3]] {
+        if scale <= 0.0 {
+            let label = "expected a2 and a4 greater than 0";
+            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
+        }
+    }
+    Ok(Steel03 { fy, e0, b, r, c_r, a: isotropic }.shared())
+}
+
+fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fy, e0] = a.read_all(interp, &USUAL)?;
+    let b = hardening_ratio(interp, a)?;
+    if b == 1.0 {
+        let d = Diagnostic::warning(
+            &checks::materials::UNUSUAL_PARAMETER,
+            "the hardening ratio is 1: the steel never yields",
+        );
+        warn(interp, d.at(a.last_span(), "expected less than 1, or the material Elastic"))?;
+    }
+    let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
+    if a.left() > 0 {
+        r0 = a.read(interp, &R0)?;
+        c_r1 = a.read(interp, &C_R1)?;
+        if c_r1 > 1.0 {
+            let label = "the sharpness of the transition would come to be negative: expected at most 1";
+            return Err(a.refuse(format!("cR1 is {c_r1}"), label));
+        }
+        c_r2 = a.read(interp, &C_R2)?;
+    }
+    let isotropic = isotropic(interp, a, Steel02::NO_ISOTROPIC)?;
+    for [growth, scale] in [[isotropic[0], isotropic[1]], [isotropic[2], isotropic[3]]] {
+        if growth != 0.0 && scale <= 0.0 {
+            let label = "expected a2 and a4 greater than 0";
+            return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
+        }
+    }
+    let sig_init = a.read_optional(interp, &SIG_INIT)?.unwrap_or(0.0);
+    Ok(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }.shared())
+}
+
+fn steel_brb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [e, yield_stress] = a.read_all(interp, &BRB)?;
+    let mut branch = |args: &[Arg; 4]| {
+        let [yield_stress, alpha, beta, delta] = a.read_all(interp, args)?;
+        Ok::<_, Exception>(BrbBranch { yield_stress, alpha, beta, delta })
+    };
+    let (tension, compression) = (branch(&BRB_TENSION)?, branch(&BRB_COMPRESSION)?);
+    // Found to round-off here.
+    a.read_optional(interp, &TOLERANCE)?;
+    let compat = interp.host.follows(&[slips::STEEL_BRB_FIRST]);
+    Ok(SteelBrb { e, yield_stress, tension, compression, compat }.shared())
+}
+
+fn steel_mpf(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [fyp, fyn, e] = a.read_all(interp, &MPF)?;
+    let mut b = [0.0; 2];
+    for (b, arg) in b.iter_mut().zip(&MPF_RATIOS) {
+        *b = a.read(interp, arg)?;
+        if *b >= 1.0 {
+            return Err(a.refuse(format!("the hardening ratio is {b}"), "expected less than 1"));
+        }
+    }
+    let [r0, cr1, cr2] = a.read_all(interp, &MPF_CURVE)?;
+    let mut shift = [(0.0, 1.0); 2];
+    if a.left() > 0 {
+        let [a1, a2, a3, a4] = a.read_all(interp, &MPF_ISOTROPIC)?;
+        // The first two numbers are those of compression.
+        shift = [(a3, a4), (a1, a2)];
+    }
+    Ok(SteelMpf { fy: [fyp, fyn], e, b, r0, cr1, cr2, shift }.shared())
+}
+
+fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let legs = a.positive("number of fingers n")?;
+    let (width, thickness) = (a.positive("width of a finger bo")?, a.positive("thickness of a finger h")?);
+    let (fy, e) = (a.positive("yield stress fy")?, a.positive("elastic modulus E")?);
+    let length = a.positive("length of a finger L")?;
+    let b = a.float("hardening ratio b")?;
+    if b >= 1.0 {
+        return Err(a.refuse(format!("the hardening ratio b is {b}"), "expected less than 1"));
+    }
+    let r = [a.positive("radius R0")?, a.not_negative("coefficient cR1")?, a.positive("coefficient cR2")?];
+    let mut hardening = [0.0, 1.0, 0.0, 1.0];
+    if a.left() > 0 {
+        hardening = [
+            a.not_negative("isotropic hardening a1")?,
+            a.positive("isotropic hardening a2")?,
+            a.not_negative("isotropic hardening a3")?,
+            a.positive("isotropic hardening a4")?,
+        ];
+    }
+    Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
+}
