@@ -28,6 +28,8 @@ mod energy;
 mod fiber_order;
 #[path = "analysis/imposed_rates.rs"]
 mod imposed_rates;
+#[path = "analysis/late_support.rs"]
+mod late_support;
 #[path = "analysis/lockstep.rs"]
 mod lockstep;
 #[path = "analysis/materials.rs"]

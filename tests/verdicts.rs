@@ -14,6 +14,8 @@ mod imposed;
 mod invariance;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
+#[path = "verdicts/structures.rs"]
+mod structures;
 #[path = "support/studies.rs"]
 mod studies;
 
@@ -59,7 +61,13 @@ const TABLE: &[Row] = &[
     ("friction", "friction", "friction", 95),
     ("wall", "gap_impact", "gap_impact", 95),
     ("wall above", "gap_impact", "gap_impact", 95),
-    ("soft ground", "foundation_flexibility", "foundation_flexibility", 90),
+    ("neighbour", "gap_impact", "gap_impact", 95),
+    ("lifting footing", "foundation_flexibility", "foundation_flexibility", 95),
+    ("rocking footing", "foundation_flexibility", "sensor_gain", 50),
+    ("late pier", "late_support", "late_support", 95),
+    ("passing wave", "late_support", "late_support", 95),
+    ("bridge at one time", "none", "none", 85),
+    ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("pendulums", "isolation_layer", "isolation_layer", 95),
     ("heavy soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("soft model", "none", "none", 85),
@@ -101,6 +109,12 @@ const STUDIES: &[Named] = &[
     ("friction", || imposed::friction(3.0)),
     ("wall", || shaken::wall(1500.0)),
     ("wall above", shaken::wall_above),
+    ("neighbour", structures::neighbour),
+    ("lifting footing", structures::lifting_footing),
+    ("rocking footing", structures::rocking_footing),
+    ("late pier", structures::late_pier),
+    ("passing wave", structures::passing_wave),
+    ("bridge at one time", structures::bridge_at_one_time),
     ("soft ground", shaken::soft_ground),
     ("pendulums", shaken::pendulums),
     ("heavy soft ground", shaken::heavy_soft_ground),

@@ -17,7 +17,7 @@ fn ground(tones: [f64; 3]) -> Vec<f64> {
 }
 
 /// Samples of what is seen of a state that begins at zero and changes at a rate given by state and ground acceleration.
-fn moved<const N: usize>(ground: &[f64], rate: impl Fn(&[f64; N], f64) -> [f64; N]) -> Vec<[f64; N]> {
+pub fn moved<const N: usize>(ground: &[f64], rate: impl Fn(&[f64; N], f64) -> [f64; N]) -> Vec<[f64; N]> {
     let (h, mut x) = (DT / f64::from(PARTS), [0.0; N]);
     let go = |x: &[f64; N], d: &[f64; N], h: f64| -> [f64; N] { std::array::from_fn(|i| x[i] + h * d[i]) };
     let mut out = vec![x];
@@ -41,16 +41,26 @@ fn bouc_wen(v: f64, z: f64, uy: f64) -> f64 {
 }
 
 /// The study of two earthquakes, from what the channels show of the ground's acceleration.
-fn study<const C: usize>(
+pub fn study<const C: usize>(
     model: String,
     parameters: Vec<(&'static str, f64, f64)>,
     channels: [Channel; C],
     shows: impl Fn(&[f64]) -> [Vec<f64>; C],
 ) -> Concealed {
+    study_of_tones(model, parameters, channels, |_, ground| shows(ground))
+}
+
+/// The same from the tones of the ground as well.
+pub fn study_of_tones<const C: usize>(
+    model: String,
+    parameters: Vec<(&'static str, f64, f64)>,
+    channels: [Channel; C],
+    shows: impl Fn([f64; 3], &[f64]) -> [Vec<f64>; C],
+) -> Concealed {
     let mut noise = Noise::default();
     let mut run = |name, holdout, tones| {
         let ground = ground(tones);
-        let columns = shows(&ground).into_iter().zip(&channels).map(|(values, channel)| {
+        let columns = shows(tones, &ground).into_iter().zip(&channels).map(|(values, channel)| {
             let size = NOISE * (values.iter().map(|u| u * u).sum::<f64>() / values.len() as f64).sqrt();
             let noisy = values.iter().map(|u| u + size * noise.next()).collect();
             (channel.name.to_owned(), noisy)
@@ -62,12 +72,12 @@ fn study<const C: usize>(
     Concealed { model, parameters, channels: channels.into(), dt: DT, runs }
 }
 
-fn disp(name: &'static str, column: usize) -> Channel {
+pub fn disp(name: &'static str, column: usize) -> Channel {
     Channel { name, output: "disp.out", column }
 }
 
 /// Motions of the degrees of freedom that are first in each pair of a state.
-fn displacements<const N: usize, const C: usize>(states: &[[f64; N]], at: [usize; C]) -> [Vec<f64>; C] {
+pub fn displacements<const N: usize, const C: usize>(states: &[[f64; N]], at: [usize; C]) -> [Vec<f64>; C] {
     at.map(|i| states.iter().map(|x| x[i]).collect())
 }
 
@@ -108,12 +118,12 @@ const STOREYS: &str = "wipe\nmodel basic -ndm 1 -ndf 1\npset k 130.0\npset c 1.5
     node 3 0. -mass 1.0\nfix 1 1\nuniaxialMaterial Elastic 1 $k\nuniaxialMaterial Viscous 2 $c 1.0\n";
 
 /// The analysis of two storeys.
-const SHAKE: &str = "timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
+pub const SHAKE: &str = "timeSeries Path 1 -dt $dt -filePath $motion\npattern UniformExcitation 1 1 -accel 1\n\
     recorder Node -file disp.out -time -node 2 3 -dof 1 disp\nconstraints Plain\nsystem FullGeneral\n\
     test NormDispIncr 1e-10 30\nalgorithm Newton\nintegrator Newmark 0.5 0.25\nanalysis Transient\n\
     for {set i 1} {$i < $npts} {incr i} { if {[analyze 1 $dt] != 0} { error \"no convergence\" } }\n";
 
-fn storeys(
+pub fn storeys(
     model: String,
     parameters: Vec<(&'static str, f64, f64)>,
     rate: impl Fn(&[f64; 6], f64) -> [f64; 6],
@@ -124,7 +134,7 @@ fn storeys(
 }
 
 /// Two storeys with dashpots.
-fn damped_storeys() -> String {
+pub fn damped_storeys() -> String {
     format!("{STOREYS}element zeroLength 1 1 2 -mat 1 2 -dir 1 1\nelement zeroLength 2 2 3 -mat 1 2 -dir 1 1\n{SHAKE}")
 }
 

@@ -10,6 +10,7 @@ After S seconds no other diagnosis begins. outcome.md is written when all studie
 """
 import argparse
 import csv
+import functools
 import importlib.util
 import json
 import math
@@ -28,7 +29,9 @@ import bench  # noqa: E402
 HERE = Path(__file__).resolve().parent
 
 
+@functools.cache
 def module(name):
+    """The module of a source, once: its cases are known after it has prepared its data."""
     spec = importlib.util.spec_from_file_location(name, HERE / name / "prepare.py")
     found = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(found)

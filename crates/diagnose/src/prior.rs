@@ -311,6 +311,10 @@ prior! {
     MIN_BOUND_EFFECT: f64 = 0.01, "share";
     /// Largest probability of a fault of a sensor beside which no other channel shows the same quantity. A choice.
     SINGLE_SENSOR_PROBABILITY: f64 = 0.85, "share";
+    /// Log evidence by which an effect on the structure may be behind a fault of a sensor, to explain as much: odds of 20. A choice.
+    SENSOR_BESIDE_PHYSICS_LOG_ODDS: f64 = 3.0, "nats";
+    /// Largest probability of a fault of a sensor beside such an effect. A choice: neither is told from the other.
+    SENSOR_BESIDE_PHYSICS_PROBABILITY: f64 = 0.5, "share";
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";

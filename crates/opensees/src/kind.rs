@@ -10,7 +10,7 @@ pub(crate) struct Kind<F> {
     pub(crate) names: &'static [&'static str],
     /// Usage of the family's command with this kind.
     pub(crate) usage: &'static str,
-    /// What the reference says of it.
+    /// Its text in the reference.
     pub(crate) text: Text,
     /// The kind itself, or the function that makes it from the words after its name.
     pub(crate) make: F,
@@ -23,7 +23,7 @@ pub struct KindUsage {
     pub names: &'static [&'static str],
     /// Usage of the family's command with this kind.
     pub usage: &'static str,
-    /// What the reference says of it.
+    /// Its text in the reference.
     pub text: Text,
 }
 

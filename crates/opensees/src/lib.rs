@@ -74,7 +74,7 @@ pub struct Command {
     pub name: &'static str,
     /// Usage in one line.
     pub usage: &'static str,
-    /// What the reference says of it.
+    /// Its text in the reference.
     pub text: Text,
     run: fn(&mut Tcl, &Call<'_>) -> Outcome,
     kinds: fn() -> Vec<KindUsage>,

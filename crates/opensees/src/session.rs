@@ -9,6 +9,7 @@ use crate::files::number_files::NumberFiles;
 use crate::files::outputs::Outputs;
 use crate::host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 use crate::index::Index;
+use crate::load::late_support::LateSupport;
 use crate::material::MaterialTests;
 use crate::model::parameter_change::{ParameterChanges, ScriptStart};
 use crate::output::Balances;
@@ -77,6 +78,8 @@ pub struct ModelBuilder {
     /// The pattern that loads go into.
     pub(crate) pattern: Option<Tag>,
     pub(crate) regions: BTreeMap<Tag, Region>,
+    /// Supports that uniform excitations reach later.
+    pub(crate) late_supports: Vec<LateSupport>,
     /// Fibers of the section whose body runs.
     pub(crate) fibers: Option<Vec<Fiber>>,
     /// Fibers of the body of `section NDFiber` that is being run.

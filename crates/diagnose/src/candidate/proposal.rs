@@ -118,6 +118,9 @@ pub(crate) struct Proposal {
     pub(crate) unread: Vec<usize>,
     /// True if the effect follows from geometry, not from a form of law. Its residual must not recur along the stroke.
     pub(crate) geometric: bool,
+    /// True if the effect is a part of the structure, without which the model moves quite differently. Fits from the user's values
+    /// miss it.
+    pub(crate) is_missing_part: bool,
     /// True if the recording shows the effect by itself, whatever the model.
     pub(crate) visible_in_recording: bool,
 }
@@ -165,6 +168,7 @@ impl Proposal {
             condition: None,
             unread: vec![],
             geometric: false,
+            is_missing_part: false,
             visible_in_recording: false,
         }
     }

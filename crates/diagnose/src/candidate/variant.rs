@@ -79,6 +79,12 @@ impl Variant {
         faults.map_or_else(Vec::new, |f| f(self.split(values).1))
     }
 
+    /// Mechanism of the effect: the name of its first parameter; empty without one.
+    pub(crate) fn mechanism(&self) -> &str {
+        let parameters = self.proposal.as_ref().map_or(&[][..], |p| &p.parameters);
+        parameters.first().map_or("", |p| &p.name)
+    }
+
     /// Returns true if the proposal changes the script, not only its channels.
     pub(crate) fn edits_script(&self) -> bool {
         self.proposal.as_ref().is_some_and(Proposal::edits_script)

@@ -7,6 +7,7 @@
 //! - [`memory_evidence`]: kinds of memory of a device, and the noise of the recordings
 //! - [`repair_limits`]: limits by the share of the error that a repair takes, and by kinds of memory
 //! - [`second_effect`]: the second effect of a pair
+//! - `sensor_limits`: a fault of a sensor beside an effect that explains as much
 //! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
 //! - [`verdict_model`]: probabilities from that evidence
 //! - `verdict_weights`: the fitted weights
@@ -20,6 +21,7 @@ pub(crate) mod parametric_bootstrap;
 pub(crate) mod ranking;
 pub(crate) mod repair_limits;
 pub(crate) mod second_effect;
+mod sensor_limits;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;
 mod verdict_weights;

@@ -5,10 +5,11 @@
 use super::fitted::FittedHypothesis;
 use super::halton_points::halton_points;
 use super::scheduler::Scheduler;
-use super::search_settings::{GLOBAL_GROUPS, GLOBAL_POINTS, GLOBAL_STARTS_PER_CAUSE, MAX_GLOBAL_SAMPLES};
+use super::search_settings::{
+    GLOBAL_GROUPS, GLOBAL_POINTS, GLOBAL_POINTS_OF_MISSING_PART, GLOBAL_STARTS_PER_CAUSE, MAX_GLOBAL_SAMPLES,
+};
 use crate::candidate::proposal::Proposal;
 use crate::candidate::variant::Variant;
-use crate::hypothesis;
 use hysteron_identify::study::{Role, Study};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,22 +28,22 @@ pub(crate) enum GlobalScope {
 impl GlobalScope {
     /// The widest scope that the length of the fitted runs allows.
     pub(crate) fn affordable(study: &Study, proposals: &[Proposal]) -> Self {
-        let searches = |scope: Self| proposals.iter().filter(|p| p.edits_script() && scope.has_cause(p.cause)).count();
+        let searches = |scope: Self| proposals.iter().filter(|p| p.edits_script() && scope.has(p)).count();
         let scopes = [Self::All, Self::MissingParts];
         scopes.into_iter().find(|scope| is_affordable(study, searches(*scope))).unwrap_or(Self::Nothing)
     }
 
-    fn has_cause(self, cause: &str) -> bool {
+    fn has(self, proposal: &Proposal) -> bool {
         match self {
             Self::All => true,
-            Self::MissingParts => hypothesis::of(cause).is_some_and(|h| h.is_missing_part),
+            Self::MissingParts => proposal.is_missing_part,
             Self::Nothing => false,
         }
     }
 
     /// Returns true if a variant is sought. Faults of channels never are.
     pub(crate) fn contains(self, variant: &Variant) -> bool {
-        !variant.is_channel_fault() && self.has_cause(variant.cause())
+        !variant.is_channel_fault() && variant.proposal.as_ref().is_none_or(|p| self.has(p))
     }
 }
 
@@ -64,7 +65,9 @@ pub(crate) fn global_search(
     let physics: Vec<&Arc<Variant>> = variants.iter().filter(|v| !v.is_channel_fault()).collect();
     // The best point of each group, because the best of all may lie in another valley.
     let groups = physics.iter().flat_map(|v| {
-        let points = halton_points(&v.start(&baseline.fitted.values), 0, GLOBAL_POINTS);
+        let is_missing_part = v.proposal.as_ref().is_some_and(|p| p.is_missing_part);
+        let per_parameter = if is_missing_part { GLOBAL_POINTS_OF_MISSING_PART } else { GLOBAL_POINTS };
+        let points = halton_points(&v.start(&baseline.fitted.values), 0, per_parameter);
         let group = move |g| points.iter().skip(g).step_by(GLOBAL_GROUPS).cloned().collect();
         (0..GLOBAL_GROUPS).map(move |g| ((*v).clone(), group(g)))
     });

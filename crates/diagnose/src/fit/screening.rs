@@ -114,15 +114,19 @@ impl FirstRound<'_> {
     /// Orders screened proposals: the best of each cause, then its next forms.
     fn select(&self, screened: Vec<ScreenedHypothesis>) -> Selection {
         let mut forms_of_cause: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut mechanisms: BTreeSet<(&str, &str)> = BTreeSet::new();
         let (mut ranked, mut next_forms, mut further_forms) = (vec![], vec![], vec![]);
-        for s in screened {
+        for s in &screened {
+            let is_first_of_mechanism = mechanisms.insert((s.variant.cause(), s.variant.mechanism()));
+            let s = s.clone();
             let form = forms_of_cause.entry(s.variant.cause()).or_default();
             *form += 1;
             match *form {
                 1 => ranked.push(s),
                 2..=FORMS_PER_CAUSE => next_forms.push(s),
-                // A whole law is far from the user's, so that screening at a few points says little of it.
-                _ if s.variant.is_whole_law() => next_forms.push(s),
+                // A whole law is far from the user's, so that screening at a few points says little of it. Of another mechanism the
+                // forms so far say nothing: springs below a support that sways, and below one that rocks.
+                _ if s.variant.is_whole_law() || is_first_of_mechanism => next_forms.push(s),
                 _ => further_forms.push(s),
             }
         }

@@ -51,11 +51,12 @@ struct PairSearch<'a> {
 
 /// Pairs of effects that may explain more than their first effect alone, with held-out residuals.
 ///
-/// `ranked` are single hypotheses by log evidence, `singles` those of the first round by score.
+/// `ranked` are single hypotheses by log evidence, `singles` those of the first round by score. A single hypothesis of which the
+/// best pair shows a better optimum takes that.
 pub(crate) fn two_effect_search(
     scheduler: &mut Scheduler<'_>,
     baseline: &FittedHypothesis,
-    ranked: &[FittedHypothesis],
+    ranked: &mut [FittedHypothesis],
     singles: &[FittedHypothesis],
     point: &InsertionPoint,
 ) -> Result<Vec<FittedHypothesis>, String> {
@@ -78,6 +79,7 @@ pub(crate) fn two_effect_search(
         search.try_next_forms(scheduler, &firsts, &mut searched, &mut pairs)?;
     }
     search.exchange_effects(scheduler, &ranked[0], searched, &mut pairs)?;
+    search.improve_singles(scheduler, &pairs, ranked)?;
     let mut out: Vec<FittedHypothesis> = pairs.into_iter().map(|p| p.hypothesis).collect();
     scheduler.hold_out(STAGE, &mut out)?;
     Ok(out)
@@ -132,6 +134,29 @@ impl PairSearch<'_> {
             let Some(kept) = self.effect_of_pair(best, side) else { continue };
             let more = self.beside(scheduler, &kept, |n, _| is_new(pairs, kept.effect, n))?;
             pairs.extend(more.into_iter().filter_map(|p| self.ordered(p)));
+        }
+        Ok(())
+    }
+
+    /// Searches each effect of the best pair alone, from the optimum of the pair.
+    ///
+    /// A second effect must not be named for a better optimum of the first.
+    fn improve_singles(
+        &self,
+        scheduler: &mut Scheduler<'_>,
+        pairs: &[EffectPair],
+        ranked: &mut [FittedHypothesis],
+    ) -> Result<(), String> {
+        let Some(best) = best_pair(pairs).filter(|p| p.gain(&ranked[0]) > 0.0) else { return Ok(()) };
+        let alone = (0..2).filter_map(|side| Some(self.effect_of_pair(best, side)?.hypothesis)).collect();
+        for found in scheduler.refine(STAGE, alone, SECOND_ROUND_ITERATIONS)? {
+            let better = |e: &&mut FittedHypothesis| {
+                Arc::ptr_eq(&e.variant, &found.variant) && found.fitted.objective < e.fitted.objective
+            };
+            if let Some(known) = ranked.iter_mut().find(better) {
+                known.fitted = found.fitted;
+                scheduler.hold_out(STAGE, std::slice::from_mut(known))?;
+            }
         }
         Ok(())
     }

@@ -20,7 +20,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups, where temperatures of runs differ by 2 degrees and a variable of the study tells the runs apart",
     forms: "`temperature`: one factor, or one each for strength and stiffness",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Temperature],
     materials: &[],
     measurement: Measurement::new(

@@ -16,7 +16,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups with a known compression: the model's, or a variable `axial` of each run",
     forms: "`axial` with a constant critical load, or one that falls with the overlap",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Shape, Family::AxialForce],
     materials: &[],
     measurement: Measurement::new(

@@ -13,7 +13,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups that move in two directions",
     forms: "`coupling`",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(

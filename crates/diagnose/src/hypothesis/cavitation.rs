@@ -16,7 +16,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "single devices that are pulled in their axis; both signs for springs of one direction",
     forms: "`cavitation`: a level limit, one that rises, and one of the elastic part",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: RUBBERS,
     measurement: Measurement::new(

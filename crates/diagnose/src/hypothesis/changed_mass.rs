@@ -10,8 +10,6 @@ const MAX_FLOORS: usize = 6;
 /// tank halves it.
 const FACTORS: [f64; 3] = [0.4, 3.0, 1.2];
 const FACTOR_STARTS: [f64; 2] = [0.75, 1.6];
-/// Difference of heights that counts as none, in parts of the model's extent.
-const EQUAL_HEIGHT: f64 = 1e-6;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "changed_mass",
@@ -23,7 +21,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "masses of a shaken model: those of one height together, up to 6 heights, and all",
     forms: "a factor on the masses",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -43,7 +40,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     // Without a vertical axis each mass is a floor.
     let one_floor = |a: &Mass, b: &Mass| {
         let both = height(a).zip(height(b));
-        both.is_some_and(|(a, b)| (a - b).abs() <= EQUAL_HEIGHT * s.inventory.extent)
+        both.is_some_and(|(a, b)| s.inventory.heights.are_equal(a, b))
     };
     let floors = grouped(&s.inventory.masses, one_floor);
     let mut out: Vec<Proposal> = vec![];

@@ -15,7 +15,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups",
     forms: "`degradation`, as a factor or of the strength",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Work],
     materials: &[],
     measurement: Measurement::new(

@@ -15,9 +15,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "a free vibration that decays faster or slower than the model's",
     parted_by: "the period is right, and so is the force at peaks of displacement",
     place: "linear groups of a shaken model; frames; all masses; each of 6 masses that are not on a device on the ground",
-    forms: "`damping`, linear or of a power; dashpots in proportion to stiffness; dashpots beside columns; mass-proportional damping; a dashpot of a power from 1 to 2 between a mass and the ground",
+    forms: "`damping`, linear or of a power; dashpots in proportion to stiffness; dashpots beside columns; mass-proportional damping; one damping ratio of all modes; a dashpot of a power from 1 to 2 between a mass and the ground",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Rate],
     materials: &[],
     measurement: Measurement::new(
@@ -29,6 +28,11 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("beta", "damping per stiffness", Dimension::Time),
         Quantity::new("alphaM", "damping per mass", Dimension::Rate),
         Quantity::new("c", "dashpot", Dimension::Dashpot),
+        Quantity::new("ratio", "damping ratio of each mode", Dimension::Ratio).within(
+            "the damping ratio of each mode",
+            [0.0, 0.2],
+            "buildings have 1 to 10 % of critical damping (Chopra, Dynamics of Structures, 11.2), with some margin",
+        ),
     ],
     propose,
 };
@@ -84,8 +88,25 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         }
         let added = vec![AddedParameter::log("alphaM", 1e-3, 10.0, 0.1)];
         out.push(Proposal::script_edit("damping", "mass-proportional damping", "all masses".into(), block, added));
+        out.extend(damping_of_modes(s));
     }
     out
+}
+
+/// Modes that are damped at most.
+const MAX_MODES: usize = 12;
+
+/// One damping ratio of all modes beside the other damping of the script; none for a single mode, which is damped as its mass.
+fn damping_of_modes(s: &ProposalContext<'_>) -> Option<Proposal> {
+    let moving = s.inventory.masses.iter().flat_map(|m| &m.mass).filter(|mass| **mass > 0.0).count();
+    if moving < 2 {
+        return None;
+    }
+    // Fewer modes than masses: a support holds some of them.
+    let modes = s.inventory.masses.len().min(MAX_MODES);
+    let block = vec![format!("eigen {modes}"), "modalDamping $hy_ratio".to_owned()];
+    let added = vec![AddedParameter::log("ratio", 1e-3, 0.5, 0.03)];
+    Some(Proposal::script_edit("damping", "one damping ratio of all modes", "all masses".into(), block, added))
 }
 
 /// A dashpot of a power of speed between a mass and the ground: waves that it radiates, water or air that it moves.
@@ -144,4 +165,36 @@ fn dashpots_beside_columns(s: &ProposalContext<'_>) -> Option<Proposal> {
         block,
         added,
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// Of a single mass one ratio of all modes is the damping of the mass.
+    #[test]
+    fn several_masses_share_a_damping_ratio() {
+        let commands = |mass: &str| -> Vec<String> {
+            let text = format!(
+                "model basic -ndm 1 -ndf 1
+                node 1 0.; node 2 0. -mass {mass}; node 3 0. -mass 1.; fix 1 1
+                uniaxialMaterial Elastic 1 100.
+                element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1
+                timeSeries Constant 2
+                pattern UniformExcitation 2 1 -accel 2
+                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+                integrator Newmark 0.5 0.25
+                analysis Transient
+                analyze 2 0.01\n"
+            );
+            let (inventory, study, responses) = (inventory_of(&text), pad_study(), ResponseRanges::default());
+            let all = propose(&proposal_context(&inventory, &study, &responses));
+            all.into_iter().filter(|p| p.form.contains("modes")).flat_map(|p| p.commands).collect()
+        };
+        assert_eq!(commands("1."), ["eigen 2", "modalDamping $hy_ratio"]);
+        assert!(commands("0.").is_empty());
+    }
 }

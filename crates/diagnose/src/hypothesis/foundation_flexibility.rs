@@ -14,9 +14,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "a longer period than the model's; a base that moves or rocks against the free field",
     parted_by: "the period is longer at small amplitudes too, which yielding does not explain",
     place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
-    forms: "horizontal spring, rocking spring, or both, each with a dashpot; a spring that yields; a footing with mass",
+    forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields; a footing with mass; a footing that lifts off",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -32,6 +31,12 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("rocking_dashpot", "rocking damping", Dimension::RotationalDashpot),
         Quantity::new("sway_yield", "yield force", Dimension::Force),
         Quantity::new("sway_hardening", "hardening ratio", Dimension::Ratio),
+        Quantity::new("rocking_lift", "moment at which the footing lifts off", Dimension::Moment),
+        Quantity::new(
+            "rocking_lifted",
+            "rocking stiffness of the lifted footing over that in full contact",
+            Dimension::Ratio,
+        ),
         Quantity::new("footing", "mass of the footing", Dimension::Unnamed),
     ],
     propose,
@@ -75,12 +80,18 @@ fn similar_stiffness(a: &Support, b: &Support) -> bool {
 #[derive(Clone, Copy, PartialEq)]
 enum Addition {
     None,
+    /// The dashpots are left out: the support is softer and loses no energy.
+    NoDashpot,
     /// Yielding of the springs, with a scale of the yield force.
     Yielding {
         force: f64,
     },
     /// A footing with mass.
     Footing,
+    /// Lift-off of the footing, with a scale of its moment.
+    Lifting {
+        moment: f64,
+    },
 }
 
 /// Adds all forms of equal springs and dashpots below some supports.
@@ -101,12 +112,8 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
     let mut form = |form: &str, springs: &[(&str, &[usize])], addition: Addition| {
         let mut added = vec![];
         let mut spring = |name: &str, dofs| {
-            let law = match addition {
-                Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
-                _ => ("Elastic", format!("$hy_{name}")),
-            };
             added.extend(spring_parameters(name, scale_of(dofs, stiffest), addition));
-            SupportSpring { materials: vec![law, ("Viscous", format!("$hy_{name}_dashpot 1.0"))], dofs }
+            SupportSpring { materials: spring_materials(name, addition), dofs }
         };
         let springs: Vec<_> = springs.iter().map(|(name, dofs)| spring(name, dofs)).collect();
         let is_footing = addition == Addition::Footing;
@@ -118,6 +125,7 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
     };
     if !horizontal.is_empty() {
         form("horizontal spring", &[("sway", &horizontal)], Addition::None);
+        form("horizontal spring without a dashpot", &[("sway", &horizontal)], Addition::NoDashpot);
         // Yielding shows where amplitudes differ, below elements that do not yield themselves.
         let force = s.responses.largest_force();
         let softens = |tag: &i32| s.inventory.devices.iter().any(|d| d.tag == *tag && !d.linear);
@@ -131,6 +139,11 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
     }
     if !rocking.is_empty() {
         form("rocking spring", &[("rocking", &rocking)], Addition::None);
+        form("rocking spring without a dashpot", &[("rocking", &rocking)], Addition::NoDashpot);
+        let moment = largest_moment(s, supports);
+        if moment > 0.0 {
+            form("rocking spring of a footing that lifts off", &[("rocking", &rocking)], Addition::Lifting { moment });
+        }
     }
     if !horizontal.is_empty() && !rocking.is_empty() {
         form("horizontal and rocking spring", &[("sway", &horizontal), ("rocking", &rocking)], Addition::None);
@@ -142,15 +155,94 @@ fn scale_of(dofs: &[usize], stiffest: impl Fn(usize) -> f64) -> f64 {
     dofs.iter().map(|d| stiffest(*d)).fold(0.0, f64::max)
 }
 
+/// Largest moment of the fitted baseline at the ends of the beams on some supports.
+fn largest_moment(s: &ProposalContext<'_>, supports: &[&Support]) -> f64 {
+    let of_beams = supports.iter().flat_map(|p| &p.elements).filter_map(|tag| s.responses.end_moments.get(tag));
+    of_beams.fold(0.0, |most: f64, moment| most.max(*moment))
+}
+
+/// Materials of a spring side by side.
+///
+/// A footing that lifts off comes down on the way on which it went up, without a loss in the spring: Psycharis and Jennings
+/// (1983), Rocking of slender rigid bodies allowed to uplift, Earthquake Engineering and Structural Dynamics 11.
+fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String)> {
+    let law = match addition {
+        Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
+        Addition::Lifting { .. } => (
+            "ElasticBilin",
+            format!("$hy_{name} [expr {{$hy_{name}*$hy_{name}_lifted}}] [expr {{$hy_{name}_lift/$hy_{name}}}]"),
+        ),
+        Addition::None | Addition::NoDashpot | Addition::Footing => ("Elastic", format!("$hy_{name}")),
+    };
+    let dashpot = (addition != Addition::NoDashpot).then(|| ("Viscous", format!("$hy_{name}_dashpot 1.0")));
+    std::iter::once(law).chain(dashpot).collect()
+}
+
+/// Starts of the moment at which a footing lifts off, over the largest moment on the fixed base. A choice.
+const LIFT_STARTS: [f64; 2] = [0.7, 0.25];
+
 /// Parameters of a spring on the scale of its stiffness.
 fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedParameter> {
-    let mut added = vec![
-        AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale),
-        AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale),
-    ];
-    if let Addition::Yielding { force } = addition {
-        added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
-        added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+    let mut added = vec![AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale)];
+    if addition != Addition::NoDashpot {
+        added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+    }
+    match addition {
+        Addition::Yielding { force } => {
+            added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
+            added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+        }
+        Addition::Lifting { moment } => {
+            let lift = AddedParameter::log(&format!("{name}_lift"), 0.03 * moment, 3.0 * moment, 0.45 * moment);
+            // Another mechanism than a spring, which says little of it: the parameter that lifts comes first.
+            added.insert(0, AddedParameter { further_starts: LIFT_STARTS.map(|part| part * moment).into(), ..lift });
+            added.push(AddedParameter::linear(&format!("{name}_lifted"), 0.0, 0.9, 0.1));
+        }
+        Addition::None | Addition::NoDashpot | Addition::Footing => {}
     }
     added
+}
+
+#[cfg(test)]
+mod tests {
+    use super::propose;
+    use crate::inspect::probe::tests::inventory_of;
+    use crate::inspect::response::ResponseRanges;
+    use crate::test_support::{pad_study, proposal_context};
+
+    /// A footing lifts off where the column above it bends, at a moment on the scale of that; springs come with a dashpot and
+    /// without one.
+    #[test]
+    fn a_footing_below_a_bent_column_lifts_off() {
+        let text = "model basic -ndm 2 -ndf 3
+            node 1 0. 0.; node 2 0. 3. -mass 1. 1. 0.; fix 1 1 1 1
+            geomTransf Linear 1
+            element elasticBeamColumn 1 1 2 1. 1e3 1. 1
+            timeSeries Constant 2
+            pattern UniformExcitation 2 1 -accel 2
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+            integrator Newmark 0.5 0.25
+            analysis Transient
+            analyze 2 0.01\n";
+        let (inventory, study) = (inventory_of(text), pad_study());
+        let forms = |moment: Option<f64>| -> Vec<(String, Vec<String>)> {
+            let end_moments = moment.map(|m| (1, m)).into_iter().collect();
+            let responses = ResponseRanges { end_moments, ..ResponseRanges::default() };
+            let proposals = propose(&proposal_context(&inventory, &study, &responses));
+            let names =
+                |p: &crate::candidate::proposal::Proposal| p.parameters.iter().map(|a| a.name.clone()).collect();
+            proposals.iter().map(|p| (p.form.clone(), names(p))).collect()
+        };
+        let rocking = |all: Vec<(String, Vec<String>)>| -> Vec<String> {
+            all.into_iter()
+                .filter(|(f, _)| f.starts_with("rocking"))
+                .map(|(f, n)| format!("{f}: {}", n.join(" ")))
+                .collect()
+        };
+        let springs = ["rocking spring: hy_rocking hy_rocking_dashpot", "rocking spring without a dashpot: hy_rocking"];
+        assert_eq!(rocking(forms(None)), springs);
+        let lifts = "rocking spring of a footing that lifts off: \
+                     hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";
+        assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], lifts]);
+    }
 }

@@ -4,6 +4,7 @@ use super::ProposalContext;
 use super::context::node_coordinates;
 use crate::inspect::inventory::Mass;
 use crate::inspect::response::NodeMotion;
+use std::f64::consts::TAU;
 
 /// Masses that get parts of their own, at most.
 const MAX_MASSES: usize = 6;
@@ -58,6 +59,30 @@ impl FreeMass<'_> {
         [
             format!("node {tag} {}", node_coordinates(self.mass.node, ndm)),
             format!("fix {tag} {}", vec!["1"; self.mass.mass.len()].join(" ")),
+        ]
+    }
+
+    /// Commands for a mass beside it that stands on a spring on the node `ground`, with a damping ratio of its own. Its mass is
+    /// the parameter `neighbour`, and its period the parameter `period`.
+    pub(super) fn neighbour(&self, s: &ProposalContext<'_>, (ground, tag): (i32, i32), dof: usize) -> Vec<String> {
+        /// Damping ratio of buildings (Chopra, Dynamics of Structures, 11.2).
+        const RATIO: f64 = 0.03;
+        let ndf = self.mass.mass.len();
+        let of_dofs = |moving: &str, other: &str| {
+            let words = (1..=ndf).map(|d| if d == dof { moving } else { other });
+            words.collect::<Vec<_>>().join(" ")
+        };
+        let [spring, dashpot] = [tag + 1, tag + 2];
+        vec![
+            format!("node {tag} {}", node_coordinates(self.mass.node, s.inventory.ndm)),
+            format!("fix {tag} {}", of_dofs("0", "1")),
+            format!("mass {tag} {}", of_dofs("$hy_neighbour", "0.0")),
+            format!("uniaxialMaterial Elastic {spring} [expr {{$hy_neighbour*pow({TAU:.10}/$hy_period,2)}}]"),
+            format!(
+                "uniaxialMaterial Viscous {dashpot} [expr {{{:.4}*$hy_neighbour*{TAU:.10}/$hy_period}}] 1.0",
+                2.0 * RATIO
+            ),
+            format!("element zeroLength {spring} {ground} {tag} -mat {spring} {dashpot} -dir {dof} {dof}"),
         ]
     }
 

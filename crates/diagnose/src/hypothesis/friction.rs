@@ -14,7 +14,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups, and linear ones on the ground",
     forms: "`friction`; `bristles`; with a clock also `bristles` that fall with speed, and `sliding`",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Shape, Family::Rate],
     materials: &[],
     measurement: Measurement::new(

@@ -17,9 +17,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "peaks of force or acceleration at one deformation; a displacement that is cut off on one side",
     parted_by: "below that deformation the model is right",
     place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours; each of 6 masses that are not on a device on the ground",
-    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours; a wall on the ground on either side of a mass",
+    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours; a wall on the ground on either side of a mass, or a neighbour there that is one mass on a spring",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Shape, Family::Side],
     materials: &[],
     measurement: Measurement::new(
@@ -30,6 +29,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("gap", "gap", Dimension::Length),
         Quantity::new("wall", "stiffness of the wall", Dimension::Stiffness),
         Quantity::new("damping", "damping of the contact", Dimension::Unnamed),
+        Quantity::new("neighbour", "mass of the neighbour", Dimension::Unnamed),
+        Quantity::new("period", "period of the neighbour", Dimension::Time),
     ],
     propose,
 };
@@ -65,7 +66,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         }
     }
     if s.inventory.base_excited {
-        out.extend(free_masses(s).iter().flat_map(|m| walls_beside_mass(s, m)));
+        out.extend(free_masses(s).iter().flat_map(|m| contacts_beside_mass(s, m)));
     }
     for (n, pair) in s.inventory.adjacent.iter().enumerate() {
         out.extend(joint_contact(s, n, pair));
@@ -127,32 +128,65 @@ fn contact(k: f64, start: f64, speed: f64) -> Vec<AddedParameter> {
     ]
 }
 
-/// Walls on the ground on either side of a mass, in each direction in which it moves.
-fn walls_beside_mass(s: &ProposalContext<'_>, m: &FreeMass<'_>) -> Vec<Proposal> {
+/// Contacts on either side of a mass, in each direction in which it moves.
+fn contacts_beside_mass(s: &ProposalContext<'_>, m: &FreeMass<'_>) -> Vec<Proposal> {
     let sides = |d| [(d, 1, "positive"), (d, -1, "negative")];
-    m.directions.iter().flat_map(sides).filter_map(|at| wall_beside_mass(s, m, at)).collect()
+    m.directions.iter().flat_map(sides).flat_map(|at| contact_beside_mass(s, m, at)).collect()
 }
 
-/// A wall on the ground that the mass meets when it moves to a side; none if the mass does not move towards it.
-fn wall_beside_mass(
+/// A wall on the ground that the mass meets when it moves to a side, and a neighbour there; none if the mass does not move
+/// towards it.
+fn contact_beside_mass(
     s: &ProposalContext<'_>,
     m: &FreeMass<'_>,
     (direction, side, side_name): (&MovingDirection, i32, &str),
-) -> Option<Proposal> {
+) -> Vec<Proposal> {
     let &MovingDirection { dof, motion, inertia } = direction;
     let [low, high] = motion.displacement_bounds;
     let (most, reach) = (motion.displacement(), if side > 0 { high } else { -low });
     if reach <= MIN_GAP * most {
-        return None;
+        return vec![];
     }
     let k = inertia / most;
     let tag = s.inventory.first_tag(TagPurpose::MassContacts);
-    let mut block = m.ground_node(tag, s.inventory.ndm).to_vec();
-    block.extend(carried_gap(k, tag, ("zeroLength", [tag, m.mass.node]), side, dof));
+    let ground = m.ground_node(tag, s.inventory.ndm).to_vec();
     let axis = if m.directions.len() > 1 { format!(" along axis {dof}") } else { String::new() };
-    let form = format!("wall beside a mass on the {side_name} side{axis}");
-    let added = [vec![gap(most, reach)], contact(k, 30.0 * k, motion.velocity)].concat();
-    Some(Proposal::script_edit("gap_impact", &form, m.location(), block, added))
+    let form = |form: &str, block: Vec<String>, of_gap: AddedParameter, more: Vec<AddedParameter>| {
+        let added = [more, vec![of_gap], contact(k, 30.0 * k, motion.velocity)].concat();
+        let form = format!("{form} a mass on the {side_name} side{axis}");
+        Proposal::script_edit("gap_impact", &form, m.location(), block, added)
+    };
+    let wall = carried_gap(k, tag, ("zeroLength", [tag, m.mass.node]), side, dof);
+    let neighbour = [
+        m.neighbour(s, (tag, tag + 1), dof),
+        carried_gap(k, tag + 1, ("zeroLength", [tag + 1, m.mass.node]), side, dof).to_vec(),
+    ];
+    let (own, length) = (m.mass.mass[dof - 1], s.longest_run());
+    let more = vec![
+        AddedParameter { further_starts: NEIGHBOUR_STARTS.into(), ..neighbour_period(length) },
+        AddedParameter::log("neighbour", 0.1 * own, 10.0 * own, own),
+    ];
+    // A neighbour comes to meet the mass.
+    let joint = AddedParameter::linear("gap", MIN_GAP * most, MAX_JOINT_WIDTH * most, 0.7 * reach);
+    let joint = AddedParameter { further_starts: GAP_STARTS.map(|part| part * reach).into(), ..joint };
+    vec![
+        form("wall beside", [ground.clone(), wall.to_vec()].concat(), gap(most, reach), vec![]),
+        Proposal {
+            is_missing_part: true,
+            ..form("neighbour of one mass beside", [vec![ground], neighbour.into()].concat().concat(), joint, more)
+        },
+    ]
+}
+
+/// Periods of a neighbour, s: range, start and further starts. Buildings of one to ten storeys have 0.1 to 1 s
+/// (ASCE/SEI 7-16, 12.8.2.1); taller ones and those on bearings have more.
+const NEIGHBOUR_PERIODS: [f64; 3] = [0.05, 4.0, 0.5];
+const NEIGHBOUR_STARTS: [f64; 3] = [0.2, 1.0, 2.0];
+
+/// The period of a neighbour, no longer than a run.
+fn neighbour_period(length: f64) -> AddedParameter {
+    let [shortest, longest, start] = NEIGHBOUR_PERIODS;
+    AddedParameter::log("period", shortest, longest.min(length.max(2.0 * start)), start)
 }
 
 /// Width of a gap, with the largest deformation in any direction and the largest towards the wall.
@@ -214,7 +248,7 @@ mod tests {
     use crate::inspect::response::{NodeMotion, ResponseRanges};
     use crate::test_support::{pad_study, proposal_context};
 
-    /// A wall stands beside a mass that moves towards it. The mass on a device on the ground has the wall of the device.
+    /// A wall or a neighbour stands beside a mass that moves towards it. The mass on a device on the ground has the wall of the device.
     #[test]
     fn walls_stand_where_a_mass_moves_to() {
         let text = "model basic -ndm 1 -ndf 1
@@ -238,8 +272,10 @@ mod tests {
             let proposals = propose(&proposal_context(&inventory, &study, &responses));
             proposals.into_iter().map(|p| (p.location, p.form)).collect()
         };
-        let wall = |side: &str| ("node 3".to_owned(), format!("wall beside a mass on the {side} side"));
-        assert_eq!(walls([-0.1, 0.1]), [wall("positive"), wall("negative")]);
-        assert_eq!(walls([-0.1, 0.001]), [wall("negative")]);
+        let contact =
+            |what: &str, side: &str| ("node 3".to_owned(), format!("{what} beside a mass on the {side} side"));
+        let beside = |side: &str| [contact("wall", side), contact("neighbour of one mass", side)];
+        assert_eq!(walls([-0.1, 0.1]), [beside("positive"), beside("negative")].concat());
+        assert_eq!(walls([-0.1, 0.001]), beside("negative"));
     }
 }

@@ -40,7 +40,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "supports of a shaken model that carry linear devices or beams: all with the same fixities together, up to 20",
     forms: "a bilinear spring with the mass of a slab below each support: yield force, period of all mass above on the stiffness after yielding, stiffness before it",
     needs_clock: false,
-    is_missing_part: true,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -128,5 +127,6 @@ fn layer(s: &ProposalContext<'_>, supports: &[&Support]) -> Option<Proposal> {
     let block = freed.commands(&[spring], Some("slab"));
     let named: Vec<String> = supports.iter().map(|p| p.node.to_string()).collect();
     let at = format!("node {}", named.join(" "));
-    Some(Proposal::script_edit(CAUSE, "yielding spring with the mass of a slab", at, block, added))
+    let proposal = Proposal::script_edit(CAUSE, "yielding spring with the mass of a slab", at, block, added);
+    Some(Proposal { is_missing_part: true, ..proposal })
 }

@@ -23,6 +23,7 @@ mod free_masses;
 mod friction;
 mod gap_impact;
 pub(crate) mod isolation_layer;
+mod late_support;
 mod materials;
 mod mullins_softening;
 mod own_options;
@@ -63,9 +64,6 @@ pub struct Hypothesis {
     pub forms: &'static str,
     /// True if the effect depends on elapsed time. Recordings that only count samples cannot show it.
     pub needs_clock: bool,
-    /// True if the effect is a part of the structure, without which the model moves quite differently. Fits from the user's values
-    /// miss it.
-    pub(crate) is_missing_part: bool,
     /// Kinds of memory that a device shows under the effect; empty where the effect is none of a device's law.
     pub(crate) memory: &'static [Family],
     /// Materials whose devices can have the effect; empty where it knows no material.
@@ -93,6 +91,7 @@ pub const ALL: &[Hypothesis] = &[
     gap_impact::HYPOTHESIS,
     foundation_flexibility::HYPOTHESIS,
     isolation_layer::HYPOTHESIS,
+    late_support::HYPOTHESIS,
     superstructure_yielding::HYPOTHESIS,
     changed_mass::HYPOTHESIS,
     damping::HYPOTHESIS,

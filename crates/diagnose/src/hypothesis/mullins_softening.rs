@@ -15,7 +15,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups",
     forms: "`mullins` with a gradual way back to the virgin path, or lost for good",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Largest],
     materials: RUBBERS,
     measurement: Measurement::new(

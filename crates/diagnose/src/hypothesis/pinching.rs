@@ -16,7 +16,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups",
     forms: "`slip` of a constant size or growing with the deformation; `pinching`",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Pinching, Family::Largest],
     materials: &[DeviceMaterial::Steel, DeviceMaterial::Concrete, DeviceMaterial::Timber],
     measurement: Measurement::new(

@@ -14,7 +14,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups, and linear ones on the ground; needs a clock",
     forms: "`overstress`, linear and of a power; `relaxation` with one time and with times over three decades; `damping` of a power",
     needs_clock: true,
-    is_missing_part: false,
     memory: &[Family::Rate],
     materials: &[],
     measurement: Measurement::new(

@@ -15,7 +15,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups; needs a clock",
     forms: "`heating` with cooling, as a factor or of the strength; with conduction, of the hysteretic part or the strength",
     needs_clock: true,
-    is_missing_part: false,
     memory: &[Family::Heat, Family::Temperature],
     materials: &[],
     measurement: Measurement::new(

@@ -19,7 +19,6 @@ pub(super) const GAIN: Hypothesis = Hypothesis {
     place: "each channel",
     forms: "one factor in all runs, or in one of several",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -39,7 +38,6 @@ pub(super) const LAG: Hypothesis = Hypothesis {
     place: "each channel",
     forms: "a constant delay in all runs, or in one of several",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -59,7 +57,6 @@ pub(super) const DRIFT: Hypothesis = Hypothesis {
     place: "each channel",
     forms: "a slope in all runs or in one; a jump in a run; both; a zero that wanders by a line through six points a run",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -79,7 +76,6 @@ pub(super) const CLIPPING: Hypothesis = Hypothesis {
     place: "each channel",
     forms: "a level on both sides, or the level at which a recording stays, in all runs or in one of several",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(

@@ -14,7 +14,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups, and linear ones on the ground",
     forms: "`stiffening`: cubic, or quadratic from an onset",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Shape],
     materials: &[],
     measurement: Measurement::new(

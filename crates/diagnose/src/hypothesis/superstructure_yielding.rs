@@ -3,7 +3,7 @@
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
-use crate::inspect::inventory::{Device, TagPurpose, grouped};
+use crate::inspect::inventory::{Device, TagPurpose};
 
 /// Ground columns that yield one at a time, storeys and floors, at most.
 const MAX_LEVELS: usize = 6;
@@ -24,7 +24,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "linear devices, alone where they are 12 or fewer, and all together; columns of up to 6 levels; girders",
     forms: "`yielding`; `peakOriented`; `hinges` at the feet of columns, or at both ends of columns and girders",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
@@ -78,7 +77,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     }
     // Hinges at the feet of the columns of each storey, on the ground also one column at a time. Columns below a girder yield at
     // the head as well, and girders at both ends.
-    let levels = grouped(&s.inventory.columns, FrameMember::is_level_with);
+    let levels = s.inventory.storeys(&s.inventory.columns);
     for (n, level) in levels.iter().take(MAX_LEVELS).enumerate() {
         if n == 0 && level.len() > 1 {
             out.extend(level.iter().take(MAX_LEVELS).filter_map(|column| hinges(s, &[*column], Ends::Foot)));
@@ -92,7 +91,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     // Girders of all floors together, and of each floor.
     let girders: Vec<&FrameMember> = s.inventory.girders.iter().collect();
     out.extend(hinges(s, &girders, Ends::Both));
-    let floors = grouped(&s.inventory.girders, FrameMember::is_level_with);
+    let floors = s.inventory.storeys(&s.inventory.girders);
     if floors.len() > 1 {
         out.extend(floors.iter().take(MAX_LEVELS).filter_map(|floor| hinges(s, floor, Ends::Both)));
     }

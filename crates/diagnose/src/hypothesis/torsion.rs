@@ -14,7 +14,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "masses with a rotational part in plan, of a shaken model",
     forms: "eccentric mass, in both directions or along one",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(

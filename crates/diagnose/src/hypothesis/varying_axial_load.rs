@@ -19,7 +19,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "nonlinear groups",
     forms: "`pressure` by the axial force of the model where it varies by 5 %, by overturning where it does not, or by a recorded axial force",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[Family::Side, Family::AxialForce],
     materials: &[],
     measurement: Measurement::new(

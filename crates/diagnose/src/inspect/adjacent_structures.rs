@@ -1,5 +1,6 @@
 //! Structures on the same ground, and spans on the same pier, that could collide.
 
+use crate::inspect::heights::HeightRule;
 use crate::inspect::inventory::Device;
 use hysteron_engine::model::{Model, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,8 +16,6 @@ pub(crate) struct AdjacentNodes {
 
 /// Largest number of pairs. Models in plan have many, because heights do not separate their nodes.
 const MAX_PAIRS: usize = 8;
-/// Difference of heights that counts as none, in parts of the model's height.
-const EQUAL_HEIGHT: f64 = 0.01;
 
 /// The adjacent nodes of a model, the highest first.
 ///
@@ -26,8 +25,7 @@ pub(crate) fn adjacent_nodes(model: &Model, devices: &[Device]) -> Vec<AdjacentN
     let Some(ndm) = model.nodes.first().map(|n| n.ndm()) else { return vec![] };
     let (structures, spans) = (structures(model), spans(model, devices));
     let height = |n: usize| if ndm > 1 { model.nodes[n].place()[ndm - 1] } else { 0.0 };
-    let heights = || (0..model.nodes.len()).map(height);
-    let total_height = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    let heights = HeightRule::of_model(model);
     let with_mass: Vec<usize> =
         (0..model.nodes.len()).filter(|n| model.nodes[*n].mass.first().is_some_and(|m| *m > 0.0)).collect();
     let mut out: Vec<(f64, AdjacentNodes)> = vec![];
@@ -35,7 +33,7 @@ pub(crate) fn adjacent_nodes(model: &Model, devices: &[Device]) -> Vec<AdjacentN
         for &b in &with_mass[i + 1..] {
             let [p, q] = [a, b].map(|n| model.nodes[n].place());
             // Adjacent structures collide along the first axis.
-            let offset = (1..ndm).any(|d| (p[d] - q[d]).abs() > EQUAL_HEIGHT * total_height);
+            let offset = (1..ndm).any(|d| !heights.are_equal(p[d], q[d]));
             let tags = [a, b].map(|n| model.nodes[n].tag);
             let beside =
                 structures[a] != structures[b] || spans.contains(&[tags[0].min(tags[1]), tags[0].max(tags[1])]);

@@ -21,9 +21,6 @@ pub(crate) struct FrameMember {
     pub(crate) length: f64,
 }
 
-/// Difference of heights that counts as none, in parts of the height.
-const EQUAL_LEVEL: f64 = 1e-6;
-
 impl FrameMember {
     /// A beam whose end `foot_end` is its foot.
     fn new(model: &Model, e: &ElementEntry, foot_end: usize, ndm: usize) -> Self {
@@ -41,11 +38,6 @@ impl FrameMember {
     /// Lateral stiffness of a column whose ends do not turn, force per length: 12 EI/L³, from 4 EI/L against rotation of an end.
     pub(crate) fn sway_stiffness(&self) -> f64 {
         3.0 * self.rotational_stiffness / (self.length * self.length)
-    }
-
-    /// Returns true if both stand at one height.
-    pub(crate) fn is_level_with(&self, other: &Self) -> bool {
-        (self.level - other.level).abs() <= EQUAL_LEVEL * other.level.abs().max(1.0)
     }
 }
 

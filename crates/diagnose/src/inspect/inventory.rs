@@ -2,6 +2,7 @@
 
 use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
 use super::frame_members::{FrameMember, columns, girders};
+use super::heights::HeightRule;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput, MatrixMask};
 use hysteron_engine::model::{Model, NodeId, PatternKind};
@@ -90,6 +91,8 @@ pub(crate) struct ModelInventory {
     pub(crate) base_excited: bool,
     /// Diagonal of the box around all nodes, length.
     pub(crate) extent: f64,
+    /// Heights, and which of them count as one.
+    pub(crate) heights: HeightRule,
     /// Coordinates of all nodes by tag, length.
     pub(crate) coordinates: BTreeMap<i32, Vec<f64>>,
     /// Tags of the nodes of all elements by tag.
@@ -199,6 +202,7 @@ impl ModelInventory {
         out.adjacent = adjacent_nodes(model, &out.devices);
         out.base_excited = is_base_excited(model);
         out.extent = extent(model);
+        out.heights = HeightRule::of_model(model);
         out.coordinates =
             model.nodes.iter().map(|n| (n.tag, n.place().iter().copied().take(n.ndm()).collect())).collect();
         let tags_of = |nodes: &[NodeId]| nodes.iter().map(|n| tag(*n)).collect();
@@ -214,6 +218,11 @@ impl ModelInventory {
             return self;
         }
         Self { devices: self.dashpots.clone(), ..self }
+    }
+
+    /// Members by the storey or floor that they stand on, the lowest first.
+    pub(crate) fn storeys<'a>(&self, members: &'a [FrameMember]) -> Vec<Vec<&'a FrameMember>> {
+        grouped(members, |a, b| self.heights.are_equal(a.level, b.level))
     }
 
     /// Mass of all nodes in their first degree of freedom.

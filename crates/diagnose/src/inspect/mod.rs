@@ -4,6 +4,7 @@
 //! - [`device_axes`]: axial and lateral directions of devices
 //! - [`frame_members`]: columns and girders
 //! - [`adjacent_structures`]: structures and spans that could collide
+//! - [`heights`]: heights that count as one
 //! - [`response`]: motion and force of devices, and their ranges
 //! - [`probe`]: the runs that give inventory and responses
 //! - [`insertion`]: the place of further commands in a script
@@ -18,6 +19,7 @@ pub(crate) mod conditions;
 pub(crate) mod device_axes;
 pub(crate) mod dominant_period;
 pub(crate) mod frame_members;
+pub(crate) mod heights;
 pub(crate) mod insertion;
 pub(crate) mod inventory;
 pub(crate) mod probe;

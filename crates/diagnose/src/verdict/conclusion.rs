@@ -228,7 +228,10 @@ impl VerdictJudge<'_, '_> {
             repairs.push((cause, repair));
         };
         let index = repairs.iter().position(|(known, _)| *known == cause).unwrap_or(0);
-        let (repaired_cause, repair) = repairs.swap_remove(index);
+        let (repaired_cause, mut repair) = repairs.swap_remove(index);
+        if cause == "unknown" {
+            repair = self.nearest_repair(repair)?;
+        }
         if cause == "unknown" && repair.is_refused() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
             let refuted = Some(repair.most_flexible_cause()).filter(|c| *c != "none");
@@ -238,6 +241,20 @@ impl VerdictJudge<'_, '_> {
         let hardly = matches!(repair.judgement, HoldoutJudgement::PartlyPredicted(share) if share < MIN_REPEATED_SHARE);
         let refuted = Some(repair.most_flexible_cause()).filter(|_| hardly && !evidence.left_out.is_empty());
         Ok(JudgedVerdict { cause, repair, refused: None, refuted, probabilities })
+    }
+
+    /// The best form of all for an unknown cause, where a refuted cause was repaired by less than that.
+    ///
+    /// A pair has the most evidence, and its first effect alone was repaired: nothing is named, so both may stand.
+    fn nearest_repair(&mut self, repaired: Repair) -> Result<Repair, String> {
+        let best = &self.ranked[0];
+        let is_part = best.second_cause().is_some() && best.cause() == repaired.hypothesis.cause();
+        if !is_part || Arc::ptr_eq(&best.variant, &repaired.hypothesis.variant) {
+            return Ok(repaired);
+        }
+        let nearest = self.repair(best.clone())?;
+        let is_better = !nearest.is_refused() && nearest.fitted.objective < repaired.fitted.objective;
+        Ok(if is_better { nearest } else { repaired })
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.

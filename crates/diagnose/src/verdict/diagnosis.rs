@@ -271,7 +271,7 @@ impl SecondSearch<'_> {
         // A complete model lacks no two effects. Where no single effect gains anything, two together may.
         let left = || unmodelled_structure(c.study, c.responses, &ranked[0].fitted.fits, true).share;
         if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
-            let mut pairs = two_effect_search(scheduler, baseline, &ranked, singles, c.point)?;
+            let mut pairs = two_effect_search(scheduler, baseline, &mut ranked, singles, c.point)?;
             pairs.retain(|e| drift_is_significant(c.study, e));
             if !pairs.is_empty() {
                 ranked.extend(pairs);

@@ -1,6 +1,7 @@
 //! Levels of a structure, and the elements between them.
 
 use super::place::level_of_elements;
+use crate::inspect::heights::HeightRule;
 use crate::inspect::inventory::{ModelInventory, Support};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -8,12 +9,8 @@ use std::collections::{BTreeMap, VecDeque};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Levels {
     nodes: BTreeMap<i32, f64>,
-    /// Difference that counts as none.
-    equal: f64,
+    rule: HeightRule,
 }
-
-/// Difference of levels that counts as none, in parts of their range.
-const EQUAL_LEVEL: f64 = 0.01;
 
 impl Levels {
     /// Levels of a model.
@@ -21,9 +18,10 @@ impl Levels {
         let heights = inventory.vertical_axis().map(|axis| -> BTreeMap<i32, f64> {
             inventory.coordinates.iter().filter_map(|(tag, x)| Some((*tag, *x.get(axis)?))).collect()
         });
-        let nodes = heights.filter(|h| range(h) > 0.0).unwrap_or_else(|| distances(inventory));
-        let equal = EQUAL_LEVEL * range(&nodes);
-        Self { nodes, equal }
+        let rises = |h: &BTreeMap<i32, f64>| inventory.heights.range.1 > inventory.heights.range.0 && !h.is_empty();
+        let nodes = heights.filter(rises).unwrap_or_else(|| distances(inventory));
+        let rule = HeightRule::of(nodes.values().copied());
+        Self { nodes, rule }
     }
 
     /// Level of a node; none where no element leads to it.
@@ -32,7 +30,7 @@ impl Levels {
     }
 
     pub(super) fn are_equal(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() <= self.equal
+        self.rule.are_equal(a, b)
     }
 
     /// True if the second of two nodes is not below the first.
@@ -55,12 +53,6 @@ impl Levels {
         let level = level_of_elements(elements, inventory);
         if level.is_empty() { place.to_owned() } else { format!("{place} ({level})") }
     }
-}
-
-fn range(levels: &BTreeMap<i32, f64>) -> f64 {
-    let most = levels.values().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
-    let least = levels.values().fold(f64::INFINITY, |a, b| a.min(*b));
-    if levels.is_empty() { 0.0 } else { most - least }
 }
 
 /// Numbers of elements from the supports to each node.

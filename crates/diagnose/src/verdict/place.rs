@@ -3,6 +3,7 @@
 use super::condition_in_words::TimeSpan;
 use super::quantity::{Units, digits};
 use crate::candidate::variant::Variant;
+use crate::inspect::heights::HeightRule;
 use crate::inspect::inventory::ModelInventory;
 use hysteron_identify::study::Study;
 use serde::Serialize;
@@ -44,8 +45,6 @@ pub struct NodePlace {
 const MAX_LISTED: usize = 4;
 /// Component of a unit vector from which a direction counts as that of an axis.
 const MIN_AXIS_COMPONENT: f64 = 0.99;
-/// Difference of heights that counts as none, in parts of the model's height.
-const EQUAL_HEIGHT: f64 = 0.01;
 
 /// Places of a variant's effects, with the location of each in the words of its proposal: the first effect, and the second.
 pub(super) fn places(variant: &Variant, inventory: &ModelInventory) -> Vec<(String, Place)> {
@@ -159,9 +158,8 @@ fn parallel_parts(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInvent
                 all.sort_by(f64::total_cmp);
                 all
             };
-            let (low, high) = range(inventory.coordinates.keys().filter_map(height));
-            let near = |a: &f64, b: &f64| (a - b).abs() <= EQUAL_HEIGHT * (high - low).max(f64::MIN_POSITIVE);
-            let alike = |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(a, b));
+            let near = |(a, b): (&f64, &f64)| inventory.heights.are_equal(*a, *b);
+            let alike = |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(near);
             all.windows(2).all(|w| alike(&heights(w[0]), &heights(w[1])))
         }
     };
@@ -209,10 +207,9 @@ fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> S
         return if at_base() { "at the base".into() } else { String::new() };
     };
     let height_of = |tag: i32| inventory.coordinates.get(&tag).map(|x| x[axis]);
-    let (low, high) = range(inventory.coordinates.values().map(|x| x[axis]));
-    let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_HEIGHT * (high - low).max(f64::MIN_POSITIVE);
+    let equal = |a: f64, b: f64| inventory.heights.are_equal(a, b);
     // Floors are the heights of masses above the lowest node.
-    let mut floors = vec![low];
+    let mut floors = vec![inventory.heights.range.0];
     let mut heights: Vec<f64> = inventory.masses.iter().filter_map(|m| height_of(m.node)).collect();
     heights.sort_by(f64::total_cmp);
     for h in heights {
@@ -220,7 +217,7 @@ fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> S
             floors.push(h);
         }
     }
-    let (bottom, top) = range(nodes.iter().map(|n| n.coordinates[axis]));
+    let (bottom, top) = HeightRule::of(nodes.iter().map(|n| n.coordinates[axis])).range;
     let of = floors.len() - 1;
     let reached = floors.iter().position(|f| *f > top || equal(*f, top)).unwrap_or(of);
     if equal(bottom, top) {
@@ -237,10 +234,6 @@ fn level(elements: &[i32], nodes: &[NodePlace], inventory: &ModelInventory) -> S
         n if n == begun + 1 => format!("storey {n} of {of}"),
         n => format!("storeys {} to {n} of {of}", begun + 1),
     }
-}
-
-fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
 }
 
 impl Place {

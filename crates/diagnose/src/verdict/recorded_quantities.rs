@@ -16,8 +16,8 @@ pub(super) struct RecordedQuantities<'a> {
     pub(super) columns: &'a [Vec<String>],
 }
 
-/// Difference of heights that counts as none, in parts of the extent of the model.
-const EQUAL_HEIGHT: f64 = 0.01;
+/// Distance of places that counts as none, in parts of the extent of the model.
+const EQUAL_PLACE: f64 = 0.01;
 
 fn is_of(o: &ObservedChannel, quantity: Quantity) -> bool {
     unit::unit(&o.unit).is_some_and(|u| u.quantity == quantity)
@@ -73,10 +73,10 @@ impl RecordedQuantities<'_> {
             .filter_map(|(node, dof)| Some((dof, self.inventory.coordinates.get(&node)?)))
             .collect();
         let axis = self.inventory.vertical_axis();
-        let near = |a: f64, b: f64| (a - b).abs() <= EQUAL_HEIGHT * self.inventory.extent;
+        let near = |a: f64, b: f64| (a - b).abs() <= EQUAL_PLACE * self.inventory.extent;
         let are_edges = |a: &(usize, &Vec<f64>), b: &(usize, &Vec<f64>)| {
             let same_level = axis.is_none_or(|v| match (a.1.get(v), b.1.get(v)) {
-                (Some(a), Some(b)) => near(*a, *b),
+                (Some(a), Some(b)) => self.inventory.heights.are_equal(*a, *b),
                 _ => false,
             });
             a.0 == b.0 && same_level && a.1.iter().zip(b.1).any(|(a, b)| !near(*a, *b))

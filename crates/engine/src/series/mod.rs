@@ -5,7 +5,7 @@ mod related;
 mod simple;
 
 pub use path::{Path, PathTimes};
-pub use related::{Derivative, Integral};
+pub use related::{Delayed, Derivative, Integral};
 pub use simple::{Constant, Linear, Power, Pulse, Rectangular, Triangle, Trig, Wave};
 
 use std::any::Any;

@@ -33,6 +33,42 @@ impl TimeSeries for Derivative {
     }
 }
 
+/// A series with an end, later by a time.
+#[derive(Clone, Debug)]
+pub struct Delayed {
+    /// The series.
+    pub of: Series,
+    /// Delay, s.
+    pub by: f64,
+}
+
+impl PartialEq for Delayed {
+    fn eq(&self, other: &Self) -> bool {
+        self.by == other.by && self.of.equals(&*other.of)
+    }
+}
+
+impl TimeSeries for Delayed {
+    fn factor(&self, time: f64) -> f64 {
+        self.of.factor(time - self.by)
+    }
+    fn derivatives(&self, time: f64) -> [f64; 2] {
+        self.of.derivatives(time - self.by)
+    }
+    fn after_end(&self) -> [f64; 2] {
+        self.of.after_end()
+    }
+    fn start(&self) -> f64 {
+        self.of.start() + self.by
+    }
+    fn end(&self) -> Option<f64> {
+        self.of.end().map(|end| end + self.by)
+    }
+    fn step(&self) -> Option<f64> {
+        self.of.step()
+    }
+}
+
 /// The integral of a series that goes on after its end: sums up to there, and a polynomial from there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Integral {

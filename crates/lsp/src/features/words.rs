@@ -44,7 +44,7 @@ impl Called {
         self.kind.map_or_else(|| self.command.usage_line(), |k| k.usage.to_owned())
     }
 
-    /// What the reference says of the kind, or of the command where it has no kind.
+    /// Text of the kind in the reference, or of the command where it has no kind.
     pub(crate) fn section(&self) -> Option<&'static Section> {
         match self.kind {
             Some(kind) => section_of_kind(self.command, kind),
@@ -58,12 +58,12 @@ impl Called {
     }
 }
 
-/// What the reference says of a kind; none where its name says all.
+/// Text of a kind in the reference; none where its name says all.
 pub(crate) fn section_of_kind(command: &Command, kind: KindUsage) -> Option<&'static Section> {
     reference::section(&format!("{} {}", command.name, kind.names[0]))
 }
 
-/// What the reference says of a command itself.
+/// Text of a command itself in the reference.
 pub(crate) fn section_of_command(command: &Command) -> Option<&'static Section> {
     reference::section(command.name)
 }

@@ -2,8 +2,8 @@
 
 use super::amended_place::Place;
 use super::amendments::{AMENDMENTS, AmendmentKind, Make, MakeLaw, Numbers};
-use super::joints;
 use crate::args::Args;
+use crate::load::amended_node::amend_node;
 use crate::model::nodes::need_model;
 use crate::model::parameter_change;
 use crate::text::Arg;
@@ -58,6 +58,11 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
         Arg::of("-mat", "mat", "tag of a law, moment over rotation"),
         Arg::flag("-end", "one end, `i` or `j`; both where it is left out"),
         Arg::new("other", "tag of the node whose mass-proportional damping counts"),
+        Arg::of(
+            "-by",
+            "delay",
+            "time, s, by which a uniform excitation reaches the support later; negative for earlier",
+        ),
         Arg::new("name", "name of a number that `pset` declares"),
         Arg::of("-factor", "f", "factor on that number in the time"),
         Arg::of("-from", "t1", "domain time from which it has the other value; the beginning where it is left out"),
@@ -69,7 +74,7 @@ const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-di
                      amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> learned -file $file <-series $ts ...> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
-                     amend node $tag dampedAs $other | \
+                     amend node $tag dampedAs $other | amend node $tag late -by $delay | \
                      amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>";
 
 fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -77,7 +82,7 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     match a.word("kind of thing to amend")?.as_ref() {
         "element" => {}
-        "node" => return joints::damped_as(interp, &mut a),
+        "node" => return amend_node(interp, &mut a),
         "parameter" => return parameter_change::amend_parameter(interp, &mut a),
         _ => return Err(a.unknown_name("thing to amend", ["element", "node", "parameter"])),
     }

@@ -1,26 +1,11 @@
 //! Amendments of the joints between nodes and elements.
 
 use crate::args::Args;
-use crate::model::nodes::node_of;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::Hinged;
 use hysteron_engine::model::ElementId;
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Value;
-
-/// `amend node $tag dampedAs $other`: a node takes over the mass-proportional damping of another one.
-///
-/// A node that takes over a mass needs it, since `rayleigh` reaches only the nodes that exist.
-pub(crate) fn damped_as(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
-    let node = node_of(interp, a, "tag of the node")?;
-    if a.word("kind of amendment")? != "dampedAs" {
-        return Err(a.unknown_name("amendment of a node", ["dampedAs"]));
-    }
-    let other = node_of(interp, a, "tag of the node whose damping it takes over")?;
-    finish(interp, a)?;
-    interp.host.engine.change_model(|m| m.nodes[node.0].alpha_m = m.nodes[other.0].alpha_m);
-    Ok(Value::EMPTY)
-}
 
 /// `amend element $tag hinges`: ends of beams that yield.
 pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {

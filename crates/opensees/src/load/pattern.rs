@@ -1,6 +1,7 @@
 //! Load patterns and their loads.
 
 use super::ground_motion;
+use super::late_support::move_late_supports;
 use crate::args::Args;
 use crate::checks;
 use crate::host::Mode;
@@ -172,6 +173,7 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     let start = excitation.initial_velocity;
     let pattern = Pattern::new(PatternKind::Uniform(excitation));
     interp.host.engine.change_model(|m| m.patterns.insert(tag, pattern));
+    move_late_supports(interp, &a, tag)?;
     if start != 0.0 {
         interp.host.engine.change_state(|state, model| {
             // Supports stay at rest.

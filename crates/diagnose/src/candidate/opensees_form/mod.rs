@@ -69,6 +69,9 @@ const UNTRANSLATED: &[(&str, &str)] = &[
 const CHANGED_IN_TIME: &str =
     "OpenSees changes few numbers of its laws in an analysis, and makes no law anew with its state";
 
+/// The same for a support that a uniform excitation reaches later.
+const LATE_SUPPORT: &str = "OpenSees' uniform excitation reaches all supports at one time";
+
 /// Commands, and kinds of materials and elements, that OpenSees does not have.
 const OWN_COMMANDS: &[&str] = &["amend", "pset", "motionFile", "columns", "figure", "ladder"];
 const OWN_KINDS: &[&str] = &["HDR_mat", "HDRRheology", "HDRRheologyBearing", "Mullins"];
@@ -300,6 +303,7 @@ fn translated(
                 let factor = other.parse::<i32>().ok().and_then(|n| model.mass_damping.get(&n)).copied().unwrap_or(0.0);
                 placement.rest.push(format!("region {tag} -node {node} -rayleigh {factor:?} 0.0 0.0 0.0"));
             }
+            ["amend", "node", ..] => return Err(LATE_SUPPORT.to_owned()),
             ["amend", "parameter", ..] => return Err(CHANGED_IN_TIME.to_owned()),
             ["if", ..] if text.contains("{amend parameter ") => return Err(CHANGED_IN_TIME.to_owned()),
             ["amend", ..] => {

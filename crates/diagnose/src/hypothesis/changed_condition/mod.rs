@@ -26,7 +26,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart",
     forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.2 to 5. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, and one by the clock of every run",
     needs_clock: false,
-    is_missing_part: false,
     memory: &[],
     materials: &[],
     measurement: Measurement::new(
