@@ -9,6 +9,8 @@ mod causes;
 mod keys;
 #[path = "reference/page.rs"]
 mod page;
+#[path = "reference/pages.rs"]
+mod pages;
 #[path = "reference/probe.rs"]
 mod probe;
 #[path = "reference/response.rs"]
@@ -17,8 +19,6 @@ mod response;
 mod script;
 #[path = "reference/usage.rs"]
 mod usage;
-#[path = "reference/words.rs"]
-mod words;
 
 use std::collections::BTreeSet;
 use std::fs;

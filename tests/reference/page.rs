@@ -3,7 +3,6 @@
 use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
-use super::words;
 use hysteron::opensees::{AMENDMENTS, Arg, Command, Domain, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
 use std::fmt::Write as _;
 
@@ -24,7 +23,7 @@ impl Page {
     }
 }
 
-pub use words::PAGES;
+pub use super::pages::PAGES;
 
 /// Texts that are missing: sentences, and meanings of arguments that neither a row nor a message tells.
 pub type Blanks = Vec<String>;

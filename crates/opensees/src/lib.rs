@@ -4,7 +4,7 @@
 //! point at the word that is wrong, and changes the [`Session`].
 //!
 //! To add a command: a function in the file of its family, and a line in the family's `COMMANDS`. To add a kind of
-//! thing that a command makes: a function or a file, and a row in the family's `KINDS`. Both say what they are.
+//! thing that a command makes: a function or a file, and a row in the family's `KINDS`. The row has a sentence about it.
 
 #![forbid(unsafe_code)]
 

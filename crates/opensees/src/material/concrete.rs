@@ -13,24 +13,89 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const COMPRESSION: [Arg; 4] = [
+    Arg::number("fpc", "compressive strength fpc"),
+    Arg::number("epsc0", "strain at the strength epsc0"),
+    Arg::number("fpcu", "crushing strength fpcu"),
+    Arg::number("epscu", "strain at the crushing strength epscu"),
+];
+const TENSION: [Arg; 3] = [
+    Arg::number("lambda", "ratio of the unloading slope lambda"),
+    Arg::number("ft", "tensile strength ft"),
+    Arg::not_negative("Ets", "tension softening modulus Ets"),
+];
+const E0: Arg = Arg::positive("E0", "initial modulus E0");
+const DEBRIS: Arg = Arg::number("endStrainSITC", "strain of the debris without stress endStrainSITC");
+
+const POPOVICS: [Arg; 4] = [
+    COMPRESSION[0],
+    COMPRESSION[1],
+    Arg::number("epscu", "crushing strain epscu"),
+    Arg::positive("Ec0", "initial modulus Ec0"),
+];
+const POPOVICS_TENSION: [Arg; 3] = [
+    TENSION[1],
+    Arg::number("etu", "ultimate strain in tension etu"),
+    Arg::number("beta", "share beta of the tensile strength at the ultimate strain"),
+];
+
+const THORENFELDT: [Arg; 3] = [
+    Arg::number("fc", "compressive strength fc"),
+    Arg::number("e0", "strain at the strength e0"),
+    Arg::number("n", "shape of the curve n"),
+];
+const THORENFELDT_REST: [Arg; 6] = [
+    Arg::positive("k", "steepness after the strength k"),
+    Arg::not_negative("alpha1", "rate of plastic strain alpha1"),
+    Arg::positive("fcr", "tensile strength fcr"),
+    Arg::positive("ecr", "strain at the tensile strength ecr"),
+    Arg::not_negative("b", "exponent of tension stiffening b"),
+    Arg::not_negative("alpha2", "rate of plastic strain alpha2"),
+];
+
+const TSAI: [Arg; 6] = [
+    Arg::positive("Ec", "initial modulus Ec"),
+    Arg::positive("ft", "tensile strength ft"),
+    Arg::positive("et", "strain at the tensile strength et"),
+    Arg::positive("xp", "critical strain ratio xp"),
+    Arg::positive("xn", "critical strain ratio xn"),
+    Arg::positive("r", "shape of the curves r"),
+];
+
+const CHINESE: [Arg; 2] = [THORENFELDT[0], Arg::number("epsc", "strain at the strength epsc")];
+const CHINESE_TENSION: [Arg; 3] = [
+    Arg::positive("ft", "tensile strength ft"),
+    Arg::positive("epst", "strain at the tensile strength epst"),
+    Arg::positive("Ec", "initial modulus Ec"),
+];
+const SOFTENING: [Arg; 2] = [
+    Arg::not_negative("alphac", "softening in compression alphac"),
+    Arg::not_negative("alphat", "softening in tension alphat"),
+];
+const PLASTIC: [Arg; 2] = [
+    Arg::not_negative("cesp", "factor of the plastic strain cesp"),
+    Arg::number("etap", "exponent of the plastic strain etap"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01", "concrete01"],
         usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
-        text: Text::new("Concrete of Kent, Scott and Park without tensile strength."),
+        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.").groups(&[&COMPRESSION]),
         make: concrete01,
     },
     Kind {
         names: &["Concrete02", "concrete02"],
         usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
-        text: Text::new("Concrete with linear tension softening."),
+        text: Text::new("Concrete with linear tension softening.").groups(&[&COMPRESSION, &TENSION]),
         make: concrete02,
     },
     Kind {
         names: &["Concrete04"],
         usage: "uniaxialMaterial Concrete04 $tag $fpc $epsc0 $epscu $Ec0 <$ft $etu <$beta>>",
         text: Text::new("Concrete by Popovics' curve, with exponential softening in tension.")
-            .example("uniaxialMaterial Concrete04 77 -30. -0.002 -0.006 25000. 3. 0.002 0.2"),
+            .example("uniaxialMaterial Concrete04 77 -30. -0.002 -0.006 25000. 3. 0.002 0.2")
+            .groups(&[&POPOVICS, &POPOVICS_TENSION]),
         make: concrete04,
     },
     Kind {
@@ -48,28 +113,32 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Concrete02IS"],
         usage: "uniaxialMaterial Concrete02IS $tag $E0 $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
         text: Text::new("As `Concrete02`, with an initial modulus and Popovics' curve.")
-            .example("uniaxialMaterial Concrete02IS 77 25000. -30. -0.002 -6. -0.005"),
+            .example("uniaxialMaterial Concrete02IS 77 25000. -30. -0.002 -6. -0.005")
+            .groups(&[&[E0], &COMPRESSION, &TENSION]),
         make: concrete02_is,
     },
     Kind {
         names: &["Concrete06"],
         usage: "uniaxialMaterial Concrete06 $tag $fc $e0 $n $k $alpha1 $fcr $ecr $b $alpha2",
         text: Text::new("Concrete with Thorenfeldt's curve and tension stiffening.")
-            .example("uniaxialMaterial Concrete06 77 -30. -0.002 2. 1.1 0.32 3. 0.0002 0.4 0.08"),
+            .example("uniaxialMaterial Concrete06 77 -30. -0.002 2. 1.1 0.32 3. 0.0002 0.4 0.08")
+            .groups(&[&THORENFELDT, &THORENFELDT_REST]),
         make: concrete06,
     },
     Kind {
         names: &["Concrete07"],
         usage: "uniaxialMaterial Concrete07 $tag $fpc $epsc0 $Ec $ft $et $xp $xn $r",
         text: Text::new("Concrete of Chang and Mander with Tsai's envelopes and simple rules of unloading.")
-            .example("uniaxialMaterial Concrete07 77 -30. -0.002 25000. 3. 0.0002 2. 2.3 4."),
+            .example("uniaxialMaterial Concrete07 77 -30. -0.002 25000. 3. 0.0002 2. 2.3 4.")
+            .groups(&[&[COMPRESSION[0], COMPRESSION[1]], &TSAI]),
         make: concrete07,
     },
     Kind {
         names: &["ConcreteD"],
         usage: "uniaxialMaterial ConcreteD $tag $fc $epsc $ft $epst $Ec $alphac $alphat <$cesp $etap>",
         text: Text::new("Concrete of the Chinese code GB 50010, with plastic strains.")
-            .example("uniaxialMaterial ConcreteD 77 -30. -0.002 3. 0.00015 25000. 1.5 2."),
+            .example("uniaxialMaterial ConcreteD 77 -30. -0.002 3. 0.00015 25000. 1.5 2.")
+            .groups(&[&CHINESE, &CHINESE_TENSION, &SOFTENING, &PLASTIC]),
         make: concrete_d,
     },
     Kind {
@@ -104,7 +173,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01WithSITC"],
         usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
-        text: Text::new("As `Concrete01`, with debris that keeps cracks open."),
+        text: Text::new("As `Concrete01`, with debris that keeps cracks open.").groups(&[&COMPRESSION, &[DEBRIS]]),
         make: concrete01_sitc,
     },
     Kind {
@@ -130,10 +199,11 @@ pub(super) const KINDS: &[Kind] = &[
 
 /// Strength, its strain, crushing strength, its strain: all in compression, whatever their signs.
 fn compression(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 4], Exception> {
-    let fc = -compressive(a, "compressive strength fpc")?;
-    let epsc0 = -compressive(a, "strain at the strength epsc0")?;
-    let fcu = -a.float("crushing strength fpcu")?.abs();
-    let epscu = -a.float("strain at the crushing strength epscu")?.abs();
+    let [strength, strain, crushing, end] = &COMPRESSION;
+    let fc = -compressive(a, strength.meaning)?;
+    let epsc0 = -compressive(a, strain.meaning)?;
+    let fcu = -a.read(interp, crushing)?.abs();
+    let epscu = -a.read(interp, end)?.abs();
     if epscu >= epsc0 {
         let d = Diagnostic::warning(
             &checks::materials::UNUSUAL_PARAMETER,
@@ -159,19 +229,15 @@ fn concrete02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
 fn tension(interp: &mut Tcl, a: &mut Args<'_>, fc: f64, epsc0: f64) -> Result<[f64; 3], Exception> {
     let (mut ratio, mut ft, mut ets) = (0.1, -0.1 * fc, 0.1 * fc / epsc0);
     if a.left() > 0 {
-        ratio = a.float("ratio of the unloading slope lambda")?;
+        ratio = a.read(interp, &TENSION[0])?;
         if ratio == 1.0 {
             return Err(a.refuse("lambda is 1", "expected a ratio less than 1"));
         }
-        ft = a.float("tensile strength ft")?;
+        ft = a.read(interp, &TENSION[1])?;
         if ft < 0.0 {
-            let d = Diagnostic::warning(
-                &checks::materials::UNUSUAL_PARAMETER,
-                format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"),
-            );
-            warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
+            warn_of_strength(interp, a, ft)?;
         }
-        ets = a.not_negative("tension softening modulus Ets")?;
+        ets = a.read(interp, &TENSION[2])?;
         if ets == 0.0 && ft > 0.0 {
             let d = Diagnostic::warning(
                 &checks::materials::UNUSUAL_PARAMETER,
@@ -183,54 +249,51 @@ fn tension(interp: &mut Tcl, a: &mut Args<'_>, fc: f64, epsc0: f64) -> Result<[f
     Ok([ratio, ft, ets])
 }
 
+/// Warn of a tensile strength less than 0.
+fn warn_of_strength(interp: &mut Tcl, a: &Args<'_>, ft: f64) -> Result<(), Exception> {
+    let message = format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees");
+    let d = Diagnostic::warning(&checks::materials::UNUSUAL_PARAMETER, message);
+    warn(interp, d.at(a.last_span(), "expected 0 or more"))
+}
+
 fn concrete02_is(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e0 = a.positive("initial modulus E0")?;
+    let e0 = a.read(interp, &E0)?;
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
     Ok(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }.shared())
 }
 
-fn concrete06(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (fc, eo) = (-compressive(a, "compressive strength fc")?, -compressive(a, "strain at the strength e0")?);
-    let r = a.float("shape of the curve n")?;
+fn concrete06(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [strength, strain, shape] = &THORENFELDT;
+    let (fc, eo) = (-compressive(a, strength.meaning)?, -compressive(a, strain.meaning)?);
+    let r = a.read(interp, shape)?;
     if r <= 1.0 {
         return Err(a.refuse(format!("the shape of the curve n is {r}"), "expected more than 1"));
     }
-    let (k, alpha_c) =
-        (a.positive("steepness after the strength k")?, a.not_negative("rate of plastic strain alpha1")?);
-    let (fcr, ecr) = (a.positive("tensile strength fcr")?, a.positive("strain at the tensile strength ecr")?);
-    let (b, alpha_t) =
-        (a.not_negative("exponent of tension stiffening b")?, a.not_negative("rate of plastic strain alpha2")?);
+    let [k, alpha_c, fcr, ecr, b, alpha_t] = a.read_all(interp, &THORENFELDT_REST)?;
     Ok(Concrete06 { fc, eo, r, k, alpha_c, fcr, ecr, b, alpha_t }.shared())
 }
 
 fn concrete07(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fc = -compressive(a, "compressive strength fpc")?;
-    let compression = [fc, -compressive(a, "strain at the strength epsc0")?];
-    let ec = a.positive("initial modulus Ec")?;
-    let tension = [a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?];
-    let critical_tension = a.positive("critical strain ratio xp")?;
-    let critical_compression = a.positive("critical strain ratio xn")?;
-    let r = a.positive("shape of the curves r")?;
+    let [strength, strain, ..] = &COMPRESSION;
+    let compression = [-compressive(a, strength.meaning)?, -compressive(a, strain.meaning)?];
+    let [ec, ft, et, critical_tension, critical_compression, r] = a.read_all(interp, &TSAI)?;
+    let tension = [ft, et];
     let kept_strain = if interp.host.follows(&[slips::CHANG_MANDER_STRAIN]) { 0.0 } else { 1.0 };
     Ok(Concrete07 { compression, tension, ec, critical_tension, critical_compression, r, kept_strain }.shared())
 }
 
-fn concrete_d(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (fc, ec) = (-compressive(a, "compressive strength fc")?, -compressive(a, "strain at the strength epsc")?);
-    let (ft, et) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength epst")?);
-    let modulus = a.positive("initial modulus Ec")?;
+fn concrete_d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [strength, strain] = &CHINESE;
+    let (fc, ec) = (-compressive(a, strength.meaning)?, -compressive(a, strain.meaning)?);
+    let [ft, et, modulus] = a.read_all(interp, &CHINESE_TENSION)?;
     let least = (fc / ec).max(ft / et);
     if modulus <= least {
         let label = format!("expected more than the secant moduli of the strengths, {least}");
         return Err(a.refuse(format!("the initial modulus Ec is {modulus}"), label));
     }
-    let alpha = [a.not_negative("softening in compression alphac")?, a.not_negative("softening in tension alphat")?];
-    let mut plastic = [0.25, 1.15];
-    if a.left() > 0 {
-        plastic =
-            [a.not_negative("factor of the plastic strain cesp")?, a.float("exponent of the plastic strain etap")?];
-    }
+    let alpha = a.read_all(interp, &SOFTENING)?;
+    let plastic = if a.left() > 0 { a.read_all(interp, &PLASTIC)? } else { [0.25, 1.15] };
     Ok(ConcreteD { fc, ec, ft, et, modulus, alpha, plastic }.shared())
 }
 
@@ -307,7 +370,7 @@ const END_OF_DEBRIS: f64 = 0.03;
 
 fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fpc, epsc0, fpcu, epscu] = compression(interp, a)?;
-    let end = a.optional_float("strain of the debris without stress endStrainSITC")?.unwrap_or(END_OF_DEBRIS);
+    let end = a.read_optional(interp, &DEBRIS)?.unwrap_or(END_OF_DEBRIS);
     Ok(Concrete01Sitc { concrete: Concrete01 { fpc, epsc0, fpcu, epscu }, end }.shared())
 }
 
@@ -338,9 +401,10 @@ fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 const TENSION_LEFT: f64 = 0.1;
 
 fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fc = -compressive(a, "compressive strength fpc")?;
-    let epsc0 = -compressive(a, "strain at the strength epsc0")?;
-    let epscu = -compressive(a, "crushing strain epscu")?;
+    let [strength, strain, crushing, modulus] = &POPOVICS;
+    let fc = -compressive(a, strength.meaning)?;
+    let epsc0 = -compressive(a, strain.meaning)?;
+    let epscu = -compressive(a, crushing.meaning)?;
     if epscu > epsc0 {
         let d = Diagnostic::warning(
             &checks::materials::UNUSUAL_PARAMETER,
@@ -348,20 +412,17 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
         );
         warn(interp, d.at(a.last_span(), "expected a larger strain"))?;
     }
-    let ec0 = a.positive("initial modulus Ec0")?;
+    let ec0 = a.read(interp, modulus)?;
     let (mut ft, mut etu, mut beta) = (0.0, 0.0, TENSION_LEFT);
     if a.left() > 0 {
-        ft = a.float("tensile strength ft")?;
+        let [strength, ultimate, share] = &POPOVICS_TENSION;
+        ft = a.read(interp, strength)?;
         if ft < 0.0 {
-            let d = Diagnostic::warning(
-                &checks::materials::UNUSUAL_PARAMETER,
-                format!("the tensile strength ft is {ft}: there is no tension, as in OpenSees"),
-            );
-            warn(interp, d.at(a.last_span(), "expected 0 or more"))?;
+            warn_of_strength(interp, a, ft)?;
             ft = 0.0;
         }
-        etu = a.float("ultimate strain in tension etu")?;
-        beta = a.optional_float("share beta of the tensile strength at the ultimate strain")?.unwrap_or(beta);
+        etu = a.read(interp, ultimate)?;
+        beta = a.read_optional(interp, share)?.unwrap_or(beta);
     }
     Ok(Concrete04 { fc, epsc0, epscu, ec0, ft, etu, beta }.shared())
 }

@@ -15,6 +15,47 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const KE: Arg = Arg::positive("Ke", "elastic stiffness Ke");
+const POSITIVE: [Arg; 6] = [
+    Arg::number("dpPos", "deformation dp up to the cap on the positive side"),
+    Arg::number("dpcPos", "deformation dpc beyond the cap on the positive side"),
+    Arg::number("duPos", "ultimate deformation du on the positive side"),
+    Arg::number("FyPos", "yield strength Fy on the positive side"),
+    Arg::positive("FmaxFyPos", "ratio FmaxFy of the largest strength on the positive side"),
+    Arg::not_negative("FresFyPos", "ratio FresFy of the residual strength on the positive side"),
+];
+const NEGATIVE: [Arg; 6] = [
+    Arg::number("dpNeg", "deformation dp up to the cap on the negative side"),
+    Arg::number("dpcNeg", "deformation dpc beyond the cap on the negative side"),
+    Arg::number("duNeg", "ultimate deformation du on the negative side"),
+    Arg::number("FyNeg", "yield strength Fy on the negative side"),
+    Arg::positive("FmaxFyNeg", "ratio FmaxFy of the largest strength on the negative side"),
+    Arg::not_negative("FresFyNeg", "ratio FresFy of the residual strength on the negative side"),
+];
+const CAPACITIES: [Arg; 4] = [
+    Arg::number("LambdaS", "cumulative deformation capacity Lambda of the strength"),
+    Arg::number("LambdaC", "cumulative deformation capacity Lambda of the strength beyond the cap"),
+    Arg::number("LambdaA", "cumulative deformation capacity Lambda of the reloading stiffness"),
+    Arg::number("LambdaK", "cumulative deformation capacity Lambda of the unloading stiffness"),
+];
+const RATES: [Arg; 4] = [
+    Arg::number("cS", "rate of deterioration c of the strength"),
+    Arg::number("cC", "rate of deterioration c of the strength beyond the cap"),
+    Arg::number("cA", "rate of deterioration c of the reloading stiffness"),
+    Arg::number("cK", "rate of deterioration c of the unloading stiffness"),
+];
+/// Those of the bilinear hinge, which does not reload towards a peak.
+const BILINEAR_CAPACITIES: [Arg; 3] = [CAPACITIES[0], CAPACITIES[1], CAPACITIES[3]];
+const BILINEAR_RATES: [Arg; 3] = [RATES[0], RATES[1], RATES[3]];
+const SIDES: [Arg; 2] = [
+    Arg::not_negative("DPos", "rate of cyclic deterioration D on the positive side"),
+    Arg::not_negative("DNeg", "rate of cyclic deterioration D on the negative side"),
+];
+const PINCHING: [Arg; 2] = [
+    Arg::number("kappaF", "ratio kappaF of the force at the end of pinching"),
+    Arg::number("kappaD", "ratio kappaD of the deformation at the end of pinching"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Pinching4"],
@@ -51,7 +92,7 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Plastic hinge that deteriorates, bilinear (Ibarra, Medina and Krawinkler; RESSLab).").example(
             "uniaxialMaterial IMKBilin 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. 1. 1. 1. 1. \
              0.8",
-        ),
+        ).groups(&[&[KE], &POSITIVE, &NEGATIVE, &BILINEAR_CAPACITIES, &BILINEAR_RATES, &SIDES]),
         make: imk_bilin,
     },
     Kind {
@@ -63,7 +104,7 @@ pub(super) const KINDS: &[Kind] = &[
             .example(
                 "uniaxialMaterial IMKPeakOriented 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. \
                  6. 1. 1. 1. 1. 1. 0.8",
-            ),
+            ).groups(&[&[KE], &POSITIVE, &NEGATIVE, &CAPACITIES, &RATES, &SIDES]),
         make: imk_peak_oriented,
     },
     Kind {
@@ -74,7 +115,7 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Plastic hinge that deteriorates, pinched (Ibarra, Medina and Krawinkler; RESSLab).").example(
             "uniaxialMaterial IMKPinching 77 200. 0.04 0.15 0.3 2. 1.1 0.4 0.05 0.2 0.4 1.8 1.05 0.3 3. 4. 5. 6. 1. 1. \
              1. 1. 1. 0.8 0.4 0.6",
-        ),
+        ).groups(&[&[KE], &POSITIVE, &NEGATIVE, &CAPACITIES, &RATES, &SIDES, &PINCHING]),
         make: imk_pinching,
     },
 ];
@@ -152,51 +193,43 @@ fn pinching4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 }
 
 /// Elastic stiffness and both backbones, without their rates of deterioration.
-fn backbones(a: &mut Args<'_>) -> Result<(f64, [ImkSide; 2]), Exception> {
-    let ke = a.positive("elastic stiffness Ke")?;
-    let mut side = |name: &str| -> Result<ImkSide, Exception> {
-        // OpenSees takes the negative side with either sign.
-        let either = name == "negative";
-        let mut positive = |what: &str| -> Result<f64, Exception> {
-            let what = format!("{what} on the {name} side");
-            let x = if either { a.float(&what)?.abs() } else { a.float(&what)? };
-            if x > 0.0 { Ok(x) } else { Err(a.refuse(format!("{what} is {x}"), "expected a number greater than 0")) }
+fn backbones(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, [ImkSide; 2]), Exception> {
+    let ke = a.read(interp, &KE)?;
+    let mut side = |[plastic, post_capping, ultimate, strength, peak, residual]: &[Arg; 6], either: bool| {
+        let mut positive = |arg: &Arg| {
+            let x = a.read(interp, arg)?;
+            let x = if either { x.abs() } else { x };
+            let message = || format!("{} is {x}", arg.meaning);
+            if x > 0.0 { Ok(x) } else { Err(a.refuse(message(), "expected a number greater than 0")) }
         };
-        let plastic = positive("deformation dp up to the cap")?;
-        let post_capping = positive("deformation dpc beyond the cap")?;
-        let ultimate = positive("ultimate deformation du")?;
-        let strength = positive("yield strength Fy")?;
-        let peak = a.positive(&format!("ratio FmaxFy of the largest strength on the {name} side"))?;
-        let residual = a.not_negative(&format!("ratio FresFy of the residual strength on the {name} side"))?;
-        Ok(ImkSide { plastic, post_capping, ultimate, strength, peak, residual, rate: 1.0 })
+        let [plastic, post_capping] = [positive(plastic)?, positive(post_capping)?];
+        let [ultimate, strength] = [positive(ultimate)?, positive(strength)?];
+        let (peak, residual) = (a.read(interp, peak)?, a.read(interp, residual)?);
+        Ok::<_, Exception>(ImkSide { plastic, post_capping, ultimate, strength, peak, residual, rate: 1.0 })
     };
-    let sides = [side("positive")?, side("negative")?];
+    // OpenSees takes the negative side with either sign.
+    let sides = [side(&POSITIVE, false)?, side(&NEGATIVE, true)?];
     Ok((ke, sides))
 }
 
 /// Capacities and rates of the modes of deterioration, and the rates of both sides.
 fn deterioration<const N: usize>(
+    interp: &mut Tcl,
     a: &mut Args<'_>,
-    modes: [&str; N],
+    [capacities, rates]: [&[Arg; N]; 2],
     sides: &mut [ImkSide; 2],
 ) -> Result<[ImkDeterioration; N], Exception> {
-    let mut out = [ImkDeterioration { capacity: 0.0, exponent: 1.0 }; N];
-    for (mode, name) in out.iter_mut().zip(modes) {
-        mode.capacity = a.float(&format!("cumulative deformation capacity Lambda of the {name}"))?;
+    let (capacities, exponents) = (a.read_all(interp, capacities)?, a.read_all(interp, rates)?);
+    for (side, rate) in sides.iter_mut().zip(a.read_all(interp, &SIDES)?) {
+        side.rate = rate;
     }
-    for (mode, name) in out.iter_mut().zip(modes) {
-        mode.exponent = a.float(&format!("rate of deterioration c of the {name}"))?;
-    }
-    for (side, name) in sides.iter_mut().zip(["positive", "negative"]) {
-        side.rate = a.not_negative(&format!("rate of cyclic deterioration D on the {name} side"))?;
-    }
-    Ok(out)
+    Ok(std::array::from_fn(|i| ImkDeterioration { capacity: capacities[i], exponent: exponents[i] }))
 }
 
 fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (ke, mut sides) = backbones(a)?;
-    let modes = ["strength", "strength beyond the cap", "unloading stiffness"];
-    let [strength, capping, stiffness] = deterioration(a, modes, &mut sides)?;
+    let (ke, mut sides) = backbones(interp, a)?;
+    let modes = [&BILINEAR_CAPACITIES, &BILINEAR_RATES];
+    let [strength, capping, stiffness] = deterioration(interp, a, modes, &mut sides)?;
     if interp.host.follows(&[slips::IMK_TANGENT]) {
         return Ok(ImkBilin { ke, sides, strength, capping, stiffness, rules: OpenSees }.shared());
     }
@@ -204,15 +237,14 @@ fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 }
 
 /// The hinge of `IMKPeakOriented` and `IMKPinching`.
-fn peak_oriented(a: &mut Args<'_>) -> Result<ImkPeakOriented, Exception> {
-    let (ke, mut sides) = backbones(a)?;
-    let modes = ["strength", "strength beyond the cap", "reloading stiffness", "unloading stiffness"];
-    let [strength, capping, reloading, stiffness] = deterioration(a, modes, &mut sides)?;
+fn peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ImkPeakOriented, Exception> {
+    let (ke, mut sides) = backbones(interp, a)?;
+    let [strength, capping, reloading, stiffness] = deterioration(interp, a, [&CAPACITIES, &RATES], &mut sides)?;
     Ok(ImkPeakOriented { ke, sides, strength, capping, reloading, stiffness, rules: Consistent })
 }
 
 fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let hinge = peak_oriented(a)?;
+    let hinge = peak_oriented(interp, a)?;
     if interp.host.follows(&[slips::IMK_TANGENT]) {
         return Ok(hinge.with(OpenSees).shared());
     }
@@ -220,11 +252,9 @@ fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
 }
 
 fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let hinge = peak_oriented(a)?;
-    let pinching = Pinching {
-        force: a.float("ratio kappaF of the force at the end of pinching")?,
-        deformation: a.float("ratio kappaD of the deformation at the end of pinching")?,
-    };
+    let hinge = peak_oriented(interp, a)?;
+    let [force, deformation] = a.read_all(interp, &PINCHING)?;
+    let pinching = Pinching { force, deformation };
     if interp.host.follows(&[slips::IMK_TANGENT]) {
         return Ok(ImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
     }

@@ -27,6 +27,23 @@ const BOUC_WEN: [Arg; 9] = [
     Arg::number("deltaEta", "deltaEta"),
 ];
 
+const WALL: [Arg; 6] = [
+    Arg::positive("F0", "force F0 where the asymptote of the envelope meets zero displacement"),
+    Arg::not_negative("FI", "force FI of the pinched line at zero displacement"),
+    Arg::positive("DU", "displacement DU at the largest force"),
+    Arg::positive("S0", "initial stiffness S0"),
+    Arg::number("R1", "ratio R1 of the stiffness of the asymptote"),
+    Arg::number("R2", "ratio R2 of the softening stiffness"),
+];
+const UNLOADING: [Arg; 2] = [
+    Arg::positive("R3", "ratio R3 of the unloading stiffness"),
+    Arg::not_negative("R4", "ratio R4 of the pinched stiffness"),
+];
+const DEGRADATION: [Arg; 2] = [
+    Arg::not_negative("alpha", "softening alpha of the reloading stiffness"),
+    Arg::positive("beta", "growth beta of the displacement"),
+];
+
 const FLAG: [Arg; 4] = [
     Arg::positive("k1", "initial stiffness k1"),
     Arg::number("k2", "stiffness after activation k2"),
@@ -154,7 +171,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["SAWS", "SAWSMaterial"],
         usage: "uniaxialMaterial SAWS $tag $F0 $FI $DU $S0 $R1 $R2 $R3 $R4 $alpha $beta",
-        text: Text::new("Nailed wood shear wall (Folz and Filiatrault)."),
+        text: Text::new("Nailed wood shear wall (Folz and Filiatrault).").groups(&[&WALL, &UNLOADING, &DEGRADATION]),
         make: saws,
     },
     Kind {
@@ -336,24 +353,17 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
 }
 
 fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fo = a.positive("force F0 where the asymptote of the envelope meets zero displacement")?;
-    let fi = a.not_negative("force FI of the pinched line at zero displacement")?;
-    let du = a.positive("displacement DU at the largest force")?;
-    let so = a.positive("initial stiffness S0")?;
-    let r1 = a.float("ratio R1 of the stiffness of the asymptote")?;
-    let r2 = a.float("ratio R2 of the softening stiffness")?;
+    let [fo, fi, du, so, r1, r2] = a.read_all(interp, &WALL)?;
     if r2 >= 0.0 {
         return Err(a.refuse(format!("the ratio R2 of the softening stiffness is {r2}"), "expected it negative"));
     }
-    let r3 = a.positive("ratio R3 of the unloading stiffness")?;
-    let r4 = a.not_negative("ratio R4 of the pinched stiffness")?;
+    let [r3, r4] = a.read_all(interp, &UNLOADING)?;
     if r4 >= r3 {
         return Err(
             a.refuse(format!("the ratio R4 of the pinched stiffness is {r4}"), format!("expected less than R3, {r3}"))
         );
     }
-    let alpha = a.not_negative("softening alpha of the reloading stiffness")?;
-    let beta = a.positive("growth beta of the displacement")?;
+    let [alpha, beta] = a.read_all(interp, &DEGRADATION)?;
     let wall = SawsParameters { fo, fi, du, so, r: [r1, r2, r3, r4], alpha, beta };
     let law = match interp.host.follows(&[slips::SAWS_ENVELOPE]) {
         true => Saws::as_opensees(wall).map(|w| w.shared()),
