@@ -67,7 +67,7 @@ const TABLE: &[Row] = &[
     ("late pier", "late_support", "late_support", 95),
     ("passing wave", "late_support", "late_support", 95),
     ("bridge at one time", "none", "none", 85),
-    ("soft ground", "foundation_flexibility", "foundation_flexibility", 95),
+    ("soft ground", "foundation_flexibility", "foundation_flexibility", 90),
     ("pendulums", "isolation_layer", "isolation_layer", 95),
     ("heavy soft ground", "foundation_flexibility", "foundation_flexibility", 95),
     ("soft model", "none", "none", 85),

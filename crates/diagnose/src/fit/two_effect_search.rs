@@ -44,6 +44,8 @@ struct PairSearch<'a> {
     baseline: &'a FittedHypothesis,
     /// Single effects of the first round, best first.
     singles: &'a [FittedHypothesis],
+    /// Single effects whose best forms tell the first effect of a pair.
+    order: &'a [FittedHypothesis],
     point: &'a InsertionPoint,
     /// True if second effects are sought from the whole range as well.
     global: bool,
@@ -62,7 +64,7 @@ pub(crate) fn two_effect_search(
 ) -> Result<Vec<FittedHypothesis>, String> {
     // The optimum of a poor baseline may be too far from that of a pair.
     let global = is_poor(baseline) && is_affordable(&scheduler.study, SECOND_EFFECTS * (FIRST_EFFECTS + MAX_EXCHANGES));
-    let search = PairSearch { baseline, singles, point, global };
+    let search = PairSearch { baseline, singles, order: singles, point, global };
     let least = ranked[0].log_evidence - MAX_FIRST_EFFECT_DEFICIT;
     let leading = ranked.iter().filter(|e| e.cause() != "none" && e.log_evidence > least);
     let index = |e: &FittedHypothesis| singles.iter().position(|f| Arc::ptr_eq(&f.variant, &e.variant));
@@ -80,7 +82,10 @@ pub(crate) fn two_effect_search(
     }
     search.exchange_effects(scheduler, &ranked[0], searched, &mut pairs)?;
     search.improve_singles(scheduler, &pairs, ranked)?;
-    let mut out: Vec<FittedHypothesis> = pairs.into_iter().map(|p| p.hypothesis).collect();
+    // A single effect may have become better than the one that was first.
+    let refined = PairSearch { order: ranked, ..search };
+    let mut out: Vec<FittedHypothesis> =
+        pairs.into_iter().filter_map(|p| Some(refined.ordered(p)?.hypothesis)).collect();
     scheduler.hold_out(STAGE, &mut out)?;
     Ok(out)
 }
@@ -182,8 +187,11 @@ impl PairSearch<'_> {
     /// The pair with the better single effect first.
     fn ordered(&self, pair: EffectPair) -> Option<EffectPair> {
         let [one, two] = pair.effects;
-        let rank = |n: usize| self.singles.iter().position(|e| e.cause() == self.singles[n].cause());
-        if rank(one) < rank(two) {
+        let score = |n: usize| {
+            let of_cause = self.order.iter().filter(|e| e.cause() == self.singles[n].cause());
+            of_cause.map(FittedHypothesis::score).fold(f64::INFINITY, f64::min)
+        };
+        if score(one) <= score(two) {
             return Some(pair);
         }
         let proposal = |n: usize| self.singles[n].variant.proposal.as_ref();
@@ -274,7 +282,8 @@ mod tests {
         let (friction, damping) = (script_edit("friction", &["force"]), script_edit("damping", &["c", "n"]));
         let with = |p: &_| baseline.variant.with_proposal(&point, p).expect("a variant");
         let singles = [fitted_at(with(&friction), &[0.1]), fitted_at(with(&damping), &[0.2, 0.3])];
-        let search = PairSearch { baseline: &baseline, singles: &singles, point: &point, global: false };
+        let search =
+            PairSearch { baseline: &baseline, singles: &singles, order: &singles, point: &point, global: false };
         let both = fitted_at(with(&damping.combined_with(&friction)), &[0.7, 0.8, 0.9]);
         let pair = search.ordered(EffectPair { hypothesis: both, effects: [1, 0] }).expect("a pair");
         let e = &pair.hypothesis;

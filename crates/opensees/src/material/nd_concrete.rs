@@ -141,6 +141,34 @@ fn shape(a: &mut Args<'_>) -> Result<f64, Exception> {
     Ok(kc)
 }
 
+/// Arguments of the concretes with damage by curves, for a bar and in space.
+pub(super) const TENSION_STRAINS: Arg = Arg::of("-Te", "strains", "total strains in tension, as a list or as words");
+/// See [`TENSION_STRAINS`].
+pub(super) const TENSION_STRESSES: Arg = Arg::of("-Ts", "stresses", "stresses in tension, as many");
+/// See [`TENSION_STRAINS`].
+pub(super) const TENSION_DAMAGES: Arg = Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without");
+/// See [`TENSION_STRAINS`].
+pub(super) const COMPRESSION_STRAINS: Arg = Arg::of("-Ce", "strains", "total strains in compression, without sign");
+/// See [`TENSION_STRAINS`].
+pub(super) const COMPRESSION_STRESSES: Arg = Arg::of("-Cs", "stresses", "stresses in compression, as many");
+/// See [`TENSION_STRAINS`].
+pub(super) const COMPRESSION_DAMAGES: Arg =
+    Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without");
+/// See [`TENSION_STRAINS`].
+pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity, a time");
+/// See [`TENSION_STRAINS`].
+pub(super) const EXTRAPOLATED: Arg =
+    Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps");
+/// See [`TENSION_STRAINS`].
+pub(super) const EXTRAPOLATION_CONTROL: Arg = Arg::of(
+    "-implexControl",
+    "tolerance",
+    "largest error of the extrapolated damage, and the shortest step over the first one for which it \
+                 counts",
+);
+/// See [`TENSION_STRAINS`].
+pub(super) const EXTRAPOLATION_FACTOR: Arg = Arg::of("-implexAlpha", "alpha", "factor of the extrapolation");
+
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["ASDConcrete1D"],
     usage: "uniaxialMaterial ASDConcrete1D $tag $E <-fc $fc <-ft $ft>> <-Te $strains -Ts $stresses <-Td $damages>> \
@@ -151,21 +179,16 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         .arguments(&[
             Arg::of("-fc", "fc", "compressive strength in MPa, which makes both curves; lengths are in mm"),
             Arg::of("-ft", "ft", "tensile strength in MPa; a tenth of fc without it"),
-            Arg::of("-Te", "strains", "total strains in tension, as a list or as words"),
-            Arg::of("-Ts", "stresses", "stresses in tension, as many"),
-            Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without"),
-            Arg::of("-Ce", "strains", "total strains in compression, without sign"),
-            Arg::of("-Cs", "stresses", "stresses in compression, as many"),
-            Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without"),
-            Arg::of("-eta", "eta", "viscosity, a time"),
-            Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps"),
-            Arg::of(
-                "-implexControl",
-                "tolerance",
-                "largest error of the extrapolated damage, and the shortest step over the first one for which it \
-                 counts",
-            ),
-            Arg::of("-implexAlpha", "alpha", "factor of the extrapolation"),
+            TENSION_STRAINS,
+            TENSION_STRESSES,
+            TENSION_DAMAGES,
+            COMPRESSION_STRAINS,
+            COMPRESSION_STRESSES,
+            COMPRESSION_DAMAGES,
+            VISCOSITY,
+            EXTRAPOLATED,
+            EXTRAPOLATION_CONTROL,
+            EXTRAPOLATION_FACTOR,
             Arg::flag("-tangent", "the tangent is the consistent one, not the secant"),
             Arg::of(
                 "-autoRegularization",
