@@ -3,7 +3,7 @@
 use super::{Ends, Kind, Make, orientation};
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
@@ -16,12 +16,38 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
 
+const PARTS: [Arg; 3] = [
+    Arg::positive("kInit", "initial stiffness kInit"),
+    Arg::positive("qd", "characteristic strength qd"),
+    Arg::number("alpha1", "post-yield stiffness ratio alpha1"),
+];
+const HARDENING: [Arg; 2] = [
+    Arg::number("alpha2", "post-yield stiffness ratio alpha2 of the nonlinear hardening"),
+    Arg::number("mu", "exponent mu of the nonlinear hardening"),
+];
+const LOOPS: [Arg; 3] = [
+    Arg::positive("eta", "yielding exponent eta"),
+    Arg::number("beta", "first loop parameter beta"),
+    Arg::number("gamma", "second loop parameter gamma"),
+];
+
+const YIELD: Arg = Arg::positive("uy", "yield displacement uy");
+const POLYNOMIAL: [Arg; 5] = [
+    Arg::number("a1", "coefficient a1 of the polynomial"),
+    Arg::number("a2", "coefficient a2 of the polynomial"),
+    Arg::number("a3", "coefficient a3 of the polynomial"),
+    Arg::number("a4", "coefficient a4 of the polynomial"),
+    Arg::number("a5", "coefficient a5 of the polynomial"),
+];
+const FIBRES: [Arg; 2] =
+    [Arg::positive("b", "hysteretic scaling factor b"), Arg::not_negative("c", "viscous damping coefficient c")];
+
 pub(super) const BOUC_WEN: Kind = Kind {
     names: &["elastomericBearingBoucWen", "ElastomericBearingBoucWen"],
     usage: "element elastomericBearingBoucWen $tag $i $j $kInit $qd $alpha1 $alpha2 $mu $eta $beta $gamma -P $mat \
             <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
             <-mass $m> <-iter $maxIter $tol>",
-    text: Text::new("Bearing with Bouc-Wen shear hysteresis."),
+    text: Text::new("Bearing with Bouc-Wen shear hysteresis.").groups(&[&PARTS, &HARDENING, &LOOPS]),
     make: Make::TwoNodes(make),
 };
 
@@ -29,7 +55,7 @@ pub(super) const PLASTICITY: Kind = Kind {
     names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
     usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
-    text: Text::new("Bearing with plastic shear."),
+    text: Text::new("Bearing with plastic shear.").groups(&[&PARTS, &HARDENING]),
     make: Make::TwoNodes(make_plastic),
 };
 
@@ -37,7 +63,12 @@ pub(super) const UFRP: Kind = Kind {
     names: &["elastomericBearingUFRP"],
     usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
-    text: Text::new("Unbonded fibre-reinforced bearing, in the plane."),
+    text: Text::new("Unbonded fibre-reinforced bearing, in the plane.").groups(&[
+        &[YIELD],
+        &POLYNOMIAL,
+        &FIBRES,
+        &LOOPS,
+    ]),
     make: Make::TwoNodes(make_ufrp),
 };
 
@@ -145,52 +176,47 @@ struct Stiffnesses {
 }
 
 impl Stiffnesses {
-    fn read(a: &mut Args<'_>) -> Result<Self, Exception> {
-        let k_init = a.positive("initial stiffness kInit")?;
-        let qd = a.positive("characteristic strength qd")?;
-        let alpha1 = a.float("post-yield stiffness ratio alpha1")?;
+    fn read(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Self, Exception> {
+        let [k_init, qd, alpha1] = a.read_all(interp, &PARTS)?;
         if alpha1 >= 1.0 {
             return Err(a.refuse(format!("alpha1 is {alpha1}"), "expected a ratio less than 1"));
         }
-        let alpha2 = a.float("post-yield stiffness ratio alpha2 of the nonlinear hardening")?;
-        let mu = hardening_exponent(a, alpha2)?;
+        let [alpha2, mu] = a.read_all(interp, &HARDENING)?;
+        if alpha2 != 0.0 && mu < 1.0 {
+            return Err(a.refuse(
+                format!("mu is {mu}"),
+                "expected an exponent of at least 1: the stiffness at rest would not be finite",
+            ));
+        }
         Ok(Self { k0: (1.0 - alpha1) * k_init, qd, k2: alpha1 * k_init, k3: alpha2 * k_init, mu })
     }
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(a)?;
-    let eta = a.positive("yielding exponent eta")?;
-    let beta = a.float("first loop parameter beta")?;
-    let gamma = a.float("second loop parameter gamma")?;
-    if beta + gamma <= 0.0 {
-        return Err(a.refuse(
-            format!("beta + gamma is {}", beta + gamma),
-            "expected a sum greater than 0: the hysteretic force would not be bounded",
-        ));
-    }
+    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(interp, a)?;
+    let [eta, beta, gamma] = loops(interp, a)?;
     let c = common(interp, a, ends, nodes)?;
     let shear =
         BoucWenShear { k0, qd, k2, k3, mu, eta, beta, gamma, compat: interp.host.follows(&[slips::BOUC_WEN_TANGENT]) };
     around(a, shear, c, ends)
 }
 
-/// Exponent μ of the nonlinear hardening.
-fn hardening_exponent(a: &mut Args<'_>, alpha2: f64) -> Result<f64, Exception> {
-    let mu = a.float("exponent mu of the nonlinear hardening")?;
-    if alpha2 != 0.0 && mu < 1.0 {
+/// Exponent and parameters of the loops, whose force is bounded.
+fn loops(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 3], Exception> {
+    let [eta, beta, gamma] = a.read_all(interp, &LOOPS)?;
+    if beta + gamma <= 0.0 {
         return Err(a.refuse(
-            format!("mu is {mu}"),
-            "expected an exponent of at least 1: the stiffness at rest would not be finite",
+            format!("beta + gamma is {}", beta + gamma),
+            "expected a sum greater than 0: the hysteretic force would not be bounded",
         ));
     }
-    Ok(mu)
+    Ok([eta, beta, gamma])
 }
 
 fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(a)?;
+    let Stiffnesses { k0, qd, k2, k3, mu } = Stiffnesses::read(interp, a)?;
     let c = common(interp, a, ends, nodes)?;
     let compat = interp.host.follows(&[slips::PLASTICITY_TRIAL]);
     let shear = PlasticShear { k0, qd, k2, k3, mu, compat };
@@ -202,22 +228,10 @@ fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn 
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let uy = a.positive("yield displacement uy")?;
-    let mut polynomial = [0.0; 5];
-    for (i, x) in polynomial.iter_mut().enumerate() {
-        *x = a.float(&format!("coefficient a{} of the polynomial", i + 1))?;
-    }
-    let b = a.positive("hysteretic scaling factor b")?;
-    let c = a.not_negative("viscous damping coefficient c")?;
-    let eta = a.positive("yielding exponent eta")?;
-    let beta = a.float("first loop parameter beta")?;
-    let gamma = a.float("second loop parameter gamma")?;
-    if beta + gamma <= 0.0 {
-        return Err(a.refuse(
-            format!("beta + gamma is {}", beta + gamma),
-            "expected a sum greater than 0: the hysteretic force would not be bounded",
-        ));
-    }
+    let uy = a.read(interp, &YIELD)?;
+    let polynomial = a.read_all(interp, &POLYNOMIAL)?;
+    let [b, c] = a.read_all(interp, &FIBRES)?;
+    let [eta, beta, gamma] = loops(interp, a)?;
     let o = common(interp, a, ends, nodes)?;
     let law = UfrpShear { uy, a: polynomial, b, c, eta, beta, gamma };
     let (link, _) = o.place.link(a, ends, o.shear_dist)?;
