@@ -106,6 +106,12 @@ impl Command {
         self
     }
 
+    /// The same command as one that OpenSees does not have.
+    const fn own(mut self) -> Self {
+        self.text.is_own = true;
+        self
+    }
+
     /// The same command as one whose calls leave this behind.
     const fn leaving(mut self, effect: Effect) -> Self {
         self.effect = effect;
@@ -206,6 +212,17 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 /// Names and usage of each kind of thing that the command makes; empty for a command without kinds.
 pub fn kinds(command: &str) -> Vec<KindUsage> {
     commands().filter(|c| c.name == command).flat_map(Command::kinds).collect()
+}
+
+/// Names of commands that OpenSees does not have.
+pub fn own_commands() -> impl Iterator<Item = &'static str> {
+    commands().filter(|c| c.text.is_own).map(|c| c.name)
+}
+
+/// Names of kinds that OpenSees does not have, of all commands.
+pub fn own_kinds() -> impl Iterator<Item = &'static str> {
+    let own = commands().flat_map(Command::kinds).filter(|k| k.text.is_own);
+    own.flat_map(|k| k.names.iter().copied())
 }
 
 /// Register the commands with an interpreter.

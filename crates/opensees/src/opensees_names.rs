@@ -43,6 +43,14 @@ mod tests {
         assert!(super::command_label("ShallowFoundationGen").is_some() && super::command_label("analyse").is_none());
     }
 
+    /// A row tells that OpenSees does not have it, as that of a command of an amendment and that of a law of rubber do.
+    #[test]
+    fn own_names_stand_in_their_rows() {
+        let own = |name: &str| crate::own_commands().chain(crate::own_kinds()).any(|n| n == name);
+        assert!(own("amend") && own("HDR_mat") && own("HDRRheologyBearing"));
+        assert!(!own("element") && !own("Steel01") && !own("HDR"));
+    }
+
     #[test]
     fn every_name_is_missing_here() {
         let families = super::NAMES.lines().filter_map(|line| line.split_once(": "));

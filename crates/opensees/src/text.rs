@@ -104,6 +104,8 @@ pub struct Text {
     pub groups: &'static [&'static [Arg]],
     /// Words that make a thing of the kind, where its usage alone does not lead to one; empty elsewhere.
     pub example: &'static str,
+    /// True if OpenSees does not have it.
+    pub is_own: bool,
 }
 
 /// Sentence about a command that does nothing.
@@ -114,7 +116,13 @@ impl Text {
     pub(crate) const NONE: Self = Self::new("");
 
     pub(crate) const fn new(about: &'static str) -> Self {
-        Self { about, arguments: &[], groups: &[], example: "" }
+        Self { about, arguments: &[], groups: &[], example: "", is_own: false }
+    }
+
+    /// The same text of a kind or a command that OpenSees does not have.
+    pub(crate) const fn own(mut self) -> Self {
+        self.is_own = true;
+        self
     }
 
     /// The same text with words that make a thing of the kind.

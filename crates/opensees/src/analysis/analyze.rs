@@ -45,7 +45,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("reset", "reset", reset).about("Returns to the state at the start."),
     Command::new("revertToStart", "revertToStart", reset).about("Returns to the state at the start."),
     Command::new("initialize", "initialize", initialize).about(WITHOUT_EFFECT),
-    Command::new("ladder", LADDER, ladder).about("Turns the remedies for failed steps on or off, as `--ladder` does."),
+    Command::new("ladder", LADDER, ladder)
+        .about("Turns the remedies for failed steps on or off, as `--ladder` does.")
+        .own(),
 ];
 
 const ANALYSIS: &str = "analysis Static | Transient | VariableTransient";

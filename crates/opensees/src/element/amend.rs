@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
     .about("Adds physics to an element that exists; see [Amendments](../amendments.md).")
+    .own()
     .arguments(&[
         Arg::of("-option", "value", "options of the kind, below"),
         Arg::of("-axial", "dir", "direction that carries the axial force"),

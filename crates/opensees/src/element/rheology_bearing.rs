@@ -29,7 +29,8 @@ pub(super) const RHEOLOGY: Kind = Kind {
         "element HDRRheologyBearing 77 1 2 800. 2e6 0. 0.6 0.003 0.008 20 700. 100. 20. 200. 3. 900. 100. \
          400. 300. 0.2",
     )
-    .arguments(&[Arg::new("n", "number of layers; the second `$n` is the parameter n of the overstress")]),
+    .arguments(&[Arg::new("n", "number of layers; the second `$n` is the parameter n of the overstress")])
+    .own(),
     make: Make::TwoNodes(make),
 };
 

@@ -16,7 +16,8 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("motionFile", USAGE, motion_file)
-    .about("Reads a ground motion into a `Path` series and returns the time step and the number of values.")];
+    .about("Reads a ground motion into a `Path` series and returns the time step and the number of values.")
+    .own()];
 
 const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-useLast> <-channel $name> <-quantity \
                      $word> <-unit $unit> <-layout $word> <-to $unit>] dt npts: a measured file of any format that hysteron recording \

@@ -19,7 +19,8 @@ pub(super) const KINDS: &[Kind] = &[
             "High damping rubber with rate, temperature and self-heating; see [High damping \
              rubber](../../explanation/rubber.md).",
         )
-        .example("uniaxialMaterial HDRRheology 77 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2"),
+        .example("uniaxialMaterial HDRRheology 77 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2")
+        .own(),
         make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _| Ok(false))?.shared()),
     },
     Kind {
@@ -28,7 +29,8 @@ pub(super) const KINDS: &[Kind] = &[
                 <-preload $strain>",
         text: Text::new(
             "Softens another law as virgin rubber softens; see [High damping rubber](../../explanation/rubber.md).",
-        ),
+        )
+        .own(),
         make: mullins,
     },
     Kind {
@@ -43,7 +45,8 @@ pub(super) const KINDS: &[Kind] = &[
             "uniaxialMaterial HDR_mat 77 46. 59. 317. 1.04 0.38 30. 0.71 3.4 0.37 0.06 0.57 121. 1.8 0.9 0.32 \
              0.14 0.018 20.4",
         )
-        .arguments(&[Arg::new("Pphi", "rate of the temporary hardening"), Arg::new("h", "thickness of the rubber")]),
+        .arguments(&[Arg::new("Pphi", "rate of the temporary hardening"), Arg::new("h", "thickness of the rubber")])
+        .own(),
         make: gallardo,
     },
 ];

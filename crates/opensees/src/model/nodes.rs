@@ -21,7 +21,7 @@ pub(crate) const COMMANDS: &[Command] = &[
         .defining(&[things::MODEL], 0),
     Command::new("node", NODE, node).about("Makes a node.").defining(&[things::NODE], 1),
     Command::new("mass", MASS, mass).about("Sets the mass of a node in each of its directions."),
-    Command::new("pset", PSET, pset).about("Sets a variable, unless a study gives it another value."),
+    Command::new("pset", PSET, pset).about("Sets a variable, unless a study gives it another value.").own(),
     Command::new("setNodeCoord", SET_COORD, set_node_coord).about("Moves a node that has no displacement."),
     Command::new("setStartNodeTag", START_TAG, set_start_node_tag)
         .about("Has no effect: the nodes that it counts are those of OpenSees' meshes."),

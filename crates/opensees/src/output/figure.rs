@@ -12,8 +12,9 @@ use std::io::Write as _;
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("columns", COLUMNS, columns)
         .about("Returns the columns of a table of numbers as a list of lists.")
+        .own()
         .leaving(Effect::Nothing),
-    Command::new("figure", FIGURE, figure).about("Draws curves into an SVG file.").leaving(Effect::Nothing),
+    Command::new("figure", FIGURE, figure).about("Draws curves into an SVG file.").own().leaving(Effect::Nothing),
 ];
 
 const COLUMNS: &str = "columns $file: the columns of a table of numbers, a list of lists";

@@ -18,6 +18,7 @@ use crate::inspect::inventory::{Device, ModelInventory, TagPurpose};
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use amendment::Amendment;
 use hysteron_identify::study::{ScoredRun, ScriptSimulator, Simulator};
+use hysteron_opensees::{own_commands, own_kinds};
 use hysteron_tcl::top_level;
 use script::{ModelParts, Placement, command_places, place, with_plain_parameters};
 use std::collections::BTreeMap;
@@ -71,10 +72,6 @@ const CHANGED_IN_TIME: &str =
 
 /// The same for a support that a uniform excitation reaches later.
 const LATE_SUPPORT: &str = "OpenSees' uniform excitation reaches all supports at one time";
-
-/// Commands, and kinds of materials and elements, that OpenSees does not have.
-const OWN_COMMANDS: &[&str] = &["amend", "pset", "motionFile", "columns", "figure", "ladder"];
-const OWN_KINDS: &[&str] = &["HDR_mat", "HDRRheology", "HDRRheologyBearing", "Mullins"];
 
 /// Share of the squared error of the repaired model that the difference of the translated script may have, and the
 /// difference that is accepted in any case, over the standard deviation of the recorded channel. Choices.
@@ -360,7 +357,7 @@ fn own_word(text: &str, simulator: &ScriptSimulator) -> Option<&'static str> {
     let lines = || texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with('#'));
     let command = |word: &&str| lines().any(|line| command_places(line, word).next().is_some());
     let kind = |word: &&str| lines().any(|line| line.split_whitespace().any(|w| w == *word));
-    OWN_COMMANDS.iter().copied().find(command).or_else(|| OWN_KINDS.iter().copied().find(kind))
+    own_commands().find(command).or_else(|| own_kinds().find(kind))
 }
 
 #[cfg(test)]
