@@ -87,7 +87,7 @@ const TABLE: &[Row] = &[
     ("late", "sensor_lag", "sensor_lag", 85),
     ("jump", "sensor_drift", "sensor_drift", 85),
     ("clipped", "sensor_clipping", "sensor_clipping", 90),
-    ("late stop", "gap_impact + sensor_lag", "sensor_lag + gap_impact", 85),
+    ("late stop", "gap_impact + sensor_lag", "gap_impact + sensor_lag", 85),
 ];
 
 /// Functions that make the studies.
