@@ -114,11 +114,10 @@ impl FirstRound<'_> {
     /// Orders screened proposals: the best of each cause, then its next forms.
     fn select(&self, screened: Vec<ScreenedHypothesis>) -> Selection {
         let mut forms_of_cause: BTreeMap<&str, usize> = BTreeMap::new();
-        let mut mechanisms: BTreeSet<(&str, &str)> = BTreeSet::new();
+        let mut mechanisms: BTreeSet<(&str, String)> = BTreeSet::new();
         let (mut ranked, mut next_forms, mut further_forms) = (vec![], vec![], vec![]);
-        for s in &screened {
-            let is_first_of_mechanism = mechanisms.insert((s.variant.cause(), s.variant.mechanism()));
-            let s = s.clone();
+        for s in screened {
+            let is_first_of_mechanism = mechanisms.insert((s.variant.cause(), s.variant.mechanism().to_owned()));
             let form = forms_of_cause.entry(s.variant.cause()).or_default();
             *form += 1;
             match *form {
