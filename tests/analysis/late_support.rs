@@ -43,6 +43,20 @@ fn a_late_support_moves_as_one_with_a_motion_of_its_own() {
     assert_eq!(forces("amend node 2 late -by 0.0", UNIFORM, ""), at_one_time);
 }
 
+/// Without a uniform excitation a delay is told to have no effect; with one, and of a support that is gone, nothing is told.
+#[test]
+fn a_delay_without_a_motion_is_told() {
+    let told = |lines: &str| {
+        let ran = Script::default().run(&format!("{MODEL}amend node 2 late -by 0.1\n{lines}\n{ANALYSIS}")).done();
+        ran.warnings().iter().any(|d| d.message.contains("node 2 is a late support"))
+    };
+    assert!(told("pattern Plain 1 1 {load 3 1. 0.}"));
+    assert!(!told(UNIFORM));
+    assert!(!told(&format!(
+        "remove element 2; remove element 3; remove node 2; remove node 4\n{UNIFORM}\nproc eleResponse {{args}} {{}}"
+    )));
+}
+
 /// A node that is free, a delay that is missing and an excitation without an end are refused.
 #[test]
 fn a_late_support_is_held_and_its_motion_ends() {

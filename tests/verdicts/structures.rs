@@ -44,11 +44,12 @@ pub fn rocking_footing() -> Concealed {
     column_on_footing(|turned| 9000.0 * turned)
 }
 
-/// A neighbour beside the upper storey that no model has: one mass on a spring, with the contact of Hunt and Crossley.
-pub fn neighbour() -> Concealed {
-    let rate = |&[u, v, w, s, other, o]: &[f64; 6], a: f64| {
+/// A neighbour beside the upper storey that no model has, behind a gap: one mass on a spring, with the contact of Hunt and
+/// Crossley.
+pub fn neighbour(gap: f64) -> Concealed {
+    let rate = move |&[u, v, w, s, other, o]: &[f64; 6], a: f64| {
         let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - u) + 2.0 * (s - v));
-        let into = (w - other - 0.07).max(0.0);
+        let into = (w - other - gap).max(0.0);
         let contact = 2e4 * into.powf(1.5) * (1.0 + 0.3 * (s - o)).max(0.0);
         let (mass, period) = (1.6, 0.42);
         let circular = std::f64::consts::TAU / period;

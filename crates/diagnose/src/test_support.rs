@@ -7,6 +7,7 @@ use crate::fit::job::FittedModel;
 use crate::hypothesis::context::ProposalContext;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
+use crate::inspect::probe::tests::inventory_of;
 use crate::inspect::response::ResponseRanges;
 use crate::memory::data::DeviceRun;
 use hysteron_identify::study::Study;
@@ -38,6 +39,24 @@ pub(crate) fn proposal_context<'a>(
         model_end: 0,
         value_spans: &[],
     }
+}
+
+/// Inventory of a model that one motion shakes along the first axis for two steps.
+pub(crate) fn shaken_inventory(model: &str) -> ModelInventory {
+    inventory_under(model, "UniformExcitation 2 1 -accel 2")
+}
+
+/// The same under another pattern of series 2.
+pub(crate) fn inventory_under(model: &str, pattern: &str) -> ModelInventory {
+    inventory_of(&format!(
+        "{model}
+        timeSeries Path 2 -dt 0.01 -values {{0. 1. 0.}}
+        pattern {pattern}
+        constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
+        integrator Newmark 0.5 0.25
+        analysis Transient
+        analyze 2 0.01\n"
+    ))
 }
 
 /// A variant at the middle of the user's parameters, with coordinates of the added ones.

@@ -106,7 +106,7 @@ pub(crate) struct Proposal {
     pub(crate) option_edits: Vec<TextEdit>,
     /// First byte of the command in front of which parameters are declared; none if the added commands declare them.
     pub(crate) declared_at: Option<usize>,
-    /// Added parameters.
+    /// Added parameters. The first one names the mechanism: forms of a cause with another first parameter are searched apart.
     pub(crate) parameters: Vec<AddedParameter>,
     /// Faults of channels.
     pub(crate) fault_model: Option<FaultModel>,

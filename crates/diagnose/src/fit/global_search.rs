@@ -5,9 +5,7 @@
 use super::fitted::FittedHypothesis;
 use super::halton_points::halton_points;
 use super::scheduler::Scheduler;
-use super::search_settings::{
-    GLOBAL_GROUPS, GLOBAL_POINTS, GLOBAL_POINTS_OF_MISSING_PART, GLOBAL_STARTS_PER_CAUSE, MAX_GLOBAL_SAMPLES,
-};
+use super::search_settings::{GLOBAL_GROUPS, GLOBAL_POINTS, GLOBAL_STARTS_PER_CAUSE, MAX_GLOBAL_SAMPLES};
 use crate::candidate::proposal::Proposal;
 use crate::candidate::variant::Variant;
 use hysteron_identify::study::{Role, Study};
@@ -65,9 +63,7 @@ pub(crate) fn global_search(
     let physics: Vec<&Arc<Variant>> = variants.iter().filter(|v| !v.is_channel_fault()).collect();
     // The best point of each group, because the best of all may lie in another valley.
     let groups = physics.iter().flat_map(|v| {
-        let is_missing_part = v.proposal.as_ref().is_some_and(|p| p.is_missing_part);
-        let per_parameter = if is_missing_part { GLOBAL_POINTS_OF_MISSING_PART } else { GLOBAL_POINTS };
-        let points = halton_points(&v.start(&baseline.fitted.values), 0, per_parameter);
+        let points = halton_points(&v.start(&baseline.fitted.values), 0, GLOBAL_POINTS);
         let group = move |g| points.iter().skip(g).step_by(GLOBAL_GROUPS).cloned().collect();
         (0..GLOBAL_GROUPS).map(move |g| ((*v).clone(), group(g)))
     });

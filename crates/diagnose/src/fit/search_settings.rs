@@ -90,8 +90,6 @@ pub(crate) const COMPETITOR_POINTS: usize = 8;
 
 /// Points per parameter, and one more set, in the whole cube.
 pub(crate) const GLOBAL_POINTS: usize = 5;
-/// The same for a part of the structure that is missing altogether: its own frequency makes the valley narrow.
-pub(crate) const GLOBAL_POINTS_OF_MISSING_PART: usize = 30;
 /// Interleaved groups of these points; the best of each is a start.
 pub(crate) const GLOBAL_GROUPS: usize = 2;
 /// Starts of one cause that are followed.

@@ -298,6 +298,16 @@ mod tests {
         let effect = |side| search.effect_of_pair(&pair, side).expect("an effect").hypothesis;
         assert_eq!(effect(0).fitted.point[own..], [0.9]);
         assert_eq!(effect(1).fitted.point[own..], [0.7, 0.8]);
+        // The second effect has become better alone.
+        let mut refined = singles.clone();
+        refined[1].fitted.objective *= 0.01;
+        let kept = EffectPair {
+            hypothesis: fitted_at(with(&friction.combined_with(&damping)), &[0.9, 0.7, 0.8]),
+            effects: [0, 1],
+        };
+        let turned = PairSearch { order: &refined, ..search }.ordered(kept).expect("a pair").hypothesis;
+        assert_eq!((turned.cause(), turned.second_cause()), ("damping", Some("friction")));
+        assert_eq!(turned.fitted.point[own..], [0.7, 0.8, 0.9]);
         // An ordered pair stays as it is.
         assert_eq!(search.ordered(pair).expect("a pair").effects, [0, 1]);
     }

@@ -68,9 +68,8 @@ fn with_factor(masses: &[&Mass], form: &str) -> Proposal {
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::inspect::probe::tests::inventory_of;
     use crate::inspect::response::ResponseRanges;
-    use crate::test_support::{pad_study, proposal_context};
+    use crate::test_support::{inventory_under, pad_study, proposal_context};
 
     /// Masses of one height are a floor. A model with one floor has no other, and one without a ground motion has none.
     #[test]
@@ -82,15 +81,10 @@ mod tests {
                 foreach n {{1 2}} {{fix $n 1 1 1}}
                 foreach n {{{floors}}} {{mass $n 2. 2. 0.}}
                 geomTransf Linear 1
-                foreach {{e i j}} {{1 1 3 2 2 4 3 3 4 4 3 5}} {{element elasticBeamColumn $e $i $j 1. 1e3 1. 1}}
-                timeSeries Constant 2
-                pattern {pattern}
-                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
-                integrator Newmark 0.5 0.25
-                analysis Transient
-                analyze 2 0.01\n"
+                foreach {{e i j}} {{1 1 3 2 2 4 3 3 4 4 3 5}} {{element elasticBeamColumn $e $i $j 1. 1e3 1. 1}}"
             );
-            let (inventory, study, responses) = (inventory_of(&text), pad_study(), ResponseRanges::default());
+            let (inventory, study, responses) =
+                (inventory_under(&text, pattern), pad_study(), ResponseRanges::default());
             let proposals = propose(&proposal_context(&inventory, &study, &responses));
             assert!(
                 proposals.iter().all(|p| p.commands.iter().all(|c| c.ends_with(" 0.0") && c.contains("$hy_factor")))

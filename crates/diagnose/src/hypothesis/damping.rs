@@ -170,9 +170,8 @@ fn dashpots_beside_columns(s: &ProposalContext<'_>) -> Option<Proposal> {
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::inspect::probe::tests::inventory_of;
     use crate::inspect::response::ResponseRanges;
-    use crate::test_support::{pad_study, proposal_context};
+    use crate::test_support::{pad_study, proposal_context, shaken_inventory};
 
     /// Of a single mass one ratio of all modes is the damping of the mass.
     #[test]
@@ -182,15 +181,9 @@ mod tests {
                 "model basic -ndm 1 -ndf 1
                 node 1 0.; node 2 0. -mass {mass}; node 3 0. -mass 1.; fix 1 1
                 uniaxialMaterial Elastic 1 100.
-                element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1
-                timeSeries Constant 2
-                pattern UniformExcitation 2 1 -accel 2
-                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
-                integrator Newmark 0.5 0.25
-                analysis Transient
-                analyze 2 0.01\n"
+                element zeroLength 1 1 2 -mat 1 -dir 1; element zeroLength 2 2 3 -mat 1 -dir 1"
             );
-            let (inventory, study, responses) = (inventory_of(&text), pad_study(), ResponseRanges::default());
+            let (inventory, study, responses) = (shaken_inventory(&text), pad_study(), ResponseRanges::default());
             let all = propose(&proposal_context(&inventory, &study, &responses));
             all.into_iter().filter(|p| p.form.contains("modes")).flat_map(|p| p.commands).collect()
         };

@@ -1,7 +1,10 @@
 //! Flexible soil or supports below a fixed base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::support_springs::{FreedSupports, SupportSpring, carrying_supports, horizontal_dofs, largest_stiffness};
+use super::support_springs::{
+    FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs,
+    largest_stiffness,
+};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::amplitudes_differ;
 use crate::inspect::inventory::{Support, TagPurpose, grouped};
@@ -42,10 +45,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// Supports that are freed one at a time, at most.
-const MAX_SINGLE_SUPPORTS: usize = 6;
-/// Supports that are freed together, at most.
-const MAX_JOINT_SUPPORTS: usize = 20;
 /// Difference of stiffnesses that count as similar, in parts of the larger one. A choice.
 const SIMILAR_STIFFNESS: f64 = 0.5;
 
@@ -206,9 +205,8 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::inspect::probe::tests::inventory_of;
     use crate::inspect::response::ResponseRanges;
-    use crate::test_support::{pad_study, proposal_context};
+    use crate::test_support::{pad_study, proposal_context, shaken_inventory};
 
     /// A footing lifts off where the column above it bends, at a moment on the scale of that; springs come with a dashpot and
     /// without one.
@@ -217,14 +215,8 @@ mod tests {
         let text = "model basic -ndm 2 -ndf 3
             node 1 0. 0.; node 2 0. 3. -mass 1. 1. 0.; fix 1 1 1 1
             geomTransf Linear 1
-            element elasticBeamColumn 1 1 2 1. 1e3 1. 1
-            timeSeries Constant 2
-            pattern UniformExcitation 2 1 -accel 2
-            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
-            integrator Newmark 0.5 0.25
-            analysis Transient
-            analyze 2 0.01\n";
-        let (inventory, study) = (inventory_of(text), pad_study());
+            element elasticBeamColumn 1 1 2 1. 1e3 1. 1";
+        let (inventory, study) = (shaken_inventory(text), pad_study());
         let forms = |moment: Option<f64>| -> Vec<(String, Vec<String>)> {
             let end_moments = moment.map(|m| (1, m)).into_iter().collect();
             let responses = ResponseRanges { end_moments, ..ResponseRanges::default() };

@@ -149,7 +149,7 @@ fn contact_beside_mass(
     }
     let k = inertia / most;
     let tag = s.inventory.first_tag(TagPurpose::MassContacts);
-    let ground = m.ground_node(tag, s.inventory.ndm).to_vec();
+    let ground = m.ground_node(tag, s.inventory.ndm);
     let axis = if m.directions.len() > 1 { format!(" along axis {dof}") } else { String::new() };
     let form = |form: &str, block: Vec<String>, of_gap: AddedParameter, more: Vec<AddedParameter>| {
         let added = [more, vec![of_gap], contact(k, 30.0 * k, motion.velocity)].concat();
@@ -157,10 +157,8 @@ fn contact_beside_mass(
         Proposal::script_edit("gap_impact", &form, m.location(), block, added)
     };
     let wall = carried_gap(k, tag, ("zeroLength", [tag, m.mass.node]), side, dof);
-    let neighbour = [
-        m.neighbour(s, (tag, tag + 1), dof),
-        carried_gap(k, tag + 1, ("zeroLength", [tag + 1, m.mass.node]), side, dof).to_vec(),
-    ];
+    let touched = carried_gap(k, tag + 1, ("zeroLength", [tag + 1, m.mass.node]), side, dof);
+    let neighbour = [&ground[..], &m.neighbour(s, (tag, tag + 1), dof), &touched].concat();
     let (own, length) = (m.mass.mass[dof - 1], s.longest_run());
     let more = vec![
         AddedParameter { further_starts: NEIGHBOUR_STARTS.into(), ..neighbour_period(length) },
@@ -170,11 +168,8 @@ fn contact_beside_mass(
     let joint = AddedParameter::linear("gap", MIN_GAP * most, MAX_JOINT_WIDTH * most, 0.7 * reach);
     let joint = AddedParameter { further_starts: GAP_STARTS.map(|part| part * reach).into(), ..joint };
     vec![
-        form("wall beside", [ground.clone(), wall.to_vec()].concat(), gap(most, reach), vec![]),
-        Proposal {
-            is_missing_part: true,
-            ..form("neighbour of one mass beside", [vec![ground], neighbour.into()].concat().concat(), joint, more)
-        },
+        form("wall beside", [&ground[..], &wall].concat(), gap(most, reach), vec![]),
+        Proposal { is_missing_part: true, ..form("neighbour of one mass beside", neighbour, joint, more) },
     ]
 }
 
@@ -244,9 +239,8 @@ fn joint_contact(s: &ProposalContext<'_>, number: usize, pair: &AdjacentNodes) -
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::inspect::probe::tests::inventory_of;
     use crate::inspect::response::{NodeMotion, ResponseRanges};
-    use crate::test_support::{pad_study, proposal_context};
+    use crate::test_support::{pad_study, proposal_context, shaken_inventory};
 
     /// A wall or a neighbour stands beside a mass that moves towards it. The mass on a device on the ground has the wall of the device.
     #[test]
@@ -257,14 +251,8 @@ mod tests {
             foreach n {2 3} {mass $n 1.}
             uniaxialMaterial Elastic 1 100.
             element zeroLength 1 1 2 -mat 1 -dir 1
-            element zeroLength 2 2 3 -mat 1 -dir 1
-            timeSeries Constant 2
-            pattern UniformExcitation 2 1 -accel 2
-            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
-            integrator Newmark 0.5 0.25
-            analysis Transient
-            analyze 2 0.01\n";
-        let (inventory, study) = (inventory_of(text), pad_study());
+            element zeroLength 2 2 3 -mat 1 -dir 1";
+        let (inventory, study) = (shaken_inventory(text), pad_study());
         let walls = |displacement_bounds: [f64; 2]| -> Vec<(String, String)> {
             let motion = NodeMotion { velocity: 1.0, acceleration: 10.0, displacement_bounds };
             let node_motions = [((2, 1), motion), ((3, 1), motion)].into();

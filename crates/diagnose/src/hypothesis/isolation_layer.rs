@@ -1,7 +1,7 @@
 //! An isolation layer that the model leaves out: friction pendulums or rubber bearings below a structure on a fixed base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::support_springs::{FreedSupports, SupportSpring, carrying_supports, horizontal_dofs};
+use super::support_springs::{FreedSupports, MAX_JOINT_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::dominant_period::dominant_period;
 use crate::inspect::inventory::{Support, TagPurpose, grouped};
@@ -56,8 +56,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// Supports that share a layer, at most.
-const MAX_SUPPORTS: usize = 20;
 /// Period of the layer over that of the structure as one mass on the stiffness above its supports: range and further starts.
 /// Isolated structures have more than three times their fixed-base period (ASCE/SEI 7-10, 17.4.1); a layer with less than twice
 /// isolates little.
@@ -87,7 +85,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         return vec![];
     }
     let groups = grouped(supports, |a, b| a.fixed == b.fixed);
-    groups.iter().filter(|g| g.len() <= MAX_SUPPORTS).filter_map(|g| layer(s, g)).collect()
+    groups.iter().filter(|g| g.len() <= MAX_JOINT_SUPPORTS).filter_map(|g| layer(s, g)).collect()
 }
 
 /// A layer of equal bearings below some supports; none where the model has no mass, force or stiffness.

@@ -1,7 +1,7 @@
 //! Supports that the motion of the ground reaches later or earlier than the others.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::support_springs::{carrying_supports, horizontal_dofs};
+use super::support_springs::{MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, carrying_supports, horizontal_dofs};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::inventory::Support;
 
@@ -33,9 +33,6 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// Supports that are late one at a time, at most, and together.
-const MAX_SINGLE_SUPPORTS: usize = 6;
-const MAX_JOINT_SUPPORTS: usize = 20;
 /// Largest delay, s, and starts. Apparent velocities of waves are 0.3 to 5 km/s (Der Kiureghian 1996, A coherency model for
 /// spatially varying ground motions), and bridges some hundred metres long.
 const MAX_DELAY: f64 = 0.5;
@@ -44,7 +41,7 @@ const DELAY_STARTS: [f64; 7] = [-0.2, -0.1, -0.04, 0.02, 0.08, 0.15, 0.3];
 const APART: f64 = 0.1;
 
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
-    if !s.inventory.base_excited || s.inventory.ndm < 2 {
+    if !s.inventory.uniformly_excited || s.inventory.ndm < 2 {
         return vec![];
     }
     let supports: Vec<&Support> =
@@ -106,9 +103,8 @@ fn passing_wave(
 #[cfg(test)]
 mod tests {
     use super::propose;
-    use crate::inspect::probe::tests::inventory_of;
     use crate::inspect::response::ResponseRanges;
-    use crate::test_support::{pad_study, proposal_context};
+    use crate::test_support::{inventory_under, pad_study, proposal_context};
 
     /// Piers that stand apart are late alone or one after the other; a structure on one support is not.
     #[test]
@@ -124,15 +120,10 @@ mod tests {
                     element elasticBeamColumn $n $n 1$n 1. 1e3 1. 1
                     if {{$before}} {{element elasticBeamColumn 2$n $before 1$n 1. 1e3 1. 1}}
                     set before 1$n
-                }}
-                timeSeries Path 2 -dt 0.01 -values {{0. 1. 0.}}
-                pattern {pattern}
-                constraints Plain; numberer Plain; system FullGeneral; algorithm Linear
-                integrator Newmark 0.5 0.25
-                analysis Transient
-                analyze 2 0.01\n"
+                }}"
             );
-            let (inventory, study, responses) = (inventory_of(&text), pad_study(), ResponseRanges::default());
+            let (inventory, study, responses) =
+                (inventory_under(&text, pattern), pad_study(), ResponseRanges::default());
             let proposals = propose(&proposal_context(&inventory, &study, &responses));
             proposals.into_iter().map(|p| (p.location, p.commands.join("; "))).collect()
         };

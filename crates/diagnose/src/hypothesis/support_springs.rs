@@ -4,6 +4,10 @@ use super::ProposalContext;
 use super::context::node_coordinates;
 use crate::inspect::inventory::{ModelInventory, Support, TagPurpose};
 
+/// Supports that change one at a time, at most, and together.
+pub(super) const MAX_SINGLE_SUPPORTS: usize = 6;
+pub(super) const MAX_JOINT_SUPPORTS: usize = 20;
+
 /// A spring in some degrees of freedom, equal at all supports.
 pub(super) struct SupportSpring<'a> {
     /// Kinds of the materials side by side, with their words behind the tag.

@@ -89,6 +89,8 @@ pub(crate) struct ModelInventory {
     pub(crate) adjacent: Vec<AdjacentNodes>,
     /// True if the ground is excited; false if motions of nodes are imposed.
     pub(crate) base_excited: bool,
+    /// True if one motion excites all supports.
+    pub(crate) uniformly_excited: bool,
     /// Diagonal of the box around all nodes, length.
     pub(crate) extent: f64,
     /// Heights, and which of them count as one.
@@ -200,7 +202,7 @@ impl ModelInventory {
         out.columns = columns(model, &out.beams);
         out.girders = girders(model, &out.beams);
         out.adjacent = adjacent_nodes(model, &out.devices);
-        out.base_excited = is_base_excited(model);
+        out.note_excitation(model);
         out.extent = extent(model);
         out.heights = HeightRule::of_model(model);
         out.coordinates =
@@ -210,6 +212,13 @@ impl ModelInventory {
         let largest = model.node_tags().chain(model.element_tags()).max().unwrap_or(0);
         out.first_free_tag = (largest + 1).max(MIN_ADDED_TAG);
         out
+    }
+
+    /// Notes the excitations of a model, beside those known already.
+    pub(crate) fn note_excitation(&mut self, model: &Model) {
+        let has = |is: fn(&PatternKind) -> bool| model.patterns.values().any(|p| is(&p.kind));
+        self.base_excited |= has(|k| !matches!(k, PatternKind::Plain { .. }));
+        self.uniformly_excited |= has(|k| matches!(k, PatternKind::Uniform(_)));
     }
 
     /// The same with dashpots in the place of devices, where no device has a stiffness.
@@ -287,11 +296,6 @@ pub(crate) fn grouped<'a, T>(all: impl IntoIterator<Item = &'a T>, alike: impl F
         }
     }
     groups
-}
-
-/// Returns true if a pattern excites the ground.
-pub(crate) fn is_base_excited(model: &Model) -> bool {
-    model.patterns.values().any(|p| !matches!(p.kind, PatternKind::Plain { .. }))
 }
 
 /// Diagonal of the box around all nodes.

@@ -1,7 +1,7 @@
 //! Runs of the script that show where commands can be inserted, what the model consists of and how far it moves.
 
 use super::insertion::{InsertionPoint, insert, insertion_point};
-use super::inventory::{Mass, ModelInventory, is_base_excited};
+use super::inventory::{Mass, ModelInventory};
 use super::response::{NodeMotion, ResponseHistory, ResponseRanges};
 use hysteron_identify::study::{ObservedChannel, Role, Simulator, SimulatorFactory, Study};
 use hysteron_tcl::top_level;
@@ -40,7 +40,10 @@ pub(crate) fn inspect_model(
         // The first steps may be those of the weight, with the excitation defined after them. A final `wipe` removes it.
         let wiped = commands[low..].iter().find(|c| c.name == "wipe").map_or(text.len(), |c| c.start);
         let whole = factory.simulator_of_script(study.clone(), &text[..wiped]);
-        inventory.base_excited |= whole.inspect_model(0, values, |e| is_base_excited(e.model()));
+        let inventory = whole.inspect_model(0, values, |e| {
+            inventory.note_excitation(e.model());
+            inventory
+        });
         return Some((insertion_point(&commands, low, true), inventory));
     }
     // One command makes the model and analyses it, so that only the final model can be inspected.

@@ -4,6 +4,7 @@ use super::again::Checked;
 use super::{massless_floors, unloaded_bearings};
 use crate::checks;
 use crate::host::Mode;
+use crate::load::late_support;
 use crate::session::Session;
 use crate::{Tcl, warn};
 use hysteron_engine::analysis::{Engine, Kind};
@@ -61,7 +62,8 @@ pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<()
     }
     excitations(interp, dt, span)?;
     let engine = &interp.host.engine;
-    let forgotten = [unloaded_bearings::finding(engine), massless_floors::finding(engine)];
+    let late = late_support::finding(&interp.host.builder.late_supports, engine.model());
+    let forgotten = [unloaded_bearings::finding(engine), massless_floors::finding(engine), late];
     forgotten.into_iter().flatten().try_for_each(|d| warn_once(interp, d.place(span)))?;
     stability(interp, dt, span)
 }

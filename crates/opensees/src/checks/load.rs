@@ -34,6 +34,9 @@ hysteron_tcl::checks! {
     NO_MASS "no-mass" (once):
         "A pattern moves the ground along a direction in which the model has no mass.",
         "The excitation has no effect. The command \"mass\" or a density gives the model one.";
+    LATE_WITHOUT_MOTION "late-without-motion" (once):
+        "A support is late, and no uniform excitation moves the model.",
+        "The delay has no effect. It counts under \"pattern UniformExcitation\".";
     COARSE_STEPS "coarse-steps" (once):
         "The steps of an analysis are several times as long as those of the record.",
         "Most of the record is passed over. Take steps not longer than those of the record.";

@@ -4,9 +4,11 @@
 //! the difference of the delayed motion and the motion itself.
 
 use crate::args::Args;
+use crate::checks;
 use crate::{Outcome, Tcl, finish};
-use hysteron_engine::model::{Ground, GroundMotion, NodeId, PatternKind, SupportMotion, Tag};
+use hysteron_engine::model::{Ground, GroundMotion, Model, NodeId, PatternKind, SupportMotion, Tag};
 use hysteron_engine::series::{Delayed, Series};
+use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
@@ -16,7 +18,7 @@ const OPTION: &str = "-by";
 /// A support with its delay.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LateSupport {
-    node: NodeId,
+    node: Tag,
     /// Delay, s; negative for a support that the motion reaches earlier.
     delay: f64,
 }
@@ -29,8 +31,8 @@ pub(crate) fn late(interp: &mut Tcl, a: &mut Args<'_>, node: NodeId) -> Outcome 
     }
     let delay = a.float("delay of the support")?;
     finish(interp, a)?;
-    let support = LateSupport { node, delay };
     let model = interp.host.engine.model();
+    let support = LateSupport { node: model.nodes[node.0].tag, delay };
     let is_uniform = |kind: &PatternKind| matches!(kind, PatternKind::Uniform(_));
     let uniform: Vec<Tag> = model.patterns.iter().filter(|(_, p)| is_uniform(&p.kind)).map(|(tag, _)| *tag).collect();
     for tag in uniform {
@@ -52,17 +54,18 @@ pub(crate) fn move_late_supports(interp: &mut Tcl, a: &Args<'_>, pattern: Tag) -
 fn move_late(interp: &mut Tcl, a: &Args<'_>, support: LateSupport, pattern: Tag) -> Result<(), Exception> {
     let model = interp.host.engine.model();
     let Some(PatternKind::Uniform(excitation)) = model.patterns.get(&pattern).map(|p| &p.kind) else { return Ok(()) };
-    let (dof, node) = (excitation.direction, &model.nodes[support.node.0]);
+    // A support that has been removed moves no more.
+    let Some(id) = model.node(support.node) else { return Ok(()) };
+    let (dof, node, tag) = (excitation.direction, &model.nodes[id.0], support.node);
     if dof >= node.ndm() {
         let label = "expected translations of the ground alone";
         return Err(a.refuse("a support is late, and the ground turns", label));
     }
-    let tag = node.tag;
-    if dof >= node.ndf || !model.fixes.iter().any(|f| f.node == support.node && f.dof == dof) {
+    if dof >= node.ndf || !model.fixes.iter().any(|f| f.node == id && f.dof == dof) {
         let message = format!("node {tag} is no support in direction {}", dof + 1);
         return Err(a.refuse(message, "expected a node that is fixed in the direction of the excitation"));
     }
-    if model.patterns.values().flat_map(|p| &p.motions).any(|m| m.node == support.node && m.dof == dof) {
+    if model.patterns.values().flat_map(|p| &p.motions).any(|m| m.node == id && m.dof == dof) {
         let message = format!("node {tag} is moved in direction {} by another pattern", dof + 1);
         return Err(a.refuse(message, "expected one motion of a late support"));
     }
@@ -74,11 +77,20 @@ fn move_late(interp: &mut Tcl, a: &Args<'_>, support: LateSupport, pattern: Tag)
     let tag = interp.host.sp_tag();
     interp.host.engine.change_model(|m| {
         if let Some(p) = m.patterns.get_mut(&pattern) {
-            let node = support.node;
-            p.motions.push(SupportMotion { node, dof, value: 1.0, constant: false, initial: 0.0, tag, ground });
+            p.motions.push(SupportMotion { node: id, dof, value: 1.0, constant: false, initial: 0.0, tag, ground });
         }
     });
     Ok(())
+}
+
+/// A late support of a model that no uniform excitation moves.
+pub(crate) fn finding(late: &[LateSupport], model: &Model) -> Option<Diagnostic> {
+    let support = late.first()?;
+    if model.patterns.values().any(|p| matches!(p.kind, PatternKind::Uniform(_))) {
+        return None;
+    }
+    let message = format!("node {} is a late support, and no uniform excitation moves the model", support.node);
+    Some(Diagnostic::warning(&checks::load::LATE_WITHOUT_MOTION, message))
 }
 
 /// The delayed motion less the motion; `None` for one without an end.

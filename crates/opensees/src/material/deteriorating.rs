@@ -44,7 +44,7 @@ const RATES: [Arg; 4] = [
     Arg::number("cA", "rate of deterioration c of the reloading stiffness"),
     Arg::number("cK", "rate of deterioration c of the unloading stiffness"),
 ];
-/// Those of the bilinear hinge, which does not reload towards a peak.
+/// Capacities and rates of the bilinear hinge, which does not reload towards a peak.
 const BILINEAR_CAPACITIES: [Arg; 3] = [CAPACITIES[0], CAPACITIES[1], CAPACITIES[3]];
 const BILINEAR_RATES: [Arg; 3] = [RATES[0], RATES[1], RATES[3]];
 const SIDES: [Arg; 2] = [
