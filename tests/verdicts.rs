@@ -12,6 +12,8 @@
 mod imposed;
 #[path = "verdicts/invariance.rs"]
 mod invariance;
+#[path = "verdicts/parts.rs"]
+mod parts;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
 #[path = "verdicts/structures.rs"]
@@ -68,6 +70,12 @@ const TABLE: &[Row] = &[
     ("late pier", "late_support", "late_support", 95),
     ("passing wave", "late_support", "late_support", 95),
     ("bridge at one time", "none", "none", 85),
+    ("yielding footing", "foundation_flexibility", "foundation_flexibility", 95),
+    ("louder pier", "unknown", "unknown", 95),
+    ("cracking infill", "superstructure_yielding", "superstructure_yielding", 95),
+    ("added damper", "damping", "damping", 95),
+    ("partitions", "damping", "damping", 95),
+    ("middle layer", "isolation_layer", "isolation_layer", 95),
     ("soft ground", "foundation_flexibility", "foundation_flexibility", 90),
     ("pendulums", "isolation_layer", "isolation_layer", 95),
     ("heavy soft ground", "foundation_flexibility", "foundation_flexibility", 95),
@@ -117,6 +125,12 @@ const STUDIES: &[Named] = &[
     ("late pier", structures::late_pier),
     ("passing wave", structures::passing_wave),
     ("bridge at one time", structures::bridge_at_one_time),
+    ("yielding footing", structures::yielding_footing),
+    ("louder pier", structures::louder_pier),
+    ("cracking infill", parts::cracking_infill),
+    ("added damper", parts::added_damper),
+    ("partitions", parts::partitions),
+    ("middle layer", parts::middle_layer),
     ("soft ground", shaken::soft_ground),
     ("pendulums", shaken::pendulums),
     ("heavy soft ground", shaken::heavy_soft_ground),

@@ -36,7 +36,7 @@ pub fn moved<const N: usize>(ground: &[f64], rate: impl Fn(&[f64; N], f64) -> [f
 }
 
 /// Rate of the hysteretic variable of Bouc and Wen with an exponent of one.
-fn bouc_wen(v: f64, z: f64, uy: f64) -> f64 {
+pub fn bouc_wen(v: f64, z: f64, uy: f64) -> f64 {
     v / uy * (1.0 - 0.5 * z.abs() * (1.0 + (v * z).signum()))
 }
 

@@ -1,6 +1,6 @@
 //! Structures on footings and beside neighbours: motions by Runge's and Kutta's method.
 
-use super::shaken::{SHAKE, damped_storeys, disp, displacements, moved, storeys, study, study_of_tones};
+use super::shaken::{SHAKE, bouc_wen, damped_storeys, disp, displacements, moved, storeys, study, study_of_tones};
 use super::studies::Concealed;
 
 /// Two masses on a column that the model fixes at its foot.
@@ -12,17 +12,18 @@ fn column() -> String {
     format!("{model}{SHAKE}")
 }
 
-/// A column on a footing with a moment that depends on its rotation, and a dashpot.
-fn column_on_footing(moment: impl Fn(f64) -> f64) -> Concealed {
+/// A column on a footing with a dashpot and a moment that depends on its rotation and a hysteretic variable, which yields at
+/// 0.001.
+fn column_on_footing(moment: impl Fn(f64, f64) -> f64) -> Concealed {
     // The stiffness of the masses is the inverse of the flexibility of a cantilever, 3 and 6 high.
     let (k, dashpot) = (5000.0 / 141.75, 60.0);
     let channels = [disp("lower", 1), disp("upper", 2)];
     study(column(), vec![("EI", 1000.0, 20000.0), ("alpha", 0.05, 3.0)], channels, |ground| {
-        let states = moved(ground, |&[x, v, y, w, turned], a| {
+        let states = moved(ground, |&[x, v, y, w, turned, z], a| {
             let (below, above) = (x - 3.0 * turned, y - 6.0 * turned);
             let (lower, upper) = (k * (72.0 * below - 22.5 * above), k * (9.0 * above - 22.5 * below));
-            let turns = (3.0 * lower + 6.0 * upper - moment(turned)) / dashpot;
-            [v, -lower - 0.6 * v - a, w, -upper - 0.6 * w - a, turns]
+            let turns = (3.0 * lower + 6.0 * upper - moment(turned, z)) / dashpot;
+            [v, -lower - 0.6 * v - a, w, -upper - 0.6 * w - a, turns, bouc_wen(turns, z, 0.001)]
         });
         displacements(&states, [0, 2])
     })
@@ -33,15 +34,20 @@ fn column_on_footing(moment: impl Fn(f64) -> f64) -> Concealed {
 pub fn lifting_footing() -> Concealed {
     let (stiffness, lift) = (12000.0, 14.0);
     let at = lift / stiffness;
-    column_on_footing(move |turned: f64| match turned.abs() {
+    column_on_footing(move |turned: f64, _| match turned.abs() {
         small if small <= at => stiffness * turned,
         large => turned.signum() * lift * (3.0 - 2.0 * (at / large).sqrt()),
     })
 }
 
+/// Soil under a footing that yields smoothly as it rocks.
+pub fn yielding_footing() -> Concealed {
+    column_on_footing(|turned, z| 3000.0 * turned + 10.0 * z)
+}
+
 /// Look-alike of a footing that lifts off: elastic ground below it.
 pub fn rocking_footing() -> Concealed {
-    column_on_footing(|turned| 9000.0 * turned)
+    column_on_footing(|turned, _| 9000.0 * turned)
 }
 
 /// A neighbour beside the upper storey that no model has, behind a gap: one mass on a spring, with the contact of Hunt and
@@ -85,16 +91,16 @@ fn ground_displacement(tones: [f64; 3], t: f64) -> f64 {
 }
 
 /// The ground moves below each pier later by a time.
-fn bridge(delays: [f64; 3]) -> Concealed {
+fn bridge(delays: [f64; 3], scales: [f64; 3]) -> Concealed {
     let model = format!("{BRIDGE}{}", SHAKE.replace("-node 2 3 -dof 1 disp", "-node 11 12 13 -dof 1 disp"));
     let channels = [disp("first", 1), disp("second", 2), disp("third", 3)];
     study_of_tones(model, vec![("k", 40.0, 250.0), ("alpha", 0.05, 3.0)], channels, move |tones, ground| {
         let states = moved(ground, |&[u1, v1, u2, v2, u3, v3, t]: &[f64; 7], a| {
             let now = ground_displacement(tones, t);
             let pier =
-                |u: f64, v: f64, late: f64| -110.0 * (u - ground_displacement(tones, t - late) + now) - 0.6 * v - a;
+                |u: f64, v: f64, i: usize| -110.0 * (u - scales[i] * ground_displacement(tones, t - delays[i]) + now) - 0.6 * v - a;
             let (one, two) = (400.0 * (u2 - u1), 400.0 * (u3 - u2));
-            let [first, second, third] = [pier(u1, v1, delays[0]), pier(u2, v2, delays[1]), pier(u3, v3, delays[2])];
+            let [first, second, third] = [pier(u1, v1, 0), pier(u2, v2, 1), pier(u3, v3, 2)];
             [v1, first + one, v2, second + two - one, v3, third - two, 1.0]
         });
         displacements(&states, [0, 2, 4])
@@ -103,15 +109,20 @@ fn bridge(delays: [f64; 3]) -> Concealed {
 
 /// The ground motion reaches the last pier late.
 pub fn late_pier() -> Concealed {
-    bridge([0.0, 0.0, 0.11])
+    bridge([0.0, 0.0, 0.11], [1.0; 3])
 }
 
 /// A wave passes below the bridge.
 pub fn passing_wave() -> Concealed {
-    bridge([0.0, 0.05, 0.1])
+    bridge([0.0, 0.05, 0.1], [1.0; 3])
 }
 
 /// Look-alike of a late pier: nothing is missing.
 pub fn bridge_at_one_time() -> Concealed {
-    bridge([0.0; 3])
+    bridge([0.0; 3], [1.0; 3])
+}
+
+/// Soft soil below the last pier shakes it more than the others.
+pub fn louder_pier() -> Concealed {
+    bridge([0.0; 3], [1.0, 1.0, 1.4])
 }

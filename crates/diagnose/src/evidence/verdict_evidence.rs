@@ -39,7 +39,7 @@ pub struct VerdictEvidence {
     pub fitted_runs: usize,
     /// Number of fitted channels, over all runs.
     pub channels: usize,
-    /// Causes left out because runs held out had refuted their repair.
+    /// Causes of which runs held out had refuted a repair, which was left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
     /// Repairs that the runs held out have judged.
@@ -149,7 +149,7 @@ pub(crate) struct RankedStudy<'a> {
     pub(crate) baseline: &'a FittedHypothesis,
     pub(crate) ranked: &'a [FittedHypothesis],
     pub(crate) bootstrap: Option<&'a BootstrapResult>,
-    /// Causes left out because runs held out had refuted their repair.
+    /// Causes of which runs held out had refuted a repair, which was left out.
     pub(crate) left_out: &'a [&'static str],
     pub(crate) recorded: &'a RecordedEvidence,
 }

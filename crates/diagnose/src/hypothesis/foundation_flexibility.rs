@@ -1,6 +1,8 @@
 //! Flexible soil or supports below a fixed base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
+use super::materials::STEEL02_TRANSITION;
+use super::superstructure_yielding::STRENGTH_STARTS;
 use super::support_springs::{
     FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs,
     largest_stiffness,
@@ -17,7 +19,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "a longer period than the model's; a base that moves or rocks against the free field",
     parted_by: "the period is longer at small amplitudes too, which yielding does not explain",
     place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
-    forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields; a footing with mass; a footing that lifts off",
+    forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields in sliding or rocking; a footing with mass; a footing that lifts off",
     needs_clock: false,
     memory: &[],
     materials: &[],
@@ -34,6 +36,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("rocking_dashpot", "rocking damping", Dimension::RotationalDashpot),
         Quantity::new("sway_yield", "yield force", Dimension::Force),
         Quantity::new("sway_hardening", "hardening ratio", Dimension::Ratio),
+        Quantity::new("rocking_yield", "yield moment", Dimension::Moment),
+        Quantity::new("rocking_plastic", "rocking stiffness after yielding", Dimension::RotationalStiffness),
         Quantity::new("rocking_lift", "moment at which the footing lifts off", Dimension::Moment),
         Quantity::new(
             "rocking_lifted",
@@ -85,12 +89,22 @@ enum Addition {
     Yielding {
         force: f64,
     },
+    /// Yielding in rocking without dashpots, with a scale of the yield moment.
+    Bearing {
+        moment: f64,
+    },
     /// A footing with mass.
     Footing,
     /// Lift-off of the footing, with a scale of its moment.
     Lifting {
         moment: f64,
     },
+}
+
+impl Addition {
+    fn has_dashpot(self) -> bool {
+        !matches!(self, Self::NoDashpot | Self::Bearing { .. })
+    }
 }
 
 /// Adds all forms of equal springs and dashpots below some supports.
@@ -122,14 +136,14 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         let block = freed.commands(&springs, is_footing.then_some("footing"));
         out.push(Proposal::script_edit("foundation_flexibility", form, at.clone(), block, added));
     };
+    // Yielding shows below elements that do not yield themselves, in sliding where amplitudes differ.
+    let softens = |tag: &i32| s.inventory.devices.iter().any(|d| d.tag == *tag && !d.linear);
+    let is_softest = !supports.iter().any(|p| p.elements.iter().any(softens));
     if !horizontal.is_empty() {
         form("horizontal spring", &[("sway", &horizontal)], Addition::None);
         form("horizontal spring without a dashpot", &[("sway", &horizontal)], Addition::NoDashpot);
-        // Yielding shows where amplitudes differ, below elements that do not yield themselves.
         let force = s.responses.largest_force();
-        let softens = |tag: &i32| s.inventory.devices.iter().any(|d| d.tag == *tag && !d.linear);
-        let below = supports.iter().any(|p| p.elements.iter().any(softens));
-        if force > 0.0 && !below && amplitudes_differ(s.study) {
+        if force > 0.0 && is_softest && amplitudes_differ(s.study) {
             form("horizontal spring that yields", &[("sway", &horizontal)], Addition::Yielding { force });
         }
         if total > 0.0 {
@@ -140,6 +154,9 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         form("rocking spring", &[("rocking", &rocking)], Addition::None);
         form("rocking spring without a dashpot", &[("rocking", &rocking)], Addition::NoDashpot);
         let moment = largest_moment(s, supports);
+        if moment > 0.0 && is_softest {
+            form("rocking spring that yields", &[("rocking", &rocking)], Addition::Bearing { moment });
+        }
         if moment > 0.0 {
             form("rocking spring of a footing that lifts off", &[("rocking", &rocking)], Addition::Lifting { moment });
         }
@@ -162,18 +179,22 @@ fn largest_moment(s: &ProposalContext<'_>, supports: &[&Support]) -> f64 {
 
 /// Materials of a spring side by side.
 ///
+/// Soil that yields in rocking has the law of a hinge at the foot of a column, from which no motion above parts it.
 /// A footing that lifts off comes down on the way on which it went up, without a loss in the spring: Psycharis and Jennings
 /// (1983), Rocking of slender rigid bodies allowed to uplift, Earthquake Engineering and Structural Dynamics 11.
 fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String)> {
     let law = match addition {
         Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
+        Addition::Bearing { .. } => {
+            ("Steel02", format!("$hy_{name}_yield $hy_{name} [expr {{$hy_{name}_plastic/$hy_{name}}}] {STEEL02_TRANSITION}"))
+        }
         Addition::Lifting { .. } => (
             "ElasticBilin",
             format!("$hy_{name} [expr {{$hy_{name}*$hy_{name}_lifted}}] [expr {{$hy_{name}_lift/$hy_{name}}}]"),
         ),
         Addition::None | Addition::NoDashpot | Addition::Footing => ("Elastic", format!("$hy_{name}")),
     };
-    let dashpot = (addition != Addition::NoDashpot).then(|| ("Viscous", format!("$hy_{name}_dashpot 1.0")));
+    let dashpot = addition.has_dashpot().then(|| ("Viscous", format!("$hy_{name}_dashpot 1.0")));
     std::iter::once(law).chain(dashpot).collect()
 }
 
@@ -183,13 +204,21 @@ const LIFT_STARTS: [f64; 2] = [0.7, 0.25];
 /// Parameters of a spring on the scale of its stiffness.
 fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedParameter> {
     let mut added = vec![AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale)];
-    if addition != Addition::NoDashpot {
+    if addition.has_dashpot() {
         added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
     }
     match addition {
         Addition::Yielding { force } => {
             added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
             added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
+        }
+        Addition::Bearing { moment } => {
+            // As a hinge at the foot of the column: it starts stiff, since the fitted model has lost some stiffness already.
+            added[0] = AddedParameter::log(name, 0.05 * scale, 100.0 * scale, 30.0 * scale);
+            let strength = AddedParameter::log(&format!("{name}_yield"), 0.03 * moment, 3.0 * moment, 0.9 * moment);
+            let further_starts = STRENGTH_STARTS.map(|part| part * moment).into();
+            added.insert(0, AddedParameter { further_starts, ..strength });
+            added.push(AddedParameter::log(&format!("{name}_plastic"), 1e-3 * scale, scale, 0.05 * scale));
         }
         Addition::Lifting { moment } => {
             let lift = AddedParameter::log(&format!("{name}_lift"), 0.03 * moment, 3.0 * moment, 0.45 * moment);
@@ -232,9 +261,10 @@ mod tests {
                 .collect()
         };
         let springs = ["rocking spring: hy_rocking hy_rocking_dashpot", "rocking spring without a dashpot: hy_rocking"];
+        let yields = "rocking spring that yields: hy_rocking_yield hy_rocking hy_rocking_plastic";
         assert_eq!(rocking(forms(None)), springs);
         let lifts = "rocking spring of a footing that lifts off: \
                      hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";
-        assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], lifts]);
+        assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], yields, lifts]);
     }
 }

@@ -1,6 +1,7 @@
 //! Yielding of the structure above the base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
+use super::materials::STEEL02_TRANSITION;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TagPurpose};
@@ -12,7 +13,7 @@ const MAX_SINGLE_SPRINGS: usize = 12;
 
 /// Starts of the strength over the largest elastic force. The minimum of a slight yielding is narrow: a structure that yields
 /// much more, or not at all, moves quite differently.
-const STRENGTH_STARTS: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
+pub(super) const STRENGTH_STARTS: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "superstructure_yielding",
@@ -114,7 +115,7 @@ fn hinges(s: &ProposalContext<'_>, columns: &[&FrameMember], ends: Ends) -> Opti
     }
     let material = s.inventory.first_tag(TagPurpose::Hinges);
     let mut block = vec![format!(
-        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] 18.0 0.925 0.15"
+        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] {STEEL02_TRANSITION}"
     )];
     // A column may be defined from its head.
     let (from_foot, from_head): (Vec<&FrameMember>, Vec<&FrameMember>) =

@@ -112,6 +112,8 @@ pub(crate) enum TagPurpose {
     Foundation,
     /// Bearings of an isolation layer below supports.
     IsolationLayer,
+    /// Bearings of an isolation layer between storeys.
+    MiddleLayer,
     /// Materials of plastic hinges.
     Hinges,
     /// Nodes of eccentric masses.
@@ -145,6 +147,7 @@ impl ModelInventory {
             + match purpose {
                 TagPurpose::Foundation => 0,
                 TagPurpose::IsolationLayer => 200,
+                TagPurpose::MiddleLayer => 400,
                 TagPurpose::Hinges => 500,
                 TagPurpose::Masses => 600,
                 TagPurpose::Regions => 700,

@@ -22,6 +22,7 @@ pub(crate) mod frame_members;
 pub(crate) mod heights;
 pub(crate) mod insertion;
 pub(crate) mod inventory;
+pub(crate) mod levels;
 pub(crate) mod probe;
 pub(crate) mod response;
 pub(crate) mod saturation;

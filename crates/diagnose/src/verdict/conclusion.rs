@@ -70,7 +70,7 @@ pub(super) struct Ranking<'a> {
     /// Best first, with steps as short as necessary.
     pub(super) ranked: &'a [FittedHypothesis],
     pub(super) bootstrap: Option<BootstrapResult>,
-    /// Causes left out because runs held out had refuted their repair.
+    /// Causes of which runs held out had refuted a repair, which was left out.
     pub(super) left_out: &'a [&'static str],
 }
 
@@ -100,10 +100,15 @@ impl Repair {
         self.judgement.refutes() || self.limits.iter().any(|l| l.most == 0.0)
     }
 
-    /// Its cause, or that of a faulty channel beside it, which bends to anything.
-    fn most_flexible_cause(&self) -> &'static str {
-        let second = self.hypothesis.second_cause().filter(|c| is_sensor_fault(c));
-        second.unwrap_or(self.hypothesis.cause())
+    /// Its effect, or the faulty channel beside it, which bends to anything; none for the user's model.
+    fn most_flexible_effect(&self) -> Option<RefutedEffect> {
+        let (e, second) = (&self.hypothesis, self.hypothesis.second_cause().filter(|c| is_sensor_fault(c)));
+        let mechanism = || Some(e.variant.mechanism().to_owned()).filter(|_| e.variant.edits_script());
+        match second {
+            Some(cause) => Some(RefutedEffect { cause, mechanism: None }),
+            None if e.cause() == "none" => None,
+            None => Some(RefutedEffect { cause: e.cause(), mechanism: mechanism() }),
+        }
     }
 
     /// Errors of the runs held out, with its causes.
@@ -114,14 +119,29 @@ impl Repair {
     }
 }
 
+/// An effect that runs held out refute.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct RefutedEffect {
+    pub(super) cause: &'static str,
+    /// Its mechanism; none if the cause as a whole is refuted. Ground that rocks may be right where ground that sways is not.
+    mechanism: Option<String>,
+}
+
+impl RefutedEffect {
+    /// Returns true for a hypothesis of this effect.
+    pub(super) fn includes(&self, e: &FittedHypothesis) -> bool {
+        e.cause() == self.cause && self.mechanism.as_ref().is_none_or(|m| *m == e.variant.mechanism())
+    }
+}
+
 /// Cause with the highest probability after the judgement of its repair.
 pub(super) struct JudgedVerdict {
     pub(super) cause: &'static str,
     pub(super) repair: Repair,
     /// Cause of the nearest repair if none is written, because it has no name and worsens the runs held out.
     pub(super) refused: Option<&'static str>,
-    /// Cause to leave out of a further search.
-    pub(super) refuted: Option<&'static str>,
+    /// Effect to leave out of a further search.
+    pub(super) refuted: Option<RefutedEffect>,
     /// Causes, `none` and `unknown`, the most probable first.
     pub(super) probabilities: CauseProbabilities,
 }
@@ -234,12 +254,12 @@ impl VerdictJudge<'_, '_> {
         }
         if cause == "unknown" && repair.is_refused() {
             let nearest = if repaired_cause == "unknown" { self.ranked[0].cause() } else { repaired_cause };
-            let refuted = Some(repair.most_flexible_cause()).filter(|c| *c != "none");
+            let refuted = repair.most_flexible_effect();
             let repair = self.repair(self.baseline.clone())?;
             return Ok(JudgedVerdict { cause, repair, refused: Some(nearest), refuted, probabilities });
         }
         let hardly = matches!(repair.judgement, HoldoutJudgement::PartlyPredicted(share) if share < MIN_REPEATED_SHARE);
-        let refuted = Some(repair.most_flexible_cause()).filter(|_| hardly && !evidence.left_out.is_empty());
+        let refuted = repair.most_flexible_effect().filter(|_| hardly && !evidence.left_out.is_empty());
         Ok(JudgedVerdict { cause, repair, refused: None, refuted, probabilities })
     }
 

@@ -1,6 +1,6 @@
 //! The way from a study to its diagnosis.
 
-use super::conclusion::{ConclusionContext, Ranking, conclude};
+use super::conclusion::{ConclusionContext, Ranking, RefutedEffect, conclude};
 use super::device_loop::DeviceLoop;
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
@@ -74,9 +74,9 @@ pub struct Diagnosis {
     pub structured_share: f64,
     /// Kind of that structure, in words.
     pub structure: String,
-    /// Cause of the best repair if the runs held out refute it and nothing else is named, or if a repeated search has
+    /// Effect of the best repair if the runs held out refute it and nothing else is named, or if a repeated search has
     /// found it and they hardly support it.
-    pub(super) refuted: Option<&'static str>,
+    pub(super) refuted: Option<RefutedEffect>,
 }
 
 /// A ranked hypothesis.
@@ -232,23 +232,26 @@ struct SecondSearch<'a> {
 
 impl SecondSearch<'_> {
     /// Concludes from all single effects. If the runs held out refute the best repair and nothing else is named, the search
-    /// starts again without its cause, as a flexible wrong cause may hide a right one. What is named then must predict them.
+    /// starts again without its effect, as a flexible wrong effect may hide a right one. What is named then must predict them.
     fn until_not_refuted(
         &self,
         scheduler: &mut Scheduler<'_>,
         mut singles: Vec<FittedHypothesis>,
     ) -> Result<Diagnosis, String> {
         let mut left_out: Vec<&'static str> = vec![];
-        let mut first: Option<Diagnosis> = None;
+        let (mut restarts, mut first) = (0, None::<Diagnosis>);
         loop {
             let d = self.conclusion(scheduler, &singles, &left_out)?;
-            let Some(refuted) = d.refuted.filter(|_| left_out.len() < MAX_RESTARTS) else {
+            let Some(refuted) = d.refuted.clone().filter(|_| restarts < MAX_RESTARTS) else {
                 let stands = d.refuted.is_none() && !matches!(d.outcome.verdict.cause.as_str(), "none" | "unknown");
                 return Ok(first.filter(|_| !stands).unwrap_or(d));
             };
             first.get_or_insert(d);
-            left_out.push(refuted);
-            singles.retain(|e| e.cause() != refuted);
+            restarts += 1;
+            if !left_out.contains(&refuted.cause) {
+                left_out.push(refuted.cause);
+            }
+            singles.retain(|e| !refuted.includes(e));
         }
     }
 

@@ -94,7 +94,7 @@ pub(super) fn present(
         evaluations,
         structured_share: decision.structure.share,
         structure: decision.structure.description,
-        refuted: decision.verdict.refuted,
+        refuted: decision.verdict.refuted.clone(),
     }
 }
 

@@ -61,7 +61,7 @@ pub(super) fn verdict_in_words(
     text += &repair.judgement.description();
     if !left_out.is_empty() {
         text += &format!(
-            " The runs held out refuted {} before, so that the search began again without.",
+            " The runs held out refuted {} before, so that the search began again without that repair.",
             left_out.join(" and ")
         );
     }

@@ -218,6 +218,16 @@ impl Model {
         self.touch();
     }
 
+    /// Put the ends of an element that are at one node to another one with as many degrees of freedom.
+    pub fn move_element_ends(&mut self, id: ElementId, from: NodeId, to: NodeId) {
+        let e = &mut self.elements[id.0];
+        e.nodes.iter_mut().filter(|n| **n == from).for_each(|n| *n = to);
+        let dofs = e.nodes.iter().flat_map(|n| self.nodes[n.0].dofs()).map(|d| d as u32).collect::<Vec<_>>();
+        debug_assert_eq!(dofs.len(), e.dofs.len());
+        e.dofs = dofs;
+        self.touch();
+    }
+
     /// Give all elements their variables anew.
     fn place_elements(&mut self) {
         (self.state_len, self.force_len, self.load_len) = (0, 0, 0);

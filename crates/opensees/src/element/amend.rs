@@ -58,6 +58,8 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
         Arg::flag("-beyond", "`clamp` or `continue`: what slow variables do beyond their range"),
         Arg::of("-mat", "mat", "tag of a law, moment over rotation"),
         Arg::flag("-end", "one end, `i` or `j`; both where it is left out"),
+        Arg::of("-from", "old", "tag of the node at which the elements have ends"),
+        Arg::of("-to", "new", "tag of a node in the same place, which takes the ends over"),
         Arg::new("other", "tag of the node whose mass-proportional damping counts"),
         Arg::of(
             "-by",
@@ -75,6 +77,7 @@ const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-di
                      amend element $tag <$tag ...> learned -range $U $V $T -hysteresis $form $level $strength <-spring $k> <-piece $side $at $k ...> <-moving $k> <-curve $slope ...> <-unequal $strength> <-stop $level $strength ...> <-maxwell $time $k ...> <-dashpot $power $c ...> <-viscous $width $force ...> <-work $D> <-factor $part $variable ...> <-channel $name $mean $deviation ...> <-force $name $a $low $high ...> <-series $ts ...> <-beyond clamp|continue> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> learned -file $file <-series $ts ...> <-dir $dir1 <$dir2>> | \
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
+                     amend element $tag <$tag ...> ends -from $old -to $new | \
                      amend node $tag dampedAs $other | amend node $tag late -by $delay | \
                      amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>";
 

@@ -349,6 +349,7 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
         }),
     },
     AmendmentKind { name: "hinges", about: "", options: &[], make: Words(joints::hinge) },
+    AmendmentKind { name: "ends", about: "", options: &[], make: Words(joints::move_ends) },
     AmendmentKind {
         name: "learned",
         about: "A law with memory in place of the element's own, found from recordings.",

@@ -1,6 +1,7 @@
 //! Amendments of the joints between nodes and elements.
 
 use crate::args::Args;
+use crate::model::nodes::node_of;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::Hinged;
 use hysteron_engine::model::ElementId;
@@ -48,5 +49,31 @@ pub(crate) fn hinge(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) 
             .map_err(|e| a.refuse(e.0, "expected a beam and a material"))?;
         interp.host.engine.replace_elements([(*id, hinged.shared())]);
     }
+    Ok(Value::EMPTY)
+}
+
+/// `amend element $tag ends -from $old -to $new`: elements at one node hang at another one in the same place.
+pub(crate) fn move_ends(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementId]) -> Outcome {
+    const OPTIONS: [&str; 2] = ["-from", "-to"];
+    let mut nodes = [None; 2];
+    while let Some(word) = a.option() {
+        let Some(i) = OPTIONS.iter().position(|o| *o == word) else { return Err(a.unknown_name("option", OPTIONS)) };
+        nodes[i] = Some(node_of(interp, a, ["node of the ends", "node that takes the ends over"][i])?);
+    }
+    let [Some(from), Some(to)] = nodes else {
+        return Err(a.refuse("amend ends: two nodes are needed", "expected -from $old -to $new"));
+    };
+    finish(interp, a)?;
+    let model = interp.host.engine.model();
+    let [old, new] = [&model.nodes[from.0], &model.nodes[to.0]];
+    if old.place() != new.place() || old.ndf != new.ndf {
+        let message = format!("node {} is not at the place of node {} with as many degrees of freedom", new.tag, old.tag);
+        return Err(a.refuse(message, "expected a node with the same coordinates"));
+    }
+    if let Some(other) = elements.iter().map(|id| &model.elements[id.0]).find(|e| !e.nodes.contains(&from)) {
+        let message = format!("element {} has no end at node {}", other.tag, old.tag);
+        return Err(a.refuse(message, "expected elements at that node"));
+    }
+    interp.host.engine.change_model(|m| elements.iter().for_each(|id| m.move_element_ends(*id, from, to)));
     Ok(Value::EMPTY)
 }

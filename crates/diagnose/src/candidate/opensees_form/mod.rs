@@ -64,6 +64,7 @@ const UNTRANSLATED: &[(&str, &str)] = &[
     ("peakOriented", "reloading towards the largest deformation of an elastic element"),
     ("learned", "a law with memory in place of an element's own"),
     ("hinges", "a hinge within a beam"),
+    ("ends", "a command that moves an element to another node"),
 ];
 
 /// The same for a parameter that has another value for a time.
