@@ -4,10 +4,7 @@ use super::shaken::{bouc_wen, damped_storeys, storeys};
 use super::studies::Concealed;
 
 /// Two storeys on the ground with a force more in the lower and in the upper storey, and two further states.
-fn storeys_with(
-    more: impl Fn(&[f64; 6]) -> [f64; 2],
-    rates: impl Fn(&[f64; 6]) -> [f64; 2],
-) -> Concealed {
+fn storeys_with(more: impl Fn(&[f64; 6]) -> [f64; 2], rates: impl Fn(&[f64; 6]) -> [f64; 2]) -> Concealed {
     storeys(damped_storeys(), vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], move |state, a| {
         let [u, v, w, s, ..] = *state;
         let [below, above] = more(state);

@@ -97,8 +97,9 @@ fn bridge(delays: [f64; 3], scales: [f64; 3]) -> Concealed {
     study_of_tones(model, vec![("k", 40.0, 250.0), ("alpha", 0.05, 3.0)], channels, move |tones, ground| {
         let states = moved(ground, |&[u1, v1, u2, v2, u3, v3, t]: &[f64; 7], a| {
             let now = ground_displacement(tones, t);
-            let pier =
-                |u: f64, v: f64, i: usize| -110.0 * (u - scales[i] * ground_displacement(tones, t - delays[i]) + now) - 0.6 * v - a;
+            let pier = |u: f64, v: f64, i: usize| {
+                -110.0 * (u - scales[i] * ground_displacement(tones, t - delays[i]) + now) - 0.6 * v - a
+            };
             let (one, two) = (400.0 * (u2 - u1), 400.0 * (u3 - u2));
             let [first, second, third] = [pier(u1, v1, 0), pier(u2, v2, 1), pier(u3, v3, 2)];
             [v1, first + one, v2, second + two - one, v3, third - two, 1.0]

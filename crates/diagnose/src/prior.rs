@@ -315,6 +315,9 @@ prior! {
     SENSOR_BESIDE_PHYSICS_LOG_ODDS: f64 = 3.0, "nats";
     /// Largest probability of a fault of a sensor beside such an effect. A choice: neither is told from the other.
     SENSOR_BESIDE_PHYSICS_PROBABILITY: f64 = 0.5, "share";
+    /// Largest probability of a cause of which a form is the same model as one of another cause. A choice: it is likely, not well
+    /// supported.
+    SAME_MODEL_PROBABILITY: f64 = 0.75, "share";
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";

@@ -121,6 +121,8 @@ pub(crate) struct Proposal {
     /// True if the effect is a part of the structure, without which the model moves quite differently. Fits from the user's values
     /// miss it.
     pub(crate) is_missing_part: bool,
+    /// Cause of which a form at the same place is the same model: what is seen above it does not tell them apart.
+    pub(crate) same_model: Option<&'static str>,
     /// True if the recording shows the effect by itself, whatever the model.
     pub(crate) visible_in_recording: bool,
 }
@@ -169,6 +171,7 @@ impl Proposal {
             unread: vec![],
             geometric: false,
             is_missing_part: false,
+            same_model: None,
             visible_in_recording: false,
         }
     }

@@ -4,10 +4,10 @@
 //! - [`ranking`]: prior odds, and the order of hypotheses
 //! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
 //! - [`holdout`]: the judgement of runs held out
+//! - `look_alike_limits`: a fault of a sensor beside an effect that explains as much, and causes that are one model
 //! - [`memory_evidence`]: kinds of memory of a device, and the noise of the recordings
 //! - [`repair_limits`]: limits by the share of the error that a repair takes, and by kinds of memory
 //! - [`second_effect`]: the second effect of a pair
-//! - `sensor_limits`: a fault of a sensor beside an effect that explains as much
 //! - [`verdict_evidence`]: everything that the verdict weighs, as it is written down
 //! - [`verdict_model`]: probabilities from that evidence
 //! - `verdict_weights`: the fitted weights
@@ -16,12 +16,12 @@
 
 pub(crate) mod holdout;
 pub(crate) mod likelihood;
+mod look_alike_limits;
 pub(crate) mod memory_evidence;
 pub(crate) mod parametric_bootstrap;
 pub(crate) mod ranking;
 pub(crate) mod repair_limits;
 pub(crate) mod second_effect;
-mod sensor_limits;
 pub(crate) mod verdict_evidence;
 pub mod verdict_model;
 mod verdict_weights;

@@ -43,6 +43,7 @@ impl VerdictEvidence {
         let limit = ProbabilityLimit::new;
         out.extend(self.limit_of_adequate_model(h, repair).filter(|_| !is_visible(h)));
         out.extend(self.limit_beside_physics(h).filter(|_| !is_visible(h)));
+        out.extend(h.limit_of_same_model());
         let better = self.better_memory(h, repair);
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));

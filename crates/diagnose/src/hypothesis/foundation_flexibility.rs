@@ -2,7 +2,7 @@
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::materials::STEEL02_TRANSITION;
-use super::superstructure_yielding::STRENGTH_STARTS;
+use super::superstructure_yielding::{self, STRENGTH_STARTS};
 use super::support_springs::{
     FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs,
     largest_stiffness,
@@ -11,8 +11,11 @@ use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::conditions::amplitudes_differ;
 use crate::inspect::inventory::{Support, TagPurpose, grouped};
 
+/// Name of the cause.
+pub(super) const CAUSE: &str = "foundation_flexibility";
+
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
-    cause: "foundation_flexibility",
+    cause: CAUSE,
     statement: "the soil or the support below the fixed base of the model gives way",
     refuted_by: "the base of the structure does not move against the free field",
     look_alikes: &["superstructure_yielding", "isolation_layer", "damping"],
@@ -134,7 +137,10 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
             added.push(AddedParameter::log("footing", 1e-3 * total, total, 0.05 * total));
         }
         let block = freed.commands(&springs, is_footing.then_some("footing"));
-        out.push(Proposal::script_edit("foundation_flexibility", form, at.clone(), block, added));
+        let proposal = Proposal::script_edit(CAUSE, form, at.clone(), block, added);
+        let one_column = |p: &&Support| s.inventory.carries_one_column(p);
+        let is_hinge = matches!(addition, Addition::Bearing { .. }) && supports.iter().all(one_column);
+        out.push(Proposal { same_model: is_hinge.then_some(superstructure_yielding::CAUSE), ..proposal });
     };
     // Yielding shows below elements that do not yield themselves, in sliding where amplitudes differ.
     let softens = |tag: &i32| s.inventory.devices.iter().any(|d| d.tag == *tag && !d.linear);
@@ -185,9 +191,10 @@ fn largest_moment(s: &ProposalContext<'_>, supports: &[&Support]) -> f64 {
 fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String)> {
     let law = match addition {
         Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
-        Addition::Bearing { .. } => {
-            ("Steel02", format!("$hy_{name}_yield $hy_{name} [expr {{$hy_{name}_plastic/$hy_{name}}}] {STEEL02_TRANSITION}"))
-        }
+        Addition::Bearing { .. } => (
+            "Steel02",
+            format!("$hy_{name}_yield $hy_{name} [expr {{$hy_{name}_plastic/$hy_{name}}}] {STEEL02_TRANSITION}"),
+        ),
         Addition::Lifting { .. } => (
             "ElasticBilin",
             format!("$hy_{name} [expr {{$hy_{name}*$hy_{name}_lifted}}] [expr {{$hy_{name}_lift/$hy_{name}}}]"),

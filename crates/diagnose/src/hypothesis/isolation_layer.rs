@@ -1,8 +1,8 @@
 //! An isolation layer that the model leaves out: friction pendulums or rubber bearings below a structure on a fixed base, or
 //! between two of its storeys.
 
-use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::context::node_coordinates;
+use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::support_springs::{FreedSupports, MAX_JOINT_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
 use crate::inspect::dominant_period::dominant_period;
@@ -127,8 +127,7 @@ impl Layer {
         let reference = TAU * (shared / stiffness).sqrt();
         let [shortest, longest] = PERIOD_RATIOS.map(|ratio| ratio * reference);
         // The residual swings in the period that the fixed base lacks.
-        let period =
-            dominant_period(s.study, s.fits).unwrap_or(PERIOD_STARTS[0] * reference).clamp(shortest, longest);
+        let period = dominant_period(s.study, s.fits).unwrap_or(PERIOD_STARTS[0] * reference).clamp(shortest, longest);
         let with_starts = |a: AddedParameter, starts: &[f64], scale: f64| AddedParameter {
             further_starts: starts.iter().map(|ratio| ratio * scale).collect(),
             ..a

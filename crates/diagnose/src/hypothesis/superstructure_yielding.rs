@@ -2,7 +2,7 @@
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::materials::STEEL02_TRANSITION;
-use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext, foundation_flexibility};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TagPurpose};
 
@@ -15,8 +15,11 @@ const MAX_SINGLE_SPRINGS: usize = 12;
 /// much more, or not at all, moves quite differently.
 pub(super) const STRENGTH_STARTS: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
 
+/// Name of the cause.
+pub(super) const CAUSE: &str = "superstructure_yielding";
+
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
-    cause: "superstructure_yielding",
+    cause: CAUSE,
     statement: "the structure above, taken as elastic, yields",
     refuted_by: "the structure comes back to where it stood, and its stiffness does not fall with the amplitude",
     look_alikes: &["foundation_flexibility", "isolation_layer", "damping"],
@@ -64,7 +67,7 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
                 ];
                 added.extend(more);
                 let at = super::element_names(&set);
-                out.push(Proposal::script_edit("superstructure_yielding", form, at, vec![line], added));
+                out.push(Proposal::script_edit(CAUSE, form, at, vec![line], added));
             };
             form("bilinear spring", "yielding", vec![]);
             // Concrete loses stiffness in unloading.
@@ -135,7 +138,12 @@ fn hinges(s: &ProposalContext<'_>, columns: &[&FrameMember], ends: Ends) -> Opti
         AddedParameter::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
     ];
     let at = format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, member_tags(columns));
-    Some(Proposal::script_edit("superstructure_yielding", "plastic hinge", at, block, added))
+    let proposal = Proposal::script_edit(CAUSE, "plastic hinge", at, block, added);
+    // Below a hinge on the ground there is nothing that soil would turn.
+    let supports = &s.inventory.supports;
+    let on_ground = |c: &&FrameMember| supports.iter().any(|p| p.node == c.foot && s.inventory.carries_one_column(p));
+    let is_ground = ends == Ends::Foot && columns.iter().all(on_ground);
+    Some(Proposal { same_model: is_ground.then_some(foundation_flexibility::CAUSE), ..proposal })
 }
 
 fn member_tags(columns: &[&FrameMember]) -> String {

@@ -242,6 +242,11 @@ impl ModelInventory {
         self.masses.iter().map(|m| m.mass[0]).sum()
     }
 
+    /// Returns true if a column alone stands on a support.
+    pub(crate) fn carries_one_column(&self, support: &Support) -> bool {
+        self.columns.iter().any(|c| c.foot == support.node && support.elements == [c.tag])
+    }
+
     /// Returns true if a node is fixed in a degree of freedom.
     pub(crate) fn is_held(&self, node: i32, dof: usize) -> bool {
         self.supports.iter().any(|s| s.node == node && s.fixed.contains(&dof))

@@ -67,7 +67,8 @@ pub(crate) fn move_ends(interp: &mut Tcl, a: &mut Args<'_>, elements: &[ElementI
     let model = interp.host.engine.model();
     let [old, new] = [&model.nodes[from.0], &model.nodes[to.0]];
     if old.place() != new.place() || old.ndf != new.ndf {
-        let message = format!("node {} is not at the place of node {} with as many degrees of freedom", new.tag, old.tag);
+        let message =
+            format!("node {} is not at the place of node {} with as many degrees of freedom", new.tag, old.tag);
         return Err(a.refuse(message, "expected a node with the same coordinates"));
     }
     if let Some(other) = elements.iter().map(|id| &model.elements[id.0]).find(|e| !e.nodes.contains(&from)) {

@@ -1,7 +1,7 @@
-//! Limit of a fault of a sensor by what else would show so.
+//! Limits of a cause by what else would show so.
 
 use super::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, VerdictEvidence};
-use crate::prior::{SENSOR_BESIDE_PHYSICS_LOG_ODDS, SENSOR_BESIDE_PHYSICS_PROBABILITY};
+use crate::prior::{SAME_MODEL_PROBABILITY, SENSOR_BESIDE_PHYSICS_LOG_ODDS, SENSOR_BESIDE_PHYSICS_PROBABILITY};
 
 impl VerdictEvidence {
     /// Limit of a fault of a sensor where an effect on the structure explains as much.
@@ -15,6 +15,15 @@ impl VerdictEvidence {
         let effect = self.hypotheses.iter().filter(is_effect).find(|o| log_evidence(o) > least)?;
         let reason = format!("{} explains as much", effect.cause);
         Some(ProbabilityLimit::new(&h.cause, SENSOR_BESIDE_PHYSICS_PROBABILITY, reason))
+    }
+}
+
+impl HypothesisEvidence {
+    /// Limit of a cause whose form is, at its place, the same model as a form of another cause.
+    pub(super) fn limit_of_same_model(&self) -> Option<ProbabilityLimit> {
+        let other = self.same_model.as_ref()?;
+        let reason = format!("{other} at the same place is the same model");
+        Some(ProbabilityLimit::new(&self.cause, SAME_MODEL_PROBABILITY, reason))
     }
 }
 
@@ -33,5 +42,16 @@ mod tests {
         };
         assert_eq!(limit("sensor_gain", 1.4), Some(0.5));
         assert_eq!((limit("sensor_gain", 5.0), limit("changed_mass", 1.4)), (None, None));
+    }
+
+    /// A hinge at the foot of a column on the ground is soil that yields below it.
+    #[test]
+    fn causes_that_are_one_model_are_not_told_apart() {
+        let mut e = evidence(&[("superstructure_yielding", None, 60.0)]);
+        assert!(e.hypotheses[0].limit_of_same_model().is_none());
+        e.hypotheses[0].same_model = Some("foundation_flexibility".into());
+        let limit = e.hypotheses[0].limit_of_same_model().expect("a limit");
+        assert_eq!((limit.cause.as_str(), limit.most), ("superstructure_yielding", 0.75));
+        assert!(limit.reason.contains("foundation_flexibility"), "{}", limit.reason);
     }
 }
