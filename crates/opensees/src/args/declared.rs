@@ -36,6 +36,31 @@ impl Args<'_> {
         Ok(out)
     }
 
+    /// A number, or its value where it is left out.
+    pub(crate) fn read_or(&mut self, interp: &mut Tcl, arg: &Arg, value: f64) -> Result<f64, Exception> {
+        if self.at_number() {
+            return self.read(interp, arg);
+        }
+        let [value] = self.left_out([value]);
+        Ok(value)
+    }
+
+    /// Numbers one after the other, or their values where no word is left.
+    pub(crate) fn read_all_or<const N: usize>(
+        &mut self,
+        interp: &mut Tcl,
+        args: &[Arg; N],
+        values: [f64; N],
+    ) -> Result<[f64; N], Exception> {
+        if self.left() > 0 { self.read_all(interp, args) } else { Ok(self.left_out(values)) }
+    }
+
+    /// Values of numbers that are left out: a `parameter` may change them all the same.
+    pub(crate) fn left_out<const N: usize>(&self, values: [f64; N]) -> [f64; N] {
+        values.iter().for_each(|value| self.call.note_omitted(self.at, *value));
+        values
+    }
+
     /// A number, where the next word is one.
     pub(crate) fn read_optional(&mut self, interp: &mut Tcl, arg: &Arg) -> Result<Option<f64>, Exception> {
         if self.at_number() { self.read(interp, arg).map(Some) } else { Ok(None) }

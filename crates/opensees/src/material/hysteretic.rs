@@ -87,6 +87,10 @@ const LAMBDA_A: Arg = Arg::new("LambdaA", "rotation capacity of the deterioratio
 const C_A: Arg = Arg::new("cA", "exponent of the deterioration of reloading stiffness");
 const RELOADING: &[Arg] = &[LAMBDA_A, C_A];
 
+/// OpenSees' names of force and deformation at the points of an envelope.
+pub(super) const POINTS: [[&str; 2]; 2] = [["mom", "s"], ["rot", "e"]];
+pub(super) const UNLOADING_EXPONENT: Arg = Arg::number("beta", "exponent of the unloading stiffness beta");
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Bilin", "BilinMaterial"],
@@ -160,11 +164,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Hysteretic"],
         usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
                 $pinchX $pinchY $damage1 $damage2 <$beta>",
-        text: Text::new("Trilinear backbone with pinching and damage.").arguments(&[
+        text: Text::new("Trilinear backbone with pinching and damage.").points(POINTS).arguments(&[
             Arg::new("e3p", "third strain on the positive side"),
             Arg::new("e3n", "third strain on the negative side"),
             Arg::new("s3p", "third stress on the positive side"),
             Arg::new("s3n", "third stress on the negative side"),
+            UNLOADING_EXPONENT,
         ]),
         make: hysteretic,
     },
@@ -327,13 +332,13 @@ pub(super) fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelo
     })
 }
 
-fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+fn hysteretic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
     let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
     let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
-    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     Ok(Hysteretic::new(tension, compression, pinch, damage, beta).shared())
 }
 
@@ -342,9 +347,9 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     if beta > 1.0 {
         return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected beta, 0 to 1"));
     }
-    let slip = a.read_optional(interp, &EPS_SLIP)?.unwrap_or(0.0);
-    let bearing = a.read_optional(interp, &EPS_BEAR)?.unwrap_or(0.0);
-    let bearing_ratio = a.read_optional(interp, &R_BEAR)?.unwrap_or(0.0);
+    let slip = a.read_or(interp, &EPS_SLIP, 0.0)?;
+    let bearing = a.read_or(interp, &EPS_BEAR, 0.0)?;
+    let bearing_ratio = a.read_or(interp, &R_BEAR, 0.0)?;
     if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
         let rules = OpenSees;
         return Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }.shared());

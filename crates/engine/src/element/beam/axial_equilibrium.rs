@@ -6,7 +6,7 @@ use super::member::{Formulation, Lacking, Member};
 use super::per_section::PerSection;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementClass, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant, SectionSlot};
 
@@ -58,7 +58,8 @@ fn stiffness<'a, const N: usize, const B: usize>(
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
-    const CLASS: [&'static str; 2] = ["AxEqDispBeamColumn2d", "AxEqDispBeamColumn3d"];
+    const CLASS: [ElementClass; 2] =
+        [ElementClass::new("AxEqDispBeamColumn2d", 178), ElementClass::own("AxEqDispBeamColumn3d")];
     const LACKING: Lacking = Lacking::Refused;
 
     fn load_len(points: usize) -> usize {

@@ -9,7 +9,7 @@ use super::point::SUPPORT;
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementClass, ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::rules::{Consistent, OpenSees};
@@ -424,7 +424,8 @@ impl<R: Rules> CurvatureBased<R> {
 }
 
 impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBased<R> {
-    const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
+    const CLASS: [ElementClass; 2] =
+        [ElementClass::new("ForceBeamColumnCBDI2d", 77), ElementClass::new("ForceBeamColumnCBDI3d", 78)];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
     const LACKING: Lacking = Lacking::Refused;

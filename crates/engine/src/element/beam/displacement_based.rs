@@ -5,7 +5,7 @@ use super::elastic::{Bending, Release, add_clamped_load};
 use super::member::{Formulation, Lacking, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementClass, ElementError, ElementInput};
 use crate::numeric::{axpy, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -81,7 +81,8 @@ impl DisplacementBased {
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
-    const CLASS: [&'static str; 2] = ["DispBeamColumn2d", "DispBeamColumn3d"];
+    const CLASS: [ElementClass; 2] =
+        [ElementClass::new("DispBeamColumn2d", 62), ElementClass::new("DispBeamColumn3d", 64)];
     const LACKING: Lacking = Lacking::Free;
     const DAMPABLE: bool = true;
 

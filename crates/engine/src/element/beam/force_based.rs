@@ -8,7 +8,7 @@ use super::point::{Point, Stiffness};
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementClass, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -331,7 +331,8 @@ impl ForceBased {
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
-    const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
+    const CLASS: [ElementClass; 2] =
+        [ElementClass::new("ForceBeamColumn2d", 73), ElementClass::new("ForceBeamColumn3d", 74)];
     const LACKING: Lacking = Lacking::Rigid;
     const LOCALISES: bool = true;
     const DAMPABLE: bool = true;

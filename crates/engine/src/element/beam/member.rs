@@ -5,8 +5,8 @@ use crate::element::load::ElementLoad;
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, Roles, SectionCapacity};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
-    CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
-    SharedState, Snapshot,
+    CallDependent, Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::numeric::norm;
 use crate::parameter::{Changed, exchange, existing, index, last_of};
@@ -34,7 +34,7 @@ pub enum Lacking {
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
     /// OpenSees' class names in the plane and in space.
-    const CLASS: [&'static str; 2];
+    const CLASS: [ElementClass; 2];
     /// The stiffness of the basic system is symmetric.
     const SYMMETRIC: bool = true;
     /// Sections depend on the deflection of the beam between its ends: forces are not proportional to deformations.
@@ -266,7 +266,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for Fib
 crate::watches_columns!([F: fmt::Debug, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> ElementClass {
         F::CLASS[usize::from(N == 12)]
     }
     fn dofs(&self) -> usize {
@@ -450,7 +450,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementLoads for Fibe
     }
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         if N == 12 {
-            load.refuse_moment(self.class())?;
+            load.refuse_moment(self.class().name)?;
         }
         F::add_load(&self.member, load, factor, sums);
         Ok(())

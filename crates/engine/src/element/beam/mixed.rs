@@ -7,7 +7,7 @@ use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementClass, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::MAX_ORDER;
 
@@ -129,7 +129,8 @@ impl Mixed {
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
-    const CLASS: [&'static str; 2] = ["MixedBeamColumn2d", "MixedBeamColumn3d"];
+    const CLASS: [ElementClass; 2] =
+        [ElementClass::new("MixedBeamColumn2d", 30766), ElementClass::new("MixedBeamColumn3d", 30765)];
     const LACKING: Lacking = Lacking::Refused;
     const STATE_LEN: usize = Trace::<N, B>::LEN + NATURAL * B;
 

@@ -1,5 +1,6 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
+use crate::element::ElementClass;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
 
@@ -23,7 +24,10 @@ pub struct PlasticShear {
 }
 
 impl<const S: usize> ShearLaw<S> for PlasticShear {
-    const CLASS: [&'static str; 2] = ["ElastomericBearingPlasticity2d", "ElastomericBearingPlasticity3d"];
+    const CLASS: [ElementClass; 2] = [
+        ElementClass::new("ElastomericBearingPlasticity2d", 85),
+        ElementClass::new("ElastomericBearingPlasticity3d", 84),
+    ];
     const HYSTERETIC: bool = false;
 
     fn backbone_ends(&self) -> Option<(f64, f64)> {
