@@ -13,6 +13,8 @@ pub enum Domain {
     NotNegative,
     /// From 0 to below 1.
     Ratio,
+    /// From 0 to 1.
+    Fraction,
     /// Greater than 0, though OpenSees takes any number.
     UsuallyPositive,
     /// Not less than 0, though OpenSees takes any number.
@@ -25,7 +27,7 @@ impl Domain {
     /// The domain in the tables of the reference.
     pub fn told(self) -> &'static str {
         match self {
-            Self::Number | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
+            Self::Number | Self::Fraction | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
             Self::Positive => "number > 0",
             Self::NotNegative | Self::Ratio => "number ≥ 0",
             Self::Whole => "whole number",

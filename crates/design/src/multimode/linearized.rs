@@ -2,7 +2,7 @@
 
 use hysteron_engine::element::roles::{Inertia, Roles};
 use hysteron_engine::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
 };
 use hysteron_engine::probe::Probe;
 
@@ -13,7 +13,7 @@ use hysteron_engine::probe::Probe;
 /// the stiffness is kept: axial, bending and torsion.
 #[derive(Debug)]
 pub(super) struct Linearized {
-    class: ElementClass,
+    class: Class,
     state_len: usize,
     mass: Mass,
     matrix: Vec<f64>,
@@ -49,7 +49,7 @@ impl Linearized {
 hysteron_engine::watches_columns!(Linearized => nothing);
 
 impl Element for Linearized {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         self.class
     }
     fn dofs(&self) -> usize {

@@ -181,14 +181,8 @@ impl ModelInventory {
             let all: Vec<Direction> = rows.iter().map(|r| direction(r, &tangent, model.nodes[i.0].ndm())).collect();
             let directions: Vec<Direction> = all.iter().filter(|d| d.stiffness > 0.0).cloned().collect();
             let linear = traits.linear || is_elastic(e.element.as_ref(), &rows);
-            let device = Device {
-                tag: e.tag,
-                class: e.element.class().name,
-                nodes,
-                directions,
-                linear,
-                viscous: traits.viscous,
-            };
+            let (tag, class) = (e.tag, e.element.class().name);
+            let device = Device { tag, class, nodes, directions, linear, viscous: traits.viscous };
             if device.viscous && device.directions.is_empty() {
                 out.dashpots.push(Device { directions: all, ..device.clone() });
             }

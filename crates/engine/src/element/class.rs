@@ -2,14 +2,14 @@
 
 /// A class of elements, as OpenSees has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ElementClass {
+pub struct Class {
     /// Name, as recorders and `print` show it.
     pub name: &'static str,
     /// Number in OpenSees' `SRC/classTags.h`; 0 of a class that OpenSees does not have.
     pub tag: i64,
 }
 
-impl ElementClass {
+impl Class {
     /// A class of OpenSees.
     pub const fn new(name: &'static str, tag: i64) -> Self {
         Self { name, tag }

@@ -52,7 +52,7 @@ pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
 pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
 pub use catenary_cable::CatenaryCable;
-pub use class::ElementClass;
+pub use class::Class;
 pub use contact::{Contact, ContactDirection, ContactFriction, ContactSurface};
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
@@ -313,7 +313,7 @@ pub struct Overload {
 /// *The default always works*: `commit`.
 pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
     /// Its class, by which recorders and `print` name it.
-    fn class(&self) -> ElementClass;
+    fn class(&self) -> Class;
     /// Number of degrees of freedom n, all nodes together.
     fn dofs(&self) -> usize;
     /// Number of state variables.

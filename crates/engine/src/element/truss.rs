@@ -2,8 +2,8 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
-    Snapshot, add_outer, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    add_outer, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
@@ -60,8 +60,8 @@ impl Truss {
 crate::watches_columns!(Truss => |s| in [&s.bar.slot]);
 
 impl Element for Truss {
-    fn class(&self) -> ElementClass {
-        self.bar.class(ElementClass::new("Truss", 12), ElementClass::new("TrussSection", 13))
+    fn class(&self) -> Class {
+        self.bar.class(Class::new("Truss", 12), Class::new("TrussSection", 13))
     }
     fn dofs(&self) -> usize {
         self.row.len()

@@ -1,8 +1,6 @@
 //! Flexibility of the joint of a brace and a chord of an offshore platform: `ElasticTubularJoint`.
 
-use super::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot,
-};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
 use crate::element::roles::{ForceLabels, Roles};
 use crate::probe::Probe;
 use std::f64::consts::FRAC_PI_2;
@@ -64,9 +62,9 @@ impl TubularJoint {
 crate::watches_columns!(TubularJoint => nothing);
 
 impl Element for TubularJoint {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         // The number stands in its own file of OpenSees.
-        ElementClass::new("ElasticTubularJoint", 2519)
+        Class::new("ElasticTubularJoint", 2519)
     }
     fn dofs(&self) -> usize {
         DOFS

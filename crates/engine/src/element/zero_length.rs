@@ -2,8 +2,7 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot,
-    one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Roles};
 use crate::material::{Material, Slot};
@@ -86,8 +85,8 @@ pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes:
 crate::watches_columns!(ZeroLength => |s| in s.springs.slots());
 
 impl Element for ZeroLength {
-    fn class(&self) -> ElementClass {
-        ElementClass::new("ZeroLength", 19)
+    fn class(&self) -> Class {
+        Class::new("ZeroLength", 19)
     }
     fn dofs(&self) -> usize {
         self.dofs

@@ -18,6 +18,11 @@ impl Args<'_> {
                 let x = self.not_negative(what)?;
                 if x < 1.0 { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected 0 to below 1")) }
             }
+            Some(Domain::Fraction) => {
+                let x = self.float(what)?;
+                let within = (0.0..=1.0).contains(&x);
+                if within { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
+            }
             Some(Domain::Whole) => self.int(what).map(f64::from),
             Some(Domain::Number) | None => self.float(what),
         }
@@ -53,6 +58,21 @@ impl Args<'_> {
         values: [f64; N],
     ) -> Result<[f64; N], Exception> {
         if self.left() > 0 { self.read_all(interp, args) } else { Ok(self.left_out(values)) }
+    }
+
+    /// Numbers one after the other as long as words are left, and the values of the others.
+    pub(crate) fn read_leading<const N: usize>(
+        &mut self,
+        interp: &mut Tcl,
+        args: [&Arg; N],
+        mut values: [f64; N],
+    ) -> Result<[f64; N], Exception> {
+        for (x, arg) in values.iter_mut().zip(args) {
+            if self.left() > 0 {
+                *x = self.read(interp, arg)?;
+            }
+        }
+        Ok(values)
     }
 
     /// Values of numbers that are left out: a `parameter` may change them all the same.

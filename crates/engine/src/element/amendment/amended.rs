@@ -8,7 +8,7 @@ use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, LawRange, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS,
     MatrixMask, OpenSeesTraits, OutsideRange, Snapshot, dot,
 };
 use crate::parameter::Changed;
@@ -349,7 +349,7 @@ crate::watches_columns!(Amended => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

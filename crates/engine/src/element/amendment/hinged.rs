@@ -3,7 +3,7 @@
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, Roles};
 use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot,
 };
 use crate::material::{Material, Strain, WatchesColumns};
 use crate::parameter::{Changed, ParameterError};
@@ -294,7 +294,7 @@ crate::watches_columns!(Hinged => |s| at s.parts());
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

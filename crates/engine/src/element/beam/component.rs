@@ -4,7 +4,7 @@ use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped
 use crate::element::roles::{ElementLoads, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot,
+    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot,
 };
 use crate::material::{Slot, Strain};
 use crate::probe::Probe;
@@ -202,8 +202,8 @@ const STIFFNESS: u32 = 19;
 crate::watches_columns!(ComponentBeam => |s| in s.springs.iter().flatten());
 
 impl Element for ComponentBeam {
-    fn class(&self) -> ElementClass {
-        ElementClass::new("ComponentElement2d", 195)
+    fn class(&self) -> Class {
+        Class::new("ComponentElement2d", 195)
     }
     fn dofs(&self) -> usize {
         6

@@ -5,7 +5,7 @@ use crate::element::load::{ElementLoad, EndActions};
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts,
     SmallBeam, Snapshot,
 };
 use crate::numeric::axpy;
@@ -323,12 +323,12 @@ const STIFFNESS: u32 = 19;
 crate::watches_columns!([const N: usize, const B: usize] ElasticBeam<N, B> => nothing);
 
 impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         match (N, self.modified) {
-            (6, None) => ElementClass::new("ElasticBeam2d", 3),
-            (6, _) => ElementClass::new("ModElasticBeam2d", 4),
-            (_, None) => ElementClass::new("ElasticBeam3d", 5),
-            _ => ElementClass::new("ModElasticBeam3d", 41234),
+            (6, None) => Class::new("ElasticBeam2d", 3),
+            (6, _) => Class::new("ModElasticBeam2d", 4),
+            (_, None) => Class::new("ElasticBeam3d", 5),
+            _ => Class::new("ModElasticBeam3d", 41234),
         }
     }
     fn dofs(&self) -> usize {

@@ -5,7 +5,7 @@ use super::{Bending, Release};
 use crate::element::roles::{ElementLoads, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Frame, Reactions, axis_probe};
 use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
+    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
     Snapshot, dot,
 };
 use crate::numeric::axpy;
@@ -165,12 +165,8 @@ const LOCAL_FORCE: u32 = 3;
 crate::watches_columns!([const N: usize, const B: usize] TimoshenkoBeam<N, B> => nothing);
 
 impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
-    fn class(&self) -> ElementClass {
-        if N == 6 {
-            ElementClass::new("ElasticTimoshenkoBeam2d", 145)
-        } else {
-            ElementClass::new("ElasticTimoshenkoBeam3d", 146)
-        }
+    fn class(&self) -> Class {
+        if N == 6 { Class::new("ElasticTimoshenkoBeam2d", 145) } else { Class::new("ElasticTimoshenkoBeam3d", 146) }
     }
     fn dofs(&self) -> usize {
         N

@@ -3,7 +3,7 @@
 
 use super::quad::{QuadOptions, SIGNS};
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
-use crate::element::ElementClass;
+use crate::element::Class;
 use crate::material::{PLANE, SharedMultiaxial};
 use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2};
 
@@ -158,9 +158,9 @@ impl<const D: usize> Continuum<PLANE, D> {
             }
         }
         let class = match shape {
-            QuadraticShape::Triangle => ElementClass::new("SixNodeTri", 209),
-            QuadraticShape::Serendipity => ElementClass::new("EightNodeQuad", 208),
-            QuadraticShape::Lagrange => ElementClass::new("NineNodeQuad", 207),
+            QuadraticShape::Triangle => Class::new("SixNodeTri", 209),
+            QuadraticShape::Serendipity => Class::new("EightNodeQuad", 208),
+            QuadraticShape::Lagrange => Class::new("NineNodeQuad", 207),
         };
         let body = Body {
             class,
@@ -239,7 +239,7 @@ impl Continuum<PLANE, 8> {
             (std::array::from_fn(|i| std::array::from_fn(|j| rows[(i, j)])), volume)
         });
         let body = Body {
-            class: ElementClass::new("EnhancedQuad", 59),
+            class: Class::new("EnhancedQuad", 59),
             points: points.collect(),
             stabilisation: vec![],
             load_force: [0.0; 8],

@@ -2,7 +2,7 @@
 
 use super::brick::strain_rows;
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
-use crate::element::ElementClass;
+use crate::element::Class;
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -48,9 +48,9 @@ impl<const D: usize> Continuum<SOLID, D> {
         let mut mass = vec![0.0; D * D];
         let mut body = Body {
             class: if quadratic {
-                ElementClass::new("TenNodeTetrahedron", 256)
+                Class::new("TenNodeTetrahedron", 256)
             } else {
-                ElementClass::new("FourNodeTetrahedron", 179)
+                Class::new("FourNodeTetrahedron", 179)
             },
             points: vec![],
             stabilisation: vec![],

@@ -3,7 +3,7 @@
 mod fit;
 mod law;
 
-use super::{Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, OwnDamping, Roles};
 use crate::parameter::{Changed, ParameterError, exchange};
@@ -90,7 +90,7 @@ crate::watches_columns!(Damped => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

@@ -11,8 +11,7 @@ mod mitc4;
 mod updated;
 
 use super::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    dot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
 };
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
@@ -211,11 +210,11 @@ const SINGLE_POINT: u32 = 10;
 crate::watches_columns!(Shell => |s| at s.sections());
 
 impl Element for Shell {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         match self.formulation {
-            Formulation::Mitc4 => ElementClass::new("ShellMITC4", 53),
-            Formulation::KirchhoffQuadrilateral => ElementClass::new("ShellDKGQ", 156),
-            Formulation::KirchhoffTriangle => ElementClass::new("ShellDKGT", 167),
+            Formulation::Mitc4 => Class::new("ShellMITC4", 53),
+            Formulation::KirchhoffQuadrilateral => Class::new("ShellDKGQ", 156),
+            Formulation::KirchhoffTriangle => Class::new("ShellDKGT", 167),
         }
     }
     fn dofs(&self) -> usize {

@@ -2,9 +2,7 @@
 
 use super::{LOCAL_FORCE, PLANE_WALL, WallShape, add_stiffness};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot,
-};
+use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -77,8 +75,8 @@ impl<const D: usize> WallLines<D> {
 crate::watches_columns!([const D: usize] WallLines<D> => |s| in s.slots());
 
 impl<const D: usize> Element for WallLines<D> {
-    fn class(&self) -> ElementClass {
-        if D == PLANE_WALL { ElementClass::new("MVLEM", 162) } else { ElementClass::new("MVLEM_3D", 212) }
+    fn class(&self) -> Class {
+        if D == PLANE_WALL { Class::new("MVLEM", 162) } else { Class::new("MVLEM_3D", 212) }
     }
     fn dofs(&self) -> usize {
         D

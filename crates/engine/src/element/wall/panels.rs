@@ -2,9 +2,7 @@
 
 use super::{LOCAL_FORCE, PLANE_WALL, WallShape};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{
-    Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot,
-};
+use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
 use crate::numeric::axpy;
@@ -46,7 +44,7 @@ struct Strip<const D: usize> {
 /// Panels with a vertical strain and a common shear strain (Kolozvari, Orakcal and Wallace, 2015).
 #[derive(Clone, Debug)]
 pub struct WallPanels<const D: usize> {
-    class: ElementClass,
+    class: Class,
     strips: Vec<Strip<D>>,
     state_len: usize,
     shape: WallShape<D>,
@@ -72,10 +70,10 @@ impl<const D: usize> WallPanels<D> {
             at += law.state_len();
         }
         let class = match (kind, D == PLANE_WALL) {
-            (PanelLaw::NoStress, true) => ElementClass::new("SFI_MVLEM", 163),
-            (PanelLaw::NoStress, false) => ElementClass::new("SFI_MVLEM_3D", 213),
-            (_, true) => ElementClass::new("E_SFI", 257),
-            (_, false) => ElementClass::new("E_SFI_MVLEM_3D", 259_259),
+            (PanelLaw::NoStress, true) => Class::new("SFI_MVLEM", 163),
+            (PanelLaw::NoStress, false) => Class::new("SFI_MVLEM_3D", 213),
+            (_, true) => Class::new("E_SFI", 257),
+            (_, false) => Class::new("E_SFI_MVLEM_3D", 259_259),
         };
         Self { class, strips, state_len: at, shape }
     }
@@ -103,7 +101,7 @@ const PANEL: u32 = 4;
 crate::watches_columns!([const D: usize] WallPanels<D> => |s| at s.laws());
 
 impl<const D: usize> Element for WallPanels<D> {
-    fn class(&self) -> ElementClass {
+    fn class(&self) -> Class {
         self.class
     }
     fn dofs(&self) -> usize {

@@ -6,7 +6,7 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementClass, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
     MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::probe::Probe;
@@ -69,8 +69,8 @@ impl MultipleNormalSpring {
 crate::watches_columns!(MultipleNormalSpring => |s| in [&s.springs]);
 
 impl Element for MultipleNormalSpring {
-    fn class(&self) -> ElementClass {
-        ElementClass::new("MultipleNormalSpring", 159)
+    fn class(&self) -> Class {
+        Class::new("MultipleNormalSpring", 159)
     }
     fn dofs(&self) -> usize {
         12

@@ -2,7 +2,7 @@
 
 mod lockstep;
 
-use crate::element::ElementClass;
+use crate::element::Class;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, ShearLockstep, at_rest, hardening, hardening_ends};
 use crate::numeric::sign;
@@ -136,8 +136,8 @@ impl BoucWenShear {
 }
 
 impl<const S: usize> ShearLaw<S> for BoucWenShear {
-    const CLASS: [ElementClass; 2] =
-        [ElementClass::new("ElastomericBearingBoucWen2d", 90), ElementClass::new("ElastomericBearingBoucWen3d", 91)];
+    const CLASS: [Class; 2] =
+        [Class::new("ElastomericBearingBoucWen2d", 90), Class::new("ElastomericBearingBoucWen3d", 91)];
     const HYSTERETIC: bool = true;
 
     fn lockstep(all: &[&Self; WIDTH]) -> Option<impl ShearLockstep<S> + 'static> {

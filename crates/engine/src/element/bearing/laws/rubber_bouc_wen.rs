@@ -2,7 +2,7 @@
 
 mod opensees;
 
-use crate::element::ElementClass;
+use crate::element::Class;
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::lead::LeadCore;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
@@ -177,8 +177,8 @@ impl<R: Rules> RubberBoucWen<R> {
 impl<R: Rules> RubberShear for RubberBoucWen<R> {
     type Memory = Warmth;
 
-    fn class(&self) -> ElementClass {
-        if self.leaded { ElementClass::new("LeadRubberX", 153) } else { ElementClass::new("ElastomericX", 152) }
+    fn class(&self) -> Class {
+        if self.leaded { Class::new("LeadRubberX", 153) } else { Class::new("ElastomericX", 152) }
     }
     fn is_viscous(&self) -> bool {
         self.cd > 0.0 || self.core.is_some()

@@ -1,6 +1,6 @@
 //! Shear law of `elastomericBearingUFRP`.
 
-use crate::element::ElementClass;
+use crate::element::Class;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest};
 use crate::numeric::{bracketed_root, sign};
@@ -67,7 +67,7 @@ impl UfrpShear {
 }
 
 impl ShearLaw<1> for UfrpShear {
-    const CLASS: [ElementClass; 2] = [ElementClass::new("ElastomericBearingUFRP2d", 147), ElementClass::own("")];
+    const CLASS: [Class; 2] = [Class::new("ElastomericBearingUFRP2d", 147), Class::own("")];
     const HYSTERETIC: bool = true;
 
     fn dashpot(&self) -> f64 {
