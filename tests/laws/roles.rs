@@ -97,7 +97,7 @@ fn compare(name: &str, inner: &dyn Element, outer: &dyn Element) -> Result<(), S
     let missing: Vec<_> =
         own.difference(&names(outer)).filter(|n| !OF_THE_INNER_ELEMENT_ALONE.contains(n)).copied().collect();
     if !missing.is_empty() {
-        return Err(format!("{} {name} loses {missing:?}", inner.class()));
+        return Err(format!("{} {name} loses {missing:?}", inner.class().name));
     }
     let mut state = virgin(inner);
     state.iter_mut().enumerate().for_each(|(i, x)| *x += 0.01 * (i as f64 + 1.0));
@@ -121,7 +121,7 @@ fn compare(name: &str, inner: &dyn Element, outer: &dyn Element) -> Result<(), S
         ("initial stiffness", inner.opensees().initial_is_current == outer.opensees().initial_is_current),
     ];
     match same.iter().find(|(_, same)| !same) {
-        Some((what, _)) => Err(format!("{} {name} has another answer: {what}", inner.class())),
+        Some((what, _)) => Err(format!("{} {name} has another answer: {what}", inner.class().name)),
         None => Ok(()),
     }
 }

@@ -3,7 +3,9 @@
 use super::probe::{self, MODELS, Meaning, Meanings, Walk};
 use super::response;
 use super::usage::{self, MatrixMask, Row};
-use hysteron::opensees::{AMENDMENTS, Arg, Command, Domain, KindUsage, Text, WITHOUT_EFFECT, commands, kinds};
+use hysteron::opensees::{
+    AMENDMENTS, Arg, Command, Domain, KindUsage, Text, WITHOUT_EFFECT, commands, commands_on, kinds,
+};
 use std::fmt::Write as _;
 
 /// A page.
@@ -12,15 +14,6 @@ pub struct Page {
     pub title: &'static str,
     /// Text before the commands.
     pub intro: &'static str,
-    /// Names, separated by blanks.
-    pub commands: &'static str,
-}
-
-impl Page {
-    /// Names of its commands.
-    pub fn names(&self) -> impl Iterator<Item = &'static str> {
-        self.commands.split_whitespace()
-    }
 }
 
 pub use super::pages::PAGES;
@@ -36,8 +29,8 @@ pub fn text(page: &Page) -> (String, Blanks) {
         let _ = writeln!(out, "{}\n", page.intro);
     }
     let mut blanks = vec![];
-    let named = page.names().filter_map(|n| commands().find(|c| c.name == n));
-    let (idle, mut left): (Vec<&Command>, Vec<&Command>) = named.partition(|c| c.text.about == WITHOUT_EFFECT);
+    let (idle, mut left): (Vec<&Command>, Vec<&Command>) =
+        commands_on(page.name).partition(|c| c.text.about == WITHOUT_EFFECT);
     while let Some(first) = left.first().copied() {
         let alike: Vec<&Command> = left.iter().copied().filter(|c| c.usage == first.usage).collect();
         left.retain(|c| c.usage != first.usage);

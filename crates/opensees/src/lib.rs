@@ -160,53 +160,63 @@ fn usage_as(name: &str, usage: &str) -> String {
     if shared { format!("{name}{}", &usage[head.len()..]) } else { usage.to_owned() }
 }
 
+/// Page of the reference with the commands that OpenSees does not have.
+const OWN_PAGE: &str = "hysteron";
+
+/// The commands of all families, with the page of the reference that each family stands on.
+const FAMILIES: &[(&str, &[Command])] = &[
+    ("model", model::nodes::COMMANDS),
+    ("model", model::constraint::COMMANDS),
+    ("material", material::COMMANDS),
+    ("material", material::backbone::COMMANDS),
+    ("material", material::limit_state::COMMANDS),
+    ("material", material::friction::COMMANDS),
+    ("section", section::COMMANDS),
+    ("section", section::fiber::COMMANDS),
+    ("element", section::beam_integration::COMMANDS),
+    ("element", model::transform::COMMANDS),
+    ("element", element::COMMANDS),
+    ("material", material::nd_material::COMMANDS),
+    ("model", model::block::COMMANDS),
+    ("model", element::amend::COMMANDS),
+    ("model", element::damping::COMMANDS),
+    ("load", load::series::COMMANDS),
+    ("load", load::motion_file::COMMANDS),
+    ("load", load::pattern::COMMANDS),
+    ("load", load::ground_motion::COMMANDS),
+    ("model", analysis::damping::COMMANDS),
+    ("model", analysis::modal_damping::COMMANDS),
+    ("analysis", analysis::modal_properties::COMMANDS),
+    ("analysis", analysis::response_spectrum::COMMANDS),
+    ("analysis", analysis::single_degree::COMMANDS),
+    ("analysis", analysis::solution::COMMANDS),
+    ("analysis", analysis::algorithm::COMMANDS),
+    ("analysis", analysis::integrator::COMMANDS),
+    ("analysis", analysis::analyze::COMMANDS),
+    ("output", output::recorder::COMMANDS),
+    ("output", output::query::COMMANDS),
+    ("output", output::inventory::COMMANDS),
+    ("output", output::loads::COMMANDS),
+    ("output", output::print::COMMANDS),
+    ("output", output::verify::COMMANDS),
+    ("analysis", analysis::matrix::COMMANDS),
+    ("model", model::remove::COMMANDS),
+    ("model", model::database::COMMANDS),
+    ("model", parameter::COMMANDS),
+    ("model", model::units::COMMANDS),
+    ("output", output::display::COMMANDS),
+    ("output", output::figure::COMMANDS),
+];
+
 /// The commands of all families.
 pub fn commands() -> impl Iterator<Item = &'static Command> {
-    [
-        model::nodes::COMMANDS,
-        model::constraint::COMMANDS,
-        material::COMMANDS,
-        material::backbone::COMMANDS,
-        material::limit_state::COMMANDS,
-        material::friction::COMMANDS,
-        section::COMMANDS,
-        section::fiber::COMMANDS,
-        section::beam_integration::COMMANDS,
-        model::transform::COMMANDS,
-        element::COMMANDS,
-        material::nd_material::COMMANDS,
-        model::block::COMMANDS,
-        element::amend::COMMANDS,
-        element::damping::COMMANDS,
-        load::series::COMMANDS,
-        load::motion_file::COMMANDS,
-        load::pattern::COMMANDS,
-        load::ground_motion::COMMANDS,
-        analysis::damping::COMMANDS,
-        analysis::modal_damping::COMMANDS,
-        analysis::modal_properties::COMMANDS,
-        analysis::response_spectrum::COMMANDS,
-        analysis::single_degree::COMMANDS,
-        analysis::solution::COMMANDS,
-        analysis::algorithm::COMMANDS,
-        analysis::integrator::COMMANDS,
-        analysis::analyze::COMMANDS,
-        output::recorder::COMMANDS,
-        output::query::COMMANDS,
-        output::inventory::COMMANDS,
-        output::loads::COMMANDS,
-        output::print::COMMANDS,
-        output::verify::COMMANDS,
-        analysis::matrix::COMMANDS,
-        model::remove::COMMANDS,
-        model::database::COMMANDS,
-        parameter::COMMANDS,
-        model::units::COMMANDS,
-        output::display::COMMANDS,
-        output::figure::COMMANDS,
-    ]
-    .into_iter()
-    .flatten()
+    FAMILIES.iter().flat_map(|(_, commands)| *commands)
+}
+
+/// The commands on a page of the reference.
+pub fn commands_on(page: &str) -> impl Iterator<Item = &'static Command> {
+    let all = FAMILIES.iter().flat_map(|(of, commands)| commands.iter().map(move |c| (*of, c)));
+    all.filter(move |(of, c)| page == if c.text.is_own { OWN_PAGE } else { of }).map(|(_, c)| c)
 }
 
 /// Names and usage of each kind of thing that the command makes; empty for a command without kinds.

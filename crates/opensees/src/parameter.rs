@@ -15,7 +15,10 @@ use hysteron_tcl::{Call, Exception, Value};
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("parameter", PARAMETER, parameter)
-        .about("Declares a quantity that `updateParameter` can change.")
+        .about(
+            "Declares a quantity that `updateParameter` can change. Of an element it is a number of its command, or of the \
+             command of a law in it, also one that was left out. OpenSees has few of them: its names are known too.",
+        )
         .defining(&[things::PARAMETER], 1),
     Command::new("addToParameter", ADD, add_to_parameter).about("Adds a quantity to a parameter that exists."),
     Command::new("updateParameter", UPDATE, update_parameter).about("Gives a parameter a new value."),

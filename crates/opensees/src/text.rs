@@ -13,6 +13,8 @@ pub enum Domain {
     NotNegative,
     /// From 0 to below 1.
     Ratio,
+    /// From 0 to 1.
+    Fraction,
     /// Greater than 0, though OpenSees takes any number.
     UsuallyPositive,
     /// Not less than 0, though OpenSees takes any number.
@@ -25,7 +27,7 @@ impl Domain {
     /// The domain in the tables of the reference.
     pub fn told(self) -> &'static str {
         match self {
-            Self::Number | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
+            Self::Number | Self::Fraction | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
             Self::Positive => "number > 0",
             Self::NotNegative | Self::Ratio => "number ≥ 0",
             Self::Whole => "whole number",
@@ -44,32 +46,34 @@ pub struct Arg {
     pub meaning: &'static str,
     /// Domain of a number that is read by this declaration, whose messages have the meaning; none elsewhere.
     pub domain: Option<Domain>,
+    /// Further names of the number in OpenSees' `parameter`. A name after a minus sets the opposite.
+    pub parameters: &'static [&'static str],
 }
 
 impl Arg {
     /// An argument by position.
     pub(crate) const fn new(name: &'static str, meaning: &'static str) -> Self {
-        Self { option: "", name, meaning, domain: None }
+        Self { option: "", name, meaning, domain: None, parameters: &[] }
     }
 
     /// The arguments behind an option.
     pub(crate) const fn of(option: &'static str, name: &'static str, meaning: &'static str) -> Self {
-        Self { option, name, meaning, domain: None }
+        Self { option, name, meaning, domain: None, parameters: &[] }
     }
 
     /// An option without arguments.
     pub(crate) const fn flag(option: &'static str, meaning: &'static str) -> Self {
-        Self { option, name: "", meaning, domain: None }
+        Self { option, name: "", meaning, domain: None, parameters: &[] }
     }
 
     /// A number of a domain behind an option.
     pub(crate) const fn behind(option: &'static str, meaning: &'static str, domain: Domain) -> Self {
-        Self { option, name: "value", meaning, domain: Some(domain) }
+        Self { option, name: "value", meaning, domain: Some(domain), parameters: &[] }
     }
 
     /// A number of a domain, by position.
     pub(crate) const fn of_domain(name: &'static str, meaning: &'static str, domain: Domain) -> Self {
-        Self { option: "", name, meaning, domain: Some(domain) }
+        Self { option: "", name, meaning, domain: Some(domain), parameters: &[] }
     }
 
     /// A number, by position.
@@ -85,6 +89,20 @@ impl Arg {
     /// A number not less than 0, by position.
     pub(crate) const fn not_negative(name: &'static str, meaning: &'static str) -> Self {
         Self::of_domain(name, meaning, Domain::NotNegative)
+    }
+
+    /// The same argument with further names in OpenSees' `parameter`.
+    pub(crate) const fn also(mut self, parameters: &'static [&'static str]) -> Self {
+        self.parameters = parameters;
+        self
+    }
+
+    /// The sign of the number under a further name, if it has that name.
+    fn sign_as(&self, name: &str) -> Option<f64> {
+        self.parameters.iter().find_map(|p| match p.strip_prefix('-') {
+            Some(opposite) => (opposite == name).then_some(-1.0),
+            None => (*p == name).then_some(1.0),
+        })
     }
 
     /// A number greater than 0, though OpenSees takes any, by position.
@@ -104,6 +122,9 @@ pub struct Text {
     pub groups: &'static [&'static [Arg]],
     /// Words that make a thing of the kind, where its usage alone does not lead to one; empty elsewhere.
     pub example: &'static str,
+    /// Of a law with an envelope of points: names of force and deformation in OpenSees' `parameter`, each with that in the
+    /// usage.
+    pub points: Option<[[&'static str; 2]; 2]>,
     /// True if OpenSees does not have it.
     pub is_own: bool,
 }
@@ -116,7 +137,7 @@ impl Text {
     pub(crate) const NONE: Self = Self::new("");
 
     pub(crate) const fn new(about: &'static str) -> Self {
-        Self { about, arguments: &[], groups: &[], example: "", is_own: false }
+        Self { about, arguments: &[], groups: &[], example: "", points: None, is_own: false }
     }
 
     /// The same text of a kind or a command that OpenSees does not have.
@@ -143,6 +164,18 @@ impl Text {
         self
     }
 
+    /// The same text of a law whose points have other names in OpenSees' `parameter`.
+    pub(crate) const fn points(mut self, names: [[&'static str; 2]; 2]) -> Self {
+        self.points = Some(names);
+        self
+    }
+
+    /// Names in the usage of the numbers that a name in OpenSees' `parameter` stands for, with their signs.
+    pub(crate) fn numbers_of(&self, name: &str) -> Vec<(String, f64)> {
+        let declared = self.all().filter_map(|arg| Some((arg.name.to_owned(), arg.sign_as(name)?)));
+        declared.chain(self.points.iter().flat_map(|names| of_point(names, name))).collect()
+    }
+
     /// All arguments.
     fn all(&self) -> impl Iterator<Item = &'static Arg> {
         self.arguments.iter().chain(self.groups.iter().copied().flatten())
@@ -151,6 +184,18 @@ impl Text {
     /// The argument of this name, or the option alone.
     pub(crate) fn argument(&self, option: &str, name: &str) -> Option<&'static Arg> {
         find(self.all(), option, name)
+    }
+}
+
+/// The numbers of a point of an envelope by their name: `mom2p` is `s2p`, and `mom2` is `s2p` and `s2n` with its sign.
+fn of_point(names: &[[&str; 2]; 2], name: &str) -> Vec<(String, f64)> {
+    let yield_force = format!("{}1p", names[0][0]);
+    let name = if matches!(name, "fy" | "Fy") { &yield_force } else { name };
+    let point = names.iter().find_map(|[stem, own]| Some((name.strip_prefix(stem)?, own)));
+    match point {
+        Some((of, own)) if of.ends_with(['p', 'n']) => vec![(format!("{own}{of}"), 1.0)],
+        Some((of, own)) => vec![(format!("{own}{of}p"), 1.0), (format!("{own}{of}n"), -1.0)],
+        None => vec![],
     }
 }
 

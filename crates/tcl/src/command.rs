@@ -104,12 +104,14 @@ pub struct NumberNote {
 }
 
 /// What a command took the words of a call for, told to those who show scripts.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CallNotes {
     /// Number of a word and its meaning.
     pub meanings: Vec<(usize, String)>,
     /// Words that are taken for numbers.
     pub numbers: Vec<NumberNote>,
+    /// Numbers that are left out: the word that they would stand before, and their values.
+    pub omitted: Vec<(usize, f64)>,
     /// Place of a word, and the thing that it names: kind and tag.
     pub names: Vec<(Span, &'static str, String)>,
 }
@@ -161,6 +163,13 @@ impl<'a> Call<'a> {
     pub fn note_number(&self, word: usize, what: impl FnOnce() -> String, whole: bool) {
         if let Some(notes) = &self.notes {
             notes.borrow_mut().numbers.push(NumberNote { word, what: what(), whole });
+        }
+    }
+
+    /// Note a number that is left out: the word that it would stand before, and its value.
+    pub fn note_omitted(&self, word: usize, value: f64) {
+        if let Some(notes) = &self.notes {
+            notes.borrow_mut().omitted.push((word, value));
         }
     }
 

@@ -94,7 +94,7 @@ fn sections_of(engine: &Engine, element: usize) -> Vec<Probe> {
         }
         all.push(probe);
         // A section without a number is the only one, and answers to every number.
-        if element.class() == "ZeroLengthSection" {
+        if element.class().name == "ZeroLengthSection" {
             break;
         }
     }

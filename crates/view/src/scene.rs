@@ -209,7 +209,7 @@ fn same_direction(e: &ElementEntry, model: &Model, mass: &[f64], row: usize, dir
 }
 
 fn element(e: &ElementEntry) -> SceneElement {
-    let class = e.element.class();
+    let class = e.element.class().name;
     SceneElement {
         tag: e.tag,
         class,

@@ -70,7 +70,7 @@ fn bearings(engine: &Engine, meter: f64) -> Vec<Found> {
         let strength = shear_test(engine, ElementId(k), 0, TEST[0] * meter, TEST[1]).map_or(f64::NAN, |l| l.q_d);
         out.push(Found {
             tag: e.tag,
-            class: e.element.class(),
+            class: e.element.class().name,
             place: node.coords[..ndm - 1].to_vec(),
             elevation: node.coords[ndm - 1],
             gravity,

@@ -204,7 +204,7 @@ fn unlisted(study: &mut Study, model: &ScriptModel) {
         .model()
         .elements
         .iter()
-        .filter(|e| classes.contains(e.element.class()) && !is_listed(e.tag))
+        .filter(|e| classes.contains(e.element.class().name) && !is_listed(e.tag))
         .map(|e| e.tag.to_string())
         .collect();
     if found.is_empty() {

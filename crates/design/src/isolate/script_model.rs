@@ -208,7 +208,8 @@ fn bearing(engine: &Engine, kind: usize, tag: i64) -> Result<ScriptBearing, Stri
     let gravity = -force[force.len() / 2 + node.ndm() - 1];
     let elevation = node.coords[node.ndm() - 1];
     let rise = elevation - model.nodes[lower.0].coords.last().copied().unwrap_or(elevation);
-    Ok(ScriptBearing { tag, kind, id, class: entry.element.class(), gravity, elevation, rise, line: String::new() })
+    let class = entry.element.class().name;
+    Ok(ScriptBearing { tag, kind, id, class, gravity, elevation, rise, line: String::new() })
 }
 
 /// Mass in the first direction and elevation of each node. A row of a consistent mass matrix counts for its node.

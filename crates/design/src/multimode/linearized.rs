@@ -1,7 +1,9 @@
 //! A bearing with an effective stiffness in shear.
 
 use hysteron_engine::element::roles::{Inertia, Roles};
-use hysteron_engine::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use hysteron_engine::element::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
+};
 use hysteron_engine::probe::Probe;
 
 /// The initial stiffness of an element with another shear stiffness in horizontal directions.
@@ -11,7 +13,7 @@ use hysteron_engine::probe::Probe;
 /// the stiffness is kept: axial, bending and torsion.
 #[derive(Debug)]
 pub(super) struct Linearized {
-    class: &'static str,
+    class: Class,
     state_len: usize,
     mass: Mass,
     matrix: Vec<f64>,
@@ -47,7 +49,7 @@ impl Linearized {
 hysteron_engine::watches_columns!(Linearized => nothing);
 
 impl Element for Linearized {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.class
     }
     fn dofs(&self) -> usize {

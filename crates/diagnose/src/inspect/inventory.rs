@@ -172,7 +172,7 @@ impl ModelInventory {
             let traits = e.element.traits();
             if rows.is_empty() {
                 // Large displacements and P-Delta change the geometry, not the law.
-                let elastic_law = ELASTIC_BEAM_CLASSES.iter().any(|class| e.element.class().starts_with(class));
+                let elastic_law = ELASTIC_BEAM_CLASSES.iter().any(|class| e.element.class().name.starts_with(class));
                 if (traits.linear || elastic_law) && e.dofs.len() >= 6 {
                     out.beams.push(e.tag);
                 }
@@ -184,8 +184,8 @@ impl ModelInventory {
             let all: Vec<Direction> = rows.iter().map(|r| direction(r, &tangent, model.nodes[i.0].ndm())).collect();
             let directions: Vec<Direction> = all.iter().filter(|d| d.stiffness > 0.0).cloned().collect();
             let linear = traits.linear || is_elastic(e.element.as_ref(), &rows);
-            let device =
-                Device { tag: e.tag, class: e.element.class(), nodes, directions, linear, viscous: traits.viscous };
+            let (tag, class) = (e.tag, e.element.class().name);
+            let device = Device { tag, class, nodes, directions, linear, viscous: traits.viscous };
             if device.viscous && device.directions.is_empty() {
                 out.dashpots.push(Device { directions: all, ..device.clone() });
             }

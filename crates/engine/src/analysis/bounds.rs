@@ -106,7 +106,7 @@ fn stretched(model: &Model, state: &State, i: usize) -> Option<Excess> {
         "the deformation {:.4} is {ratio:.1} times {} of {:.4}: the law holds up to {} times",
         s.deformation, s.what, s.size, s.suspect
     );
-    let element = format!("{} {}", e.element.class(), e.tag);
+    let element = format!("{} {}", e.element.class().name, e.tag);
     Some(Excess { element, time: state.time, message, is_refused: ratio > s.refused })
 }
 
@@ -125,7 +125,7 @@ fn displaced(model: &Model, state: &State, size: f64) -> Option<Excess> {
     let tag = model.nodes[furthest].tag;
     let at = |e: &&crate::model::ElementEntry| e.nodes.iter().any(|n| n.0 == furthest);
     let element = model.elements.iter().find(at);
-    let element = element.map_or_else(|| "the model".into(), |e| format!("{} {}", e.element.class(), e.tag));
+    let element = element.map_or_else(|| "the model".into(), |e| format!("{} {}", e.element.class().name, e.tag));
     let message =
         format!("node {tag} has moved by {moved:.4}, {:.0} times the size of the model, {size:.4}", moved / size);
     Some(Excess { element, time: state.time, message, is_refused: moved > REFUSED_EXTENTS * size })

@@ -127,7 +127,7 @@ impl EnergyBalance {
         }
         self.revision = Some(engine.model().revision());
         self.imposed = imposed_dofs(engine.model());
-        self.class_of = engine.model().elements.iter().map(|e| self.now.class(e.element.class())).collect();
+        self.class_of = engine.model().elements.iter().map(|e| self.now.class(e.element.class().name)).collect();
         engine.forces_of_state(&self.imposed, &mut self.reactions, &mut self.last)?;
         self.now.input += self.last.kinetic - self.now.kinetic;
         self.now.kinetic = self.last.kinetic;

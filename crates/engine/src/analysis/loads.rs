@@ -280,7 +280,7 @@ impl Loads {
             let e = &model.elements[id.0];
             e.element
                 .add_load(load, self.factors[*pattern], &mut words[e.load.clone()])
-                .map_err(|error| (format!("{} {}", e.element.class(), e.tag), error.0.into()))?;
+                .map_err(|error| (format!("{} {}", e.element.class().name, e.tag), error.0.into()))?;
         }
         Ok(changed)
     }

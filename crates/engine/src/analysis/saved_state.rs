@@ -22,7 +22,7 @@ pub struct SavedState {
 fn shape(model: &Model) -> Vec<u64> {
     let nodes = model.nodes.iter().flat_map(|n| [n.tag as u64, n.ndf as u64]);
     let elements = model.elements.iter().flat_map(|e| {
-        let class = checksum(e.element.class().as_bytes());
+        let class = checksum(e.element.class().name.as_bytes());
         [e.tag as u64, class, e.state.len() as u64, e.force.len() as u64]
     });
     [model.nodes.len() as u64].into_iter().chain(nodes).chain(elements).collect()

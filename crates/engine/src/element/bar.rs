@@ -1,6 +1,6 @@
 //! Common part of axial bars: material, mass and responses.
 
-use super::{ElementTraits, Mass, Snapshot};
+use super::{Class, ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
 use crate::parameter::{ParameterError, exchange, first};
 use crate::probe::Probe;
@@ -77,7 +77,7 @@ impl Bar {
     }
 
     /// The name of the class with a material, or that with a section.
-    pub(super) fn class(&self, with_material: &'static str, with_section: &'static str) -> &'static str {
+    pub(super) fn class(&self, with_material: Class, with_section: Class) -> Class {
         if self.has_section() { with_section } else { with_material }
     }
 

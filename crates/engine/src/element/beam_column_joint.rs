@@ -1,6 +1,6 @@
 //! Joint of beams and columns with bar slip and interface shear: `beamColumnJoint`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
 use crate::element::roles::{ForceLabels, Roles};
 use crate::material::{Material, MaterialError, Slot, Strain};
 use crate::probe::Probe;
@@ -249,8 +249,8 @@ fn plane_of([right, up]: &[[f64; 3]; 2]) -> Vec<f64> {
 crate::watches_columns!(BeamColumnJoint => |s| in &s.springs);
 
 impl Element for BeamColumnJoint {
-    fn class(&self) -> &'static str {
-        if self.to_plane.is_empty() { "BeamColumnJoint2d" } else { "BeamColumnJoint3d" }
+    fn class(&self) -> Class {
+        if self.to_plane.is_empty() { Class::new("BeamColumnJoint2d", 71) } else { Class::new("BeamColumnJoint3d", 72) }
     }
     fn dofs(&self) -> usize {
         if self.to_plane.is_empty() { OUTER } else { 2 * OUTER }

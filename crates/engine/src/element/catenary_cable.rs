@@ -1,7 +1,7 @@
 //! Elastic cable under a uniform load: `CatenaryCable` (Thai and Kim, 2011, <https://doi.org/10.1016/j.finel.2010.10.005>).
 
 use super::load::ElementLoad;
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
 use crate::element::roles::{ElementLoads, Inertia, Roles};
 use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
@@ -133,8 +133,8 @@ impl CatenaryCable {
 crate::watches_columns!(CatenaryCable => nothing);
 
 impl Element for CatenaryCable {
-    fn class(&self) -> &'static str {
-        "CatenaryCable"
+    fn class(&self) -> Class {
+        Class::new("CatenaryCable", 169)
     }
     fn dofs(&self) -> usize {
         DOFS

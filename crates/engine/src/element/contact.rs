@@ -1,7 +1,7 @@
 //! Contact of two nodes with Coulomb friction by penalties: `zeroLengthContact2D` and `zeroLengthContact3D`; the friction
 //! of `zeroLengthImpact3D` (Simo and Laursen, 1992, Computers and Structures 42, 97-116).
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
 use crate::element::roles::Roles;
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -176,10 +176,10 @@ const GAP: u32 = 2;
 crate::watches_columns!(Contact => nothing);
 
 impl Element for Contact {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         match self.surface {
-            ContactSurface::Line { .. } => "ZeroLengthContact2D",
-            ContactSurface::Space { .. } => "ZeroLengthContact3D",
+            ContactSurface::Line { .. } => Class::new("ZeroLengthContact2D", 22),
+            ContactSurface::Space { .. } => Class::new("ZeroLengthContact3D", 23),
         }
     }
     fn dofs(&self) -> usize {

@@ -1,7 +1,7 @@
 //! Axial bar with large displacements: `corotTruss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, one_by_one};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, one_by_one};
 use crate::element::roles::{ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
 use crate::parameter::Changed;
@@ -87,8 +87,8 @@ fn norm(v: &[f64; 3]) -> f64 {
 crate::watches_columns!(CorotTruss => |s| in [&s.bar.slot]);
 
 impl Element for CorotTruss {
-    fn class(&self) -> &'static str {
-        self.bar.class("CorotTruss", "CorotTrussSection")
+    fn class(&self) -> Class {
+        self.bar.class(Class::new("CorotTruss", 14), Class::new("CorotTrussSection", 15))
     }
     fn dofs(&self) -> usize {
         self.bar.dofs()

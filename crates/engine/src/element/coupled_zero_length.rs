@@ -1,6 +1,6 @@
 //! One spring for two directions: `CoupledZeroLength`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::element::roles::{ElementParameters, Roles};
 use crate::material::{Material, Slot, Strain};
 use crate::parameter::Changed;
@@ -65,8 +65,8 @@ impl CoupledZeroLength {
 crate::watches_columns!(CoupledZeroLength => |s| in [&s.slot]);
 
 impl Element for CoupledZeroLength {
-    fn class(&self) -> &'static str {
-        "CoupledZeroLength"
+    fn class(&self) -> Class {
+        Class::new("CoupledZeroLength", 26)
     }
     fn dofs(&self) -> usize {
         2 * self.per_node

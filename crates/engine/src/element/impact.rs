@@ -2,7 +2,7 @@
 //! the normal law is that of Muthukumar and DesRoches, 2006, Earthquake Engineering and Structural Dynamics 35, 811-828).
 
 use super::contact::{CONTACT_DOFS as DOFS, ContactDirection, ContactFriction, in_space};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::element::roles::Roles;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -88,8 +88,9 @@ impl Impact {
 crate::watches_columns!(Impact => nothing);
 
 impl Element for Impact {
-    fn class(&self) -> &'static str {
-        "ZeroLengthImpact3D"
+    fn class(&self) -> Class {
+        // OpenSees gives it the number of the contact in space.
+        Class::new("ZeroLengthImpact3D", 23)
     }
     fn dofs(&self) -> usize {
         DOFS

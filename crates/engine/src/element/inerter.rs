@@ -1,7 +1,7 @@
 //! Forces in proportion to relative accelerations of two nodes: `inerter`.
 
 use super::two_node_link::{global_matrix, local_axes, p_delta_forces, pull_back};
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer};
 use crate::element::roles::{ForceLabels, Inertance, Inertia, OwnDamping, Roles};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -156,8 +156,8 @@ const Z_AXIS: u32 = 22;
 crate::watches_columns!(Inerter => nothing);
 
 impl Element for Inerter {
-    fn class(&self) -> &'static str {
-        "Inerter"
+    fn class(&self) -> Class {
+        Class::new("Inerter", 191)
     }
     fn dofs(&self) -> usize {
         2 * self.per_node

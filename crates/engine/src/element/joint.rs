@@ -1,7 +1,7 @@
 //! Joint of beams and columns in the plane: `Joint2D`.
 
 use super::springs::Springs;
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
 use crate::element::roles::Roles;
 use crate::material::{Material, Slot};
 use crate::probe::Probe;
@@ -47,8 +47,8 @@ impl Joint {
 crate::watches_columns!(Joint => |s| in s.springs.slots());
 
 impl Element for Joint {
-    fn class(&self) -> &'static str {
-        "Joint2D"
+    fn class(&self) -> Class {
+        Class::new("Joint2D", 82)
     }
     fn dofs(&self) -> usize {
         DOFS

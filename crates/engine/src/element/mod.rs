@@ -14,6 +14,7 @@ pub mod beam;
 mod beam_column_joint;
 pub mod bearing;
 mod catenary_cable;
+mod class;
 mod contact;
 mod continuum;
 mod corot_truss;
@@ -51,6 +52,7 @@ pub use bar::BarOptions;
 pub use basic_row::{BasicRow, RowMaterial};
 pub use beam_column_joint::{BeamColumnJoint, JOINT_SPRINGS, JointGeometry};
 pub use catenary_cable::CatenaryCable;
+pub use class::Class;
 pub use contact::{Contact, ContactDirection, ContactFriction, ContactSurface};
 pub use continuum::{BrickOptions, Continuum, QuadOptions, QuadraticShape};
 pub use corot_truss::CorotTruss;
@@ -310,8 +312,8 @@ pub struct Overload {
 ///
 /// *The default always works*: `commit`.
 pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
-    /// OpenSees' name of the class, as recorders and `print` show it.
-    fn class(&self) -> &'static str;
+    /// Its class, by which recorders and `print` name it.
+    fn class(&self) -> Class;
     /// Number of degrees of freedom n, all nodes together.
     fn dofs(&self) -> usize;
     /// Number of state variables.

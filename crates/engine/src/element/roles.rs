@@ -266,7 +266,7 @@ impl dyn Element {
     pub fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         match self.roles().loads {
             Some(loads) => loads.add_load(load, factor, sums),
-            None => Err(ElementError(format!("{} takes no element loads", self.class()).into())),
+            None => Err(ElementError(format!("{} takes no element loads", self.class().name).into())),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
     add_outer, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Inertia, Roles};
@@ -60,8 +60,8 @@ impl Truss {
 crate::watches_columns!(Truss => |s| in [&s.bar.slot]);
 
 impl Element for Truss {
-    fn class(&self) -> &'static str {
-        self.bar.class("Truss", "TrussSection")
+    fn class(&self) -> Class {
+        self.bar.class(Class::new("Truss", 12), Class::new("TrussSection", 13))
     }
     fn dofs(&self) -> usize {
         self.row.len()

@@ -1,6 +1,6 @@
 //! Flexibility of the joint of a brace and a chord of an offshore platform: `ElasticTubularJoint`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
 use crate::element::roles::{ForceLabels, Roles};
 use crate::probe::Probe;
 use std::f64::consts::FRAC_PI_2;
@@ -62,8 +62,9 @@ impl TubularJoint {
 crate::watches_columns!(TubularJoint => nothing);
 
 impl Element for TubularJoint {
-    fn class(&self) -> &'static str {
-        "ElasticTubularJoint"
+    fn class(&self) -> Class {
+        // The number stands in its own file of OpenSees.
+        Class::new("ElasticTubularJoint", 2519)
     }
     fn dofs(&self) -> usize {
         DOFS

@@ -2,7 +2,7 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::material::{Material, Slot};
@@ -197,8 +197,8 @@ const LOCAL_DISP: u32 = 101;
 crate::watches_columns!(TwoNodeLink => |s| in s.springs.slots());
 
 impl Element for TwoNodeLink {
-    fn class(&self) -> &'static str {
-        "TwoNodeLink"
+    fn class(&self) -> Class {
+        Class::new("TwoNodeLink", 86)
     }
     fn dofs(&self) -> usize {
         2 * self.per_node

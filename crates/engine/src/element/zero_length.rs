@@ -1,7 +1,9 @@
 //! Springs between two nodes at one location: `zeroLength`.
 
 use super::springs::Springs;
-use super::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot, one_by_one};
+use super::{
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot, one_by_one,
+};
 use crate::element::roles::{BasicDeformations, ElementParameters, Roles};
 use crate::material::{Material, Slot};
 use crate::parameter::Changed;
@@ -83,8 +85,8 @@ pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes:
 crate::watches_columns!(ZeroLength => |s| in s.springs.slots());
 
 impl Element for ZeroLength {
-    fn class(&self) -> &'static str {
-        "ZeroLength"
+    fn class(&self) -> Class {
+        Class::new("ZeroLength", 19)
     }
     fn dofs(&self) -> usize {
         self.dofs

@@ -1,7 +1,7 @@
 //! A section between two nodes at one location: `zeroLengthSection`.
 
 use super::zero_length::direction_row;
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use crate::element::roles::{ElementParameters, ForceLabels, Roles};
 use crate::parameter::Changed;
 use crate::probe::Probe;
@@ -67,8 +67,8 @@ const SECTION: u32 = 30;
 crate::watches_columns!(ZeroLengthSection => |s| in [&s.slot]);
 
 impl Element for ZeroLengthSection {
-    fn class(&self) -> &'static str {
-        "ZeroLengthSection"
+    fn class(&self) -> Class {
+        Class::new("ZeroLengthSection", 20)
     }
     fn dofs(&self) -> usize {
         self.dofs

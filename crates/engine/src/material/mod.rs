@@ -181,8 +181,8 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         strain
     }
 
-    /// Sets a parameter by its name in scripts and returns the previous value, or `None` if the law has no such
-    /// parameter.
+    /// Sets a parameter that is no number of the law's command, by its name in scripts, and returns the previous value;
+    /// `None` if the law has no such parameter. The numbers of the command are those of its [`Recipe`].
     fn set_parameter(&mut self, _name: &str, _value: f64) -> Option<f64> {
         None
     }

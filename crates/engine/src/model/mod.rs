@@ -178,7 +178,7 @@ impl Model {
         let shared = e.element.opensees().calls.map_or(0, CallDependent::shared_len);
         if shared > 0 {
             let end = self.shared_len();
-            e.shared = self.shared.entry((e.element.class(), shared)).or_insert(end..end + shared).clone();
+            e.shared = self.shared.entry((e.element.class().name, shared)).or_insert(end..end + shared).clone();
         }
     }
 

@@ -196,7 +196,7 @@ impl Source for ElementResponse {
                 None => missing.push(Missing::Response {
                     words: self.words.join(" "),
                     element: tag,
-                    class: model.elements[id.0].element.class(),
+                    class: model.elements[id.0].element.class().name,
                 }),
             }
         }
@@ -221,7 +221,7 @@ impl Source for ElementResponse {
         let model = engine.model();
         let group = |(id, tag, answer): &(ElementId, Tag, Response)| {
             let entry = &model.elements[id.0];
-            let mut attributes = vec![("eleType", entry.element.class().to_owned()), ("eleTag", tag.to_string())];
+            let mut attributes = vec![("eleType", entry.element.class().name.to_owned()), ("eleTag", tag.to_string())];
             attributes.extend(ENDS.into_iter().zip(entry.nodes.iter().map(|n| model.nodes[n.0].tag.to_string())));
             let labels = answer.labels();
             let columns = self.chosen(labels.len()).map(|i| labels[i].clone()).collect();

@@ -102,7 +102,7 @@ fn node(model: &Model, id: NodeId) -> Option<String> {
 fn element(model: &Model, tag: Tag) -> Option<String> {
     let e = model.elements.get(model.element(tag)?.0)?;
     let ends: Vec<String> = e.nodes.iter().map(|n| node_in_short(model, *n)).collect();
-    let mut out = format!("`{}` from {}", e.element.class(), ends.join(" to "));
+    let mut out = format!("`{}` from {}", e.element.class().name, ends.join(" to "));
     if let [i, j] = e.nodes[..] {
         let (a, b) = (&model.nodes[i.0].coords, &model.nodes[j.0].coords);
         let length = a.iter().zip(b).map(|(a, b)| (b - a).powi(2)).sum::<f64>().sqrt();

@@ -336,7 +336,7 @@ fn warn_of_pseudo_time(interp: &mut Tcl, span: Option<Span>) -> Result<(), Excep
     let engine = &interp.host.engine;
     let Some(integrator) = engine.setup().map(|s| &s.integrator).filter(|i| !i.elapses()) else { return Ok(()) };
     let Some(e) = engine.model().elements.iter().find(|e| e.element.traits().elapses) else { return Ok(()) };
-    let what = format!("{} {}", e.element.class(), e.tag);
+    let what = format!("{} {}", e.element.class().name, e.tag);
     let name = integrator.name();
     interp.host.warnings.note(&checks::analysis::PSEUDO_TIME);
     let message = format!("no time passes under {name}: the dashpots of {what} stay where they are");

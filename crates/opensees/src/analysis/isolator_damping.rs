@@ -27,7 +27,7 @@ pub(crate) struct IsolatorDamping {
 
 /// Returns true if an element may be an isolator: a bearing, or a link that is not linear.
 pub fn may_isolate(e: &ElementEntry) -> bool {
-    e.element.bearing().is_some() || !e.element.traits().linear && LINKS.contains(&e.element.class())
+    e.element.bearing().is_some() || !e.element.traits().linear && LINKS.contains(&e.element.class().name)
 }
 
 fn is_isolator(e: &ElementEntry) -> bool {

@@ -30,7 +30,7 @@ fn axes(model: &Model) -> Option<(usize, usize)> {
 fn floors(model: &Model, axis: usize, direction: usize) -> Vec<(f64, NodeId)> {
     let place = |n: NodeId| model.nodes[n.0].place();
     let held: BTreeSet<NodeId> = model.fixes.iter().filter(|f| f.dof == direction).map(|f| f.node).collect();
-    let beams = model.elements.iter().filter(|e| e.element.class().contains("Beam"));
+    let beams = model.elements.iter().filter(|e| e.element.class().name.contains("Beam"));
     let beams = beams.filter_map(|e| if let [i, j] = e.nodes[..] { Some((i, j)) } else { None });
     let ties = model.multi_points.iter().filter(|m| m.constrained_dofs.contains(&direction));
     let joined = ties.map(|m| (m.retained, m.constrained)).chain(beams).filter(|(i, j)| {

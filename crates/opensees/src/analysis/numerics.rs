@@ -63,7 +63,7 @@ fn report_overload(interp: &mut Tcl, span: Option<Span>) {
     let Some((e, Overload { load, critical })) = session.engine.overload() else { return };
     let message = format!(
         "the axial load of {} {} is {load:.4e}, above its critical load of {critical:.4e}",
-        e.element.class(),
+        e.element.class().name,
         e.tag
     );
     session.warnings.note(&checks::analysis::OVERLOADED_BEARING);

@@ -295,7 +295,7 @@ fn buckled_beam(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exception> {
     }
     let message = euler_loads(&mut interp.host, |engine, loads| {
         engine.buckled_beam(loads).map(|(e, Overload { load, critical })| {
-            let (class, tag) = (e.element.class(), e.tag);
+            let (class, tag) = (e.element.class().name, e.tag);
             format!("the compression of {class} {tag} is {load:.4e}, above its Euler load of {critical:.4e}")
         })
     });

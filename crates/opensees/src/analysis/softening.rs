@@ -39,7 +39,7 @@ impl BackboneWatch {
         let beyond = |id: &ElementId| engine.softening(*id).filter(|s| s.deformation > s.force_end).map(|s| (*id, s));
         if let Some((id, softening)) = self.elements.iter().find_map(beyond) {
             let e = &engine.model().elements[id.0];
-            self.found = Some((format!("{} {}", e.element.class(), e.tag), softening, engine.state().time));
+            self.found = Some((format!("{} {}", e.element.class().name, e.tag), softening, engine.state().time));
         }
     }
 

@@ -1,6 +1,6 @@
 //! `element HDRRheologyBearing`.
 
-use super::rubber_bearing::{Common, in_space, layers};
+use super::rubber_bearing::{AC, COVER, Common, KC, MASS, PHI_M, SHEAR_DIST, in_space, layers};
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
@@ -62,7 +62,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut c = Common::new(a.last_span());
     let mut layers = layers(interp, a, false)?;
     let (mut varies, mut p_delta) = (true, true);
-    let law = rheology(interp, a, OPTIONS, |a, option| {
+    let law = rheology(interp, a, OPTIONS, |interp, a, option| {
         match option {
             "-axial" => {
                 varies = match a.word("axial law: kumar or linear")?.as_ref() {
@@ -78,13 +78,13 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                     _ => return Err(a.unknown_name("choice of P-Delta moments", ["on", "off"])),
                 }
             }
-            "-orient" => c.axes(a)?,
-            "-kc" => c.cavitation(a)?,
-            "-PhiM" => c.damage(a)?,
-            "-ac" => c.degradation(a)?,
-            "-shearDist" => c.shear_dist(a)?,
-            "-mass" => c.mass(a)?,
-            "-cover" => c.cover(a)?,
+            "-orient" => c.axes(interp, a)?,
+            "-kc" => c.kc = a.read(interp, &KC)?,
+            "-PhiM" => c.phi = a.read(interp, &PHI_M)?,
+            "-ac" => c.ac = a.read(interp, &AC)?,
+            "-shearDist" => c.shear_dist = a.read(interp, &SHEAR_DIST)?,
+            "-mass" => c.mass = a.read(interp, &MASS)?,
+            "-cover" => c.cover = a.read(interp, &COVER)?,
             _ => return Ok(false),
         }
         Ok(true)

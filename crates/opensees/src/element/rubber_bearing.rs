@@ -4,9 +4,8 @@ use super::lead_units::ThermalUnits;
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::checks;
-use crate::model::transform::vector;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
@@ -20,11 +19,65 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const YIELDING: [Arg; 2] =
+    [Arg::positive("Fy", "yield force Fy"), Arg::positive("alpha", "post-yield stiffness ratio alpha")];
+const LAYERS: [Arg; 7] = [
+    Arg::positive("Gr", "shear modulus Gr"),
+    Arg::positive("Kbulk", "bulk modulus Kbulk"),
+    Arg::not_negative("D1", "inner diameter D1"),
+    Arg::positive("D2", "outer diameter D2"),
+    Arg::not_negative("ts", "thickness of a shim ts"),
+    Arg::positive("tr", "thickness of a rubber layer tr"),
+    Arg::number("n", "number of layers n"),
+];
+const SHEAR: [Arg; 10] = [
+    Arg::positive("a1", "parameter a1 of the elastic shear force"),
+    Arg::number("a2", "parameter a2 of the elastic shear force"),
+    Arg::number("a3", "parameter a3 of the elastic shear force"),
+    Arg::not_negative("b1", "parameter b1 of the bounding force"),
+    Arg::number("b2", "parameter b2 of the bounding force"),
+    Arg::not_negative("b3", "parameter b3 of the hysteretic force"),
+    Arg::not_negative("c1", "scragging parameter c1"),
+    Arg::not_negative("c2", "scragging parameter c2"),
+    Arg::number("c3", "Mullins parameter c3"),
+    Arg::not_negative("c4", "Mullins parameter c4"),
+];
+const X_AXIS: [Arg; 3] = [
+    Arg::number("x1", "x of the local x axis"),
+    Arg::number("x2", "y of the local x axis"),
+    Arg::number("x3", "z of the local x axis"),
+];
+const Y_AXIS: [Arg; 3] = [
+    Arg::number("y1", "x of the vector in the local x-y plane"),
+    Arg::number("y2", "y of the vector in the local x-y plane"),
+    Arg::number("y3", "z of the vector in the local x-y plane"),
+];
+pub(super) const KC: Arg = Arg::not_negative("kc", "cavitation parameter kc");
+pub(super) const PHI_M: Arg =
+    Arg::of_domain("PhiM", "largest damage of the cavitation strength PhiM", Domain::Fraction);
+pub(super) const AC: Arg = Arg::not_negative("ac", "strength degradation parameter ac");
+pub(super) const SHEAR_DIST: Arg = Arg::of_domain("sDratio", "place of the shear force sDratio", Domain::Fraction);
+pub(super) const MASS: Arg = Arg::not_negative("m", "mass m");
+const CD: Arg = Arg::not_negative("cd", "viscous damping cd");
+pub(super) const COVER: Arg = Arg::not_negative("tc", "cover thickness tc");
+const LEAD: [Arg; 4] = [
+    Arg::positive("qL", "density of lead qL"),
+    Arg::positive("cL", "specific heat of lead cL"),
+    Arg::positive("kS", "thermal conductivity of steel kS"),
+    Arg::positive("aS", "thermal diffusivity of steel aS"),
+];
+
 pub(super) const HDR: Kind = Kind {
     names: &["HDR"],
     usage: "element HDR $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n $a1 $a2 $a3 $b1 $b2 $b3 $c1 $c2 $c3 $c4 \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$tc>>>>>>>",
-    text: Text::new("High damping rubber bearing (Grant) with the axial law of layered rubber."),
+    text: Text::new("High damping rubber bearing (Grant) with the axial law of layered rubber.").groups(&[
+        &LAYERS,
+        &SHEAR,
+        &X_AXIS,
+        &Y_AXIS,
+        &[KC, PHI_M, AC, SHEAR_DIST, MASS, COVER],
+    ]),
     make: Make::TwoNodes(make_hdr),
 };
 
@@ -32,10 +85,12 @@ pub(super) const ELASTOMERIC_X: Kind = Kind {
     names: &["ElastomericX"],
     usage: "element ElastomericX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$cd <$tc <$tag1 ... $tag4>>>>>>>>",
-    text: Text::new("Elastomeric bearing with the axial law of layered rubber.").arguments(&[
-        Arg::new("tag1", "1: cavitation; 0: not"),
-        Arg::new("tag4", "1: vertical stiffness varies with shear; 0: not"),
-    ]),
+    text: Text::new("Elastomeric bearing with the axial law of layered rubber.")
+        .arguments(&[
+            Arg::new("tag1", "1: cavitation; 0: not"),
+            Arg::new("tag4", "1: vertical stiffness varies with shear; 0: not"),
+        ])
+        .groups(&[&YIELDING, &LAYERS, &X_AXIS, &Y_AXIS, &[KC, PHI_M, AC, SHEAR_DIST, MASS, CD, COVER]]),
     make: Make::TwoNodes(make_elastomeric),
 };
 
@@ -44,7 +99,8 @@ pub(super) const LEAD_RUBBER_X: Kind = Kind {
     usage: "element LeadRubberX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n <$x1 $x2 $x3 $y1 $y2 $y3 \
             <$kc <$PhiM <$ac $sDratio $m $cd <$tc <$qL $cL $kS $aS <$tag1 ... $tag5>>>>>>>",
     text: Text::new("Lead rubber bearing whose core heats, with the axial law of layered rubber.")
-        .arguments(&[Arg::new("tag1", "1: cavitation; 0: not"), Arg::new("tag5", "1: the lead core heats; 0: not")]),
+        .arguments(&[Arg::new("tag1", "1: cavitation; 0: not"), Arg::new("tag5", "1: the lead core heats; 0: not")])
+        .groups(&[&YIELDING, &LAYERS, &X_AXIS, &Y_AXIS, &[KC, PHI_M, AC, SHEAR_DIST, MASS, CD, COVER], &LEAD]),
     make: Make::TwoNodes(make_leaded),
 };
 
@@ -52,10 +108,10 @@ pub(super) const LEAD_RUBBER_X: Kind = Kind {
 pub(super) struct Common {
     orientation: Orientation,
     orient_at: Option<Span>,
-    kc: f64,
-    phi: f64,
-    ac: f64,
-    shear_dist: f64,
+    pub(super) kc: f64,
+    pub(super) phi: f64,
+    pub(super) ac: f64,
+    pub(super) shear_dist: f64,
     pub(super) mass: f64,
     cd: f64,
     pub(super) cover: f64,
@@ -77,48 +133,11 @@ impl Common {
         }
     }
 
-    pub(super) fn axes(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        let x = vector(a, 3, "local x axis")?;
+    pub(super) fn axes(&mut self, interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
+        let x = a.read_all(interp, &X_AXIS)?;
         self.orient_at = a.last_span();
-        let y = vector(a, 3, "vector in the local x-y plane")?;
-        self.orientation = Orientation { x: Some(x), y: Some(y) };
-        Ok(())
-    }
-
-    pub(super) fn cavitation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        // Zero stands for a bearing that hardens; OpenSees puts a small number there.
-        let kc = a.not_negative("cavitation parameter kc")?;
-        self.kc = if kc < f64::EPSILON { 1e-4 } else { kc };
-        Ok(())
-    }
-
-    pub(super) fn damage(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.phi = fraction(a, "largest damage of the cavitation strength PhiM")?;
-        Ok(())
-    }
-
-    pub(super) fn degradation(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.ac = a.not_negative("strength degradation parameter ac")?;
-        Ok(())
-    }
-
-    pub(super) fn shear_dist(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.shear_dist = fraction(a, "place of the shear force sDratio")?;
-        Ok(())
-    }
-
-    pub(super) fn mass(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.mass = a.not_negative("mass m")?;
-        Ok(())
-    }
-
-    fn damping(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.cd = a.not_negative("viscous damping cd")?;
-        Ok(())
-    }
-
-    pub(super) fn cover(&mut self, a: &mut Args<'_>) -> Result<(), Exception> {
-        self.cover = a.not_negative("cover thickness tc")?;
+        let y = a.read_all(interp, &Y_AXIS)?;
+        self.orientation = Orientation { x: Some(x.into()), y: Some(y.into()) };
         Ok(())
     }
 
@@ -134,14 +153,10 @@ impl Common {
 
     /// The axial law, where `switches` say whether the bearing cavitates, buckles and softens.
     pub(super) fn axial(&self, rubber: Rubber, [cavitates, buckles, softens]: [bool; 3], compat: bool) -> AxialLaw {
-        AxialLaw { rubber, kc: self.kc, phi: self.phi, ac: self.ac, cavitates, buckles, softens, compat }
+        // Zero stands for a bearing that hardens; OpenSees puts a small number there.
+        let kc = if self.kc < f64::EPSILON { 1e-4 } else { self.kc };
+        AxialLaw { rubber, kc, phi: self.phi, ac: self.ac, cavitates, buckles, softens, compat }
     }
-}
-
-/// A number from 0 to 1.
-fn fraction(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let x = a.float(what)?;
-    if (0.0..=1.0).contains(&x) { Ok(x) } else { Err(a.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
 }
 
 pub(super) fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
@@ -150,25 +165,23 @@ pub(super) fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
 
 /// Material and geometry: G, K, D1, D2, ts, tr, n.
 pub(super) fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Result<Layers, Exception> {
-    let g = a.positive("shear modulus Gr")?;
-    let bulk = a.positive("bulk modulus Kbulk")?;
-    let inner = a.not_negative("inner diameter D1")?;
-    let outer = a.positive("outer diameter D2")?;
+    let [g_r, k_bulk, d1, d2, ts, tr, n] = &LAYERS;
+    let (g, bulk) = (a.read(interp, g_r)?, a.read(interp, k_bulk)?);
+    let (inner, outer) = (a.read(interp, d1)?, a.read(interp, d2)?);
     if outer <= inner {
         return Err(a.refuse(
             format!("outer diameter D2 is {outer}, inner diameter D1 is {inner}"),
             format!("expected an outer diameter greater than {inner}"),
         ));
     }
-    let shim = a.not_negative("thickness of a shim ts")?;
-    let layer = a.positive("thickness of a rubber layer tr")?;
+    let (shim, layer) = (a.read(interp, ts)?, a.read(interp, tr)?);
     if layer >= outer {
         return Err(a.refuse(
             format!("thickness of a rubber layer tr is {layer}"),
             format!("expected less than the outer diameter, {outer}"),
         ));
     }
-    let count = a.float("number of layers n")?;
+    let count = a.read(interp, n)?;
     if count < 1.0 {
         return Err(a.refuse(format!("number of layers n is {count}"), "expected at least 1"));
     }
@@ -217,32 +230,13 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     first_form(a)?;
     let mut layers = layers(interp, a, false)?;
     layers.count = layers.count.trunc();
-    let elastic = [
-        a.positive("parameter a1 of the elastic shear force")?,
-        a.float("parameter a2 of the elastic shear force")?,
-        a.float("parameter a3 of the elastic shear force")?,
-    ];
-    let hysteretic = [
-        a.not_negative("parameter b1 of the bounding force")?,
-        a.float("parameter b2 of the bounding force")?,
-        a.not_negative("parameter b3 of the hysteretic force")?,
-    ];
-    let damage = [
-        a.not_negative("scragging parameter c1")?,
-        a.not_negative("scragging parameter c2")?,
-        a.float("Mullins parameter c3")?,
-        a.not_negative("Mullins parameter c4")?,
-    ];
+    let [a1, a2, a3, b1, b2, b3, c1, c2, c3, c4] = a.read_all(interp, &SHEAR)?;
     if a.left() > 0 {
-        c.axes(a)?;
+        c.axes(interp, a)?;
     }
-    for take in
-        [Common::cavitation, Common::damage, Common::degradation, Common::shear_dist, Common::mass, Common::cover]
-    {
-        if a.left() > 0 {
-            take(&mut c, a)?;
-        }
-    }
+    let values = [c.kc, c.phi, c.ac, c.shear_dist, c.mass, c.cover];
+    [c.kc, c.phi, c.ac, c.shear_dist, c.mass, c.cover] =
+        a.read_leading(interp, [&KC, &PHI_M, &AC, &SHEAR_DIST, &MASS, &COVER], values)?;
     nothing_left(a)?;
     layers.cover = c.cover;
     let compat = interp.host.follows(&[
@@ -252,7 +246,7 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
         slips::RUBBER_COMPRESSION,
         slips::HDR_TRIAL,
     ]);
-    let shear = GrantShear { a: elastic, b: hysteretic, c: damage, rules: Consistent };
+    let shear = GrantShear { a: [a1, a2, a3], b: [b1, b2, b3], c: [c1, c2, c3, c4], rules: Consistent };
     let axial = c.axial(layers.bearing(), [true; 3], compat);
     let link = c.link(a, ends)?.under_given_force(compat);
     Ok(match compat {
@@ -262,9 +256,8 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
 }
 
 /// Yield force and the ratio of stiffnesses after and before yielding.
-fn yielding(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
-    let qy = a.positive("yield force Fy")?;
-    let alpha = a.positive("post-yield stiffness ratio alpha")?;
+fn yielding(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
+    let [qy, alpha] = a.read_all(interp, &YIELDING)?;
     if alpha >= 1.0 {
         return Err(a.refuse(
             format!("post-yield stiffness ratio alpha is {alpha}"),
@@ -297,25 +290,14 @@ fn switches<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>, what: [&str; N])
 fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     in_space(a, ends)?;
     let mut c = Common::new(a.last_span());
-    let (qy, alpha) = yielding(a)?;
+    let (qy, alpha) = yielding(interp, a)?;
     let mut layers = layers(interp, a, false)?;
     if a.left() > 0 {
-        c.axes(a)?;
+        c.axes(interp, a)?;
     }
-    let options = [
-        Common::cavitation,
-        Common::damage,
-        Common::degradation,
-        Common::shear_dist,
-        Common::mass,
-        Common::damping,
-        Common::cover,
-    ];
-    for take in options {
-        if a.left() > 0 {
-            take(&mut c, a)?;
-        }
-    }
+    let values = [c.kc, c.phi, c.ac, c.shear_dist, c.mass, c.cd, c.cover];
+    [c.kc, c.phi, c.ac, c.shear_dist, c.mass, c.cd, c.cover] =
+        a.read_leading(interp, [&KC, &PHI_M, &AC, &SHEAR_DIST, &MASS, &CD, &COVER], values)?;
     let [cavitates, buckles, varies, softens] =
         switches(interp, a, ["cavitation", "critical load", "shear stiffness", "axial stiffness"])?;
     nothing_left(a)?;
@@ -350,34 +332,18 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
 fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     in_space(a, ends)?;
     let mut c = Common::new(a.last_span());
-    let (qy, alpha) = yielding(a)?;
+    let (qy, alpha) = yielding(interp, a)?;
     let mut layers = layers(interp, a, true)?;
     if a.left() > 0 {
-        c.axes(a)?;
+        c.axes(interp, a)?;
     }
     // OpenSees takes some of them together or not at all.
-    for take in [Common::cavitation, Common::damage] {
-        if a.left() > 0 {
-            take(&mut c, a)?;
-        }
-    }
-    if a.left() > 0 {
-        c.degradation(a)?;
-        c.shear_dist(a)?;
-        c.mass(a)?;
-        c.damping(a)?;
-    }
-    if a.left() > 0 {
-        c.cover(a)?;
-    }
-    let (mut density, mut heat, mut conductivity, mut diffusivity) = (11200.0, 130.0, 50.0, 1.41e-5);
+    [c.kc, c.phi] = a.read_leading(interp, [&KC, &PHI_M], [c.kc, c.phi])?;
+    let values = [c.ac, c.shear_dist, c.mass, c.cd];
+    [c.ac, c.shear_dist, c.mass, c.cd] = a.read_all_or(interp, &[AC, SHEAR_DIST, MASS, CD], values)?;
+    [c.cover] = a.read_all_or(interp, &[COVER], [c.cover])?;
     let is_default = a.left() == 0;
-    if !is_default {
-        density = a.positive("density of lead qL")?;
-        heat = a.positive("specific heat of lead cL")?;
-        conductivity = a.positive("thermal conductivity of steel kS")?;
-        diffusivity = a.positive("thermal diffusivity of steel aS")?;
-    }
+    let [density, heat, conductivity, diffusivity] = a.read_all_or(interp, &LEAD, [11200.0, 130.0, 50.0, 1.41e-5])?;
     let [cavitates, buckles, varies, softens, heats] =
         switches(interp, a, ["cavitation", "critical load", "shear stiffness", "axial stiffness", "heating"])?;
     if heats && layers.inner == 0.0 {

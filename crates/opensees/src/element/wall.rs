@@ -63,7 +63,7 @@ pub(super) const SFI_MVLEM: Kind = Kind {
     usage: "element SFI_MVLEM $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
     text: Text::new("Wall of panels in plane stress, without horizontal stress.")
         .example("element SFI_MVLEM 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
-    make: Make::AnyNodes(|interp, a| panels(interp, a, ("SFI_MVLEM", PanelLaw::NoStress))),
+    make: Make::AnyNodes(|interp, a| panels(interp, a, PanelLaw::NoStress)),
 };
 
 pub(super) const E_SFI: Kind = Kind {
@@ -71,7 +71,7 @@ pub(super) const E_SFI: Kind = Kind {
     usage: "element E_SFI $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
     text: Text::new("Wall of panels in plane stress, whose horizontal strain follows from the shear strain.")
         .example("element E_SFI 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
-    make: Make::AnyNodes(|interp, a| panels(interp, a, ("E_SFI", PanelLaw::FromShear))),
+    make: Make::AnyNodes(|interp, a| panels(interp, a, PanelLaw::FromShear)),
 };
 
 pub(super) const SFI_MVLEM_3D: Kind = Kind {
@@ -86,7 +86,7 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
             "modulus of elasticity of the plate; the mean of the concretes without",
         )])
         .groups(&[PLATE]),
-    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("SFI_MVLEM_3D", PanelLaw::NoStress))),
+    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::NoStress)),
 };
 
 pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
@@ -101,7 +101,7 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
             "modulus of elasticity of the plate; the mean of the concretes without",
         )])
         .groups(&[PLATE]),
-    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, ("E_SFI_MVLEM_3D", PanelLaw::FromShearAndBars))),
+    make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::FromShearAndBars)),
 };
 
 type WallResult = Result<(Vec<NodeId>, Arc<dyn Element>), Exception>;
@@ -318,7 +318,7 @@ fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
     let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, density * s.area() * height);
     let fibres = s.fibres();
     let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
-    Ok((nodes, WallLines::new("MVLEM", fibres, shear, shape).shared()))
+    Ok((nodes, WallLines::new(fibres, shear, shape).shared()))
 }
 
 fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
@@ -329,10 +329,10 @@ fn lines_in_space(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
     let shape = s.in_space(&corners, |i| moduli[i]).map_err(|e| refused(a, place, e))?;
     let fibres = s.fibres();
     let Some(shear) = s.shear else { return Err(a.refuse("-matShear is missing", "expected a material")) };
-    Ok((nodes, WallLines::new("MVLEM_3D", fibres, shear, shape).shared()))
+    Ok((nodes, WallLines::new(fibres, shear, shape).shared()))
 }
 
-fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> WallResult {
+fn panels(interp: &mut Tcl, a: &mut Args<'_>, kind: PanelLaw) -> WallResult {
     let (nodes, height) = ends(interp, a)?;
     let count = count(a)?;
     let centre = centre(a)?;
@@ -340,15 +340,15 @@ fn panels(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, Pane
     let strips = s.panels();
     let mass = strips.iter().map(|p| p.law.density() * p.thickness * p.width * height).sum();
     let shape: WallShape<PLANE_WALL> = WallShape::plane(height, centre, mass);
-    Ok((nodes, WallPanels::new(class, strips, kind, shape).shared()))
+    Ok((nodes, WallPanels::new(strips, kind, shape).shared()))
 }
 
-fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, (class, kind): (&'static str, PanelLaw)) -> WallResult {
+fn panels_in_space(interp: &mut Tcl, a: &mut Args<'_>, kind: PanelLaw) -> WallResult {
     let (nodes, corners, place) = corners(interp, a)?;
     let count = count(a)?;
     let s = Strips::take(interp, a, count, PANELS, true)?;
     // The modulus of the concrete: twice the shear modulus of the virgin panel.
     let shape =
         s.in_space(&corners, |i| 2.0 * s.panels[i].initial_tangent()[2][2]).map_err(|e| refused(a, place, e))?;
-    Ok((nodes, WallPanels::new(class, s.panels(), kind, shape).shared()))
+    Ok((nodes, WallPanels::new(s.panels(), kind, shape).shared()))
 }

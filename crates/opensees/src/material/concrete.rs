@@ -81,7 +81,12 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01", "concrete01"],
         usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
-        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.").groups(&[&COMPRESSION]),
+        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.").arguments(&[
+            COMPRESSION[0].also(&["fc"]),
+            COMPRESSION[1].also(&["epsco"]),
+            COMPRESSION[2].also(&["fcu"]),
+            COMPRESSION[3],
+        ]),
         make: concrete01,
     },
     Kind {
@@ -370,7 +375,7 @@ const END_OF_DEBRIS: f64 = 0.03;
 
 fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fpc, epsc0, fpcu, epscu] = compression(interp, a)?;
-    let end = a.read_optional(interp, &DEBRIS)?.unwrap_or(END_OF_DEBRIS);
+    let end = a.read_or(interp, &DEBRIS, END_OF_DEBRIS)?;
     Ok(Concrete01Sitc { concrete: Concrete01 { fpc, epsc0, fpcu, epscu }, end }.shared())
 }
 

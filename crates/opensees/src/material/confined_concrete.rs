@@ -42,6 +42,7 @@ pub(super) const KINDS: &[Kind] = &[
                  1000. 16.",
             )
             .arguments(&[
+                Arg::new("fpc", "compressive strength").also(&["fc"]),
                 Arg::of("-epscu", "epscu", "ultimate strain"),
                 Arg::flag("-scott", "ultimate strain of Scott, Park and Priestley"),
                 Arg::of(

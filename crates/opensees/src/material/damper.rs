@@ -13,20 +13,45 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const COEFFICIENT: Arg = Arg::not_negative("C", "damping coefficient C");
+const EXPONENT: Arg = Arg::number("alpha", "velocity exponent alpha");
+const SMALLEST: Arg = Arg::number("minVel", "smallest velocity minVel");
+
+const USUAL_STIFFNESS: Arg = Arg::usually_positive("K", "stiffness K").also(&["E"]);
+const STIFFNESS: Arg = Arg::positive("K", "stiffness K").also(&["E"]);
+const DASHPOT: Arg = Arg::positive("C", "damping coefficient C").also(&["eta"]);
+const GAP: Arg = Arg::number("LGap", "length of the gap LGap").also(&["Lgap"]);
+
+const FRICTION: [Arg; 2] = [
+    Arg::not_negative("tangent", "stiffness of the spring").also(&["Tangent"]),
+    Arg::not_negative("friction", "friction force").also(&["Friction"]),
+];
+
 const SUBSTEPS: &[Arg] = &[Arg::new("absTol", "absolute tolerance"), Arg::new("maxHalf", "most halvings of a step")];
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Viscous"],
         usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>",
-        text: Text::new("Dashpot of a power of the velocity."),
+        text: Text::new("Dashpot of a power of the velocity.").arguments(&[
+            COEFFICIENT,
+            EXPONENT.also(&["Alpha"]),
+            SMALLEST,
+        ]),
         make: viscous,
     },
     Kind {
         names: &["ViscousDamper"],
         usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
         text: Text::new("Dashpot of a power of the velocity in series with a spring.")
-            .arguments(&[Arg::new("relTol", "relative tolerance"), Arg::new("NM", "method of integration of OpenSees")])
+            .arguments(&[
+                USUAL_STIFFNESS,
+                DASHPOT,
+                EXPONENT,
+                GAP,
+                Arg::new("relTol", "relative tolerance"),
+                Arg::new("NM", "method of integration of OpenSees"),
+            ])
             .groups(&[SUBSTEPS]),
         make: viscous_damper,
     },
@@ -36,7 +61,9 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Oil damper with a relief valve, in series with a spring.")
             .example("uniaxialMaterial BilinearOilDamper 77 200. 5. 30. 0.1")
             .arguments(&[
-                Arg::new("LGap", "length of the gap"),
+                STIFFNESS,
+                DASHPOT,
+                GAP,
                 Arg::new("NM", "method of integration: 1 Dormand-Prince, 2 finite differences"),
             ])
             .groups(&[SUBSTEPS]),
@@ -47,6 +74,8 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial CoulombDamper $tag $tangent $friction <-tol $tol> <-numFlipped $numFlipped> <-reduceFc> \
                 <-dampOutTangent $dampOutTangent>",
         text: Text::new("Spring and Coulomb friction side by side.").arguments(&[
+            FRICTION[0],
+            FRICTION[1],
             Arg::of("-tol", "tol", "rate below which the friction is proportional to it"),
             Arg::of(
                 "-numFlipped",
@@ -71,8 +100,8 @@ pub(super) const KINDS: &[Kind] = &[
 ];
 
 fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let c = a.not_negative("damping coefficient C")?;
-    let alpha = a.float("velocity exponent alpha")?;
+    let c = a.read(interp, &COEFFICIENT)?;
+    let alpha = a.read(interp, &EXPONENT)?;
     if alpha <= 0.0 {
         let is = if alpha < 0.0 { "is taken for 1" } else { "makes the force the same at every velocity" };
         let d = Diagnostic::warning(
@@ -81,15 +110,15 @@ fn viscous(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         );
         warn(interp, d.at(a.last_span(), "expected a number greater than 0"))?;
     }
-    let min_rate = a.optional_float("smallest velocity minVel")?.unwrap_or(1e-11).abs();
+    let min_rate = a.read_or(interp, &SMALLEST, 1e-11)?.abs();
     // As in OpenSees a negative exponent stands for a linear dashpot, and a zero velocity for a very small one.
     let min_rate = if min_rate == 0.0 { 1e-21 } else { min_rate };
     Ok(Viscous { c, alpha: if alpha < 0.0 { 1.0 } else { alpha }, min_rate }.shared())
 }
 
 /// A velocity exponent; as in OpenSees a negative one stands for a linear dashpot.
-fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
-    match a.float("velocity exponent alpha")? {
+fn exponent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
+    match a.read(interp, &EXPONENT)? {
         0.0 => Err(a.refuse("the velocity exponent alpha is 0", "expected alpha, greater than 0")),
         alpha => Ok(if alpha < 0.0 { 1.0 } else { alpha }),
     }
@@ -97,10 +126,10 @@ fn exponent(a: &mut Args<'_>) -> Result<f64, Exception> {
 
 fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
-    let k = a.usually_positive(interp, "stiffness K")?;
-    let c = a.positive("damping coefficient C")?;
-    let alpha = exponent(a)?;
-    let gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);
+    let k = a.read(interp, &USUAL_STIFFNESS)?;
+    let c = a.read(interp, &DASHPOT)?;
+    let alpha = exponent(interp, a)?;
+    let gap = a.read_or(interp, &GAP, 0.0)?;
     let method = IntegrationMethod::DormandPrince;
     let mut law = ViscousDamper { k, c, alpha, gap, method, relative: 1e-6, absolute: 1e-10, max_halvings: 15, compat };
     if a.left() > 0 {
@@ -131,7 +160,7 @@ fn tolerances(a: &mut Args<'_>) -> Result<(f64, f64, i32), Exception> {
 
 fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
-    let (k, c) = (a.positive("stiffness K")?, a.positive("damping coefficient C")?);
+    let (k, c) = (a.read(interp, &STIFFNESS)?, a.read(interp, &DASHPOT)?);
     let mut law = BilinearOilDamper {
         k,
         c,
@@ -148,7 +177,7 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
         law.relief = a.positive("relief force Fr")?;
         law.ratio = a.float("ratio p of the damping coefficients")?.max(0.0);
     }
-    law.gap = a.optional_float("length of the gap LGap")?.unwrap_or(0.0);
+    law.gap = a.read_or(interp, &GAP, 0.0)?;
     if a.left() > 0 {
         law.differences = match a.int("number of the method NM")? {
             1 => false,
@@ -165,9 +194,8 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
 
 fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
-    let k = a.positive("stiffness K")?;
-    let c = a.positive("damping coefficient C")?;
-    let alpha = exponent(a)?;
+    let (k, c) = (a.read(interp, &STIFFNESS)?, a.read(interp, &DASHPOT)?);
+    let alpha = exponent(interp, a)?;
     let length = a.positive("length L")?;
     let secant_damping = a.flag("-returnD") || a.flag("-D");
     Ok(Maxwell { k, c, alpha, length, secant_damping, compat }.shared())
@@ -177,7 +205,7 @@ fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 const SLOW_RATE: f64 = 1e-6;
 
 fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (k, friction) = (a.not_negative("stiffness of the spring")?, a.not_negative("friction force")?);
+    let [k, friction] = a.read_all(interp, &FRICTION)?;
     let mut slow = SLOW_RATE;
     while let Some(option) = a.option() {
         match option.as_ref() {

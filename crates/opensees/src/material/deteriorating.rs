@@ -70,6 +70,7 @@ pub(super) const KINDS: &[Kind] = &[
              -0.4 -0.1 0.5 0.25 0.05 0.4 0.3 -0.1 0.2 0.1 0.3 0.2 0.9 0.1 0.2 0.5 1. 0.5 0.1 0.1 1. 1. 0.3 10. \
              energy",
         )
+        .points([["stress", "f"], ["strain", "d"]])
         .arguments(&[
             Arg::new("f1n", "stress 1 on the negative side, negative"),
             Arg::new("d1n", "strain 1 on the negative side, negative"),

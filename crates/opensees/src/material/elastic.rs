@@ -33,21 +33,25 @@ const TENSION: Arg = Arg::number("a", "part of the modulus that acts in tension,
 const FACTOR: Arg = Arg::number("b", "factor of the strain in tension, b");
 
 const BILINEAR: [Arg; 3] = [
-    Arg::number("EP1", "first modulus EP1"),
-    Arg::number("EP2", "second modulus EP2"),
-    Arg::number("epsP2", "strain epsP2"),
+    Arg::number("EP1", "first modulus EP1").also(&["E1p", "E1"]),
+    Arg::number("EP2", "second modulus EP2").also(&["E2p", "E2"]),
+    Arg::number("epsP2", "strain epsP2").also(&["eps2p", "eps2"]),
 ];
 const BILINEAR_N: [Arg; 3] = [
-    Arg::number("EN1", "first modulus in compression EN1"),
-    Arg::number("EN2", "second modulus in compression EN2"),
-    Arg::number("epsN2", "strain in compression epsN2"),
+    Arg::number("EN1", "first modulus in compression EN1").also(&["E1n", "E1"]),
+    Arg::number("EN2", "second modulus in compression EN2").also(&["E2n", "E2"]),
+    Arg::number("epsN2", "strain in compression epsN2").also(&["eps2n", "-eps2"]),
 ];
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Elastic"],
         usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>",
-        text: Text::new("Linear elastic, with an optional viscous part.").arguments(&[E, ETA, E_NEG]),
+        text: Text::new("Linear elastic, with an optional viscous part.").arguments(&[
+            E.also(&["Epos"]),
+            ETA,
+            E_NEG.also(&["E"]),
+        ]),
         make: elastic,
     },
     Kind {
@@ -59,7 +63,12 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ElasticPPGap"],
         usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
-        text: Text::new("Elastic, perfectly plastic beyond a gap.").arguments(&[STIFFNESS, FY, CLOSING, HARDENING]),
+        text: Text::new("Elastic, perfectly plastic beyond a gap.").arguments(&[
+            STIFFNESS.also(&["k"]),
+            FY.also(&["fy"]),
+            CLOSING,
+            HARDENING,
+        ]),
         make: elastic_pp_gap,
     },
     Kind {
@@ -143,8 +152,8 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg, x: f64, sign: f64
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = modulus(interp, a)?;
-    let eta = a.read_optional(interp, &ETA)?.unwrap_or(0.0);
-    let e_neg = a.read_optional(interp, &E_NEG)?.unwrap_or(e);
+    let eta = a.read_or(interp, &ETA, 0.0)?;
+    let e_neg = a.read_or(interp, &E_NEG, e)?;
     Ok(Elastic { e_pos: e, eta, e_neg }.shared())
 }
 
@@ -178,7 +187,7 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let fy = a.read(interp, &FY)?;
     let gap = a.read(interp, &CLOSING)?;
     let gap_span = a.last_span();
-    let mut eta = a.read_optional(interp, &HARDENING)?.unwrap_or(0.0);
+    let mut eta = a.read_or(interp, &HARDENING, 0.0)?;
     if e == 0.0 {
         // As in OpenSees: a yield strain of 0.2 %.
         e = fy.abs() / 0.002;
@@ -208,8 +217,8 @@ fn elastic_pp_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
 
 fn no_tension(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = a.read(interp, &STIFFNESS)?;
-    let tension = a.read_optional(interp, &TENSION)?.unwrap_or(0.0);
-    let b = a.read_optional(interp, &FACTOR)?.unwrap_or(1.0);
+    let tension = a.read_or(interp, &TENSION, 0.0)?;
+    let b = a.read_or(interp, &FACTOR, 1.0)?;
     Ok(NoTension { e, a: tension, b }.shared())
 }
 

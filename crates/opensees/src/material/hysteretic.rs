@@ -54,28 +54,49 @@ const EPS_SLIP: Arg = Arg::number("epsSlip", "strain at slip epsSlip");
 const EPS_BEAR: Arg = Arg::number("epsBear", "strain at bearing epsBear");
 const R_BEAR: Arg = Arg::number("rBear", "ratio of bearing stiffness rBear");
 
-/// Arguments that deteriorating hinges share.
-const HINGE: &[Arg] = &[
-    Arg::new("MyPos", "yield strength on the positive side"),
-    Arg::new("MyNeg", "yield strength on the negative side, negative"),
-    Arg::new("LambdaS", "rotation capacity of the deterioration of strength"),
-    Arg::new("LambdaC", "rotation capacity of the deterioration beyond the cap"),
-    Arg::new("LambdaK", "rotation capacity of the deterioration of unloading stiffness"),
-    Arg::new("cS", "exponent of the deterioration of strength"),
-    Arg::new("cC", "exponent of the deterioration beyond the cap"),
-    Arg::new("cK", "exponent of the deterioration of unloading stiffness"),
-    Arg::new("thetaPPos", "plastic rotation up to the cap, positive side"),
-    Arg::new("thetaPNeg", "plastic rotation up to the cap, negative side"),
-    Arg::new("thetaPCPos", "rotation beyond the cap, positive side"),
-    Arg::new("thetaPCNeg", "rotation beyond the cap, negative side"),
-    Arg::new("resPos", "residual strength ratio, positive side"),
-    Arg::new("resNeg", "residual strength ratio, negative side"),
-    Arg::new("thetaUPos", "ultimate rotation, positive side"),
-    Arg::new("thetaUNeg", "ultimate rotation, negative side"),
-    Arg::new("DPos", "rate of cyclic deterioration, positive side"),
-    Arg::new("DNeg", "rate of cyclic deterioration, negative side"),
-    Arg::new("nFactor", "stiffness factor"),
+const HINGE: [Arg; 3] = [
+    Arg::positive("Ke", "elastic stiffness Ke"),
+    Arg::number("AsPos", "hardening ratio As on the positive side"),
+    Arg::number("AsNeg", "hardening ratio As on the negative side"),
 ];
+const STRENGTH: [Arg; 2] = [
+    Arg::positive("MyPos", "yield strength My on the positive side"),
+    Arg::number("MyNeg", "yield strength My on the negative side"),
+];
+const PINCHING: [Arg; 3] = [
+    Arg::number("FprPos", "share Fpr of the largest force at the end of pinching on the positive side"),
+    Arg::number("FprNeg", "share Fpr of the largest force at the end of pinching on the negative side"),
+    Arg::number("APinch", "share APinch of the permanent deformation at the end of pinching"),
+];
+const CAPACITIES: [Arg; 4] = [
+    Arg::not_negative("LambdaS", "cumulative rotation capacity Lambda of the strength"),
+    Arg::not_negative("LambdaC", "cumulative rotation capacity Lambda of the strength beyond the cap"),
+    Arg::not_negative("LambdaA", "cumulative rotation capacity Lambda of the accelerated stiffness"),
+    Arg::not_negative("LambdaK", "cumulative rotation capacity Lambda of the unloading stiffness"),
+];
+const RATES: [Arg; 4] = [
+    Arg::not_negative("cS", "rate of deterioration c of the strength"),
+    Arg::not_negative("cC", "rate of deterioration c of the strength beyond the cap"),
+    Arg::not_negative("cA", "rate of deterioration c of the accelerated stiffness"),
+    Arg::not_negative("cK", "rate of deterioration c of the unloading stiffness"),
+];
+const CAP: [Arg; 6] = [
+    Arg::not_negative("thetaPPos", "plastic rotation up to the cap thetaP on the positive side"),
+    Arg::not_negative("thetaPNeg", "plastic rotation up to the cap thetaP on the negative side"),
+    Arg::positive("thetaPCPos", "rotation beyond the cap thetaPC on the positive side"),
+    Arg::positive("thetaPCNeg", "rotation beyond the cap thetaPC on the negative side"),
+    Arg::not_negative("resPos", "residual strength ratio on the positive side"),
+    Arg::not_negative("resNeg", "residual strength ratio on the negative side"),
+];
+const ENDS: [Arg; 4] = [
+    Arg::positive("thetaUPos", "ultimate rotation thetaU on the positive side"),
+    Arg::positive("thetaUNeg", "ultimate rotation thetaU on the negative side"),
+    Arg::not_negative("DPos", "rate of cyclic deterioration D on the positive side"),
+    Arg::not_negative("DNeg", "rate of cyclic deterioration D on the negative side"),
+];
+const N_FACTOR: Arg = Arg::number("nFactor", "stiffness factor nFactor");
+/// Numbers of the hinges of the modified Ibarra-Medina-Krawinkler laws.
+const MODIFIED: &[&[Arg]] = &[&HINGE, &STRENGTH, &CAPACITIES, &RATES, &CAP, &ENDS, &[N_FACTOR]];
 
 /// Numbers that the bilinear law takes and does not use.
 const UNUSED: &[Arg] = &[
@@ -83,9 +104,9 @@ const UNUSED: &[Arg] = &[
     Arg::new("cA", "exponent of the accelerated deterioration, without part in this law"),
 ];
 
-const LAMBDA_A: Arg = Arg::new("LambdaA", "rotation capacity of the deterioration of reloading stiffness");
-const C_A: Arg = Arg::new("cA", "exponent of the deterioration of reloading stiffness");
-const RELOADING: &[Arg] = &[LAMBDA_A, C_A];
+/// OpenSees' names of force and deformation at the points of an envelope.
+pub(super) const POINTS: [[&str; 2]; 2] = [["mom", "s"], ["rot", "e"]];
+pub(super) const UNLOADING_EXPONENT: Arg = Arg::number("beta", "exponent of the unloading stiffness beta");
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -99,7 +120,7 @@ pub(super) const KINDS: &[Kind] = &[
                  0.4 0.5 0.5 1. 0.8 0.",
             )
             .arguments(UNUSED)
-            .groups(&[HINGE]),
+            .groups(MODIFIED),
         make: bilin,
     },
     Kind {
@@ -113,7 +134,7 @@ pub(super) const KINDS: &[Kind] = &[
                  0.4 0.5 0.5 1. 0.8 0.",
             )
             .arguments(UNUSED)
-            .groups(&[HINGE]),
+            .groups(MODIFIED),
         make: bilin02,
     },
     Kind {
@@ -126,8 +147,7 @@ pub(super) const KINDS: &[Kind] = &[
                 "uniaxialMaterial ModIMKPeakOriented 77 200. 0.03 0.02 2. -1.8 3. 4. 3. 5. 1. 1. 1. 1. 0.04 0.05 \
                  0.15 0.2 0.3 0.4 0.5 0.5 1. 0.8 0.",
             )
-            .arguments(RELOADING)
-            .groups(&[HINGE]),
+            .groups(MODIFIED),
         make: mod_imk_peak_oriented,
     },
     Kind {
@@ -140,14 +160,7 @@ pub(super) const KINDS: &[Kind] = &[
                 "uniaxialMaterial ModIMKPinching 77 200. 0.03 0.02 2. -1.8 0.4 0.5 0.3 3. 4. 3. 5. 1. 1. 1. 1. 0.04 \
                  0.05 0.15 0.2 0.3 0.4 0.5 0.5 1. 0.8 0.",
             )
-            .arguments(&[
-                Arg::new("FprPos", "force at the end of pinching divided by the largest force, positive side"),
-                Arg::new("FprNeg", "force at the end of pinching divided by the largest force, negative side"),
-                Arg::new("APinch", "deformation at the end of pinching divided by the permanent deformation"),
-                LAMBDA_A,
-                C_A,
-            ])
-            .groups(&[HINGE]),
+            .groups(&[&HINGE, &STRENGTH, &PINCHING, &CAPACITIES, &RATES, &CAP, &ENDS, &[N_FACTOR]]),
         make: mod_imk_pinching,
     },
     Kind {
@@ -160,11 +173,12 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["Hysteretic"],
         usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
                 $pinchX $pinchY $damage1 $damage2 <$beta>",
-        text: Text::new("Trilinear backbone with pinching and damage.").arguments(&[
+        text: Text::new("Trilinear backbone with pinching and damage.").points(POINTS).arguments(&[
             Arg::new("e3p", "third strain on the positive side"),
             Arg::new("e3n", "third strain on the negative side"),
             Arg::new("s3p", "third stress on the positive side"),
             Arg::new("s3n", "third stress on the negative side"),
+            UNLOADING_EXPONENT,
         ]),
         make: hysteretic,
     },
@@ -182,15 +196,6 @@ pub(super) const KINDS: &[Kind] = &[
     },
 ];
 
-/// The same number for both sides.
-fn both<'a>(
-    a: &mut Args<'a>,
-    what: &str,
-    take: fn(&mut Args<'a>, &str) -> Result<f64, Exception>,
-) -> Result<[f64; 2], Exception> {
-    Ok([take(a, &format!("{what} on the positive side"))?, take(a, &format!("{what} on the negative side"))?])
-}
-
 /// Parameters of a hinge of the modified Ibarra-Medina-Krawinkler laws.
 struct Hinge {
     ke: f64,
@@ -202,50 +207,38 @@ struct Hinge {
     pinching: PinchingPoint,
 }
 
-fn hinge(a: &mut Args<'_>, pinched: bool) -> Result<Hinge, Exception> {
-    let ke = a.positive("elastic stiffness Ke")?;
-    let hardening = both(a, "hardening ratio As", Args::float)?;
+fn hinge(interp: &mut Tcl, a: &mut Args<'_>, pinched: bool) -> Result<Hinge, Exception> {
+    let [ke, hardening @ ..] = a.read_all(interp, &HINGE)?;
     if let Some(ratio) = hardening.into_iter().find(|r| *r >= 1.0) {
         return Err(a.refuse(format!("the hardening ratio is {ratio}"), "expected less than 1"));
     }
-    let positive = a.positive("yield strength My on the positive side")?;
-    let negative = a.float("yield strength My on the negative side")?;
+    let [positive, negative] = a.read_all(interp, &STRENGTH)?;
     if negative >= 0.0 {
         return Err(a.refuse(format!("the yield strength on the negative side is {negative}"), "expected it negative"));
     }
     let mut pinching = PinchingPoint { force: [1.0; 2], deformation: 0.0 };
     if pinched {
-        pinching.force = both(a, "share Fpr of the largest force at the end of pinching", Args::float)?;
-        pinching.deformation = a.float("share APinch of the permanent deformation at the end of pinching")?;
+        [pinching.force[0], pinching.force[1], pinching.deformation] = a.read_all(interp, &PINCHING)?;
     }
-    let names = ["strength", "strength beyond the cap", "accelerated stiffness", "unloading stiffness"];
-    let mut modes = [Deterioration { capacity: 0.0, exponent: 1.0 }; 4];
-    for (mode, name) in modes.iter_mut().zip(names) {
-        mode.capacity = a.not_negative(&format!("cumulative rotation capacity Lambda of the {name}"))?;
-    }
-    for (mode, name) in modes.iter_mut().zip(names) {
-        mode.exponent = a.not_negative(&format!("rate of deterioration c of the {name}"))?;
-    }
-    let plastic = both(a, "plastic rotation up to the cap thetaP", Args::not_negative)?;
-    let post_capping = both(a, "rotation beyond the cap thetaPC", Args::positive)?;
-    let residual = both(a, "residual strength ratio", Args::not_negative)?;
-    if let Some(ratio) = residual.into_iter().find(|r| *r > 1.0) {
+    let (capacities, rates) = (a.read_all(interp, &CAPACITIES)?, a.read_all(interp, &RATES)?);
+    let modes = std::array::from_fn(|i| Deterioration { capacity: capacities[i], exponent: rates[i] });
+    let cap = a.read_all(interp, &CAP)?;
+    if let Some(ratio) = cap[4..].iter().find(|r| **r > 1.0) {
         return Err(a.refuse(format!("the residual strength ratio is {ratio}"), "expected at most 1"));
     }
-    let ultimate = both(a, "ultimate rotation thetaU", Args::positive)?;
-    let rate = both(a, "rate of cyclic deterioration D", Args::not_negative)?;
-    let n = a.optional_float("stiffness factor nFactor")?.unwrap_or(0.0);
+    let ends = a.read_all(interp, &ENDS)?;
+    let n = a.read_or(interp, &N_FACTOR, 0.0)?;
     if n < 0.0 {
         return Err(a.refuse(format!("the stiffness factor nFactor is {n}"), "expected 0 or more"));
     }
     let sides = [0, 1].map(|i| BilinSide {
         strength: [positive, -negative][i],
         hardening: hardening[i],
-        plastic: plastic[i],
-        post_capping: post_capping[i],
-        residual: residual[i],
-        ultimate: ultimate[i],
-        rate: rate[i],
+        plastic: cap[i],
+        post_capping: cap[2 + i],
+        residual: cap[4 + i],
+        ultimate: ends[i],
+        rate: ends[2 + i],
     });
     Ok(Hinge { ke, sides, modes, n, pinching })
 }
@@ -260,7 +253,7 @@ fn bilin02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 
 fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Material, Exception> {
     // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
-    let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(a, false)?;
+    let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(interp, a, false)?;
     if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
         return Ok(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: OpenSees }.shared());
     }
@@ -268,14 +261,18 @@ fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Mate
 }
 
 /// The hinge of `ModIMKPeakOriented` and `ModIMKPinching`.
-fn mod_imk(a: &mut Args<'_>, pinched: bool) -> Result<(ModImkPeakOriented, PinchingPoint), Exception> {
-    let Hinge { ke, sides, modes: [strength, capping, reloading, stiffness], n, pinching } = hinge(a, pinched)?;
+fn mod_imk(
+    interp: &mut Tcl,
+    a: &mut Args<'_>,
+    pinched: bool,
+) -> Result<(ModImkPeakOriented, PinchingPoint), Exception> {
+    let Hinge { ke, sides, modes: [strength, capping, reloading, stiffness], n, pinching } = hinge(interp, a, pinched)?;
     let rules = Consistent;
     Ok((ModImkPeakOriented { ke, sides, strength, capping, reloading, stiffness, n, rules }, pinching))
 }
 
 fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (hinge, _) = mod_imk(a, false)?;
+    let (hinge, _) = mod_imk(interp, a, false)?;
     if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
         return Ok(hinge.with(OpenSees).shared());
     }
@@ -283,7 +280,7 @@ fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material,
 }
 
 fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (hinge, pinching) = mod_imk(a, true)?;
+    let (hinge, pinching) = mod_imk(interp, a, true)?;
     if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
         return Ok(ModImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
     }
@@ -327,13 +324,13 @@ pub(super) fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelo
     })
 }
 
-fn hysteretic(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+fn hysteretic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
     let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
     let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
-    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     Ok(Hysteretic::new(tension, compression, pinch, damage, beta).shared())
 }
 
@@ -342,9 +339,9 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     if beta > 1.0 {
         return Err(a.refuse(format!("the height of the flag beta is {beta}"), "expected beta, 0 to 1"));
     }
-    let slip = a.read_optional(interp, &EPS_SLIP)?.unwrap_or(0.0);
-    let bearing = a.read_optional(interp, &EPS_BEAR)?.unwrap_or(0.0);
-    let bearing_ratio = a.read_optional(interp, &R_BEAR)?.unwrap_or(0.0);
+    let slip = a.read_or(interp, &EPS_SLIP, 0.0)?;
+    let bearing = a.read_or(interp, &EPS_BEAR, 0.0)?;
+    let bearing_ratio = a.read_or(interp, &R_BEAR, 0.0)?;
     if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
         let rules = OpenSees;
         return Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }.shared());

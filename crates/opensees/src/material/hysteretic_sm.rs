@@ -1,6 +1,7 @@
 //! `uniaxialMaterial HystereticSM`.
 
 use super::Kind;
+use super::hysteretic::POINTS as POINT_NAMES;
 use crate::args::Args;
 use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
@@ -16,6 +17,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             $damage1 $damage2 <$beta>",
     text: Text::new("Backbone of up to seven points a side with pinching, damage and a degrading envelope.")
         .example("uniaxialMaterial HystereticSM 77 -posEnv 1. 0.005 1.2 0.02 0.4 0.05 -pinch 0.7 0.4")
+        .points(POINT_NAMES)
         .arguments(&[
             Arg::flag("-XYorder", "points are given as strain and stress"),
             Arg::new("s1p", "stress at the first point in tension"),

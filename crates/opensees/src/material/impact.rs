@@ -91,7 +91,7 @@ fn impact(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn exponent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
-    let n = a.read_optional(interp, &EXPONENT)?.unwrap_or(1.5);
+    let n = a.read_or(interp, &EXPONENT, 1.5)?;
     if n < 1.0 {
         return Err(a.refuse(format!("the exponent n is {n}"), "expected an exponent of at least 1"));
     }

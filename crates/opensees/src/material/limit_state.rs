@@ -1,7 +1,7 @@
 //! `limitCurve`, and the springs that fail at one.
 
 use super::Kind;
-use super::hysteretic::envelope;
+use super::hysteretic::{POINTS, UNLOADING_EXPONENT, envelope};
 use crate::args::Args;
 use crate::text::{Arg, Text};
 use crate::things;
@@ -28,9 +28,11 @@ pub(super) const KINDS: &[Kind] = &[Kind {
          `twoNodeLink` and in sections `Aggregator` watch their column; inside other materials they do \
          not.",
     )
+    .points(POINTS)
     .arguments(&[
         Arg::new("s3p", "third point; without it the second is the last"),
         Arg::new("s3n", "third point; without it the second is the last"),
+        UNLOADING_EXPONENT,
         Arg::new("curve", "tag of a limit curve"),
         Arg::new("curveType", "1: a spring that loses axial load; 0: no curve; else a spring that loses shear"),
         Arg::new("degrade", "1: the largest deformation of one side counts for the other one too"),
@@ -270,7 +272,7 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     let sides = [envelope(a, points, 1.0)?, envelope(a, points, -1.0)?];
     let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
     let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
-    let beta = a.optional_float("exponent of the unloading stiffness beta")?.unwrap_or(0.0);
+    let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     let (mut curve, mut symmetric) = (None, false);
     if a.left() > 0 {
         let (found, _) = a.of(&interp.host.builder.definitions.limit_curves)?;

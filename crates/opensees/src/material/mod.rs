@@ -18,7 +18,6 @@ mod material_test;
 mod nd_concrete;
 pub(crate) mod nd_material;
 mod nd_wrapper;
-mod parameter_names;
 mod plastic;
 mod recipe;
 mod rubber;

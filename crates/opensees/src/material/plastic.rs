@@ -26,13 +26,13 @@ const DODD_RESTREPO: [Arg; 7] = [
     Arg::number("FSHI", "stress FSHI on the hardening curve"),
 ];
 const OMEGA: Arg = Arg::number("OmegaFac", "factor of the Bauschinger curves OmegaFac");
-const STRAIN_UNIT: Arg = Arg::positive("Conv", "unit of the strains Conv");
+const STRAIN_UNIT: [Arg; 1] = [Arg::positive("Conv", "unit of the strains Conv")];
 
 const HARDENING: [Arg; 4] = [
     Arg::usually_positive("E", "elastic modulus E"),
-    Arg::of_domain("sigmaY", "yield stress sigmaY", Domain::UsuallyNotNegative),
-    Arg::number("Hiso", "isotropic hardening modulus Hiso"),
-    Arg::number("Hkin", "kinematic hardening modulus Hkin"),
+    Arg::of_domain("sigmaY", "yield stress sigmaY", Domain::UsuallyNotNegative).also(&["fy", "Fy"]),
+    Arg::number("Hiso", "isotropic hardening modulus Hiso").also(&["H_iso"]),
+    Arg::number("Hkin", "kinematic hardening modulus Hkin").also(&["H_kin"]),
 ];
 const VISCOSITY: Arg = Arg::number("eta", "viscosity eta");
 
@@ -50,9 +50,9 @@ const UNUSED: [Arg; 4] = [
 ];
 
 const FRACTURE: [Arg; 3] = [
-    Arg::positive("Fy", "yield strength in tension Fy"),
+    Arg::positive("Fy", "yield strength in tension Fy").also(&["sigmaY", "fy"]),
     Arg::positive("FyC", "yield strength in compression FyC"),
-    Arg::positive("E0", "elastic modulus E0"),
+    Arg::positive("E0", "elastic modulus E0").also(&["E"]),
 ];
 const FRACTURE_TRANSITION: [Arg; 3] =
     [Arg::positive("R0", "sharpness of the transition R0"), Arg::number("cR1", "cR1"), Arg::positive("cR2", "cR2")];
@@ -70,8 +70,8 @@ const DAMAGE_INDEX: [Arg; 4] = [
 ];
 
 const GRIP: [Arg; 3] = [
-    Arg::positive("E", "elastic stiffness E"),
-    Arg::positive("sigY", "yield force sigY"),
+    Arg::positive("E", "elastic stiffness E").also(&["k"]),
+    Arg::positive("sigY", "yield force sigY").also(&["Fy", "fy"]),
     Arg::positive("P", "pitch of the teeth P"),
 ];
 const GRIP_HARDENING: Arg = Arg::number("eta", "hardening ratio eta");
@@ -106,7 +106,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial Dodd_Restrepo $tag $Fy $Fsu $ESH $ESU $Youngs $ESHI $FSHI <$OmegaFac <$Conv>>",
         text: Text::new("Reinforcing bar with a yield plateau, in true stresses and natural strains.")
             .example("uniaxialMaterial Dodd_Restrepo 77 400. 600. 0.01 0.12 2e5 0.04 520.")
-            .groups(&[&DODD_RESTREPO, &[OMEGA, STRAIN_UNIT]]),
+            .groups(&[&DODD_RESTREPO, &[OMEGA], &STRAIN_UNIT]),
         make: dodd_restrepo,
     },
     Kind {
@@ -181,8 +181,8 @@ fn steel_fracture_di(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
 
 fn dodd_restrepo(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [fy, fsu, esh, esu, e0, eshi, fshi] = a.read_all(interp, &DODD_RESTREPO)?;
-    let omega = a.read_optional(interp, &OMEGA)?.unwrap_or(1.0);
-    let unit = if a.left() > 0 { a.read(interp, &STRAIN_UNIT)? } else { 1.0 };
+    let omega = a.read_or(interp, &OMEGA, 1.0)?;
+    let [unit] = a.read_all_or(interp, &STRAIN_UNIT, [1.0])?;
     let law = DoddRestrepo::new([fy, fsu], [esh, esu], e0, [eshi, fshi], omega, unit)
         .map_err(|message| a.refuse(message, "expected a point between the beginning of hardening and the strength"))?;
     Ok(law.compat(interp.host.follows(&[slips::BAUSCHINGER_ROUNDS])).shared())
@@ -275,7 +275,7 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [e, yield_stress, pitch] = a.read_all(interp, &GRIP)?;
-    let mut eta = a.read_optional(interp, &GRIP_HARDENING)?.unwrap_or(0.0);
+    let mut eta = a.read_or(interp, &GRIP_HARDENING, 0.0)?;
     if eta.abs() >= 1.0 {
         let message = format!("GNG: the hardening ratio {eta} is taken for 0");
         warn(

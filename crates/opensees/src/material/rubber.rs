@@ -21,7 +21,7 @@ pub(super) const KINDS: &[Kind] = &[
         )
         .example("uniaxialMaterial HDRRheology 77 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2")
         .own(),
-        make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _| Ok(false))?.shared()),
+        make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _, _| Ok(false))?.shared()),
     },
     Kind {
         names: &["Mullins"],
@@ -95,7 +95,7 @@ pub(crate) fn rheology(
     interp: &mut Tcl,
     a: &mut Args<'_>,
     known: &[&str],
-    mut other: impl FnMut(&mut Args<'_>, &str) -> Result<bool, Exception>,
+    mut other: impl FnMut(&mut Tcl, &mut Args<'_>, &str) -> Result<bool, Exception>,
 ) -> Result<HdrRheology, Exception> {
     let mut o = Options::default();
     if a.at_number() {
@@ -134,7 +134,7 @@ pub(crate) fn rheology(
             "-heal" => heal(a, o.softening.as_mut())?,
             "-preload" => preload(a, o.softening.as_mut())?,
             option => {
-                if !other(a, option)? {
+                if !other(interp, a, option)? {
                     ignore_option(interp, a, known)?;
                 }
             }

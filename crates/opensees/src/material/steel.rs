@@ -12,8 +12,10 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
 /// Yield strength and modulus of steels for which OpenSees takes any number.
-const USUAL: [Arg; 2] =
-    [Arg::usually_positive("Fy", "yield strength Fy"), Arg::usually_positive("E0", "elastic modulus E0")];
+const USUAL: [Arg; 2] = [
+    Arg::usually_positive("Fy", "yield strength Fy").also(&["sigmaY", "fy"]),
+    Arg::usually_positive("E0", "elastic modulus E0").also(&["E"]),
+];
 pub(super) const B: Arg = Arg::number("b", "hardening ratio b");
 const ISOTROPIC: [Arg; 4] = [
     Arg::number("a1", "isotropic hardening parameter a1"),
@@ -25,9 +27,12 @@ const ISOTROPIC: [Arg; 4] = [
 const R0: Arg = Arg::usually_positive("R0", "sharpness of the transition R0");
 const C_R1: Arg = Arg::number("cR1", "cR1");
 const C_R2: Arg = Arg::usually_positive("cR2", "cR2");
-const SIG_INIT: Arg = Arg::number("sigInit", "initial stress sigInit");
+const SIG_INIT: Arg = Arg::number("sigInit", "initial stress sigInit").also(&["sig0"]);
 
-const STEEL03: [Arg; 2] = [Arg::positive("fy", "yield stress fy"), Arg::positive("E0", "elastic modulus E0")];
+const STEEL03: [Arg; 2] = [
+    Arg::positive("fy", "yield stress fy").also(&["sigmaY", "Fy"]),
+    Arg::positive("E0", "elastic modulus E0").also(&["E"]),
+];
 const STEEL03_TRANSITION: [Arg; 3] = [
     Arg::positive("r", "radius of the transition r"),
     Arg::not_negative("cR1", "coefficient cR1"),
@@ -37,16 +42,16 @@ const STEEL03_TRANSITION: [Arg; 3] = [
 const BRB: [Arg; 2] =
     [Arg::positive("E", "elastic modulus E"), Arg::positive("sigmaY0", "initial yield stress sigmaY0")];
 const BRB_TENSION: [Arg; 4] = [
-    Arg::positive("sigmaYT", "hardened yield stress sigmaYT"),
-    Arg::positive("alphaT", "exponent alphaT of the transition"),
-    Arg::not_negative("betaT", "kinematic hardening betaT"),
-    Arg::positive("deltaT", "plastic strain deltaT of isotropic hardening"),
+    Arg::positive("sigmaYT", "hardened yield stress sigmaYT").also(&["sigmaY_T"]),
+    Arg::positive("alphaT", "exponent alphaT of the transition").also(&["alpha_T"]),
+    Arg::not_negative("betaT", "kinematic hardening betaT").also(&["beta_T"]),
+    Arg::positive("deltaT", "plastic strain deltaT of isotropic hardening").also(&["delta_T"]),
 ];
 const BRB_COMPRESSION: [Arg; 4] = [
-    Arg::positive("sigmaYC", "hardened yield stress sigmaYC"),
-    Arg::positive("alphaC", "exponent alphaC of the transition"),
-    Arg::not_negative("betaC", "kinematic hardening betaC"),
-    Arg::positive("deltaC", "plastic strain deltaC of isotropic hardening"),
+    Arg::positive("sigmaYC", "hardened yield stress sigmaYC").also(&["sigmaY_C"]),
+    Arg::positive("alphaC", "exponent alphaC of the transition").also(&["alpha_C"]),
+    Arg::not_negative("betaC", "kinematic hardening betaC").also(&["beta_C"]),
+    Arg::positive("deltaC", "plastic strain deltaC of isotropic hardening").also(&["delta_C"]),
 ];
 const TOLERANCE: Arg = Arg::number("tol", "tolerance");
 
@@ -146,9 +151,22 @@ fn steel01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     Ok(Steel01 { fy, e0, b, a: isotropic }.shared())
 }
 
+/// R0, cR1 and cR2 of Steel02: all or none.
+fn transition(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 3], Exception> {
+    if a.left() == 0 {
+        return Ok(a.left_out(Steel02::TRANSITION));
+    }
+    let (r0, c_r1) = (a.read(interp, &R0)?, a.read(interp, &C_R1)?);
+    if c_r1 > 1.0 {
+        let label = "the sharpness of the transition would come to be negative: expected at most 1";
+        return Err(a.refuse(format!("cR1 is {c_r1}"), label));
+    }
+    Ok([r0, c_r1, a.read(interp, &C_R2)?])
+}
+
 /// a1 to a4: all or none.
 fn isotropic(interp: &mut Tcl, a: &mut Args<'_>, none: [f64; 4]) -> Result<[f64; 4], Exception> {
-    if a.left() > 0 { a.read_all(interp, &ISOTROPIC) } else { Ok(none) }
+    a.read_all_or(interp, &ISOTROPIC, none)
 }
 
 fn steel03(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -182,16 +200,7 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         );
         warn(interp, d.at(a.last_span(), "expected less than 1, or the material Elastic"))?;
     }
-    let [mut r0, mut c_r1, mut c_r2] = Steel02::TRANSITION;
-    if a.left() > 0 {
-        r0 = a.read(interp, &R0)?;
-        c_r1 = a.read(interp, &C_R1)?;
-        if c_r1 > 1.0 {
-            let label = "the sharpness of the transition would come to be negative: expected at most 1";
-            return Err(a.refuse(format!("cR1 is {c_r1}"), label));
-        }
-        c_r2 = a.read(interp, &C_R2)?;
-    }
+    let [r0, c_r1, c_r2] = transition(interp, a)?;
     let isotropic = isotropic(interp, a, Steel02::NO_ISOTROPIC)?;
     for [growth, scale] in [[isotropic[0], isotropic[1]], [isotropic[2], isotropic[3]]] {
         if growth != 0.0 && scale <= 0.0 {
@@ -199,7 +208,7 @@ fn steel02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             return Err(a.refuse(format!("isotropic hardening starts at {scale} yield strains"), label));
         }
     }
-    let sig_init = a.read_optional(interp, &SIG_INIT)?.unwrap_or(0.0);
+    let sig_init = a.read_or(interp, &SIG_INIT, 0.0)?;
     Ok(Steel02 { fy, e0, b, r0, c_r: [c_r1, c_r2], a: isotropic, sig_init }.shared())
 }
 

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
@@ -12,6 +12,9 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const FACTOR: Arg = Arg::number("factor", "factor of the stress").also(&["multiplier"]);
+const STRESS: Arg = Arg::number("stress", "initial stress").also(&["sig0", "f0", "F0"]);
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -23,7 +26,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Multiplier", "MultiplierMaterial"],
         usage: "uniaxialMaterial Multiplier $tag $material $factor",
-        text: Text::new("A law whose stress is multiplied by a factor."),
+        text: Text::new("A law whose stress is multiplied by a factor.").arguments(&[FACTOR]),
         make: multiplier,
     },
     Kind {
@@ -54,7 +57,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["InitStressMaterial", "InitStress"],
         usage: "uniaxialMaterial InitStressMaterial $tag $material $stress",
-        text: Text::new("Another law with an initial stress."),
+        text: Text::new("Another law with an initial stress.").arguments(&[STRESS]),
         make: init_stress,
     },
 ];
@@ -88,7 +91,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 
 fn multiplier(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let inner = a.of(&interp.host.builder.definitions.materials)?;
-    let factor = a.float("factor of the stress")?;
+    let factor = a.read(interp, &FACTOR)?;
     Ok(Parallel::new(vec![inner], vec![factor]).shared())
 }
 
@@ -171,7 +174,7 @@ fn init_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
 
 fn init_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let inner = a.of(&interp.host.builder.definitions.materials)?;
-    let stress = a.float("initial stress")?;
+    let stress = a.read(interp, &STRESS)?;
     begun(a, InitialState::stress(inner, stress), "expected a stress that the material can have")
 }
 

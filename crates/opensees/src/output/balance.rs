@@ -46,7 +46,7 @@ impl Balances {
         let model = engine.model();
         self.size = ModelSize { nodes: model.nodes.len(), elements: BTreeMap::new() };
         for e in &model.elements {
-            *self.size.elements.entry(e.element.class()).or_default() += 1;
+            *self.size.elements.entry(e.element.class().name).or_default() += 1;
         }
     }
 

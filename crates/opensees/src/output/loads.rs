@@ -43,90 +43,6 @@ pub(crate) const COMMANDS: &[Command] = &[
         .arguments(PATTERN),
 ];
 
-/// OpenSees' numbers of the classes of elements (`SRC/classTags.h`; that of the tubular joint stands in its own file, and
-/// `ZeroLengthImpact3D` has that of the contact in space).
-const CLASS_TAGS: &[(&str, i64)] = &[
-    ("ASDShellQ4", 203),
-    ("ASDShellT3", 204),
-    ("AxEqDispBeamColumn2d", 178),
-    ("BbarBrick", 57),
-    ("BeamColumnJoint2d", 71),
-    ("BeamColumnJoint3d", 72),
-    ("Brick", 56),
-    ("CatenaryCable", 169),
-    ("ComponentElement2d", 195),
-    ("ConstantPressureVolumeQuad", 60),
-    ("CorotTruss", 14),
-    ("CorotTrussSection", 15),
-    ("CoupledZeroLength", 26),
-    ("DispBeamColumn2d", 62),
-    ("DispBeamColumn3d", 64),
-    ("E_SFI", 257),
-    ("E_SFI_MVLEM_3D", 259259),
-    ("EightNodeQuad", 208),
-    ("ElasticBeam2d", 3),
-    ("ElasticBeam3d", 5),
-    ("ElasticTimoshenkoBeam2d", 145),
-    ("ElasticTimoshenkoBeam3d", 146),
-    ("ElasticTubularJoint", 2519),
-    ("ElastomericBearingBoucWen2d", 90),
-    ("ElastomericBearingBoucWen3d", 91),
-    ("ElastomericBearingPlasticity2d", 85),
-    ("ElastomericBearingPlasticity3d", 84),
-    ("ElastomericBearingUFRP2d", 147),
-    ("ElastomericX", 152),
-    ("EnhancedQuad", 59),
-    ("FPBearingPTV", 166),
-    ("FlatSliderSimple2d", 92),
-    ("FlatSliderSimple3d", 93),
-    ("ForceBeamColumn2d", 73),
-    ("ForceBeamColumn3d", 74),
-    ("ForceBeamColumnCBDI2d", 77),
-    ("ForceBeamColumnCBDI3d", 78),
-    ("FourNodeQuad", 31),
-    ("FourNodeTetrahedron", 179),
-    ("HDR", 151),
-    ("Inerter", 191),
-    ("Joint2D", 82),
-    ("KikuchiBearing", 160),
-    ("LeadRubberX", 153),
-    ("MVLEM", 162),
-    ("MVLEM_3D", 212),
-    ("MixedBeamColumn2d", 30766),
-    ("MixedBeamColumn3d", 30765),
-    ("ModElasticBeam2d", 4),
-    ("ModElasticBeam3d", 41234),
-    ("MultipleNormalSpring", 159),
-    ("MultipleShearSpring", 158),
-    ("NineNodeQuad", 207),
-    ("RJWatsonEQS2d", 149),
-    ("RJWatsonEQS3d", 150),
-    ("SFI_MVLEM", 163),
-    ("SFI_MVLEM_3D", 213),
-    ("SSPbrick", 121),
-    ("SSPquad", 119),
-    ("ShellDKGQ", 156),
-    ("ShellDKGT", 167),
-    ("ShellMITC4", 53),
-    ("ShellNLDKGQ", 157),
-    ("SingleFPSimple2d", 96),
-    ("SingleFPSimple3d", 97),
-    ("SixNodeTri", 209),
-    ("TenNodeTetrahedron", 256),
-    ("Tri31", 33),
-    ("TripleFrictionPendulum", 132),
-    ("TripleFrictionPendulumX", 258),
-    ("Truss", 12),
-    ("TrussSection", 13),
-    ("TwoNodeLink", 86),
-    ("YamamotoBiaxialHDR", 161),
-    ("ZeroLength", 19),
-    ("ZeroLengthContact2D", 22),
-    ("ZeroLengthContact3D", 23),
-    ("ZeroLengthImpact3D", 23),
-    ("ZeroLengthSection", 20),
-];
-
 fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getEleClassTags <$element>");
     let model = interp.host.engine.model();
@@ -136,8 +52,7 @@ fn class_tags(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let id = model.element(tag);
         ids = vec![id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))?];
     }
-    let class = |name: &str| CLASS_TAGS.iter().find(|c| c.0 == name).map_or(0, |c| c.1);
-    let tags = ids.iter().map(|id| Value::from(class(model.elements[id.0].element.class())));
+    let tags = ids.iter().map(|id| Value::from(model.elements[id.0].element.class().tag));
     let tags = Value::list(tags);
     finish(interp, &a)?;
     Ok(tags)
@@ -156,7 +71,7 @@ fn class_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             let model = session.engine.model();
             let id = model.element(tag);
             let missing = || a.absent(things::ELEMENT, tag, "expected the tag of an element");
-            model.elements[id.ok_or_else(missing)?.0].element.class()
+            model.elements[id.ok_or_else(missing)?.0].element.class().name
         }
         _ => return Err(a.unknown_name("kind of thing with a class", ["section", "element"])),
     };

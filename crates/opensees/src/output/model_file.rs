@@ -57,7 +57,7 @@ fn element(
     let nodes: Vec<Tag> = e.nodes.iter().map(|n| model.nodes[n.0].tag).collect();
     let mut out = Map::new();
     out.insert("name".into(), json!(e.tag));
-    out.insert("type".into(), json!(e.element.class()));
+    out.insert("type".into(), json!(e.element.class().name));
     out.insert("nodes".into(), json!(nodes));
     let d = definitions;
     let taken: &[(&str, Tag)] = components.map_or(&[], Vec::as_slice);

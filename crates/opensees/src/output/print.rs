@@ -147,7 +147,7 @@ fn text(interp: &Tcl, w: &PrintRequest) -> String {
     }
     for e in model.elements_by_tag().map(|id| &model.elements[id.0]).filter(|e| chosen(&w.elements, e.tag)) {
         let nodes: Vec<String> = node_tags(model, e).map(|t| t.to_string()).collect();
-        let _ = writeln!(out, "\nElement: {} type: {}", e.tag, e.element.class());
+        let _ = writeln!(out, "\nElement: {} type: {}", e.tag, e.element.class().name);
         let _ = writeln!(out, "\tConnected Nodes: {}", nodes.join(" "));
         let _ = writeln!(out, "\tResisting Force: {}", row(&state.force[e.force.clone()]));
     }

@@ -357,7 +357,7 @@ fn ele_nodes(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn ele_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "eleType $element");
     let id = element_of(interp, &mut a)?;
-    Ok(Value::from(interp.host.engine.model().elements[id.0].element.class()))
+    Ok(Value::from(interp.host.engine.model().elements[id.0].element.class().name))
 }
 
 fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

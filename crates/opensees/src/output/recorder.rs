@@ -303,7 +303,7 @@ fn check_response(
 
 /// The message about a response that an element does not have, and the index of the word that is wrong.
 pub(super) fn unknown_response(engine: &Engine, id: ElementId, words: &[&str]) -> (usize, Diagnostic) {
-    let class = engine.model().elements[id.0].element.class();
+    let class = engine.model().elements[id.0].element.class().name;
     let Misspelled { index, known, fitting } = ElementResponse::misspelled(engine, id, words);
     let word = words.get(index).copied().unwrap_or_default();
     let near = nearest(word, fitting.iter().copied().filter(|name| *name != word));

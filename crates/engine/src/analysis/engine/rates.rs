@@ -19,7 +19,7 @@ impl Speeds {
     pub(super) fn prepare(&mut self, model: &Model) {
         let elements = model.elements.iter().enumerate();
         let pending = elements.filter(|(_, e)| {
-            let key = (e.tag, e.element.class());
+            let key = (e.tag, e.element.class().name);
             e.element.traits().viscous && !self.seen.get(&key).is_some_and(|seen| *seen)
         });
         self.pending = pending.map(|(i, _)| i).collect();
@@ -30,7 +30,7 @@ impl Speeds {
         let seen = &mut self.seen;
         self.pending.retain(|&i| {
             let (e, moves) = (&model.elements[i], has_velocity(i));
-            *seen.entry((e.tag, e.element.class())).or_insert(false) |= moves;
+            *seen.entry((e.tag, e.element.class().name)).or_insert(false) |= moves;
             !moves
         });
     }

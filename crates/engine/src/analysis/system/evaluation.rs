@@ -215,7 +215,7 @@ impl System<'_> {
     #[cold]
     fn element_failed(&self, i: usize, error: ElementError) -> Failure {
         let e = &self.model.elements[i];
-        let element = format!("{} {}", e.element.class(), e.tag);
+        let element = format!("{} {}", e.element.class().name, e.tag);
         self.failure(Cause::Element { element, message: error.0.into() })
     }
 }

@@ -21,7 +21,7 @@ impl System<'_> {
     pub fn exhausted(&self) -> Option<String> {
         self.model.elements.iter().find_map(|e| {
             let section = e.element.exhausted(&self.new.history[e.state.clone()])?;
-            Some(format!("{section} in {} {}", e.element.class(), e.tag))
+            Some(format!("{section} in {} {}", e.element.class().name, e.tag))
         })
     }
 

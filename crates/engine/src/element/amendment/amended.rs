@@ -8,8 +8,8 @@ use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, LawRange, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS, MatrixMask,
-    OpenSeesTraits, OutsideRange, Snapshot, dot,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS,
+    MatrixMask, OpenSeesTraits, OutsideRange, Snapshot, dot,
 };
 use crate::parameter::Changed;
 use crate::probe::Probe;
@@ -62,7 +62,7 @@ const AXIAL_ROW: usize = 2;
 fn no_direction(inner: &dyn Element, direction: usize, has: &[BasicRow]) -> ElementError {
     let known: Vec<String> = has.iter().map(|r| r.direction.to_string()).collect();
     let known = if known.is_empty() { "none that can be amended".into() } else { known.join(" ") };
-    ElementError(format!("{} has no direction {direction}; it has {known}", inner.class()).into())
+    ElementError(format!("{} has no direction {direction}; it has {known}", inner.class().name).into())
 }
 
 impl Amended {
@@ -349,7 +349,7 @@ crate::watches_columns!(Amended => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Amended {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

@@ -2,7 +2,9 @@
 
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, Roles};
-use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot};
+use crate::element::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot,
+};
 use crate::material::{Material, Strain, WatchesColumns};
 use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
@@ -85,7 +87,7 @@ impl Hinged {
         material: Material,
     ) -> Result<Self, ElementError> {
         let n = inner.dofs();
-        let class = inner.class();
+        let class = inner.class().name;
         if !inner.basic_rows().is_empty() {
             return Err(ElementError(format!("{class} is amended by direction, and has no hinges").into()));
         }
@@ -133,7 +135,7 @@ impl Hinged {
         let own = self.stiffness(&stiffness).diagonal();
         let own = own.rows(0, self.hinges.len());
         if own.min() <= 0.0 {
-            let class = self.inner.class();
+            let class = self.inner.class().name;
             return Err(ElementError(format!("{class} carries no moment at an end that shall have a hinge").into()));
         }
         self.moment_tolerance = ROTATION_TOLERANCE * own.max().max(self.material.initial_tangent().abs());
@@ -292,7 +294,7 @@ crate::watches_columns!(Hinged => |s| at s.parts());
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Hinged {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

@@ -4,9 +4,7 @@ use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
 use super::member::{Formulation, Lacking, Member};
 use super::per_section::PerSection;
-use crate::element::load::ElementLoad;
-use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant, SectionSlot};
 
@@ -58,18 +56,9 @@ fn stiffness<'a, const N: usize, const B: usize>(
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
-    const CLASS: [&'static str; 2] = ["AxEqDispBeamColumn2d", "AxEqDispBeamColumn3d"];
+    type Loads = DisplacementBased;
+    const CLASS: [Class; 2] = [Class::new("AxEqDispBeamColumn2d", 178), Class::own("AxEqDispBeamColumn3d")];
     const LACKING: Lacking = Lacking::Refused;
-
-    fn load_len(points: usize) -> usize {
-        <DisplacementBased as Formulation<N, B>>::load_len(points)
-    }
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
-        DisplacementBased::add_load(member, load, factor, sums);
-    }
-    fn reactions(load: &[f64]) -> Reactions {
-        <DisplacementBased as Formulation<N, B>>::reactions(load)
-    }
 
     fn respond(
         &self,

@@ -3,7 +3,9 @@
 use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped_mass};
 use crate::element::roles::{ElementLoads, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Reactions, Transform, axis_probe};
-use crate::element::{Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot};
+use crate::element::{
+    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot,
+};
 use crate::material::{Slot, Strain};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -200,8 +202,8 @@ const STIFFNESS: u32 = 19;
 crate::watches_columns!(ComponentBeam => |s| in s.springs.iter().flatten());
 
 impl Element for ComponentBeam {
-    fn class(&self) -> &'static str {
-        "ComponentElement2d"
+    fn class(&self) -> Class {
+        Class::new("ComponentElement2d", 195)
     }
     fn dofs(&self) -> usize {
         6
@@ -313,7 +315,7 @@ impl ElementLoads for ComponentBeam {
         3 + 5
     }
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        load.refuse_moment(self.class())?;
+        load.refuse_moment(self.class().name)?;
         add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), sums);
         Ok(())
     }

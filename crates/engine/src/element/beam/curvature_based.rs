@@ -7,9 +7,7 @@ use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, 
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::point::SUPPORT;
 use super::shortfall::{Miss, Shortfall};
-use crate::element::load::ElementLoad;
-use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::rules::{Consistent, OpenSees};
@@ -424,7 +422,8 @@ impl<R: Rules> CurvatureBased<R> {
 }
 
 impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBased<R> {
-    const CLASS: [&'static str; 2] = ["ForceBeamColumnCBDI2d", "ForceBeamColumnCBDI3d"];
+    type Loads = ForceBased;
+    const CLASS: [Class; 2] = [Class::new("ForceBeamColumnCBDI2d", 77), Class::new("ForceBeamColumnCBDI3d", 78)];
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
     const LACKING: Lacking = Lacking::Refused;
@@ -436,18 +435,6 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
 
     fn whole_tangent(&self) -> bool {
         R::WHOLE_TANGENT
-    }
-
-    fn load_len(points: usize) -> usize {
-        <ForceBased as Formulation<N, B>>::load_len(points)
-    }
-
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
-        <ForceBased as Formulation<N, B>>::add_load(member, load, factor, sums);
-    }
-
-    fn reactions(load: &[f64]) -> Reactions {
-        <ForceBased as Formulation<N, B>>::reactions(load)
     }
 
     fn respond(

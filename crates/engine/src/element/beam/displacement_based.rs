@@ -2,10 +2,10 @@
 
 use super::basic::Basic;
 use super::elastic::{Bending, Release, add_clamped_load};
-use super::member::{Formulation, Lacking, Member, bending_at, set};
+use super::member::{Formulation, Lacking, LoadSums, Member, bending_at, set};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput};
 use crate::numeric::{axpy, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -80,11 +80,7 @@ impl DisplacementBased {
     }
 }
 
-impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
-    const CLASS: [&'static str; 2] = ["DispBeamColumn2d", "DispBeamColumn3d"];
-    const LACKING: Lacking = Lacking::Free;
-    const DAMPABLE: bool = true;
-
+impl<const N: usize, const B: usize> LoadSums<N, B> for DisplacementBased {
     fn load_len(_: usize) -> usize {
         B + 5
     }
@@ -97,6 +93,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
     fn reactions(load: &[f64]) -> Reactions {
         std::array::from_fn(|i| load[B + i])
     }
+}
+
+impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
+    type Loads = Self;
+    const CLASS: [Class; 2] = [Class::new("DispBeamColumn2d", 62), Class::new("DispBeamColumn3d", 64)];
+    const LACKING: Lacking = Lacking::Free;
+    const DAMPABLE: bool = true;
 
     fn respond(
         &self,

@@ -5,8 +5,8 @@ use crate::element::load::{ElementLoad, EndActions};
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts, SmallBeam,
-    Snapshot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts,
+    SmallBeam, Snapshot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -323,12 +323,12 @@ const STIFFNESS: u32 = 19;
 crate::watches_columns!([const N: usize, const B: usize] ElasticBeam<N, B> => nothing);
 
 impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         match (N, self.modified) {
-            (6, None) => "ElasticBeam2d",
-            (6, _) => "ModElasticBeam2d",
-            (_, None) => "ElasticBeam3d",
-            _ => "ModElasticBeam3d",
+            (6, None) => Class::new("ElasticBeam2d", 3),
+            (6, _) => Class::new("ModElasticBeam2d", 4),
+            (_, None) => Class::new("ElasticBeam3d", 5),
+            _ => Class::new("ModElasticBeam3d", 41234),
         }
     }
     fn dofs(&self) -> usize {
@@ -460,7 +460,7 @@ impl<const N: usize, const B: usize> ElementLoads for ElasticBeam<N, B> {
     }
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         if N == 12 {
-            load.refuse_moment(self.class())?;
+            load.refuse_moment(self.class().name)?;
         }
         add_clamped_load::<B>(load, factor, &self.bending, self.transform.length(), sums);
         Ok(())

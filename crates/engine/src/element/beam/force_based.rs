@@ -1,14 +1,14 @@
 //! The force-based beam: `forceBeamColumn`.
 
 use super::basic::Basic;
-use super::member::{Formulation, Lacking, Member, Trace, bending_at, set};
+use super::member::{Formulation, Lacking, LoadSums, Member, Trace, bending_at, set};
 use super::opensees::settle;
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -330,17 +330,7 @@ impl ForceBased {
     }
 }
 
-impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
-    const CLASS: [&'static str; 2] = ["ForceBeamColumn2d", "ForceBeamColumn3d"];
-    const LACKING: Lacking = Lacking::Rigid;
-    const LOCALISES: bool = true;
-    const DAMPABLE: bool = true;
-    const STATE_LEN: usize = Trace::<N, B>::LEN;
-
-    fn continues_from_last_trial(&self) -> bool {
-        self.compat
-    }
-
+impl<const N: usize, const B: usize> LoadSums<N, B> for ForceBased {
     fn load_len(points: usize) -> usize {
         REACTIONS + INTERNAL * points
     }
@@ -357,6 +347,19 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
 
     fn reactions(load: &[f64]) -> Reactions {
         std::array::from_fn(|i| load[i])
+    }
+}
+
+impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
+    type Loads = Self;
+    const CLASS: [Class; 2] = [Class::new("ForceBeamColumn2d", 73), Class::new("ForceBeamColumn3d", 74)];
+    const LACKING: Lacking = Lacking::Rigid;
+    const LOCALISES: bool = true;
+    const DAMPABLE: bool = true;
+    const STATE_LEN: usize = Trace::<N, B>::LEN;
+
+    fn continues_from_last_trial(&self) -> bool {
+        self.compat
     }
 
     fn respond(

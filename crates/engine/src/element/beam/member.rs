@@ -5,8 +5,8 @@ use crate::element::load::ElementLoad;
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, Roles, SectionCapacity};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
-    CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask, OpenSeesTraits,
-    SharedState, Snapshot,
+    CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
+    OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::numeric::norm;
 use crate::parameter::{Changed, exchange, existing, index, last_of};
@@ -31,10 +31,22 @@ pub enum Lacking {
     Free,
 }
 
+/// Loads along a beam, as sums that its elements keep.
+pub trait LoadSums<const N: usize, const B: usize> {
+    /// Number of load sums for `points` sections.
+    fn load_len(points: usize) -> usize;
+    /// Adds a load times a factor to the load sums.
+    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]);
+    /// End reactions of the simple beam under the loads.
+    fn reactions(load: &[f64]) -> Reactions;
+}
+
 /// Relation between the sections of a beam and its basic system of `B` deformations.
 pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send + Sync + 'static {
+    /// Sums of its loads.
+    type Loads: LoadSums<N, B>;
     /// OpenSees' class names in the plane and in space.
-    const CLASS: [&'static str; 2];
+    const CLASS: [Class; 2];
     /// The stiffness of the basic system is symmetric.
     const SYMMETRIC: bool = true;
     /// Sections depend on the deflection of the beam between its ends: forces are not proportional to deformations.
@@ -58,13 +70,6 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     fn continues_from_last_trial(&self) -> bool {
         false
     }
-
-    /// Number of load sums for `points` sections.
-    fn load_len(points: usize) -> usize;
-    /// Adds a load times a factor to the load sums.
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]);
-    /// End reactions of the simple beam under the loads.
-    fn reactions(load: &[f64]) -> Reactions;
 
     /// Forces and stiffness of the basic system for its deformations `v`; writes the state variables of the sections.
     ///
@@ -259,14 +264,14 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> CallDependent for Fib
         let disp = Trace::<N, B>::read(&history[m.own..]).disp;
         let basic = Basic::<B>::read(&history[m.head()..]);
         force.fill(0.0);
-        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::reactions(load), force);
+        m.transform.add_force(&disp, &history[..m.head()], &basic.q, &F::Loads::reactions(load), force);
     }
 }
 
 crate::watches_columns!([F: fmt::Debug, const N: usize, const B: usize] FiberBeam<F, N, B> => |s| in &s.member.sections);
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam<F, N, B> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         F::CLASS[usize::from(N == 12)]
     }
     fn dofs(&self) -> usize {
@@ -306,7 +311,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let v = m.transform.deformation(motion.disp, &trial[..head]);
         let basic = self.formulation.respond(m, &v, motion, committed, trial)?;
         basic.write(&mut trial[head..]);
-        let p0 = F::reactions(motion.load);
+        let p0 = F::Loads::reactions(motion.load);
         m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, output.force);
         if let Some(tangent) = output.tangent {
             m.transform.add_tangent(motion.disp, &trial[..head], &basic.k, &basic.q, tangent);
@@ -397,7 +402,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let length = m.length();
         match path[0] {
             _ if m.transform.frame().read_axis(path, out) => {}
-            LOCAL_FORCE => m.transform.frame().local_force(&basic.q, &F::reactions(s.load), out),
+            LOCAL_FORCE => m.transform.frame().local_force(&basic.q, &F::Loads::reactions(s.load), out),
             BASIC_FORCE => out.copy_from_slice(&basic.q),
             DEFORMATION => out.copy_from_slice(&deformation()),
             PLASTIC => {
@@ -446,13 +451,13 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementParameters for
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementLoads for FiberBeam<F, N, B> {
     fn load_len(&self) -> usize {
-        F::load_len(self.member.sections.len())
+        F::Loads::load_len(self.member.sections.len())
     }
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
         if N == 12 {
-            load.refuse_moment(self.class())?;
+            load.refuse_moment(self.class().name)?;
         }
-        F::add_load(&self.member, load, factor, sums);
+        F::Loads::add_load(&self.member, load, factor, sums);
         Ok(())
     }
 }

@@ -5,9 +5,7 @@ use super::force_based::{ForceBased, internal_forces};
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
-use crate::element::load::ElementLoad;
-use crate::element::transform::Reactions;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::MAX_ORDER;
 
@@ -129,24 +127,13 @@ impl Mixed {
 }
 
 impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
-    const CLASS: [&'static str; 2] = ["MixedBeamColumn2d", "MixedBeamColumn3d"];
+    type Loads = ForceBased;
+    const CLASS: [Class; 2] = [Class::new("MixedBeamColumn2d", 30766), Class::new("MixedBeamColumn3d", 30765)];
     const LACKING: Lacking = Lacking::Refused;
     const STATE_LEN: usize = Trace::<N, B>::LEN + NATURAL * B;
 
     fn continues_from_last_trial(&self) -> bool {
         self.natural.compat
-    }
-
-    fn load_len(points: usize) -> usize {
-        <ForceBased as Formulation<N, B>>::load_len(points)
-    }
-
-    fn add_load(member: &Member<N, B>, load: &ElementLoad, factor: f64, sums: &mut [f64]) {
-        ForceBased::add_load(member, load, factor, sums);
-    }
-
-    fn reactions(load: &[f64]) -> Reactions {
-        <ForceBased as Formulation<N, B>>::reactions(load)
     }
 
     fn respond(

@@ -26,6 +26,6 @@ pub use displacement_based::DisplacementBased;
 pub use elastic::{Bending, ElasticBeam, ElasticOptions, Release};
 pub use force_based::ForceBased;
 pub use integration::{Hinge, Points, Rule};
-pub use member::{FiberBeam, Formulation, Lacking, Member};
+pub use member::{FiberBeam, Formulation, Lacking, LoadSums, Member};
 pub use mixed::Mixed;
 pub use timoshenko::{TimoshenkoBeam, TimoshenkoOptions};

@@ -5,7 +5,7 @@
 
 use super::basic::Basic;
 use super::force_based::{ForceBased, add_torsion, internal_forces};
-use super::member::{Formulation, Member, Trace};
+use super::member::{Formulation, LoadSums, Member, Trace};
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness};
 use crate::element::ElementInput;
@@ -38,7 +38,7 @@ pub(super) fn settle<const N: usize, const B: usize>(
         return;
     }
     let (still, load, virgin) =
-        ([0.0; N], vec![0.0; <ForceBased as Formulation<N, B>>::load_len(member.sections.len())], state.to_vec());
+        ([0.0; N], vec![0.0; <ForceBased as LoadSums<N, B>>::load_len(member.sections.len())], state.to_vec());
     let (disp, vel, load) = (&still[..], &still[..], &load[..]);
     let accel = &[];
     let motion =

@@ -5,7 +5,8 @@ use super::{Bending, Release};
 use crate::element::roles::{ElementLoads, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Frame, Reactions, axis_probe};
 use crate::element::{
-    Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
+    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
+    Snapshot, dot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -164,8 +165,8 @@ const LOCAL_FORCE: u32 = 3;
 crate::watches_columns!([const N: usize, const B: usize] TimoshenkoBeam<N, B> => nothing);
 
 impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
-    fn class(&self) -> &'static str {
-        if N == 6 { "ElasticTimoshenkoBeam2d" } else { "ElasticTimoshenkoBeam3d" }
+    fn class(&self) -> Class {
+        if N == 6 { Class::new("ElasticTimoshenkoBeam2d", 145) } else { Class::new("ElasticTimoshenkoBeam3d", 146) }
     }
     fn dofs(&self) -> usize {
         N
@@ -279,7 +280,7 @@ impl<const N: usize, const B: usize> ElementLoads for TimoshenkoBeam<N, B> {
         N
     }
     fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
-        load.refuse_moment(self.class())?;
+        load.refuse_moment(self.class().name)?;
         let length = self.frame.length;
         let (y, z, (axial, axial_j)) = load.end_actions(length);
         let mut q = [0.0; B];

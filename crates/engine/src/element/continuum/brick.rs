@@ -1,6 +1,7 @@
 //! The eight-node bricks `stdBrick` and `bbarBrick`.
 
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
+use crate::element::Class;
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -89,7 +90,7 @@ impl Continuum<SOLID, DOFS> {
     ) -> Result<Self, ElementError> {
         let rho = law.density();
         let mut body = Body {
-            class: if options.mean_dilatation { "BbarBrick" } else { "Brick" },
+            class: if options.mean_dilatation { Class::new("BbarBrick", 57) } else { Class::new("Brick", 56) },
             points: vec![],
             stabilisation: vec![],
             load_force: [0.0; DOFS],

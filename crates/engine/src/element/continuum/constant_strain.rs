@@ -3,6 +3,7 @@
 
 use super::quad::QuadOptions;
 use super::{Body, Continuum, ElementError, least_distance, lumped, plane_rows};
+use crate::element::Class;
 use crate::material::{PLANE, SharedMultiaxial};
 
 /// Derivatives by x and y of the shape functions of the nodes, and the volume that belongs to each node.
@@ -16,7 +17,7 @@ struct Shape {
 impl Shape {
     fn body<const D: usize>(
         self,
-        class: &'static str,
+        class: Class,
         stabilisation: Vec<f64>,
         law: &SharedMultiaxial<PLANE>,
         options: &QuadOptions,
@@ -81,7 +82,7 @@ impl Continuum<PLANE, 8> {
             }
         }
         let shape = Shape { gradients, volumes, size: least_distance(corners) };
-        Ok(Self::of(shape.body("SSPquad", stabilisation, law, options), law))
+        Ok(Self::of(shape.body(Class::new("SSPquad", 119), stabilisation, law, options), law))
     }
 }
 
@@ -102,7 +103,12 @@ impl Continuum<PLANE, 6> {
         }
         let gradients = (0..3).map(|i| [-side(i)[1] / (2.0 * area), side(i)[0] / (2.0 * area)]).collect();
         let volumes = vec![options.thickness * area / 3.0; 3];
-        let mut body = Shape { gradients, volumes, size: least_distance(corners) }.body("Tri31", vec![], law, options);
+        let mut body = Shape { gradients, volumes, size: least_distance(corners) }.body(
+            Class::new("Tri31", 33),
+            vec![],
+            law,
+            options,
+        );
         for side in [(0, 1), (1, 2), (2, 0)] {
             options.press(corners, side, &mut body.load_force);
         }

@@ -8,7 +8,9 @@ mod stabilised_brick;
 mod tetrahedron;
 
 use super::damping::BasicForces;
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
+};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::material::{SOLID, SharedMultiaxial, Tangent};
 use crate::numeric::axpy;
@@ -26,7 +28,7 @@ pub(super) type Rows<const S: usize, const D: usize> = [[f64; D]; S];
 #[derive(Clone, Debug)]
 pub(super) struct Body<const S: usize, const D: usize> {
     /// Name of the class in OpenSees.
-    class: &'static str,
+    class: Class,
     /// Points of integration with their volumes.
     points: Vec<(Rows<S, D>, f64)>,
     /// Stiffness against modes without strain at the points; empty without them.
@@ -216,7 +218,7 @@ const TANGENT: u32 = 6;
 crate::watches_columns!([const S: usize, const D: usize] Continuum<S, D> => |s| at s.laws());
 
 impl<const S: usize, const D: usize> Element for Continuum<S, D> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.body.class
     }
     fn dofs(&self) -> usize {

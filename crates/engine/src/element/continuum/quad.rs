@@ -1,6 +1,7 @@
 //! The four-node quadrilateral `quad`.
 
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::element::Class;
 use crate::material::{PLANE, SharedMultiaxial, THICK_PLANE};
 use crate::numeric::axpy;
 
@@ -86,7 +87,7 @@ impl Continuum<PLANE, 8> {
         let share = |[x, y]: [f64; 2], [s, t]: [f64; 2]| 0.25 * (1.0 + root * x * s) * (1.0 + root * y * t);
         let extrapolation = SIGNS.map(|corner| SIGNS.map(|point| share(point, corner)).to_vec()).to_vec();
         let body = Body {
-            class: "FourNodeQuad",
+            class: Class::new("FourNodeQuad", 31),
             points,
             stabilisation: vec![],
             load_force,
@@ -133,7 +134,7 @@ impl Continuum<THICK_PLANE, 8> {
             points.push((rows, det * thickness));
         }
         let body = Body {
-            class: "ConstantPressureVolumeQuad",
+            class: Class::new("ConstantPressureVolumeQuad", 60),
             points,
             stabilisation: vec![],
             load_force: [0.0; 8],

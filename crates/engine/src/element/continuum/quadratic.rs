@@ -3,6 +3,7 @@
 
 use super::quad::{QuadOptions, SIGNS};
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::element::Class;
 use crate::material::{PLANE, SharedMultiaxial};
 use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2};
 
@@ -157,9 +158,9 @@ impl<const D: usize> Continuum<PLANE, D> {
             }
         }
         let class = match shape {
-            QuadraticShape::Triangle => "SixNodeTri",
-            QuadraticShape::Serendipity => "EightNodeQuad",
-            QuadraticShape::Lagrange => "NineNodeQuad",
+            QuadraticShape::Triangle => Class::new("SixNodeTri", 209),
+            QuadraticShape::Serendipity => Class::new("EightNodeQuad", 208),
+            QuadraticShape::Lagrange => Class::new("NineNodeQuad", 207),
         };
         let body = Body {
             class,
@@ -238,7 +239,7 @@ impl Continuum<PLANE, 8> {
             (std::array::from_fn(|i| std::array::from_fn(|j| rows[(i, j)])), volume)
         });
         let body = Body {
-            class: "EnhancedQuad",
+            class: Class::new("EnhancedQuad", 59),
             points: points.collect(),
             stabilisation: vec![],
             load_force: [0.0; 8],

@@ -2,6 +2,7 @@
 
 use super::brick::{DOFS, NODES, SIGNS, gauss_points, mean_derivatives, strain_rows};
 use super::{Body, Continuum, ElementError, Mass, least_distance};
+use crate::element::Class;
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -190,7 +191,8 @@ impl Continuum<SOLID, DOFS> {
         };
         let points = vec![(strain_rows(&mean), volume)];
         let size = least_distance(&corners.map(|x| [x.x, x.y, x.z]));
-        let body = Body { class: "SSPbrick", points, stabilisation, load_force, mass, size, extrapolation: vec![] };
+        let class = Class::new("SSPbrick", 121);
+        let body = Body { class, points, stabilisation, load_force, mass, size, extrapolation: vec![] };
         Ok(Self::of(body, law))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::brick::strain_rows;
 use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
+use crate::element::Class;
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -46,7 +47,11 @@ impl<const D: usize> Continuum<SOLID, D> {
         let rho = law.density();
         let mut mass = vec![0.0; D * D];
         let mut body = Body {
-            class: if quadratic { "TenNodeTetrahedron" } else { "FourNodeTetrahedron" },
+            class: if quadratic {
+                Class::new("TenNodeTetrahedron", 256)
+            } else {
+                Class::new("FourNodeTetrahedron", 179)
+            },
             points: vec![],
             stabilisation: vec![],
             load_force: [0.0; D],

@@ -3,7 +3,7 @@
 mod fit;
 mod law;
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
+use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, OwnDamping, Roles};
 use crate::parameter::{Changed, ParameterError, exchange};
@@ -59,7 +59,7 @@ impl Damped {
     pub fn new(inner: Arc<dyn Element>, damping: Arc<ElementDamping>) -> Result<Self, ElementError> {
         let inner = inner.undamped().unwrap_or(inner);
         let Some(basic) = inner.roles().basic_forces else {
-            return Err(ElementError(format!("{} takes no damping of its own", inner.class()).into()));
+            return Err(ElementError(format!("{} takes no damping of its own", inner.class().name).into()));
         };
         let len = basic.len();
         Ok(Self { damping, len, inner: Inner::new(inner) })
@@ -90,7 +90,7 @@ crate::watches_columns!(Damped => |s| at [(0..s.inner.len(), &**s.inner)]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Element for Damped {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.inner.class()
     }
     fn dofs(&self) -> usize {

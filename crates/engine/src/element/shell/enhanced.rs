@@ -10,6 +10,7 @@ mod triangle;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
 use super::{MAX, NODE, PROBE_NAMES, Row, STRAINS, STRESSES, probe, work};
+use crate::element::Class;
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -378,8 +379,8 @@ impl EnhancedShell {
 crate::watches_columns!(EnhancedShell => |s| at s.sections());
 
 impl Element for EnhancedShell {
-    fn class(&self) -> &'static str {
-        if self.nodes.len() == 3 { "ASDShellT3" } else { "ASDShellQ4" }
+    fn class(&self) -> Class {
+        if self.nodes.len() == 3 { Class::new("ASDShellT3", 204) } else { Class::new("ASDShellQ4", 203) }
     }
     fn dofs(&self) -> usize {
         self.dofs

@@ -10,7 +10,9 @@ mod enhanced;
 mod mitc4;
 mod updated;
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
+};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -208,11 +210,11 @@ const SINGLE_POINT: u32 = 10;
 crate::watches_columns!(Shell => |s| at s.sections());
 
 impl Element for Shell {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         match self.formulation {
-            Formulation::Mitc4 => "ShellMITC4",
-            Formulation::KirchhoffQuadrilateral => "ShellDKGQ",
-            Formulation::KirchhoffTriangle => "ShellDKGT",
+            Formulation::Mitc4 => Class::new("ShellMITC4", 53),
+            Formulation::KirchhoffQuadrilateral => Class::new("ShellDKGQ", 156),
+            Formulation::KirchhoffTriangle => Class::new("ShellDKGT", 167),
         }
     }
     fn dofs(&self) -> usize {

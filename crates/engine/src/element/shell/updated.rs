@@ -2,6 +2,7 @@
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
 use super::{Formulation, Geometry, MAX, NODE, Point, Row, STRAINS, STRESSES, Shell, discrete_kirchhoff, work};
+use crate::element::Class;
 use crate::element::roles::Roles;
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -113,8 +114,8 @@ impl UpdatedShell {
 crate::watches_columns!(UpdatedShell => |s| in [&s.flat]);
 
 impl Element for UpdatedShell {
-    fn class(&self) -> &'static str {
-        "ShellNLDKGQ"
+    fn class(&self) -> Class {
+        Class::new("ShellNLDKGQ", 157)
     }
     fn dofs(&self) -> usize {
         self.flat.dofs

@@ -1,8 +1,8 @@
 //! Multiple-vertical-line elements of walls: `MVLEM` and `MVLEM_3D`.
 
-use super::{LOCAL_FORCE, WallShape, add_stiffness};
+use super::{LOCAL_FORCE, PLANE_WALL, WallShape, add_stiffness};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -34,7 +34,6 @@ struct Line<const D: usize> {
 /// Colotti, 1988; Orakcal, Wallace and Conte, 2004). Node i is below node j.
 #[derive(Clone, Debug)]
 pub struct WallLines<const D: usize> {
-    class: &'static str,
     /// Concrete of each fibre, steel of each fibre, and the shear spring.
     lines: Vec<Line<D>>,
     fibres: usize,
@@ -45,7 +44,7 @@ pub struct WallLines<const D: usize> {
 impl<const D: usize> WallLines<D> {
     /// Makes a wall with fibres from the left to the right. `shear` relates the shear force to the shear deformation at the
     /// centre of rotation.
-    pub fn new(class: &'static str, fibres: Vec<WallFibre>, shear: (Material, i32), shape: WallShape<D>) -> Self {
+    pub fn new(fibres: Vec<WallFibre>, shear: (Material, i32), shape: WallShape<D>) -> Self {
         let count = fibres.len();
         let mut left = -0.5 * fibres.iter().map(|f| f.width).sum::<f64>();
         let (mut concrete, mut steel) = (vec![], vec![]);
@@ -65,7 +64,7 @@ impl<const D: usize> WallLines<D> {
             state_len += slot.len();
             lines.push(Line { slot, row, weight });
         }
-        Self { class, lines, fibres: count, state_len, shape }
+        Self { lines, fibres: count, state_len, shape }
     }
 
     fn slots(&self) -> impl Iterator<Item = &Slot> + Clone {
@@ -76,8 +75,8 @@ impl<const D: usize> WallLines<D> {
 crate::watches_columns!([const D: usize] WallLines<D> => |s| in s.slots());
 
 impl<const D: usize> Element for WallLines<D> {
-    fn class(&self) -> &'static str {
-        self.class
+    fn class(&self) -> Class {
+        if D == PLANE_WALL { Class::new("MVLEM", 162) } else { Class::new("MVLEM_3D", 212) }
     }
     fn dofs(&self) -> usize {
         D

@@ -1,8 +1,8 @@
 //! Walls of panels in plane stress: `SFI_MVLEM`, `E_SFI`, `SFI_MVLEM_3D` and `E_SFI_MVLEM_3D`.
 
-use super::{LOCAL_FORCE, WallShape};
+use super::{LOCAL_FORCE, PLANE_WALL, WallShape};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
 use crate::numeric::axpy;
@@ -44,7 +44,7 @@ struct Strip<const D: usize> {
 /// Panels with a vertical strain and a common shear strain (Kolozvari, Orakcal and Wallace, 2015).
 #[derive(Clone, Debug)]
 pub struct WallPanels<const D: usize> {
-    class: &'static str,
+    class: Class,
     strips: Vec<Strip<D>>,
     state_len: usize,
     shape: WallShape<D>,
@@ -52,7 +52,7 @@ pub struct WallPanels<const D: usize> {
 
 impl<const D: usize> WallPanels<D> {
     /// Makes a wall of panels.
-    pub fn new(class: &'static str, panels: Vec<WallPanel>, kind: PanelLaw, shape: WallShape<D>) -> Self {
+    pub fn new(panels: Vec<WallPanel>, kind: PanelLaw, shape: WallShape<D>) -> Self {
         let mut left = -0.5 * panels.iter().map(|p| p.width).sum::<f64>();
         let shear = shape.shear().map(|r| -r / shape.height);
         let (mut strips, mut at) = (vec![], 0);
@@ -69,6 +69,12 @@ impl<const D: usize> WallPanels<D> {
             strips.push(Strip { rows, volume, at, law: Arc::clone(&law) });
             at += law.state_len();
         }
+        let class = match (kind, D == PLANE_WALL) {
+            (PanelLaw::NoStress, true) => Class::new("SFI_MVLEM", 163),
+            (PanelLaw::NoStress, false) => Class::new("SFI_MVLEM_3D", 213),
+            (_, true) => Class::new("E_SFI", 257),
+            (_, false) => Class::new("E_SFI_MVLEM_3D", 259_259),
+        };
         Self { class, strips, state_len: at, shape }
     }
 
@@ -95,7 +101,7 @@ const PANEL: u32 = 4;
 crate::watches_columns!([const D: usize] WallPanels<D> => |s| at s.laws());
 
 impl<const D: usize> Element for WallPanels<D> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.class
     }
     fn dofs(&self) -> usize {

@@ -29,16 +29,6 @@ impl UniaxialLaw for Viscous {
         Ok((Stress { value, tangent: 0.0, damping }, ()))
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "C" => &mut self.c,
-            "Alpha" => &mut self.alpha,
-            "minVel" => &mut self.min_rate,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         0.0
     }

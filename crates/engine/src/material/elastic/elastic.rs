@@ -50,20 +50,6 @@ impl UniaxialLaw for Elastic {
         Ok(())
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "E" => {
-                self.e_neg = value;
-                &mut self.e_pos
-            }
-            "Epos" => &mut self.e_pos,
-            "Eneg" => &mut self.e_neg,
-            "eta" => &mut self.eta,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.e_pos
     }

@@ -26,16 +26,6 @@ impl UniaxialLaw for NoTension {
         Ok((Stress { value, tangent, damping: 0.0 }, ()))
     }
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "E" => &mut self.e,
-            "a" => &mut self.a,
-            "b" => &mut self.b,
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.e
     }

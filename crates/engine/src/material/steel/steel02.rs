@@ -237,24 +237,6 @@ impl UniaxialLaw for Steel02 {
 
     updates_blocks!();
 
-    fn set_parameter(&mut self, name: &str, value: f64) -> Option<f64> {
-        let place = match name {
-            "sigmaY" | "fy" | "Fy" => &mut self.fy,
-            "E" => &mut self.e0,
-            "b" => &mut self.b,
-            "R0" => &mut self.r0,
-            "cR1" => &mut self.c_r[0],
-            "cR2" => &mut self.c_r[1],
-            "sig0" => &mut self.sig_init,
-            "a1" => &mut self.a[0],
-            "a2" => &mut self.a[1],
-            "a3" => &mut self.a[2],
-            "a4" => &mut self.a[3],
-            _ => return None,
-        };
-        Some(std::mem::replace(place, value))
-    }
-
     fn initial_tangent(&self) -> f64 {
         self.e0
     }

@@ -134,7 +134,7 @@ fn mass_in_other_units(g: &Gravity) -> Option<Diagnostic> {
 /// The period of a building that none has, on fixed supports or on bearings.
 fn long_period(engine: &Engine, period: f64, mass: &[f64; 3]) -> Option<Diagnostic> {
     let elements = || engine.model().elements.iter().map(|e| &e.element);
-    let is_frame = elements().any(|e| e.class().contains("Beam"));
+    let is_frame = elements().any(|e| e.class().name.contains("Beam"));
     if period <= MAX_PERIOD || !is_frame {
         return None;
     }
@@ -164,7 +164,7 @@ fn bearing_on_its_side(engine: &Engine, axis: usize) -> Option<Diagnostic> {
     })?;
     let message = format!(
         "the local x of {} {} lies across its load: its stiffness is {} along {}, and {} across it",
-        e.element.class(),
+        e.element.class().name,
         e.tag,
         short(along),
         axis + 1,

@@ -6,8 +6,8 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, SharedState, Snapshot,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
+    MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -69,8 +69,8 @@ impl MultipleNormalSpring {
 crate::watches_columns!(MultipleNormalSpring => |s| in [&s.springs]);
 
 impl Element for MultipleNormalSpring {
-    fn class(&self) -> &'static str {
-        "MultipleNormalSpring"
+    fn class(&self) -> Class {
+        Class::new("MultipleNormalSpring", 159)
     }
     fn dofs(&self) -> usize {
         12

@@ -8,7 +8,7 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
 };
 use crate::probe::Probe;
 use crate::rules::{Consistent, OpenSees};
@@ -121,8 +121,8 @@ fn basic([y, z]: [f64; 2]) -> [f64; 6] {
 crate::watches_columns!([R: Rules] MultipleShearSpring<R> => |s| in [&s.springs]);
 
 impl<R: Rules> Element for MultipleShearSpring<R> {
-    fn class(&self) -> &'static str {
-        "MultipleShearSpring"
+    fn class(&self) -> Class {
+        Class::new("MultipleShearSpring", 158)
     }
     fn dofs(&self) -> usize {
         12

@@ -11,8 +11,8 @@ use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput, shear
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, LawSize, Roles};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, Overload,
-    Snapshot, Stretch, alike, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
+    Overload, Snapshot, Stretch, alike, one_by_one,
 };
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
@@ -49,7 +49,7 @@ impl<L: RubberShear> RubberBearing<L> {
 crate::watches_columns!([L: std::fmt::Debug] RubberBearing<L> => nothing);
 
 impl<L: RubberShear + 'static> Element for RubberBearing<L> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.shear.class()
     }
     fn dofs(&self) -> usize {

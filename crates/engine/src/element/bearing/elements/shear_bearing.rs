@@ -5,8 +5,8 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::roles::{Backbone, BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass, OpenSeesTraits,
-    RowMaterial, Snapshot, Softening, alike, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
+    OpenSeesTraits, RowMaterial, Snapshot, Softening, alike, one_by_one,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::wide::{WIDTH, Wide};
@@ -75,7 +75,7 @@ crate::watches_columns!([L: std::fmt::Debug, const N: usize, const B: usize, con
 impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, const S: usize> Element
     for ShearBearing<L, N, B, M, S>
 {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         L::CLASS[S - 1]
     }
     fn dofs(&self) -> usize {

@@ -2,6 +2,7 @@
 
 mod lockstep;
 
+use crate::element::Class;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, ShearLockstep, at_rest, hardening, hardening_ends};
 use crate::numeric::sign;
@@ -135,7 +136,8 @@ impl BoucWenShear {
 }
 
 impl<const S: usize> ShearLaw<S> for BoucWenShear {
-    const CLASS: [&'static str; 2] = ["ElastomericBearingBoucWen2d", "ElastomericBearingBoucWen3d"];
+    const CLASS: [Class; 2] =
+        [Class::new("ElastomericBearingBoucWen2d", 90), Class::new("ElastomericBearingBoucWen3d", 91)];
     const HYSTERETIC: bool = true;
 
     fn lockstep(all: &[&Self; WIDTH]) -> Option<impl ShearLockstep<S> + 'static> {

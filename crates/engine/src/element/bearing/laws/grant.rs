@@ -3,6 +3,7 @@
 mod lockstep;
 mod opensees;
 
+use crate::element::Class;
 use crate::element::bearing::laws::axial::Axial;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, RubberShearLockstep, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::{Shear, at_rest};
@@ -130,8 +131,8 @@ impl<R: Rules> GrantShear<R> {
 impl<R: Rules> RubberShear for GrantShear<R> {
     type Memory = Damage;
 
-    fn class(&self) -> &'static str {
-        "HDR"
+    fn class(&self) -> Class {
+        Class::new("HDR", 151)
     }
 
     fn lockstep(all: &[&Self; WIDTH]) -> Option<impl RubberShearLockstep + 'static> {

@@ -1,5 +1,6 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
+use crate::element::Class;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
 
@@ -23,7 +24,8 @@ pub struct PlasticShear {
 }
 
 impl<const S: usize> ShearLaw<S> for PlasticShear {
-    const CLASS: [&'static str; 2] = ["ElastomericBearingPlasticity2d", "ElastomericBearingPlasticity3d"];
+    const CLASS: [Class; 2] =
+        [Class::new("ElastomericBearingPlasticity2d", 85), Class::new("ElastomericBearingPlasticity3d", 84)];
     const HYSTERETIC: bool = false;
 
     fn backbone_ends(&self) -> Option<(f64, f64)> {

@@ -1,5 +1,6 @@
 //! Shear law of `HDRRheologyBearing`: the rheology of high damping rubber in two directions.
 
+use crate::element::Class;
 use crate::element::bearing::laws::axial::Axial;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
 use crate::element::bearing::laws::shear::Shear;
@@ -36,8 +37,8 @@ impl RheologyShear {
 impl RubberShear for RheologyShear {
     type Memory = PlaneHistory;
 
-    fn class(&self) -> &'static str {
-        "HDRRheologyBearing"
+    fn class(&self) -> Class {
+        Class::own("HDRRheologyBearing")
     }
 
     fn depends_on_time(&self) -> bool {

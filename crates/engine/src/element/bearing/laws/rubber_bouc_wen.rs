@@ -2,6 +2,7 @@
 
 mod opensees;
 
+use crate::element::Class;
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::lead::LeadCore;
 use crate::element::bearing::laws::rubber_shear::{OWN, RubberShear, ShearInput, ShearStep};
@@ -176,8 +177,8 @@ impl<R: Rules> RubberBoucWen<R> {
 impl<R: Rules> RubberShear for RubberBoucWen<R> {
     type Memory = Warmth;
 
-    fn class(&self) -> &'static str {
-        if self.leaded { "LeadRubberX" } else { "ElastomericX" }
+    fn class(&self) -> Class {
+        if self.leaded { Class::new("LeadRubberX", 153) } else { Class::new("ElastomericX", 152) }
     }
     fn is_viscous(&self) -> bool {
         self.cd > 0.0 || self.core.is_some()

@@ -1,5 +1,6 @@
 //! Shear laws of layered rubber bearings: input, response and trait.
 
+use crate::element::Class;
 use crate::element::Stretch;
 use crate::element::bearing::laws::axial::{Axial, AxialStep};
 use crate::element::bearing::laws::shear::{NoLockstep, Shear};
@@ -46,7 +47,7 @@ pub trait RubberShear: Clone + fmt::Debug + Send + Sync {
     type Memory: StateStruct;
 
     /// OpenSees' name of the bearing.
-    fn class(&self) -> &'static str;
+    fn class(&self) -> Class;
     /// Returns true if the force or the state variables depend on the velocity.
     fn is_viscous(&self) -> bool {
         false

@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
-use crate::element::{ElementError, Mass};
+use crate::element::{Class, ElementError, Mass};
 use crate::numeric::wide::{Real, WIDTH, Wide};
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -64,7 +64,7 @@ impl<const S: usize> StateStruct for Shear<S> {
 /// A shear law with `S` coupled directions: 1 in the plane, 2 in space.
 pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     /// OpenSees' class names in the plane and in space.
-    const CLASS: [&'static str; 2];
+    const CLASS: [Class; 2];
     /// True if recorders show the internal variable as the hysteretic parameter.
     const HYSTERETIC: bool;
     /// True if OpenSees subtracts the inertia of the bearing's mass under a uniform ground motion from the reported

@@ -1,5 +1,6 @@
 //! Shear law of `elastomericBearingUFRP`.
 
+use crate::element::Class;
 use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest};
 use crate::numeric::{bracketed_root, sign};
@@ -66,7 +67,7 @@ impl UfrpShear {
 }
 
 impl ShearLaw<1> for UfrpShear {
-    const CLASS: [&'static str; 2] = ["ElastomericBearingUFRP2d", ""];
+    const CLASS: [Class; 2] = [Class::new("ElastomericBearingUFRP2d", 147), Class::own("")];
     const HYSTERETIC: bool = true;
 
     fn dashpot(&self) -> f64 {

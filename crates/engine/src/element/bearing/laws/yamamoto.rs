@@ -4,7 +4,7 @@ mod opensees;
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
-use crate::element::{ElementError, Mass};
+use crate::element::{Class, ElementError, Mass};
 use crate::rules::{Consistent, OpenSees};
 use std::f64::consts::PI;
 use std::fmt;
@@ -153,7 +153,7 @@ fn along((q, dq): Evolution, (rate, slope): Evolution, h: f64) -> Evolution {
 }
 
 impl<R: Rules> ShearLaw<2> for YamamotoShear<R> {
-    const CLASS: [&'static str; 2] = ["YamamotoBiaxialHDR"; 2];
+    const CLASS: [Class; 2] = [Class::new("YamamotoBiaxialHDR", 161); 2];
     const HYSTERETIC: bool = false;
     const REPORTS_INERTIA: bool = true;
     const RENEWS_DAMPING: bool = false;

@@ -23,8 +23,8 @@ use crate::element::bearing::laws::normal_springs::NormalSprings;
 use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
 use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
-    Overload, Rows, Snapshot,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
+    OpenSeesTraits, Overload, Rows, Snapshot,
 };
 use crate::material::{Material, MaterialError, WatchesColumns};
 use crate::numeric::SparseMatrix;
@@ -286,8 +286,8 @@ fn flat<const N: usize, const M: usize>(m: &[[f64; N]; N]) -> [f64; M] {
 crate::watches_columns!(KikuchiBearing => |s| in s.bundles());
 
 impl Element for KikuchiBearing {
-    fn class(&self) -> &'static str {
-        "KikuchiBearing"
+    fn class(&self) -> Class {
+        Class::new("KikuchiBearing", 160)
     }
     fn dofs(&self) -> usize {
         OUTER

@@ -9,7 +9,9 @@ use crate::element::bearing::elements::shear_bearing::{
 };
 use crate::element::friction::Contact;
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
-use crate::element::{BasicRow, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use crate::element::{
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
+};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot};
 use crate::probe::Probe;
@@ -31,12 +33,12 @@ pub enum Kind {
 
 impl Kind {
     /// OpenSees' class names in the plane and in space.
-    fn class(self) -> [&'static str; 2] {
+    fn class(self) -> [Class; 2] {
         match self {
-            Self::Flat => ["FlatSliderSimple2d", "FlatSliderSimple3d"],
-            Self::Pendulum => ["SingleFPSimple2d", "SingleFPSimple3d"],
-            Self::Heated => ["FPBearingPTV"; 2],
-            Self::Springs => ["RJWatsonEQS2d", "RJWatsonEQS3d"],
+            Self::Flat => [Class::new("FlatSliderSimple2d", 92), Class::new("FlatSliderSimple3d", 93)],
+            Self::Pendulum => [Class::new("SingleFPSimple2d", 96), Class::new("SingleFPSimple3d", 97)],
+            Self::Heated => [Class::new("FPBearingPTV", 166); 2],
+            Self::Springs => [Class::new("RJWatsonEQS2d", 149), Class::new("RJWatsonEQS3d", 150)],
         }
     }
 }
@@ -305,7 +307,7 @@ fn levers<const N: usize, const S: usize>(local: &[[f64; N]; N], foot: usize, he
 crate::watches_columns!([const N: usize, const B: usize, const S: usize, R: Rules] SlidingBearing<N, B, S, R> => |s| in s.springs.iter().map(|(_, slot)| slot));
 
 impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for SlidingBearing<N, B, S, R> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         self.setting.kind.class()[S - 1]
     }
     fn dofs(&self) -> usize {

@@ -9,7 +9,7 @@ use crate::element::bearing::elements::shear_bearing::{
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
     OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::material::{Material, Slot, Strain, Stress};
@@ -227,10 +227,10 @@ fn add_apart(matrix: &mut [f64], row: usize, col: usize, value: f64, sign: f64) 
 crate::watches_columns!([R: Rules] TriplePendulum<R> => |s| in &s.materials);
 
 impl<R: Rules> Element for TriplePendulum<R> {
-    fn class(&self) -> &'static str {
+    fn class(&self) -> Class {
         match self.surfaces {
-            Surfaces::Models(_) => "TripleFrictionPendulum",
-            Surfaces::Heated(_) => "TripleFrictionPendulumX",
+            Surfaces::Models(_) => Class::new("TripleFrictionPendulum", 132),
+            Surfaces::Heated(_) => Class::new("TripleFrictionPendulumX", 258),
         }
     }
     fn dofs(&self) -> usize {
