@@ -48,6 +48,27 @@ def isolated(ops, stories):
     return 1
 
 
+def fibers(ops, stories):
+    """A column whose sections have fibers that yield: 3 equations a story."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    ops.uniaxialMaterial("Steel01", 1, 3e5, 2e8, 0.02)
+    ops.section("Fiber", 1)
+    ops.patch("rect", 1, 20, 1, -0.15, -0.1, 0.15, 0.1)
+    ops.beamIntegration("Lobatto", 1, 1, 3)
+    ops.geomTransf("Linear", 1)
+    for i in range(stories + 1):
+        ops.node(i + 1, 0.0, 3.0 * i)
+        ops.mass(i + 1, 10.0, 10.0, 1e-3)
+    ops.fix(1, 1, 1, 1)
+    for i in range(stories):
+        ops.element("forceBeamColumn", i + 1, i + 1, i + 2, 1, 1)
+    ops.timeSeries("Trig", 1, 0.0, 100.0, 0.5)
+    ops.pattern("Plain", 1, 1)
+    ops.load(stories + 1, 400.0 / stories, 0.0, 0.0)
+    return 3
+
+
 def transient(ops):
     ops.constraints("Plain")
     ops.numberer("RCM")
@@ -73,7 +94,7 @@ def measure(ops):
     out = {}
     for name, build, stories in [
         ("hysteretic, 1 equation", isolated, 1), ("hysteretic, 10 equations", isolated, 10), ("hysteretic, 40 equations", isolated, 40),
-        ("elastic, 3 equations", column, 1), ("elastic, 15 equations", column, 5), ("elastic, 48 equations", column, 16),
+        ("elastic, 3 equations", column, 1), ("elastic, 15 equations", column, 5), ("elastic, 48 equations", column, 16), ("fibers, 3 equations", fibers, 1), ("fibers, 15 equations", fibers, 5),
     ]:  # fmt: skip
         out["loop: " + name] = loop(ops, build, stories, 1000)
     began = time.process_time()

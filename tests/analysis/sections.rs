@@ -19,6 +19,7 @@ fn cantilevers_come_to_their_plastic_moment() {
     for element in [
         "element forceBeamColumn 1 1 2 5 1 1",
         "beamIntegration Lobatto 1 1 5\nelement forceBeamColumn 1 1 2 1 1",
+        "beamIntegration UserHinge 1 1 1 1 0 0.1 1 1 1 0.1\nelement forceBeamColumn 1 1 2 1 1",
         "element forceBeamColumn 1 1 2 1 {HingeRadau 1 0.4 1 0.4 1}",
         "element beamWithHinges 1 1 2 1 0.4 1 0.4 2e8 0.08 1.0667e-3 1",
         "element dispBeamColumn 1 1 2 5 1 1 -integration Lobatto",
@@ -32,6 +33,29 @@ fn cantilevers_come_to_their_plastic_moment() {
         let n = ran.numbers();
         let plastic = 2.5e5 * 0.2 * 0.16 / 4.0;
         assert!(n[0] == 0.0 && n[2].abs() < plastic && n[2].abs() > 0.97 * plastic, "{element}: {n:?}");
+    }
+}
+
+/// Points of two hinges and the two between them have the places and weights of openseespy 3.7.1.
+#[test]
+fn points_of_given_hinges() {
+    let ran = run("model basic -ndm 2 -ndf 3
+        node 1 0 0; node 2 5 0; fix 1 1 1 1
+        foreach tag {1 2 3 4} { section Elastic $tag [expr 2.0 * $tag] 3 4 }
+        geomTransf Linear 1
+        beamIntegration UserHinge 1 3  2 1 2 0.02 0.07 0.04 0.06  1 4 0.97 0.08
+        element forceBeamColumn 1 1 2 1 1
+        timeSeries Linear 1; pattern Plain 1 1 { load 2 1 2 0 }
+        constraints Plain; numberer Plain; system BandGeneral; algorithm Linear; integrator LoadControl 1; analysis Static
+        puts \"[analyze 1] [nodeDisp 2] [sectionLocation 1] [sectionWeight 1]\"");
+    let expected = [
+        [0.0, 0.3027777777777778, 4.541378472222222, 1.2602083333333332, 0.1, 0.35000000000000003, 4.85],
+        [1.3664319481612668, 3.7335680518387333, 0.2, 0.3, 0.4, 2.0500000000000003, 2.0500000000000003],
+    ];
+    let n = ran.numbers();
+    assert_eq!(n.len(), 14, "{n:?}");
+    for (got, expected) in n.iter().zip(expected.as_flattened()) {
+        assert!(close(*got, *expected, 1e-12), "{n:?}");
     }
 }
 
@@ -73,6 +97,10 @@ fn sections_are_refused_with_a_reason() {
         ("beamIntegration Legendre 1 8 3", "there is no section 8"),
         ("beamIntegration HingeRadau 1 9 -0.1 9 0.1 9", "lengths of the hinges"),
         ("beamIntegration UserDefined 1 2 9 9 0.1 1.9 0.5 0.5", "no fraction of the length"),
+        ("beamIntegration UserHinge 1 9 1 9 0.1 0.2 1 9 0.9", "the numbers make no hinges"),
+        ("beamIntegration UserHinge 1 9 1 9 0.1 0.6 1 9 0.9 0.6", "the numbers make no hinges"),
+        ("beamIntegration UserHinge 1 9 1 9 1.1 0.2 1 9 0.9 0.2", "no fraction of the length"),
+        ("integrator ParallelDisplacementControl 1 1 0.1", "unknown integrator"),
         ("section Uniaxial 1 1 P\nelement forceBeamColumn 1 1 2 5 1 1", "has no Mz"),
         ("element forceBeamColumn 1 1 2 1 7", "there is no beam integration 7"),
         ("element dispBeamColumn 1 1 2 5 9 1 -integration Simson", "unknown rule of integration"),

@@ -18,8 +18,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyInt, PyTuple};
 use std::sync::atomic::Ordering;
-use std::sync::{Mutex, MutexGuard, TryLockError};
-use std::time::Instant;
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 
 /// Steps times elements up to which an analysis is so short that other threads do not notice it.
 const MAX_HELD_WORK: usize = 200;
@@ -32,6 +31,8 @@ pub(crate) struct Domain {
     files: Files,
     warned: Shared<Vec<Diagnostic>>,
     raised: Shared<Option<PyErr>>,
+    /// Function of Python that is told of steps.
+    told: Shared<Option<Py<PyAny>>>,
 }
 
 /// Parts of a model that one thread at a time uses.
@@ -251,10 +252,11 @@ impl Domain {
         let into = warned.clone();
         run.interp.host.on_warning(Box::new(move |d, _| hold(&into).push(d.clone())));
         let interrupt = run.interp.interrupt.clone();
-        let signals = Signals { raised: raised.clone(), interrupt, last: Instant::now() };
+        let told = Shared::default();
+        let signals = Signals::new(raised.clone(), interrupt, Arc::clone(&told));
         run.interp.host.set_progress(Box::new(signals));
         let inner = Inner { owned: Owned::new(run), reactions: None, recorded: 0 };
-        Self { inner: Mutex::new(inner), text, files, warned, raised }
+        Self { inner: Mutex::new(inner), text, files, warned, raised, told }
     }
 
     /// Call a command of OpenSees by its name.
@@ -283,6 +285,12 @@ impl Domain {
         self.command(py, Entry::of("remove")?, vec![Value::EMPTY, Value::from("recorder"), Value::from(tag)])?;
         let rows = self.files.take(name);
         PyArray2::from_vec2(py, &rows).map_err(|e| PyRuntimeError::new_err(e.to_string()))
+    }
+
+    /// Tell a function of the steps of analyses: it takes the number of steps since its last call. None ends it.
+    fn _tell_steps(&self, function: Option<Py<PyAny>>) {
+        // The one before is let go without the lock: its end may be a call of Python's.
+        let _before = std::mem::replace(&mut *hold(&self.told), function);
     }
 
     /// Make the calls that another model was told.

@@ -102,21 +102,43 @@ impl Outputs for Files {
     }
 }
 
-/// Looks at Python's signals between the steps of an analysis.
+/// Looks at Python's signals between the steps of an analysis, and tells a function of Python how many have been made.
 pub(crate) struct Signals {
-    pub(crate) raised: Shared<Option<PyErr>>,
-    pub(crate) interrupt: Arc<AtomicBool>,
-    pub(crate) last: Instant,
+    raised: Shared<Option<PyErr>>,
+    interrupt: Arc<AtomicBool>,
+    last: Instant,
+    /// Takes the number of steps since its last call.
+    told: Shared<Option<Py<PyAny>>>,
+    /// Steps that it was not told of.
+    steps: usize,
+}
+
+impl Signals {
+    pub(crate) fn new(
+        raised: Shared<Option<PyErr>>,
+        interrupt: Arc<AtomicBool>,
+        told: Shared<Option<Py<PyAny>>>,
+    ) -> Self {
+        Self { raised, interrupt, last: Instant::now(), told, steps: 0 }
+    }
+
+    fn look(&mut self, py: Python<'_>) -> PyResult<()> {
+        // Ctrl-C sets a flag that Python's main thread looks at; its handler raises `KeyboardInterrupt`.
+        py.check_signals()?;
+        let told = hold(&self.told).as_ref().map(|told| told.clone_ref(py));
+        let steps = std::mem::take(&mut self.steps);
+        told.map_or(Ok(()), |told| told.call1(py, (steps,)).map(drop))
+    }
 }
 
 impl Progress for Signals {
     fn step(&mut self, _: f64, _: Option<f64>) {
+        self.steps += 1;
         if self.last.elapsed() < SIGNAL_INTERVAL {
             return;
         }
         self.last = Instant::now();
-        // Ctrl-C sets a flag that Python's main thread looks at; its handler raises `KeyboardInterrupt`.
-        if let Err(e) = Python::attach(|py| py.check_signals()) {
+        if let Err(e) = Python::attach(|py| self.look(py)) {
             *hold(&self.raised) = Some(e);
             self.interrupt.store(true, Ordering::Relaxed);
         }

@@ -217,20 +217,22 @@ impl Domain {
     ///
     /// With `record`, the histories of responses by name: `record={'roof': ('disp', 4, 1)}` for node 4 and degree of
     /// freedom 1, `('Element', '-ele', 1, 'force')` for the words of a recorder without its file. They are arrays of shape
-    /// (rows, columns), or (rows,) for a single column.
-    #[pyo3(signature = (steps = None, dt = None, /, *more, record = None))]
+    /// (rows, columns), or (rows,) for a single column. With `progress`, a bar of tqdm shows the steps, where that is installed.
+    #[pyo3(signature = (steps = None, dt = None, /, *more, record = None, progress = false))]
     fn analyze<'py>(
         slf: &Bound<'py, Self>,
         steps: Arg<'py>,
         dt: Arg<'py>,
         more: &Bound<'py, PyTuple>,
         record: Option<Bound<'py, PyDict>>,
+        progress: bool,
     ) -> PyResult<Py<PyAny>> {
         let (py, given) = (slf.py(), Given { first: &steps, second: &dt, more });
         if let Some(answer) = trace::taken(slf, "analyze", || Ok(given.all(py)?.unbind())) {
             return answer;
         }
         match record {
+            record if progress => Ok(slf.call_method1("_analyze_shown", (given.all(py)?, record))?.unbind()),
             None => slf.get().analyze_given(py, &given),
             Some(record) => Ok(slf.call_method1("_analyze_recorded", (given.all(py)?, record))?.unbind()),
         }

@@ -9,7 +9,6 @@ use hysteron_tcl::diagnostic::{Diagnostic, Severity, SourceMap};
 use hysteron_tcl::{OsFiles, OverlayFiles};
 use pyo3::prelude::*;
 use std::path::Path;
-use std::time::Instant;
 
 /// A message about a script, with its place.
 #[pyclass(frozen, get_all, module = "hysteron._hysteron")]
@@ -159,7 +158,7 @@ fn execute(
             }
         };
         let interrupt = run.interp.interrupt.clone();
-        let signals = Signals { raised: raised.clone(), interrupt, last: Instant::now() };
+        let signals = Signals::new(raised.clone(), interrupt, Shared::default());
         run.interp.host.set_progress(Box::new(signals));
         let end = run.script(&script.to_string_lossy(), args);
         let sources = &run.interp.core.sources;

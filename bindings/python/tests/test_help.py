@@ -4,6 +4,7 @@ import inspect
 import pydoc
 import subprocess
 import sys
+import types
 import warnings
 
 import numpy as np
@@ -45,6 +46,8 @@ def test_signatures_have_the_names_of_the_usage(frame):
     assert list(inspect.signature(frame.node).parameters)[:2] == ["tag", "x"]
     assert inspect.signature(frame.node).parameters["y"].default is None
     assert list(inspect.signature(frame.element).parameters)[0] == "kind"
+    for name in set(USAGES) & set(dir(Model)):
+        inspect.signature(getattr(frame, name))
 
 
 def test_words_are_given_by_their_names(frame):
@@ -85,6 +88,7 @@ def test_warnings_are_at_the_line_of_the_caller():
     [
         ("disp", ["record 'd'", "node is missing", "('disp', node, dof)"]),
         ("dsip", ["record 'd'", "'dsip' is no recorder", "did you mean 'disp'"]),
+        (("dsip", 2, 1), ["record 'd'", "'dsip' is no recorder", "did you mean 'disp'"]),
         (7, ["record 'd'", "7 is no recorder"]),
         (("disp", 99, 1), ["node 99"]),
         (("Element", "-ele", 1, "nonsense"), ["nonsense"]),
@@ -112,6 +116,64 @@ def test_histories_are_a_table(frame):
 def test_a_model_shows_what_it_has(frame):
     assert repr(frame) == "<Model: 2D, 3 degrees of freedom at a node, 2 nodes, 1 elements, time 0>"
     assert "empty" in repr(Model())
+
+
+def module_of(name, **content):
+    """A module with a content, in the place of a package that may be missing."""
+    module = types.ModuleType(name)
+    vars(module).update(content)
+    return module
+
+
+def test_a_loop_shows_its_model_in_one_place(frame, monkeypatch):
+    shown = []
+
+    class Place:
+        def update(self, page):
+            shown[-1] = page
+
+    def display(page, display_id):
+        assert display_id is True
+        shown.append(page)
+        return Place()
+
+    monkeypatch.setitem(sys.modules, "IPython", module_of("IPython"))
+    monkeypatch.setitem(sys.modules, "IPython.display", module_of("IPython.display", display=display))
+    assert frame.plot(show=True) is None
+    first = shown[0]
+    frame.analyze(1)
+    frame.plot(show=True)
+    assert len(shown) == 1 and shown[0].html != first.html
+    frame.copy().plot(show=True)
+    assert len(shown) == 2
+
+
+@pytest.mark.parametrize("record", [None, {"roof": ("disp", 2, 1)}])
+def test_a_bar_shows_the_steps(frame, monkeypatch, record):
+    bars = []
+
+    class Bar:
+        def __init__(self, total, unit):
+            self.total, self.n, self.most = total, 0, 0
+            bars.append(self)
+
+        def update(self, steps):
+            self.n += steps
+            self.most = max(self.most, self.n)
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            pass
+
+    monkeypatch.setitem(sys.modules, "tqdm", module_of("tqdm"))
+    monkeypatch.setitem(sys.modules, "tqdm.auto", module_of("tqdm.auto", tqdm=Bar))
+    frame.analyze(3, record=record, progress=True)
+    frame.analyze(200_000, progress=True)
+    assert [(bar.n, bar.most) for bar in bars] == [(3, 3), (200_000, 200_000)]
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    assert frame.analyze(1, progress=True) == 0 and len(bars) == 2
 
 
 def test_the_package_opensees_is_there_after_install():

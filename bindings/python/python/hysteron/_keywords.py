@@ -147,12 +147,16 @@ def signature(name, with_model):
     kinds = _USAGES[name][1]
     forms = [] if kinds else _known_forms(name, None)
     if len(forms) == 1 and not forms[0].has_alternatives:
-        known = []
+        known = {}
         for word, optional in forms[0].places:
             if word is None or not word.isidentifier() or word in known or word == "model":
-                return inspect.Signature([*parameters, kind("words", kind.VAR_POSITIONAL), kind("options", kind.VAR_KEYWORD)])
-            known.append(word)
-            parameters.append(kind(word, kind.POSITIONAL_OR_KEYWORD, default=None if optional else kind.empty))
+                break
+            # Python has no parameter with a default before one without.
+            if not optional and any(p.default is None for p in known.values()):
+                known.clear()
+                break
+            known[word] = kind(word, kind.POSITIONAL_OR_KEYWORD, default=None if optional else kind.empty)
+        parameters += known.values()
     elif kinds:
         parameters.append(kind("kind", kind.POSITIONAL_ONLY))
     return inspect.Signature([*parameters, kind("words", kind.VAR_POSITIONAL), kind("options", kind.VAR_KEYWORD)])

@@ -15,6 +15,9 @@ USAGES = {name: (usage, kinds) for name, usage, kinds in _hysteron.usages()}
 #: Commands of scripts in Tcl that Python has its own words for.
 _TCL_ONLY = {"lassign", "print", "pset"}
 
+#: Kinds of recorders.
+_RECORDERS = {name for names, _ in USAGES["recorder"][1] for name in names}
+
 #: Short names of what a recorder of nodes takes down.
 _NODE_QUANTITIES = {"disp", "vel", "accel", "incrDisp", "reaction", "rayleighForces"}
 
@@ -90,6 +93,9 @@ class Model(_hysteron.Domain):
     of OpenSees also where they depend on a slip, and ``ladder`` tries other algorithms and shorter steps where a step fails.
     """
 
+    #: Place in a notebook where ``plot`` shows the model.
+    _shown = None
+
     def __init__(self, ndm=None, ndf=None, *, strict=False, compat=False, ladder=False):
         if ndm is not None:
             self.model("basic", "-ndm", ndm, *(() if ndf is None else ("-ndf", ndf)))
@@ -116,7 +122,7 @@ class Model(_hysteron.Domain):
         """
         # A class of one's own may take other arguments.
         new = _hysteron.Domain.__new__(type(self), **self._settings)
-        new.__dict__.update(self.__dict__)
+        new.__dict__.update({name: value for name, value in self.__dict__.items() if name != "_shown"})
         new._make_like(self)
         return new
 
@@ -144,6 +150,21 @@ class Model(_hysteron.Domain):
                     histories.columns[name] = _column_names(name, what, columns.shape[1])
         return histories
 
+    def _analyze_shown(self, args, record):
+        """An analysis whose steps a bar of tqdm shows, where that is installed."""
+        bar = _bar(args)
+        if bar is None:
+            return self.analyze(*args, record=record)
+        with bar:
+            self._tell_steps(bar.update)
+            try:
+                found = self.analyze(*args, record=record)
+            finally:
+                self._tell_steps(None)
+            if (found if record is None else found.code) == 0:
+                bar.update(bar.total - bar.n)
+        return found
+
     def __repr__(self):
         nodes, elements = len(self.getNodeTags()), len(self.getEleTags())
         ndm, ndf = self.getNDM(), self.getNDF()
@@ -154,11 +175,12 @@ class Model(_hysteron.Domain):
         """Keep the motion of the analyses from here on for ``plot``."""
         self._watch()
 
-    def plot(self, file=None, *, title="model", units=("", ""), modes=0):
+    def plot(self, file=None, *, title="model", units=("", ""), modes=0, show=False):
         """The page of `hysteron view` for this model: it turns, moves, and shows histories and loops.
 
-        In a notebook it is shown below its cell; ``file`` writes it as well. Without ``watch`` before the analyses it shows the
-        committed state. ``units`` are the names of force and length, ``modes`` the number of modes to be shown.
+        In a notebook it is shown below its cell; ``file`` writes it as well. With ``show`` it is shown at once, and takes the place
+        of the one before: a loop shows its model while it runs, and the notebook keeps one page. Without ``watch`` before the
+        analyses it shows the committed state. ``units`` are the names of force and length, ``modes`` the number of modes to be shown.
         """
         text = self._page(title, *units, modes)
         if text is None:
@@ -166,7 +188,15 @@ class Model(_hysteron.Domain):
         page = Page(text)
         if file is not None:
             page.save(file)
-        return page
+        if not show:
+            return page
+        from IPython.display import display
+
+        if self._shown is None:
+            self._shown = display(page, display_id=True)
+        else:
+            self._shown.update(page)
+        return None
 
     def getNumThreads(self):
         """Number of threads of an analysis: 1."""
@@ -211,11 +241,20 @@ def _recorder_words(name, what):
             raise OpenSeesError(f"record {name!r}: the node is missing behind {words[0]!r}\n  {_EXPECTED}")
         quantity, nodes, *dofs = words
         return ["Node", "-node", nodes, *(["-dof", *dofs] if dofs else []), quantity]
-    if len(words) < 2:
-        near = difflib.get_close_matches(words[0], _NODE_QUANTITIES, 1)
+    if len(words) < 2 or words[0] not in _RECORDERS:
+        near = difflib.get_close_matches(words[0], [*_NODE_QUANTITIES, *_RECORDERS], 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise OpenSeesError(f"record {name!r}: {words[0]!r} is no recorder{hint}\n  {_EXPECTED}")
     return words
+
+
+def _bar(args):
+    """A bar for the steps of an analysis; None without tqdm or steps."""
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return tqdm(total=int(args[0]), unit=" steps") if args else None
 
 
 _EXPECTED = "expected ('disp', node, dof) or the words of a recorder: ('Element', '-ele', 1, 'force')"

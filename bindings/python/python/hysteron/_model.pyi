@@ -621,7 +621,7 @@ class Model:
 
         Accepted without effect.
         """
-    def plot(self, file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
+    def plot(self, file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ..., show: bool = ...) -> Any: ...
     def port(self, xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
         """port(xmin, xmax, ymin, ymax)
 
@@ -986,6 +986,6 @@ class Model:
         Removes the analysis and keeps the model.
         """
     def wipeReliability(self, *args: Any) -> NoReturn: ...
-    def analyze(self, *args: _Word, record: dict[str, Any] | None = None) -> Any: ...
+    def analyze(self, *args: _Word, record: dict[str, Any] | None = None, progress: bool = False) -> Any: ...
 
 USAGES: dict[str, tuple[str, list[tuple[list[str], str]]]]

@@ -40,7 +40,7 @@ _RETURNS = {
 #: Queries of many nodes or elements at once.
 _MANY = "nodeDisp nodeVel nodeAccel nodeCoord nodeReaction eleForce basicForce basicDeformation localForce".split()
 _PYTHON = {
-    "analyze": "(steps: _Word, dt: _Word = ..., *more: _Word) -> int",
+    "analyze": "(steps: _Word, dt: _Word = ..., *more: _Word, progress: bool = False) -> int",
     "getNumThreads": "() -> int",
     "setNumThreads": "(number: int) -> None",
     "build": "() -> None",
@@ -50,7 +50,8 @@ _PYTHON = {
     "pyversion": "(*args: _Word) -> str",
     "copy": "() -> Model",
     "watch": "() -> None",
-    "plot": "(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any",
+    "plot": "(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ..., show: bool = ...) "
+    "-> Any",
 }
 _HEAD = '''"""Generated from the usages of the commands by `python -m hysteron._stubs`."""
 
@@ -124,7 +125,7 @@ def stubs():
     ]
     model += [_definition(name, "    ", True) for name in names() if name != "analyze"]
     model += [
-        "    def analyze(self, *args: _Word, record: dict[str, Any] | None = None) -> Any: ...",
+        "    def analyze(self, *args: _Word, record: dict[str, Any] | None = None, progress: bool = False) -> Any: ...",
         "",
         "USAGES: dict[str, tuple[str, list[tuple[list[str], str]]]]",
     ]

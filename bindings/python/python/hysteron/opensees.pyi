@@ -32,7 +32,7 @@ def analysis(*args: _Word, **options: _Word) -> None:
 
     Makes the analysis of the chosen parts.
     """
-def analyze(steps: _Word, dt: _Word = ..., *more: _Word) -> int: ...
+def analyze(steps: _Word, dt: _Word = ..., *more: _Word, progress: bool = False) -> int: ...
 def barrier() -> None:
     """barrier()
 
@@ -615,7 +615,7 @@ def plane(front: _Word, back: _Word) -> None:
 
     Accepted without effect.
     """
-def plot(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ...) -> Any: ...
+def plot(file: str | PathLike[str] | None = None, *, title: str = ..., units: tuple[str, str] = ..., modes: int = ..., show: bool = ...) -> Any: ...
 def port(xmin: _Word, xmax: _Word, ymin: _Word, ymax: _Word) -> None:
     """port(xmin, xmax, ymin, ymax)
 

@@ -10,33 +10,41 @@ use super::state::State;
 use crate::assembly::Plan;
 use crate::element::SmallBeam;
 use crate::model::Model;
-use crate::numeric::lanes::{BLOCK, Lanes, in_lanes, in_turn};
+use crate::numeric::lanes::{BLOCK, LANES, Lanes, in_lanes, in_turn};
 use std::collections::HashSet;
 
-/// A number of each beam of a block.
-type Lane = [f64; BLOCK];
-
-/// Beams of one number of degrees of freedom `N` and basic deformations `B`, the numbers of each side by side. Places
-/// without a beam have those of the first.
+/// Up to `W` beams of one number of degrees of freedom `N` and basic deformations `B`, the numbers of each side by side.
+/// Places without a beam have those of the first.
 #[derive(Debug)]
-struct Block<const N: usize, const B: usize> {
+struct Block<const N: usize, const B: usize, const W: usize> {
     /// Number of beams.
     count: usize,
-    dofs: [[u32; BLOCK]; N],
+    dofs: [[u32; W]; N],
     /// Place of the forces of each beam among those of all elements.
-    force: [usize; BLOCK],
+    force: [usize; W],
     /// Place of its load variables.
-    load: [usize; BLOCK],
+    load: [usize; W],
     /// Displacements of the nodes when the beam was created.
-    initial: [Lane; N],
+    initial: [[f64; W]; N],
     /// Derivatives of the basic deformations by the displacements.
-    basic: [[Lane; N]; B],
+    basic: [[[f64; W]; N]; B],
     /// Basic stiffness.
-    stiffness: [[Lane; B]; B],
+    stiffness: [[[f64; W]; B]; B],
     /// P-Delta: derivatives of the displacements across the beam, and its length.
-    across: Option<(Vec<[Lane; N]>, Lane)>,
+    across: Option<Across<N, W>>,
     /// Load variables count.
     loaded: bool,
+}
+
+/// Derivatives of the displacements across beams by those of the nodes, and the lengths.
+type Across<const N: usize, const W: usize> = (Vec<[[f64; W]; N]>, [f64; W]);
+
+/// A block as wide as its beams need: one that is mostly empty takes as long as a full one.
+#[derive(Debug)]
+enum Beams<const N: usize, const B: usize> {
+    Whole(Box<Block<N, B, BLOCK>>),
+    Half(Box<Block<N, B, LANES>>),
+    Single(Box<Block<N, B, 1>>),
 }
 
 /// The tangent of a P-Delta beam.
@@ -74,7 +82,7 @@ struct Reactions {
 
 #[derive(Debug)]
 struct Blocks<const N: usize, const B: usize> {
-    blocks: Vec<Block<N, B>>,
+    blocks: Vec<Beams<N, B>>,
     /// Tangents of the P-Delta beams, block after block.
     tangents: Vec<PDeltaTangent>,
 }
@@ -153,7 +161,7 @@ impl SmallBeams {
 
 impl<const N: usize, const B: usize> Blocks<N, B> {
     fn new(kinds: &[Vec<Member<'_>>], plan: &Plan) -> Self {
-        let blocks = kinds.iter().flat_map(|members| members.chunks(BLOCK).map(Block::new)).collect();
+        let blocks = kinds.iter().flat_map(|members| members.chunks(BLOCK).flat_map(Beams::of)).collect();
         let tangents = kinds.iter().flatten().filter_map(|m| {
             let p = m.beam.p_delta.as_ref()?;
             let entries = plan.entries(m.element).map(|(from, to, c)| (to, c * p.geometric[from as usize]));
@@ -187,15 +195,20 @@ impl<const N: usize, const B: usize> Lanes for Responding<'_, N, B> {
     #[inline(always)]
     fn evaluate(&mut self) {
         let mut next = 0;
-        for block in &self.blocks.blocks {
-            let axial = block.respond(self.state);
-            if block.across.is_none() {
+        for beams in &self.blocks.blocks {
+            let (count, mut axial) = (beams.count(), [0.0; BLOCK]);
+            match beams {
+                Beams::Whole(block) => axial = block.respond(self.state),
+                Beams::Half(block) => axial[..LANES].copy_from_slice(&block.respond(self.state)),
+                Beams::Single(block) => axial[..1].copy_from_slice(&block.respond(self.state)),
+            }
+            if !beams.is_p_delta() {
                 continue;
             }
-            let own = next..next + block.count;
+            let own = next..next + count;
             next = own.end;
             let Some((tangents, axial_forces)) = &mut self.tangents else { continue };
-            axial_forces[own.clone()].copy_from_slice(&axial[..block.count]);
+            axial_forces[own.clone()].copy_from_slice(&axial[..count]);
             for (t, axial) in self.blocks.tangents[own].iter().zip(axial) {
                 let tangent = &mut tangents[t.at..t.at + N * N];
                 for ((k, s), g) in tangent.iter_mut().zip(&t.stiffness).zip(&t.geometric) {
@@ -206,7 +219,36 @@ impl<const N: usize, const B: usize> Lanes for Responding<'_, N, B> {
     }
 }
 
-impl<const N: usize, const B: usize> Block<N, B> {
+impl<const N: usize, const B: usize> Beams<N, B> {
+    /// Blocks for at most as many beams as a whole one has.
+    fn of(members: &[Member<'_>]) -> Vec<Self> {
+        match members.len() {
+            ..=2 => members.chunks(1).map(|m| Self::Single(Box::new(Block::new(m)))).collect(),
+            ..=LANES => vec![Self::Half(Box::new(Block::new(members)))],
+            _ => vec![Self::Whole(Box::new(Block::new(members)))],
+        }
+    }
+
+    #[inline(always)]
+    fn count(&self) -> usize {
+        match self {
+            Self::Whole(block) => block.count,
+            Self::Half(block) => block.count,
+            Self::Single(_) => 1,
+        }
+    }
+
+    #[inline(always)]
+    fn is_p_delta(&self) -> bool {
+        match self {
+            Self::Whole(block) => block.across.is_some(),
+            Self::Half(block) => block.across.is_some(),
+            Self::Single(block) => block.across.is_some(),
+        }
+    }
+}
+
+impl<const N: usize, const B: usize, const W: usize> Block<N, B, W> {
     fn new(members: &[Member<'_>]) -> Self {
         let of = |i: usize| members.get(i).unwrap_or(&members[0]);
         let lane = |value: &dyn Fn(&Member<'_>) -> f64| std::array::from_fn(|i| value(of(i)));
@@ -231,55 +273,55 @@ impl<const N: usize, const B: usize> Block<N, B> {
 
     /// Writes the forces; returns the axial forces.
     #[inline(always)]
-    fn respond(&self, state: &mut State) -> Lane {
-        let mut u = [[0.0; BLOCK]; N];
+    fn respond(&self, state: &mut State) -> [f64; W] {
+        let mut u = [[0.0; W]; N];
         for j in 0..N {
-            for i in 0..BLOCK {
+            for i in 0..W {
                 u[j][i] = state.disp[self.dofs[j][i] as usize];
             }
-            for i in 0..BLOCK {
+            for i in 0..W {
                 u[j][i] -= self.initial[j][i];
             }
         }
-        let mut v = [[0.0; BLOCK]; B];
+        let mut v = [[0.0; W]; B];
         for b in 0..B {
             v[b] = in_turn(dot(&self.basic[b], &u));
         }
-        let mut q = [[0.0; BLOCK]; B];
+        let mut q = [[0.0; W]; B];
         for b in 0..B {
             for c in coupled(b) {
-                for i in 0..BLOCK {
+                for i in 0..W {
                     q[b][i] += self.stiffness[b][c][i] * v[c][i];
                 }
             }
         }
         if self.loaded {
             for b in 0..B {
-                for i in 0..BLOCK {
+                for i in 0..W {
                     q[b][i] += state.element_load[self.load[i] + b];
                 }
             }
         }
-        let (mut shear, mut rows): ([Lane; 2], &[[Lane; N]]) = ([[0.0; BLOCK]; 2], &[]);
+        let (mut shear, mut rows): ([[f64; W]; 2], &[[[f64; W]; N]]) = ([[0.0; W]; 2], &[]);
         if let Some((across, length)) = &self.across {
             rows = across;
             for (row, shear) in across.iter().zip(&mut shear) {
                 let drift = dot(row, &u);
-                for i in 0..BLOCK {
+                for i in 0..W {
                     shear[i] = q[0][i] / length[i] * drift[i];
                 }
             }
         }
-        let mut f = [[0.0; BLOCK]; N];
+        let mut f = [[0.0; W]; N];
         for j in 0..N {
-            let mut sum = [0.0; BLOCK];
+            let mut sum = [0.0; W];
             for b in 0..B {
-                for i in 0..BLOCK {
+                for i in 0..W {
                     sum[i] += q[b][i] * self.basic[b][j][i];
                 }
             }
             for (row, shear) in rows.iter().zip(&shear) {
-                for i in 0..BLOCK {
+                for i in 0..W {
                     sum[i] += shear[i] * row[j][i];
                 }
             }
@@ -307,21 +349,21 @@ fn coupled(b: usize) -> std::ops::Range<usize> {
 
 /// Scalar products, summed in the order of [`crate::numeric::dot`].
 #[inline(always)]
-fn dot<const N: usize>(row: &[Lane; N], u: &[Lane; N]) -> Lane {
-    let mut sums = [[0.0; BLOCK]; 4];
+fn dot<const N: usize, const W: usize>(row: &[[f64; W]; N], u: &[[f64; W]; N]) -> [f64; W] {
+    let mut sums = [[0.0; W]; 4];
     for j in 0..N / 4 * 4 {
-        for i in 0..BLOCK {
+        for i in 0..W {
             sums[j % 4][i] += row[j][i] * u[j][i];
         }
     }
-    let mut rest = [0.0; BLOCK];
+    let mut rest = [0.0; W];
     for j in N / 4 * 4..N {
-        for i in 0..BLOCK {
+        for i in 0..W {
             rest[i] += row[j][i] * u[j][i];
         }
     }
-    let mut sum = [0.0; BLOCK];
-    for i in 0..BLOCK {
+    let mut sum = [0.0; W];
+    for i in 0..W {
         sum[i] = (sums[0][i] + sums[1][i]) + (sums[2][i] + sums[3][i]) + rest[i];
     }
     sum

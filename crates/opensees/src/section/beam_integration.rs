@@ -27,6 +27,7 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("beamIntegration", USAGE,
 
 const USAGE: &str = "beamIntegration Lobatto|Legendre|Radau|NewtonCotes|Trapezoidal|CompositeSimpson $tag $section $n | \
                      HingeRadau|HingeRadauTwo|HingeMidpoint|HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE | \
+                     UserHinge $tag $secE $n $sections ... $places ... $weights ... $n $sections ... $places ... $weights ... | \
                      UserDefined|FixedLocation|LowOrder|MidDistance $tag $n $sections ... $places ... <$weights ...>";
 
 /// Family of the rules that take the same numbers.
@@ -35,6 +36,8 @@ enum Family {
     Simple(fn() -> Rule),
     /// Two hinges of given lengths with an elastic interior.
     Hinges(Hinge),
+    /// Points at both ends at given places, with an elastic interior.
+    Ends,
     /// Points at given places, with the weights of some or all of them.
     Located(fn(Vec<f64>, Vec<f64>, usize) -> Option<Rule>),
 }
@@ -110,6 +113,16 @@ const KINDS: &[Kind] = &[
         make: Family::Hinges(Hinge::Endpoint),
     },
     Kind {
+        names: &["UserHinge"],
+        usage: "beamIntegration UserHinge $tag $secE $n $sections ... $places ... $weights ... $n $sections ... $places \
+                ... $weights ...",
+        text: Text::new(
+            "Points of the hinge at i, then of that at j, at given places with given weights; two Gauss points between \
+             the hinges.",
+        ),
+        make: Family::Ends,
+    },
+    Kind {
         names: &["UserDefined"],
         usage: "beamIntegration UserDefined $tag $n $sections ... $places ... $weights ...",
         text: Text::new("Points at given places with given weights."),
@@ -180,6 +193,32 @@ pub(crate) fn without_weight(
     Ok(Rule::Given(vec![0.0], vec![0.0]))
 }
 
+/// Tags of the sections, places and weights of the points of two hinges, and of two Gauss points between them. `None` where
+/// the numbers are not as many as they say, or the hinges are longer than the beam.
+fn between_hinges(numbers: &[f64]) -> Option<[Vec<f64>; 3]> {
+    let (interior, mut rest) = numbers.split_first()?;
+    let mut all = [vec![], vec![], vec![]];
+    let mut lengths = [0.0; 2];
+    for length in &mut lengths {
+        let (n, after) = rest.split_first()?;
+        if !(1.0..=after.len() as f64).contains(n) || n.fract() != 0.0 {
+            return None;
+        }
+        let n = *n as usize;
+        for (all, part) in all.iter_mut().zip(after.get(..3 * n)?.chunks(n)) {
+            all.extend(part);
+        }
+        *length = after[2 * n..3 * n].iter().sum();
+        rest = &after[3 * n..];
+    }
+    let [at_i, at_j] = lengths;
+    let (middle, half) = (0.5 * (1.0 + at_i - at_j), 0.5 * (1.0 - at_i - at_j));
+    let offset = half / 3f64.sqrt();
+    let between = [[*interior; 2], [middle - offset, middle + offset], [half; 2]];
+    all.iter_mut().zip(between).for_each(|(all, x)| all.extend(x));
+    (rest.is_empty() && half >= 0.0).then_some(all)
+}
+
 /// The rule of this name with its sections, made from the numbers after the tag.
 pub(crate) fn integration(
     interp: &mut Tcl,
@@ -200,6 +239,10 @@ pub(crate) fn integration(
         } else {
             Err(wrong(format!("{name}: {x} is no number of sections, 1 to 100")))
         }
+    };
+    let within = |places: &[f64]| match places.iter().find(|x| !(0.0..=1.0).contains(*x)) {
+        Some(x) => Err(wrong(format!("{name}: the place {x} is no fraction of the length, 0 to 1"))),
+        None => Ok(()),
     };
     match kind_of(name).map(|k| &k.make) {
         None => Err(wrong(format!("unknown rule of integration \"{name}\""))),
@@ -227,6 +270,13 @@ pub(crate) fn integration(
             let sections = hinge.sections().iter().map(|s| all[*s].clone()).collect();
             Ok(Integration { rule: Rule::Hinges(*hinge, lp_i, lp_j), sections })
         }
+        Some(Family::Ends) => {
+            let [tags, places, weights] = between_hinges(numbers)
+                .ok_or_else(|| wrong(format!("{name}: the numbers make no hinges within the length")))?;
+            let sections = tags.iter().map(|t| section(*t)).collect::<Result<_, _>>()?;
+            within(&places)?;
+            Ok(Integration { rule: Rule::Given(places, weights), sections })
+        }
         Some(Family::Located(rule)) => {
             let [n, rest @ ..] = numbers else { return Err(few()) };
             let n = count(*n)?;
@@ -235,9 +285,7 @@ pub(crate) fn integration(
             }
             let sections = rest[..n].iter().map(|t| section(*t)).collect::<Result<_, _>>()?;
             let (places, weights) = (rest[n..2 * n].to_vec(), rest[2 * n..].to_vec());
-            if let Some(x) = places.iter().find(|x| !(0.0..=1.0).contains(*x)) {
-                return Err(wrong(format!("{name}: the place {x} is no fraction of the length, 0 to 1")));
-            }
+            within(&places)?;
             let given = weights.len();
             let rule =
                 rule(places, weights, n).ok_or_else(|| wrong(format!("{name}: {given} weights for {n} sections")))?;
