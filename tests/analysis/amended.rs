@@ -79,6 +79,42 @@ fn parameters_reach_the_beam_between_hinges() {
     assert!(close(n[0], tip(1e3), 1e-9) && close(n[1], tip(4e3), 1e-9), "{n:?}");
 }
 
+/// A spring between a cantilever and its upper half lies where one between two halves does that were made apart.
+#[test]
+fn ends_of_elements_move_to_a_node_in_the_same_place() {
+    let tip = |upper: &str, amendment: &str| {
+        let ran = run(&format!(
+            "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 2 0; node 3 4 0; node 4 2 0; fix 1 1 1 1
+            geomTransf Linear 1; element elasticBeamColumn 1 1 2 1. 1e3 0.1 1
+            element elasticBeamColumn 2 {upper} 1. 1e3 0.1 1
+            uniaxialMaterial Elastic 3 50.; element zeroLength 3 2 4 -mat 3 -dir 2; equalDOF 2 4 1 3; {amendment}
+            timeSeries Constant 1; pattern Plain 1 1 {{ load 3 0. 1. 0. }}
+            constraints Transformation; numberer Plain; system FullGeneral; test NormUnbalance 1e-10 20
+            algorithm Newton; integrator LoadControl 1.; analysis Static
+            analyze 1; puts [nodeDisp 3 2]"
+        ));
+        assert!(ran.warnings().is_empty(), "{:?}", ran.warnings());
+        ran.numbers()[0]
+    };
+    let [moved, apart] = [tip("2 3", "amend element 2 ends -from 2 -to 4"), tip("4 3", "")];
+    // l³/3EI + 1/k.
+    assert!(moved == apart && close(moved, 64.0 / 300.0 + 1.0 / 50.0, 1e-9), "{moved} {apart}");
+}
+
+#[test]
+fn ends_move_only_where_they_are() {
+    let refused = |amendment: &str| {
+        let ran = Script::default().run(&format!(
+            "model basic -ndm 1 -ndf 1; node 1 0; node 2 1; node 3 1; uniaxialMaterial Elastic 1 100.
+            element truss 1 1 2 1. 1; amend element 1 ends {amendment}"
+        ));
+        ran.error().message.clone()
+    };
+    assert!(refused("-from 1 -to 3").contains("node 3 is not at the place of node 1"));
+    assert!(refused("-from 3 -to 2").contains("element 1 has no end at node 3"));
+    assert!(refused("-from 2").contains("two nodes are needed"));
+}
+
 /// A parameter that the element in place of another does not have is no silent success.
 #[test]
 fn lost_parameter_is_reported() {
