@@ -1,20 +1,29 @@
 //! Limits of a cause by what else would show so.
 
 use super::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, VerdictEvidence};
+use crate::hypothesis::{changed_condition, is_sensor_fault};
 use crate::prior::{SAME_MODEL_PROBABILITY, SENSOR_BESIDE_PHYSICS_LOG_ODDS, SENSOR_BESIDE_PHYSICS_PROBABILITY};
 
 impl VerdictEvidence {
-    /// Limit of a fault of a sensor where an effect on the structure explains as much.
+    /// Limit of a fault of a sensor where an effect on the structure explains as much, beside the same second effect. An instrument
+    /// rarely changes between two runs, so that another value of a parameter in one of them leaves nothing of such a fault.
     pub(super) fn limit_beside_physics(&self, h: &HypothesisEvidence) -> Option<ProbabilityLimit> {
         if !h.channel_fault {
             return None;
         }
         let log_evidence = |h: &HypothesisEvidence| h.log_likelihood + h.prior_log_odds;
         let least = log_evidence(h) - SENSOR_BESIDE_PHYSICS_LOG_ODDS;
-        let is_effect = |o: &&HypothesisEvidence| o.cause != "none" && o.also.is_none() && !o.channel_fault;
-        let effect = self.hypotheses.iter().filter(is_effect).find(|o| log_evidence(o) > least)?;
-        let reason = format!("{} explains as much", effect.cause);
-        Some(ProbabilityLimit::new(&h.cause, SENSOR_BESIDE_PHYSICS_PROBABILITY, reason))
+        let on_structure = |o: &&HypothesisEvidence| o.cause != "none" && !is_sensor_fault(&o.cause);
+        let is_alike = |o: &&HypothesisEvidence| o.also.is_none() || o.also == h.also;
+        let as_much = |o: &&HypothesisEvidence| on_structure(o) && is_alike(o) && log_evidence(o) > least;
+        let mut effects = self.hypotheses.iter().filter(as_much);
+        let first = effects.next()?;
+        let changed = |o: &&HypothesisEvidence| h.range_fault_in_one_run && o.cause == changed_condition::CAUSE;
+        let (effect, most) = match std::iter::once(first).chain(effects).find(changed) {
+            Some(changed) => (changed, 0.0),
+            None => (first, SENSOR_BESIDE_PHYSICS_PROBABILITY),
+        };
+        Some(ProbabilityLimit::new(&h.cause, most, format!("{} explains as much", effect.cause)))
     }
 }
 
@@ -42,6 +51,20 @@ mod tests {
         };
         assert_eq!(limit("sensor_gain", 1.4), Some(0.5));
         assert_eq!((limit("sensor_gain", 5.0), limit("changed_mass", 1.4)), (None, None));
+    }
+
+    /// A factor in one run beside a drift is no answer where another value of a parameter beside that drift explains as much.
+    #[test]
+    fn a_factor_in_one_run_is_another_value_of_a_parameter() {
+        let drift = Some("sensor_drift");
+        let mut e = evidence(&[("sensor_gain", drift, 60.0), ("changed_condition", drift, 60.0)]);
+        e.hypotheses.iter_mut().for_each(|h| h.channel_fault = h.cause == "sensor_gain");
+        let most = |e: &super::VerdictEvidence| e.limit_beside_physics(&e.hypotheses[0]).map(|l| l.most);
+        assert_eq!(most(&e), Some(0.5));
+        e.hypotheses[0].range_fault_in_one_run = true;
+        assert_eq!(most(&e), Some(0.0));
+        e.hypotheses[1].also = Some("sensor_lag".into());
+        assert_eq!(most(&e), None);
     }
 
     /// A hinge at the foot of a column on the ground is soil that yields below it.

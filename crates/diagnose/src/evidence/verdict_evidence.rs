@@ -102,6 +102,9 @@ pub struct HypothesisEvidence {
     pub looks_like_first: bool,
     /// True if a channel is at fault, not the model.
     pub channel_fault: bool,
+    /// True if a channel has another factor or limit in one of several fitted runs.
+    #[serde(default)]
+    pub range_fault_in_one_run: bool,
     /// Cause of which a form at the same place is the same model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub same_model: Option<String>,
@@ -235,6 +238,7 @@ fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
             equal_gain: bootstrap.and_then(|b| b.equal_gain(cause)),
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),
+            range_fault_in_one_run: e.variant.has_range_fault_in_one_run(),
             same_model: e.variant.proposal.as_ref().and_then(|p| p.same_model).map(Into::into),
             held_back: held_back(e),
             unpredicted: e.held_out.as_ref().and_then(unpredicted),

@@ -329,6 +329,7 @@ pub(crate) mod tests {
             equal_gain: None,
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
+            range_fault_in_one_run: false,
             same_model: None,
             held_back: None,
             unpredicted: None,

@@ -93,7 +93,7 @@ enum Addition {
         force: f64,
     },
     /// Yielding in rocking without dashpots, with a scale of the yield moment.
-    Bearing {
+    RockingYield {
         moment: f64,
     },
     /// A footing with mass.
@@ -106,7 +106,7 @@ enum Addition {
 
 impl Addition {
     fn has_dashpot(self) -> bool {
-        !matches!(self, Self::NoDashpot | Self::Bearing { .. })
+        !matches!(self, Self::NoDashpot | Self::RockingYield { .. })
     }
 }
 
@@ -139,7 +139,7 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         let block = freed.commands(&springs, is_footing.then_some("footing"));
         let proposal = Proposal::script_edit(CAUSE, form, at.clone(), block, added);
         let one_column = |p: &&Support| s.inventory.carries_one_column(p);
-        let is_hinge = matches!(addition, Addition::Bearing { .. }) && supports.iter().all(one_column);
+        let is_hinge = matches!(addition, Addition::RockingYield { .. }) && supports.iter().all(one_column);
         out.push(Proposal { same_model: is_hinge.then_some(superstructure_yielding::CAUSE), ..proposal });
     };
     // Yielding shows below elements that do not yield themselves, in sliding where amplitudes differ.
@@ -161,7 +161,7 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         form("rocking spring without a dashpot", &[("rocking", &rocking)], Addition::NoDashpot);
         let moment = largest_moment(s, supports);
         if moment > 0.0 && is_softest {
-            form("rocking spring that yields", &[("rocking", &rocking)], Addition::Bearing { moment });
+            form("rocking spring that yields", &[("rocking", &rocking)], Addition::RockingYield { moment });
         }
         if moment > 0.0 {
             form("rocking spring of a footing that lifts off", &[("rocking", &rocking)], Addition::Lifting { moment });
@@ -191,7 +191,7 @@ fn largest_moment(s: &ProposalContext<'_>, supports: &[&Support]) -> f64 {
 fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String)> {
     let law = match addition {
         Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
-        Addition::Bearing { .. } => (
+        Addition::RockingYield { .. } => (
             "Steel02",
             format!("$hy_{name}_yield $hy_{name} [expr {{$hy_{name}_plastic/$hy_{name}}}] {STEEL02_TRANSITION}"),
         ),
@@ -219,7 +219,7 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
             added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
             added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
         }
-        Addition::Bearing { moment } => {
+        Addition::RockingYield { moment } => {
             // As a hinge at the foot of the column: it starts stiff, since the fitted model has lost some stiffness already.
             added[0] = AddedParameter::log(name, 0.05 * scale, 100.0 * scale, 30.0 * scale);
             let strength = AddedParameter::log(&format!("{name}_yield"), 0.03 * moment, 3.0 * moment, 0.9 * moment);

@@ -35,8 +35,8 @@ pub(crate) const LIMITS: &[LayerLimit] = &[
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: CAUSE,
-    statement: "the structure stands on an isolation layer that the model leaves out: sliding or rubber bearings and the mass of their slab",
-    refuted_by: "the base of the structure moves with the ground, and its period does not grow with the amplitude",
+    statement: "the structure or its upper part stands on an isolation layer that the model leaves out: sliding or rubber bearings and the mass of their slab",
+    refuted_by: "what stands there moves with what is below, and its period does not grow with the amplitude",
     look_alikes: &["foundation_flexibility", "superstructure_yielding"],
     shows: "drifts that hardly grow with the strength of the motion, and swing at a period of seconds that the model lacks",
     parted_by: "`foundation_flexibility` has one period at all amplitudes; `superstructure_yielding` has one storey with the largest drift",
