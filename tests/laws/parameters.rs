@@ -100,8 +100,8 @@ fn numbers_left_out_and_names_of_opensees_are_parameters() {
         ("Elastic @ 200.", "E", 150.0, "Elastic @ 150."),
         ("Elastic @ 200.", "Epos", 150.0, "Elastic @ 150. 0. 200."),
         ("Elastic @ 200. 0. 100.", "E", 150.0, "Elastic @ 150."),
-        ("ENT @ 200.", "b", 2.0, "ENT @ 200. 0. 2."),
-        ("Viscous @ 3. 0.5", "minVel", 0.4, "Viscous @ 3. 0.5 0.4"),
+        ("ENT @ 200.", "a", 0.05, "ENT @ 200. 0.05"),
+        ("ENT @ 200. 0.05", "b", 2.0, "ENT @ 200. 0.05 2."),
         ("Viscous @ 3. 0.5", "Alpha", 0.8, "Viscous @ 3. 0.8"),
         ("ElasticBilin @ 200. 50. 0.01 100. 30. -0.02", "eps2", 0.03, "ElasticBilin @ 200. 50. 0.03 100. 30. -0.03"),
         (

@@ -216,7 +216,7 @@ fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (
     if let Some(arg) = declared_for(usage, row) {
         let of_messages = || found.get(&(row.option.clone(), name.to_owned())).map(|m| m.value.clone());
         let value = arg.domain.map(|d| d.told().to_owned()).or_else(of_messages);
-        return (arg.meaning.to_owned(), value.unwrap_or_default());
+        return (arg.meaning.to_owned() + &of_parameter(arg), value.unwrap_or_default());
     }
     let of = |name: &String| found.get(&(row.option.clone(), name.clone())).cloned();
     let known: Vec<Meaning> = row.arguments.iter().filter_map(of).collect();
@@ -228,6 +228,16 @@ fn explained(usage: &str, row: &Row, found: &Meanings, blanks: &mut Blanks) -> (
     let mut values: Vec<String> = known.iter().map(|m| m.value.clone()).filter(|v| !v.is_empty()).collect();
     values.dedup();
     (whats.join("; "), values.join("; "))
+}
+
+/// OpenSees' names of a number in `parameter`, where it has others.
+fn of_parameter(arg: &Arg) -> String {
+    let shown = |name: &&str| match name.strip_prefix('-') {
+        Some(opposite) => format!("-`{opposite}`"),
+        None => format!("`{name}`"),
+    };
+    let names: Vec<String> = arg.parameters.iter().map(shown).collect();
+    if names.is_empty() { String::new() } else { format!("; in `parameter` also {}", names.join(", ")) }
 }
 
 /// The argument of a row of a usage, where the command or its kind declares it.

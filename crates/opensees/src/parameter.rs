@@ -90,9 +90,8 @@ fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
     Ok(dofs)
 }
 
-/// Parameters that mean nothing unless they are greater than 0: moduli, areas, strengths, mass.
-const POSITIVE: [&str; 17] =
-    ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy", "ko", "n", "R0"];
+/// Parameters that mean nothing unless they are greater than 0, though no declaration says so: moduli, areas, strengths.
+const POSITIVE: [&str; 14] = ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy"];
 
 /// The name of a parameter of elements, and a warning where none of them has it: OpenSees says nothing.
 fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<Vec<Place>, Exception> {

@@ -598,7 +598,7 @@ class Model:
     def parameter(self, *args: _Word, **options: _Word) -> int:
         """parameter(tag, <value> | <'node', node, 'mass', 'x'|'y'|'z'|'xy'|'xyz'> | <'node', node, 'disp', dof> | <'loadPattern', pattern, 'loadAtNode', node, dof> | <'loadPattern', pattern, 'lambda'> | <'element'|'region', tag, name, ...>)
 
-        Declares a quantity that updateParameter can change.
+        Declares a quantity that updateParameter can change. Of an element it is a number of its command, or of the command of a law in it, also one that was left out. OpenSees has few of them: its names are known too.
         """
     def partition(self, element: _Word = ...) -> None:
         """partition(<element>)

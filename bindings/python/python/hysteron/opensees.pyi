@@ -592,7 +592,7 @@ def OpenSeesParameter(*args: Any) -> NoReturn: ...
 def parameter(*args: _Word, **options: _Word) -> int:
     """parameter(tag, <value> | <'node', node, 'mass', 'x'|'y'|'z'|'xy'|'xyz'> | <'node', node, 'disp', dof> | <'loadPattern', pattern, 'loadAtNode', node, dof> | <'loadPattern', pattern, 'lambda'> | <'element'|'region', tag, name, ...>)
 
-    Declares a quantity that updateParameter can change.
+    Declares a quantity that updateParameter can change. Of an element it is a number of its command, or of the command of a law in it, also one that was left out. OpenSees has few of them: its names are known too.
     """
 def partition(element: _Word = ...) -> None:
     """partition(<element>)

@@ -15,18 +15,34 @@ enum Part<'a> {
     Other,
 }
 
-fn parts(usage: &str) -> Vec<Part<'_>> {
-    let words = usage.split_whitespace().skip_while(|w| *w != "$tag").skip(1);
-    words
-        .map(|w| w.trim_matches(['<', '>']))
-        .filter(|w| *w != "|" && !w.is_empty())
-        .map(|w| match (w.strip_prefix('$'), w.starts_with('-')) {
+/// The parts of a usage line after its tag. Optional words before required ones are left out where so few words are given
+/// that they cannot be among them.
+fn parts(usage: &str, given: usize) -> Vec<Part<'_>> {
+    let (mut parts, mut depth) = (vec![], 0);
+    for word in usage.split_whitespace().skip_while(|w| *w != "$tag").skip(1) {
+        depth += word.matches('<').count();
+        let (w, optional) = (word.trim_matches(['<', '>']), depth > 0);
+        depth = depth.saturating_sub(word.matches('>').count());
+        let part = match (w.strip_prefix('$'), w.starts_with('-')) {
             (Some(name), _) => Part::Word(name),
             (None, true) => Part::Option(w),
             (None, false) if w == "..." => Part::More,
+            (None, false) if w == "|" || w.is_empty() => continue,
             _ => Part::Other,
-        })
-        .collect()
+        };
+        parts.push((part, optional));
+    }
+    let is_word = |(part, _): &&(Part<'_>, bool)| matches!(part, Part::Word(_));
+    let end = parts.iter().rposition(|p| !p.1 && is_word(&p)).map_or(0, |i| i + 1);
+    // Forms that exclude each other have no number of words.
+    if given < parts[..end].iter().filter(is_word).count() && !usage.contains(" | ") {
+        let mut i = 0;
+        parts.retain(|(_, optional)| {
+            i += 1;
+            i > end || !optional
+        });
+    }
+    parts.into_iter().map(|(part, _)| part).collect()
 }
 
 /// A name without the number at its end, and that number.
@@ -75,7 +91,7 @@ fn unique(name: &str, option: Option<&String>, names: &[(usize, String)]) -> Str
 /// A number is named as the usage line names it: by the name in its message, else by its place. The second number of
 /// a name is told from the first by its option, as in `-DMBuck alpha`.
 pub(crate) fn number_names(usage: &str, words: &[String], numbers: &[NumberNote]) -> Vec<(usize, String)> {
-    let parts = parts(usage);
+    let parts = parts(usage, words.len().saturating_sub(usage.split(' ').take_while(|w| *w != "$tag").count() + 1));
     let (mut at, mut seen, mut beyond) = (0, 0, 0);
     let mut option = None;
     let mut names: Vec<(usize, String)> = vec![];
@@ -140,6 +156,10 @@ mod tests {
         assert_eq!(of, ["E", "b", "-kin b", "r", "e1", "e2", "e3"]);
         let after_a_tag = names("m K $tag $mat $k <$c>", "m K 1 7 200. 3.", &[(3, "tag"), (4, "x"), (5, "x")]);
         assert_eq!(after_a_tag, ["k", "c"]);
+        let usage = "m K $tag $s1p <$s2p> $s1n <$s2n> $beta <$r>";
+        assert_eq!(names(usage, "m K 1 2 3 4", &[3, 4, 5].map(|i| (i, "n"))), ["s1p", "s1n", "beta"]);
+        let all = names(usage, "m K 1 2 3 4 5 6 7", &[3, 4, 5, 6, 7, 8].map(|i| (i, "n")));
+        assert_eq!(all, ["s1p", "s2p", "s1n", "s2n", "beta", "r"]);
         let pairs = names("m K $tag $u1 $f1 <$u2 $f2 ...>", "m K 1 1 2 3 4 5 6", &[3, 4, 5, 6, 7, 8].map(|i| (i, "n")));
         assert_eq!(pairs, ["u1", "f1", "u2", "f2", "u3", "f3"]);
     }

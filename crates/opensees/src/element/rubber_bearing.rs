@@ -151,6 +151,25 @@ impl Common {
         Ok(Link::new(&axes, length, self.shear_dist))
     }
 
+    /// The bearing of an axial law and a shear law, by OpenSees' rules or by consistent ones as the axial law is.
+    fn around<O: RubberShear, C: RubberShear>(
+        &self,
+        a: &Args<'_>,
+        ends: &Ends,
+        axial: AxialLaw,
+        (opensees, consistent): (O, C),
+    ) -> Result<Arc<dyn Element>, Exception>
+    where
+        RubberBearing<O>: Shared<dyn Element>,
+        RubberBearing<C>: Shared<dyn Element>,
+    {
+        let (compat, link) = (axial.compat, self.link(a, ends)?.under_given_force(axial.compat));
+        Ok(match compat {
+            true => RubberBearing::new(axial, opensees, link, self.mass).shared(),
+            false => RubberBearing::new(axial, consistent, link, self.mass).shared(),
+        })
+    }
+
     /// The axial law, where `switches` say whether the bearing cavitates, buckles and softens.
     pub(super) fn axial(&self, rubber: Rubber, [cavitates, buckles, softens]: [bool; 3], compat: bool) -> AxialLaw {
         // Zero stands for a bearing that hardens; OpenSees puts a small number there.
@@ -248,11 +267,7 @@ fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     ]);
     let shear = GrantShear { a: [a1, a2, a3], b: [b1, b2, b3], c: [c1, c2, c3, c4], rules: Consistent };
     let axial = c.axial(layers.bearing(), [true; 3], compat);
-    let link = c.link(a, ends)?.under_given_force(compat);
-    Ok(match compat {
-        true => around(axial, shear.with(OpenSees), link, c.mass),
-        false => around(axial, shear, link, c.mass),
-    })
+    c.around(a, ends, axial, (shear.with(OpenSees), shear))
 }
 
 /// Yield force and the ratio of stiffnesses after and before yielding.
@@ -322,11 +337,7 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         rules: Consistent,
     };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    let link = c.link(a, ends)?.under_given_force(compat);
-    Ok(match compat {
-        true => around(axial, shear.with(OpenSees), link, c.mass),
-        false => around(axial, shear, link, c.mass),
-    })
+    c.around(a, ends, axial, (shear.with(OpenSees), shear))
 }
 
 fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -382,17 +393,5 @@ fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dy
     let shear =
         RubberBoucWen { qy, k0, rubber: rubber.shear, cd: c.cd, varies, leaded: true, core, heats, rules: Consistent };
     let axial = c.axial(rubber, [cavitates, buckles, softens], compat);
-    let link = c.link(a, ends)?.under_given_force(compat);
-    Ok(match compat {
-        true => around(axial, shear.with(OpenSees), link, c.mass),
-        false => around(axial, shear, link, c.mass),
-    })
-}
-
-/// The bearing of an axial law and a shear law.
-fn around<L: RubberShear>(axial: AxialLaw, shear: L, link: Link<12, 6>, mass: f64) -> Arc<dyn Element>
-where
-    RubberBearing<L>: Shared<dyn Element>,
-{
-    RubberBearing::new(axial, shear, link, mass).shared()
+    c.around(a, ends, axial, (shear.with(OpenSees), shear))
 }

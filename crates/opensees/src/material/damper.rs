@@ -20,6 +20,7 @@ const SMALLEST: Arg = Arg::number("minVel", "smallest velocity minVel");
 const USUAL_STIFFNESS: Arg = Arg::usually_positive("K", "stiffness K").also(&["E"]);
 const STIFFNESS: Arg = Arg::positive("K", "stiffness K").also(&["E"]);
 const DASHPOT: Arg = Arg::positive("C", "damping coefficient C").also(&["eta"]);
+const LENGTH: Arg = Arg::positive("L", "length L");
 const GAP: Arg = Arg::number("LGap", "length of the gap LGap").also(&["Lgap"]);
 
 const FRICTION: [Arg; 2] = [
@@ -94,7 +95,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Maxwell", "MaxwellMaterial"],
         usage: "uniaxialMaterial Maxwell $tag $K $C $alpha $L <-returnD>",
-        text: Text::new("Spring and linear dashpot in series."),
+        text: Text::new("Spring and linear dashpot in series.").arguments(&[STIFFNESS, DASHPOT, EXPONENT, LENGTH]),
         make: maxwell,
     },
 ];
@@ -196,7 +197,7 @@ fn maxwell(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let compat = interp.host.follows(&[slips::DAMPER_TANGENT]);
     let (k, c) = (a.read(interp, &STIFFNESS)?, a.read(interp, &DASHPOT)?);
     let alpha = exponent(interp, a)?;
-    let length = a.positive("length L")?;
+    let length = a.read(interp, &LENGTH)?;
     let secant_damping = a.flag("-returnD") || a.flag("-D");
     Ok(Maxwell { k, c, alpha, length, secant_damping, compat }.shared())
 }
