@@ -45,7 +45,7 @@ build() {
     fi
     # Zig refuses the date in the version text of mimalloc.
     # shellcheck disable=SC2046
-    CFLAGS="${CFLAGS:-} -Wno-date-time" maturin build --release --zig --target "$1" $(compatibility "$1") --manifest-path bindings/python/Cargo.toml --out "$out/$1"
+    CFLAGS="${CFLAGS:-} -Wno-date-time" maturin build --release --compression-level 9 --zig --target "$1" $(compatibility "$1") --manifest-path bindings/python/Cargo.toml --out "$out/$1"
 }
 
 # The wheel in an environment of its own: a spring gives under its load.

@@ -50,6 +50,39 @@ fn beams_side_by_side_are_those_one_by_one() {
     }
 }
 
+/// Cantilevers that do not know of each other: any number of them moves as each does by itself.
+#[test]
+fn any_number_of_beams_is_as_one() {
+    let tips = |space: bool, first: usize, last: usize| {
+        let (dims, zero, turns) = if space { ("-ndm 3 -ndf 6", "0.", "1 0 0") } else { ("-ndm 2 -ndf 3", "", "") };
+        let (held, mass) = if space { ("1 1 1 1 1 1", "2 2 2 .1 .1 .1") } else { ("1 1 1", "2 2 .1") };
+        let load = if space { "20 10 -90 0 0 0" } else { "20 -90 0" };
+        let section = if space { "0.012 2.1e8 8e7 3e-6 2.5e-4 1.4e-4" } else { "0.012 2.1e8 2.5e-4" };
+        run(&format!(
+            "model basic {dims}; geomTransf PDelta 1 {turns}; timeSeries Trig 1 0 10 0.7
+            for {{set i {first}}} {{$i <= {last}}} {{incr i}} {{
+                node $i $i 0. {zero}; node 10$i $i {zero} [expr {{3 + .1*$i}}]; mass 10$i {mass}; fix $i {held}
+                element elasticBeamColumn $i $i 10$i {section} 1 }}
+            pattern Plain 1 1 {{ for {{set i {first}}} {{$i <= {last}}} {{incr i}} {{ load 10$i {load} }} }}
+            constraints Plain; numberer Plain; system BandGeneral; test NormDispIncr 1e-12 20; algorithm Newton
+            integrator Newmark 0.5 0.25; analysis Transient; analyze 30 0.02
+            for {{set i {first}}} {{$i <= {last}}} {{incr i}} {{ puts \"[nodeDisp 10$i] [eleForce $i]\" }}"
+        ))
+        .done()
+        .numbers()
+    };
+    for space in [false, true] {
+        let alone: Vec<Vec<f64>> = (1..=11).map(|i| tips(space, i, i)).collect();
+        for count in 1..=11 {
+            let (all, each) = (tips(space, 1, count), alone[..count].concat());
+            assert_eq!(all.len(), each.len());
+            for (a, b) in all.iter().zip(&each) {
+                assert!((a - b).abs() <= 1e-9 * b.abs().max(1e-6), "{count}: {all:?} {each:?}");
+            }
+        }
+    }
+}
+
 /// Cantilevers that do not know of each other, the supports of which get a velocity: they damp as one does by itself, though
 /// only the many have a damping matrix of their equations.
 #[test]

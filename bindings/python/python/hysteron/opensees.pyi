@@ -65,7 +65,7 @@ def Bcast(data: _Word) -> None:
     Has no effect: there is one process.
     """
 def beamIntegration(*args: _Word, **options: _Word) -> None:
-    """beamIntegration('Lobatto'|'Legendre'|'Radau'|'NewtonCotes'|'Trapezoidal'|'CompositeSimpson', tag, section, n | 'HingeRadau'|'HingeRadauTwo'|'HingeMidpoint'|'HingeEndpoint', tag, secI, lpI, secJ, lpJ, secE | 'UserDefined'|'FixedLocation'|'LowOrder'|'MidDistance', tag, n, sections, ..., places, ..., <weights, ...>)
+    """beamIntegration('Lobatto'|'Legendre'|'Radau'|'NewtonCotes'|'Trapezoidal'|'CompositeSimpson', tag, section, n | 'HingeRadau'|'HingeRadauTwo'|'HingeMidpoint'|'HingeEndpoint', tag, secI, lpI, secJ, lpJ, secE | 'UserHinge', tag, secE, n, sections, ..., places, ..., weights, ..., n, sections, ..., places, ..., weights, ... | 'UserDefined'|'FixedLocation'|'LowOrder'|'MidDistance', tag, n, sections, ..., places, ..., <weights, ...>)
 
     Makes a rule of integration along a beam, with its sections.
     """

@@ -223,8 +223,8 @@ impl<const N: usize, const B: usize> Beams<N, B> {
     /// Blocks for at most as many beams as a whole one has.
     fn of(members: &[Member<'_>]) -> Vec<Self> {
         match members.len() {
-            ..=2 => members.chunks(1).map(|m| Self::Single(Box::new(Block::new(m)))).collect(),
-            ..=LANES => vec![Self::Half(Box::new(Block::new(members)))],
+            0..=2 => members.chunks(1).map(|m| Self::Single(Box::new(Block::new(m)))).collect(),
+            3..=LANES => vec![Self::Half(Box::new(Block::new(members)))],
             _ => vec![Self::Whole(Box::new(Block::new(members)))],
         }
     }
