@@ -1,6 +1,6 @@
 //! Parts of structures that the model leaves out: motions by Runge's and Kutta's method.
 
-use super::shaken::{bouc_wen, damped_storeys, storeys};
+use super::shaken::{bouc_wen, damped_storeys, disp, displacements, moved, storeys, study};
 use super::studies::Concealed;
 
 /// Two storeys on the ground with a force more in the lower and in the upper storey, and two further states.
@@ -38,17 +38,12 @@ pub fn partitions() -> Concealed {
 /// A layer of sliders between the two storeys: the upper one stands on a slab that slides on the lower one.
 pub fn middle_layer() -> Concealed {
     let model = damped_storeys();
-    super::shaken::study(
-        model,
-        vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)],
-        [super::shaken::disp("lower", 1), super::shaken::disp("upper", 2)],
-        |ground| {
-            let states = super::shaken::moved(ground, |&[u, v, w, s, b, d, z]: &[f64; 7], a| {
-                let layer = 8.0 * (b - u) + 0.9 * z;
-                let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - b) + 2.0 * (s - d));
-                [v, layer - lower - a, s, -upper - a, d, (upper - layer) / 0.3 - a, bouc_wen(d - v, z, 0.002)]
-            });
-            super::shaken::displacements(&states, [0, 2])
-        },
-    )
+    study(model, vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], [disp("lower", 1), disp("upper", 2)], |ground| {
+        let states = moved(ground, |&[u, v, w, s, b, d, z]: &[f64; 7], a| {
+            let layer = 8.0 * (b - u) + 0.9 * z;
+            let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - b) + 2.0 * (s - d));
+            [v, layer - lower - a, s, -upper - a, d, (upper - layer) / 0.3 - a, bouc_wen(d - v, z, 0.002)]
+        });
+        displacements(&states, [0, 2])
+    })
 }
