@@ -313,11 +313,9 @@ prior! {
     SINGLE_SENSOR_PROBABILITY: f64 = 0.85, "share";
     /// Log evidence by which an effect on the structure may be behind a fault of a sensor, to explain as much: odds of 20. A choice.
     SENSOR_BESIDE_PHYSICS_LOG_ODDS: f64 = 3.0, "nats";
-    /// Largest probability of a fault of a sensor beside such an effect. A choice: neither is told from the other.
-    SENSOR_BESIDE_PHYSICS_PROBABILITY: f64 = 0.5, "share";
-    /// Largest probability of a cause of which a form is the same model as one of another cause. A choice: it is likely, not well
-    /// supported.
-    SAME_MODEL_PROBABILITY: f64 = 0.75, "share";
+    /// Largest probability of a cause that is not told from another: a fault of a sensor beside such an effect, and two causes
+    /// that are one model. Even odds.
+    NOT_TOLD_APART_PROBABILITY: f64 = 0.5, "share";
     /// Error that the user's parameters of one run leave, over that with a fault of that run, up to which they explain as
     /// much. A choice.
     PARAMETERS_IN_ONE_RUN_RATIO: f64 = 1.1, "ratio";

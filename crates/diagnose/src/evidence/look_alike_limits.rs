@@ -2,7 +2,7 @@
 
 use super::verdict_evidence::{HypothesisEvidence, ProbabilityLimit, VerdictEvidence};
 use crate::hypothesis::{changed_condition, is_sensor_fault};
-use crate::prior::{SAME_MODEL_PROBABILITY, SENSOR_BESIDE_PHYSICS_LOG_ODDS, SENSOR_BESIDE_PHYSICS_PROBABILITY};
+use crate::prior::{NOT_TOLD_APART_PROBABILITY, SENSOR_BESIDE_PHYSICS_LOG_ODDS};
 
 impl VerdictEvidence {
     /// Limit of a fault of a sensor where an effect on the structure explains as much, beside the same second effect. An instrument
@@ -21,7 +21,7 @@ impl VerdictEvidence {
         let changed = |o: &&HypothesisEvidence| h.range_fault_in_one_run && o.cause == changed_condition::CAUSE;
         let (effect, most) = match std::iter::once(first).chain(effects).find(changed) {
             Some(changed) => (changed, 0.0),
-            None => (first, SENSOR_BESIDE_PHYSICS_PROBABILITY),
+            None => (first, NOT_TOLD_APART_PROBABILITY),
         };
         Some(ProbabilityLimit::new(&h.cause, most, format!("{} explains as much", effect.cause)))
     }
@@ -32,7 +32,7 @@ impl HypothesisEvidence {
     pub(super) fn limit_of_same_model(&self) -> Option<ProbabilityLimit> {
         let other = self.same_model.as_ref()?;
         let reason = format!("{other} at the same place is the same model");
-        Some(ProbabilityLimit::new(&self.cause, SAME_MODEL_PROBABILITY, reason))
+        Some(ProbabilityLimit::new(&self.cause, NOT_TOLD_APART_PROBABILITY, reason))
     }
 }
 
@@ -74,7 +74,7 @@ mod tests {
         assert!(e.hypotheses[0].limit_of_same_model().is_none());
         e.hypotheses[0].same_model = Some("foundation_flexibility".into());
         let limit = e.hypotheses[0].limit_of_same_model().expect("a limit");
-        assert_eq!((limit.cause.as_str(), limit.most), ("superstructure_yielding", 0.75));
+        assert_eq!((limit.cause.as_str(), limit.most), ("superstructure_yielding", 0.5));
         assert!(limit.reason.contains("foundation_flexibility"), "{}", limit.reason);
     }
 }

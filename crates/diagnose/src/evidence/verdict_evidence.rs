@@ -214,6 +214,7 @@ fn structure_left(of: &RankedStudy<'_>) -> UnmodelledStructure {
 /// The best form of each cause and of each pair of causes, in the order of the ranking.
 fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
     let (ranked, bootstrap) = (of.ranked, of.bootstrap);
+    let rests = has_channel_at_rest(of.baseline);
     let mut out: Vec<HypothesisEvidence> = vec![];
     for e in ranked.iter().filter(|e| e.log_evidence.is_finite()) {
         let (cause, also) = (e.cause(), e.second_cause());
@@ -239,7 +240,7 @@ fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),
             range_fault_in_one_run: e.variant.has_range_fault_in_one_run(),
-            same_model: e.variant.proposal.as_ref().and_then(|p| p.same_model).map(Into::into),
+            same_model: e.variant.proposal.as_ref().and_then(|p| p.same_model).filter(|_| !rests).map(Into::into),
             held_back: held_back(e),
             unpredicted: e.held_out.as_ref().and_then(unpredicted),
             independent_samples: e.held_out.as_ref().map(independent_samples),
@@ -247,6 +248,13 @@ fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
         });
     }
     out
+}
+
+/// Returns true if a channel shows what the user's model holds at rest, such as the rotation of a footing: it tells models apart
+/// that are the same for all other channels.
+fn has_channel_at_rest(baseline: &FittedHypothesis) -> bool {
+    let mut channels = baseline.fitted.fits.iter().flat_map(|fit| &fit.channels);
+    channels.any(|y| y.first().is_some_and(|first| y.iter().all(|value| value == first)))
 }
 
 /// Mean NMSE on blocks held back: the squares of the scaled residuals add up to it.
@@ -285,4 +293,23 @@ fn total_nmse(study: &Study, fits: &[ScoredRun]) -> f64 {
             power(&r) / o.variance
         })
         .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::has_channel_at_rest;
+    use crate::test_support::baseline;
+    use hysteron_identify::study::ScoredRun;
+
+    #[test]
+    fn a_channel_that_the_model_holds_is_at_rest() {
+        let rests = |channels: &[&[f64]]| {
+            let mut model = baseline();
+            model.fitted.fits =
+                vec![ScoredRun { channels: channels.iter().map(|y| y.to_vec()).collect(), scores: vec![] }];
+            has_channel_at_rest(&model)
+        };
+        assert!(rests(&[&[0.0, 0.1], &[0.0, 0.0]]));
+        assert!(!rests(&[&[0.0, 0.1], &[0.0, -0.2]]) && !rests(&[]) && !rests(&[&[f64::NAN, f64::NAN]]));
+    }
 }

@@ -1,13 +1,12 @@
 //! Flexible soil or supports below a fixed base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::materials::STEEL02_TRANSITION;
-use super::superstructure_yielding::{self, STRENGTH_STARTS};
 use super::support_springs::{
     FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs,
     largest_stiffness,
 };
-use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use super::yielding_joint::YieldingJoint;
+use super::{AddedParameter, Hypothesis, Proposal, ProposalContext, superstructure_yielding};
 use crate::inspect::conditions::amplitudes_differ;
 use crate::inspect::inventory::{Support, TagPurpose, grouped};
 
@@ -20,7 +19,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     refuted_by: "the base of the structure does not move against the free field",
     look_alikes: &["superstructure_yielding", "isolation_layer", "damping"],
     shows: "a longer period than the model's; a base that moves or rocks against the free field",
-    parted_by: "the period is longer at small amplitudes too, which yielding does not explain",
+    parted_by: "the period is longer at small amplitudes too; a record of the footing's rotation tells soil that yields from a hinge above it",
     place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
     forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields in sliding or rocking; a footing with mass; a footing that lifts off",
     needs_clock: false,
@@ -183,18 +182,18 @@ fn largest_moment(s: &ProposalContext<'_>, supports: &[&Support]) -> f64 {
     of_beams.fold(0.0, |most: f64, moment| most.max(*moment))
 }
 
+/// Soil that yields in rocking: a hinge at the foot of a column has the same law, and no motion above parts them.
+const ROCKING_JOINT: YieldingJoint<'_> =
+    YieldingJoint { strength: "rocking_yield", plastic: "rocking_plastic", initial: "rocking" };
+
 /// Materials of a spring side by side.
 ///
-/// Soil that yields in rocking has the law of a hinge at the foot of a column, from which no motion above parts it.
 /// A footing that lifts off comes down on the way on which it went up, without a loss in the spring: Psycharis and Jennings
 /// (1983), Rocking of slender rigid bodies allowed to uplift, Earthquake Engineering and Structural Dynamics 11.
 fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String)> {
     let law = match addition {
         Addition::Yielding { .. } => ("Steel01", format!("$hy_{name}_yield $hy_{name} $hy_{name}_hardening")),
-        Addition::RockingYield { .. } => (
-            "Steel02",
-            format!("$hy_{name}_yield $hy_{name} [expr {{$hy_{name}_plastic/$hy_{name}}}] {STEEL02_TRANSITION}"),
-        ),
+        Addition::RockingYield { .. } => ROCKING_JOINT.law(),
         Addition::Lifting { .. } => (
             "ElasticBilin",
             format!("$hy_{name} [expr {{$hy_{name}*$hy_{name}_lifted}}] [expr {{$hy_{name}_lift/$hy_{name}}}]"),
@@ -219,14 +218,7 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
             added.push(AddedParameter::log(&format!("{name}_yield"), 3e-3 * force, 10.0 * force, 0.1 * force));
             added.push(AddedParameter::linear(&format!("{name}_hardening"), 0.0, 0.9, 0.1));
         }
-        Addition::RockingYield { moment } => {
-            // As a hinge at the foot of the column: it starts stiff, since the fitted model has lost some stiffness already.
-            added[0] = AddedParameter::log(name, 0.05 * scale, 100.0 * scale, 30.0 * scale);
-            let strength = AddedParameter::log(&format!("{name}_yield"), 0.03 * moment, 3.0 * moment, 0.9 * moment);
-            let further_starts = STRENGTH_STARTS.map(|part| part * moment).into();
-            added.insert(0, AddedParameter { further_starts, ..strength });
-            added.push(AddedParameter::log(&format!("{name}_plastic"), 1e-3 * scale, scale, 0.05 * scale));
-        }
+        Addition::RockingYield { moment } => added = ROCKING_JOINT.parameters(moment, scale),
         Addition::Lifting { moment } => {
             let lift = AddedParameter::log(&format!("{name}_lift"), 0.03 * moment, 3.0 * moment, 0.45 * moment);
             // Another mechanism than a spring, which says little of it: the parameter that lifts comes first.
@@ -268,7 +260,7 @@ mod tests {
                 .collect()
         };
         let springs = ["rocking spring: hy_rocking hy_rocking_dashpot", "rocking spring without a dashpot: hy_rocking"];
-        let yields = "rocking spring that yields: hy_rocking_yield hy_rocking hy_rocking_plastic";
+        let yields = "rocking spring that yields: hy_rocking_yield hy_rocking_plastic hy_rocking";
         assert_eq!(rocking(forms(None)), springs);
         let lifts = "rocking spring of a footing that lifts off: \
                      hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";

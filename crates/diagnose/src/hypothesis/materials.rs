@@ -6,10 +6,6 @@ use hysteron_identify::study::DeviceMaterial::{LeadRubber, Rubber};
 /// Rubber, with or without lead.
 pub(super) const RUBBERS: &[DeviceMaterial] = &[Rubber, LeadRubber];
 
-/// Words `R0 cR1 cR2` of `Steel02`, the transition from elastic to plastic, as its authors advise (Filippou, Popov and Bertero
-/// 1983, Effects of bond deterioration on hysteretic behavior of reinforced concrete joints, UCB/EERC-83/19).
-pub(super) const STEEL02_TRANSITION: &str = "18.0 0.925 0.15";
-
 #[cfg(test)]
 mod tests {
     use crate::hypothesis;

@@ -37,6 +37,7 @@ mod support_springs;
 mod torsion;
 mod varying_axial_load;
 mod whole_law;
+mod yielding_joint;
 
 use crate::candidate::proposal::{AddedParameter, Proposal};
 use crate::memory::family::Family;

@@ -1,7 +1,7 @@
 //! Yielding of the structure above the base.
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::materials::STEEL02_TRANSITION;
+use super::yielding_joint::{STRENGTH_STARTS, YieldingJoint};
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext, foundation_flexibility};
 use crate::inspect::frame_members::FrameMember;
 use crate::inspect::inventory::{Device, TagPurpose};
@@ -10,10 +10,6 @@ use crate::inspect::inventory::{Device, TagPurpose};
 const MAX_LEVELS: usize = 6;
 /// Largest number of springs of one kind that yield one at a time.
 const MAX_SINGLE_SPRINGS: usize = 12;
-
-/// Starts of the strength over the largest elastic force. The minimum of a slight yielding is narrow: a structure that yields
-/// much more, or not at all, moves quite differently.
-pub(super) const STRENGTH_STARTS: [f64; 5] = [0.99, 0.96, 0.83, 0.75, 0.62];
 
 /// Name of the cause.
 pub(super) const CAUSE: &str = "superstructure_yielding";
@@ -117,9 +113,9 @@ fn hinges(s: &ProposalContext<'_>, columns: &[&FrameMember], ends: Ends) -> Opti
         return None;
     }
     let material = s.inventory.first_tag(TagPurpose::Hinges);
-    let mut block = vec![format!(
-        "uniaxialMaterial Steel02 {material} $hy_moment $hy_rotational [expr {{$hy_plastic/$hy_rotational}}] {STEEL02_TRANSITION}"
-    )];
+    let joint = YieldingJoint { strength: "moment", plastic: "plastic", initial: "rotational" };
+    let (kind, words) = joint.law();
+    let mut block = vec![format!("uniaxialMaterial {kind} {material} {words}")];
     // A column may be defined from its head.
     let (from_foot, from_head): (Vec<&FrameMember>, Vec<&FrameMember>) =
         columns.iter().copied().partition(|c| c.foot_end == 0 || ends == Ends::Both);
@@ -129,14 +125,7 @@ fn hinges(s: &ProposalContext<'_>, columns: &[&FrameMember], ends: Ends) -> Opti
             block.push(format!("amend element {} hinges -mat {material}{end}", member_tags(&members)));
         }
     }
-    // Scales: moment and stiffness of the elastic beams. Hinges start stiff, because the fitted model has lost some stiffness
-    // already, and a hinge as soft as its column cannot yield slightly.
-    let strength = AddedParameter::log("moment", 0.03 * moment, 3.0 * moment, 0.9 * moment);
-    let added = vec![
-        AddedParameter { further_starts: STRENGTH_STARTS.map(|part| part * moment).into(), ..strength },
-        AddedParameter::log("plastic", 1e-3 * stiffness, stiffness, 0.05 * stiffness),
-        AddedParameter::log("rotational", 0.05 * stiffness, 100.0 * stiffness, 30.0 * stiffness),
-    ];
+    let added = joint.parameters(moment, stiffness);
     let at = format!("{} of element {}", if ends == Ends::Both { "both ends" } else { "foot" }, member_tags(columns));
     let proposal = Proposal::script_edit(CAUSE, "plastic hinge", at, block, added);
     // Below a hinge on the ground there is nothing that soil would turn.

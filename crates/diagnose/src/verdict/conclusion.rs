@@ -361,3 +361,25 @@ pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f
     let before = baseline.fitted.objective;
     if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::RefutedEffect;
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, fitted_at, script_edit};
+
+    /// A refuted mechanism leaves the others of its cause in the search, a refuted cause none of them.
+    #[test]
+    fn a_refuted_effect_is_a_mechanism_of_its_cause() {
+        let with = |parameter: &str| {
+            let proposal = script_edit("foundation_flexibility", &[parameter]);
+            fitted_at(baseline().variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant"), &[0.5])
+        };
+        let (sways, rocks) = (with("sway"), with("rocking_yield"));
+        let mechanism = Some(sways.variant.mechanism().to_owned());
+        let refuted = RefutedEffect { cause: "foundation_flexibility", mechanism };
+        assert!(refuted.includes(&sways) && !refuted.includes(&rocks));
+        let whole = RefutedEffect { mechanism: None, ..refuted };
+        assert!(whole.includes(&sways) && whole.includes(&rocks) && !whole.includes(&baseline()));
+    }
+}

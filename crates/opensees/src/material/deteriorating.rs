@@ -47,7 +47,7 @@ const RATES: [Arg; 4] = [
 /// Capacities and rates of the bilinear hinge, which does not reload towards a peak.
 const BILINEAR_CAPACITIES: [Arg; 3] = [CAPACITIES[0], CAPACITIES[1], CAPACITIES[3]];
 const BILINEAR_RATES: [Arg; 3] = [RATES[0], RATES[1], RATES[3]];
-const SIDES: [Arg; 2] = [
+pub(super) const SIDES: [Arg; 2] = [
     Arg::not_negative("DPos", "rate of cyclic deterioration D on the positive side"),
     Arg::not_negative("DNeg", "rate of cyclic deterioration D on the negative side"),
 ];

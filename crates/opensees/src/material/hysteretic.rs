@@ -1,6 +1,7 @@
 //! Hysteretic materials.
 
 use super::Kind;
+use super::deteriorating::SIDES;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
@@ -91,8 +92,8 @@ const CAP: [Arg; 6] = [
 const ENDS: [Arg; 4] = [
     Arg::positive("thetaUPos", "ultimate rotation thetaU on the positive side"),
     Arg::positive("thetaUNeg", "ultimate rotation thetaU on the negative side"),
-    Arg::not_negative("DPos", "rate of cyclic deterioration D on the positive side"),
-    Arg::not_negative("DNeg", "rate of cyclic deterioration D on the negative side"),
+    SIDES[0],
+    SIDES[1],
 ];
 const N_FACTOR: Arg = Arg::number("nFactor", "stiffness factor nFactor");
 /// Numbers of the hinges of the modified Ibarra-Medina-Krawinkler laws.
