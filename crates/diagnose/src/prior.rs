@@ -104,8 +104,19 @@ prior! {
     MAX_CONDITION_PARAMETERS: usize = 6, "count";
     /// Parameters of which two may change together. A choice between time and thoroughness.
     MAX_CONDITION_PARAMETERS_IN_PAIRS: usize = 4, "count";
-    /// Range of the factor on a parameter. A change beyond it would be known to those who made it. A choice.
-    CONDITION_FACTORS: [f64; 2] = [0.2, 5.0], "ratio";
+    /// Range of the factor on a parameter. A band that is slack, a valve that is open and a magnet without current leave a tenth
+    /// of the force. A choice.
+    CONDITION_FACTORS: [f64; 2] = [0.05, 20.0], "ratio";
+    /// Largest difference of the deformations and rates of devices in two runs of like motion: neither amplitude nor rate then
+    /// tells the runs apart. Machines repeat a motion within a few per cent. A choice.
+    LIKE_MOTION: f64 = 0.1, "share";
+    /// Least share of the largest deformation that a device must have to count in that comparison. A choice.
+    LIKE_MOTION_DEVICE: f64 = 0.1, "share";
+    /// Error of a run with other values over that of a run of like motion, up to which the values are all that differs. A choice.
+    LIKE_ERROR_RATIO: f64 = 2.0, "ratio";
+    /// Error of a run held out with the other values over that with the usual ones, below which it follows the others. A choice
+    /// between two values needs a clear difference.
+    FOLLOWS_OTHER_VALUES: f64 = 0.5, "ratio";
     /// Places of a run at which a parameter may change. As many as the independent samples of a channel.
     CHANGE_PLACES: usize = 40, "count";
     /// Least length of a ramp in such places. A shorter one is a step to the independent samples. A choice.

@@ -73,10 +73,12 @@ pub(crate) struct WholeLawParts {
 }
 
 /// Other values of the user's parameters, by the names of the added parameters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ChangedCondition {
     /// The run; none if there is one alone.
     pub(crate) run: Option<String>,
+    /// Runs held out that follow the other values too.
+    pub(crate) also_in: Vec<String>,
     /// The user's parameters with the factors on them.
     pub(crate) factors: Vec<(String, String)>,
     /// Time from which they hold, or at which a ramp begins; none for the beginning.
@@ -134,10 +136,16 @@ impl fmt::Debug for Proposal {
 }
 
 impl ChangedCondition {
+    /// Returns true if the values hold in a whole run.
+    pub(crate) fn is_of_whole_run(&self) -> bool {
+        self.run.is_some() && self.from.is_none() && self.to.is_none() && !self.ramp
+    }
+
     /// The same with other names of the added parameters.
     fn renamed(&self, rename: impl Fn(&str) -> String) -> Self {
         Self {
             run: self.run.clone(),
+            also_in: self.also_in.clone(),
             factors: self.factors.iter().map(|(own, added)| (own.clone(), rename(added))).collect(),
             from: self.from.as_deref().map(&rename),
             to: self.to.as_deref().map(&rename),

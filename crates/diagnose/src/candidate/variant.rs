@@ -90,6 +90,19 @@ impl Variant {
         self.proposal.as_ref().is_some_and(Proposal::edits_script)
     }
 
+    /// Returns true if the proposal changes the script in other runs than one that was fitted. Other values of the user's
+    /// parameters in that run are those of no other, unless a second effect comes with them.
+    pub(crate) fn edits_further_runs(&self) -> bool {
+        self.edits_script() && !self.is_condition_of_one_run()
+    }
+
+    /// Returns true if all that the proposal edits in the script are the user's parameters in one of several runs.
+    pub(crate) fn is_condition_of_one_run(&self) -> bool {
+        let Some(p) = &self.proposal else { return false };
+        let alone = p.second_cause.is_none() || p.fault_model.is_some();
+        alone && p.condition.as_ref().is_some_and(|c| c.run.is_some() && c.also_in.is_empty())
+    }
+
     /// Number of free parameters.
     pub(crate) fn dimension(&self) -> usize {
         self.study.space.dimension()

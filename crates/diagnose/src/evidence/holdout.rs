@@ -120,19 +120,20 @@ impl WorsenedChannel {
 /// Error over the noise below which a channel is predicted.
 pub(crate) const NOISE_MARGIN: f64 = 2.0;
 /// Error after over that before from which a channel is worse. Smaller changes are those of the noise.
-const WORSE_CHANNEL_RATIO: f64 = 1.1;
+pub(crate) const WORSE_CHANNEL_RATIO: f64 = 1.1;
 /// NMSE from which a model predicts nothing of a channel: the mean of the channel is a better prediction. The error is then that
 /// of a chance phase, and only one that is `WORSENED_RATIO` times as large is worse.
 const NOTHING_PREDICTED: f64 = 1.0;
 
-/// The first channel that gets worse in most of the runs held out, beyond the noise. The mean over channels must not hide it.
-pub(crate) fn worsened_channel(study: &Study, repair: &Repair<'_>) -> Option<WorsenedChannel> {
+/// The first channel whose error grows by a ratio in most of the runs held out, beyond the noise. The mean over channels must
+/// not hide it.
+pub(crate) fn worsened_channel(study: &Study, repair: &Repair<'_>, ratio: f64) -> Option<WorsenedChannel> {
     let noise = expected_noise(study, repair);
     let mut channels: Vec<(&str, usize, usize)> = vec![];
     for (i, run) in study.runs_of(Role::Holdout) {
         let (Some(before), Some(after)) = (&repair.before[i], &repair.after[i]) else { continue };
         for (o, (b, a)) in run.observe.iter().zip(before.scores.iter().zip(&after.scores)) {
-            let ratio = if b.nmse < NOTHING_PREDICTED { WORSE_CHANNEL_RATIO } else { WORSENED_RATIO };
+            let ratio = if b.nmse < NOTHING_PREDICTED { ratio } else { WORSENED_RATIO };
             let is_worse = a.nmse > ratio * b.nmse && a.nmse > NOISE_MARGIN * noise(o);
             match channels.iter_mut().find(|(name, ..)| *name == o.channel) {
                 Some((_, worse, all)) => (*worse, *all) = (*worse + usize::from(is_worse), *all + 1),
@@ -267,7 +268,7 @@ mod tests {
                 affects_holdout: true,
                 visible_in_recording: false,
             };
-            (worsened_channel(&s, &repair), judge(&s, &repair))
+            (worsened_channel(&s, &repair, WORSE_CHANNEL_RATIO), judge(&s, &repair))
         };
         let worsened = |after| worsened_from(0.5, after);
         let (worse, judgement) = worsened(0.6);

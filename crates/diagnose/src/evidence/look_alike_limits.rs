@@ -25,6 +25,16 @@ impl VerdictEvidence {
         };
         Some(ProbabilityLimit::new(&h.cause, most, format!("{} explains as much", effect.cause)))
     }
+
+    /// Limits of the faults of a channel in one run where another value of a parameter is the repair and explains as much.
+    pub(super) fn limits_of_faults_beside(&self, repair: &HypothesisEvidence) -> Vec<ProbabilityLimit> {
+        if repair.cause != changed_condition::CAUSE {
+            return vec![];
+        }
+        let excluded = |h: &HypothesisEvidence| self.limit_beside_physics(h).filter(|limit| limit.most == 0.0);
+        let alike = |h: &&HypothesisEvidence| h.also.is_none() || h.also == repair.also;
+        self.hypotheses.iter().filter(alike).filter_map(excluded).collect()
+    }
 }
 
 impl HypothesisEvidence {
@@ -63,6 +73,8 @@ mod tests {
         assert_eq!(most(&e), Some(0.5));
         e.hypotheses[0].range_fault_in_one_run = true;
         assert_eq!(most(&e), Some(0.0));
+        let beside = e.limits_of_faults_beside(&e.hypotheses[1]);
+        assert_eq!(beside.iter().map(|l| (l.cause.as_str(), l.most)).collect::<Vec<_>>(), [("sensor_gain", 0.0)]);
         e.hypotheses[1].also = Some("sensor_lag".into());
         assert_eq!(most(&e), None);
     }

@@ -44,6 +44,7 @@ impl VerdictEvidence {
         out.extend(self.limit_of_adequate_model(h, repair).filter(|_| !is_visible(h)));
         out.extend(self.limit_beside_physics(h).filter(|_| !is_visible(h)));
         out.extend(h.limit_of_same_model());
+        out.extend(self.limits_of_faults_beside(h));
         let better = self.better_memory(h, repair);
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));
@@ -120,7 +121,8 @@ impl VerdictEvidence {
             let after = errors.after.unwrap_or(before);
             (before >= MIN_SIGNAL_RATIO * noise && after != before).then(|| (before - after) / (before - noise))
         };
-        Some(TakenShare { blocks: blocks.min(1.0), runs: repair.errors.and_then(of_runs).map(|s| s.min(1.0)) })
+        let errors = repair.errors.filter(|_| !repair.of_one_run);
+        Some(TakenShare { blocks: blocks.min(1.0), runs: errors.and_then(of_runs).map(|s| s.min(1.0)) })
     }
 
     /// Noise of the fitted runs. No model can leave less than it on blocks held back, so that the least such error bounds it;
@@ -316,7 +318,7 @@ mod tests {
         }
         let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
         let repair =
-            RepairEvidence { cause: cause.into(), also: None, errors: Some(errors), device_held_out: Some(after) };
+            RepairEvidence { cause: cause.into(), also: None, errors: Some(errors), device_held_out: Some(after), of_one_run: false };
         (e, repair)
     }
 

@@ -136,6 +136,9 @@ pub struct RepairEvidence {
     /// Mean NMSE in the runs held out of the channel of the device whose kinds of memory compete.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub device_held_out: Option<f64>,
+    /// True if its effect is a condition of one fitted run, which no run held out contains.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub of_one_run: bool,
 }
 
 /// Returns the number of coordinates at an end of the unit interval.

@@ -381,6 +381,7 @@ pub(crate) mod tests {
                 also: None,
                 errors: Some(errors),
                 device_held_out: None,
+                of_one_run: false,
             });
             probability(&cause_probabilities(&e), "friction")
         };

@@ -3,7 +3,9 @@
 use super::all_runs::fits_of_all_runs;
 use super::diagnosis::Diagnosis;
 use super::gates::GatedRepair;
+use super::held_out_condition::with_conditions_of_runs_held_out;
 use super::learned::{LearnedContext, LearnedModel, learned_repair};
+use super::like_motion::RunMotions;
 use super::limits_of_none::limit_by_judgement;
 use super::presentation::{present, uncertainty_of};
 use crate::candidate::channel_fault::ChannelFault;
@@ -115,7 +117,13 @@ impl Repair {
     fn evidence(&self, c: &ConclusionContext<'_>) -> RepairEvidence {
         let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
         let device_held_out = holdout::channel_nmse(c.study, &self.fits, &c.recorded.channel);
-        RepairEvidence { cause: cause.into(), also: also.map(Into::into), errors: self.errors, device_held_out }
+        RepairEvidence {
+            cause: cause.into(),
+            also: also.map(Into::into),
+            errors: self.errors,
+            device_held_out,
+            of_one_run: self.hypothesis.variant.is_condition_of_one_run(),
+        }
     }
 }
 
@@ -195,6 +203,7 @@ fn decide(scheduler: &mut Scheduler<'_>, c: &ConclusionContext<'_>, ranking: &Ra
         ranked,
         baseline_fits: &baseline_fits,
         structured_share: structure.share,
+        motions: RunMotions::of(c, &baseline.fitted.values),
     };
     let mut verdict = verdict_judge.verdict(&mut evidence)?;
     let (cause, probabilities) = (verdict.cause, &verdict.probabilities);
@@ -220,6 +229,7 @@ struct VerdictJudge<'a, 'b> {
     baseline_fits: &'a [Option<ScoredRun>],
     /// Structured share of the residual that the first hypothesis leaves.
     structured_share: f64,
+    motions: RunMotions,
 }
 
 impl VerdictJudge<'_, '_> {
@@ -321,10 +331,14 @@ impl VerdictJudge<'_, '_> {
         let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
         let fits = fits_of_all_runs(c, variant, &fitted.values);
         self.scheduler.check_cancelled()?;
+        let hypothesis = FittedHypothesis { fitted: fitted.clone(), ..hypothesis };
+        let (hypothesis, fits) =
+            with_conditions_of_runs_held_out(c, &self.baseline.variant, &hypothesis, &fits).unwrap_or((hypothesis, fits));
+        let variant = &hypothesis.variant;
         let in_holdout = |f: &ChannelFault| {
             f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name))
         };
-        let affects_holdout = variant.edits_script() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
+        let affects_holdout = variant.edits_further_runs() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
         let repair = holdout::Repair {
             before: self.baseline_fits,
             after: &fits,
@@ -346,6 +360,7 @@ impl VerdictJudge<'_, '_> {
             baseline: self.baseline,
             judged: &repair,
             responses: c.responses,
+            motions: &self.motions,
             extent: c.inventory.extent,
             noise: c.recorded.noise,
             left: fitted.objective,

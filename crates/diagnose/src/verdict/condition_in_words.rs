@@ -72,7 +72,8 @@ impl<'a> FittedCondition<'a> {
             (Some(from), None) => format!("from {} s on", seconds(from)),
             (_, to) => format!("up to {} s", seconds(to.unwrap_or(0.0))),
         });
-        let run = self.condition.run.as_ref().map(|run| format!("in the run {run}"));
+        let also = self.condition.also_in.iter().map(|run| format!(" and in {run}, which was held out"));
+        let run = self.condition.run.as_ref().map(|run| format!("in the run {run}{}", also.collect::<String>()));
         time.into_iter().chain(run).collect::<Vec<_>>().join(" ")
     }
 
@@ -127,6 +128,7 @@ mod tests {
         let added = |n: &str| format!("hy_{n}");
         let condition = ChangedCondition {
             run: (!ramp || from || to).then(|| "A".into()),
+            also_in: vec![],
             factors: vec![(name.clone(), added("factor"))],
             from: from.then(|| added("from")),
             to: to.then(|| added("to")),
@@ -153,6 +155,15 @@ mod tests {
         assert_eq!(told(true, true), (both, Some((Some(2.0), Some(4.0)))));
         assert_eq!(told(true, false).0, "x is 15 from 2 s on in the run A, and 10 otherwise");
         assert_eq!(told(false, true).0, "x is 15 up to 4 s in the run A, and 10 otherwise");
+    }
+
+    #[test]
+    fn a_run_held_out_that_follows_the_other_values_is_said() {
+        let (mut variant, values, name) = fitted(false, false, false);
+        let condition = variant.proposal.as_mut().and_then(|p| p.condition.as_mut()).expect("a condition");
+        condition.also_in = vec!["H".into()];
+        let told = FittedCondition::of(&variant, &values).expect("a condition").description().replace(&name, "x");
+        assert_eq!(told, "x is 15 in the run A and in H, which was held out, and 10 otherwise");
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! trials held such a case: each gate limits the probability of its cause, and says why.
 
 use super::changed_parameter::ChangedParameter;
+use super::like_motion::RunMotions;
 use super::plausibility::{eccentricity, impossible_heat};
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
@@ -16,10 +17,10 @@ use crate::hypothesis::changed_condition;
 use crate::hypothesis::isolation_layer::{self, LayerLimit};
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
-    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
-    MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY,
+    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, LIKE_ERROR_RATIO, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
+    MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY, WORSENED_RATIO,
 };
-use hysteron_identify::study::{Role, Run, ScoredRun, Study, objective};
+use hysteron_identify::study::{ObservedChannel, Role, Run, Score, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -35,6 +36,8 @@ pub(super) struct GatedRepair<'a> {
     /// Channels before and after it.
     pub(super) judged: &'a holdout::Repair<'a>,
     pub(super) responses: &'a ResponseRanges,
+    /// Motions of the fitted runs.
+    pub(super) motions: &'a RunMotions,
     /// Diagonal of the box around all nodes.
     pub(super) extent: f64,
     /// NMSE of the noise in the fitted recordings; none if they do not show it.
@@ -57,7 +60,10 @@ impl GatedRepair<'_> {
         let mut out: Vec<ProbabilityLimit> = vec![];
         out.extend(impossible_heat(self.variant, self.values, self.responses.largest_work()).map(limit(0.0)));
         out.extend(eccentricity(self.variant, self.values, self.extent).map(limit(0.0)));
-        out.extend(worsened_channel(self.study, self.judged).map(|w| w.description()).map(limit(0.0)));
+        // A condition of one fitted run is none of the others, whose error follows the user's own parameters alone.
+        let ratio =
+            if self.variant.is_condition_of_one_run() { WORSENED_RATIO } else { holdout::WORSE_CHANNEL_RATIO };
+        out.extend(worsened_channel(self.study, self.judged, ratio).map(|w| w.description()).map(limit(0.0)));
         out.extend(self.nothing_taken().map(limit(0.0)));
         out.extend(self.fault_at_limit().map(limit(0.0)));
         out.extend(faults.iter().find_map(|f| self.run_that_does_not_improve(f)).map(limit(0.0)));
@@ -193,10 +199,42 @@ impl GatedRepair<'_> {
         (left <= enough).then(|| format!("other values of your own parameters in the run {name} explain as much"))
     }
 
+    /// Returns true if a run of like motion has the usual values, and an error that is hardly less. All that differs between the
+    /// two is the condition, whatever the model lacks in both.
+    fn is_told_by_like_motion(&self) -> bool {
+        let condition = self.variant.proposal.as_ref().and_then(|p| p.condition.as_ref());
+        let Some(name) = condition.and_then(|c| c.run.as_ref()) else { return false };
+        let fitted: Vec<(usize, &Run)> = self.study.runs_of(Role::Fit).collect();
+        let Some(changed) = fitted.iter().find(|(_, r)| r.name == *name).map(|(i, _)| *i) else { return false };
+        let mut others = fitted.iter().map(|(i, _)| *i).filter(|i| *i != changed);
+        others.any(|i| self.motions.are_alike(changed, i) && self.has_error_of(changed, i))
+    }
+
+    /// Returns true if no channel of a run has a clearly larger error than in another run, as a share or in its unit.
+    fn has_error_of(&self, run: usize, other: usize) -> bool {
+        let [own, others] = [run, other].map(|i| &self.study.runs[i].observe);
+        let Some((fit, fit_of_other)) = self.judged.after[run].as_ref().zip(self.judged.after[other].as_ref()) else {
+            return false;
+        };
+        let is_alike = |(o, score): (&ObservedChannel, &Score)| {
+            let place = others.iter().position(|x| x.channel == o.channel);
+            place.is_none_or(|c| {
+                let share = fit_of_other.scores[c].nmse;
+                score.nmse <= LIKE_ERROR_RATIO * share.max(share * others[c].variance / o.variance)
+            })
+        };
+        own.iter().zip(&fit.scores).all(is_alike)
+    }
+
+    /// Returns true for another value of a parameter that no run of like motion tells.
+    fn is_condition_alone(&self) -> bool {
+        self.variant.cause() == changed_condition::CAUSE && !self.is_told_by_like_motion()
+    }
+
     /// Another value of a parameter that leaves many times the noise: the model lacks more than a value.
     fn condition_above_noise(&self) -> Option<String> {
         let times = self.left / self.noise?;
-        (times > MAX_NOISE_OF_CONDITION && self.variant.cause() == changed_condition::CAUSE)
+        (times > MAX_NOISE_OF_CONDITION && self.is_condition_alone())
             .then(|| format!("the other value leaves {times:.0} times the noise of the recordings"))
     }
 
@@ -204,7 +242,7 @@ impl GatedRepair<'_> {
     /// value of its own for a run takes much from any effect that differs by run.
     fn condition_with_structure(&self) -> Option<String> {
         let structured = self.judged.structured_share > MAX_STRUCTURE_OF_CONDITION;
-        (structured && self.variant.cause() == changed_condition::CAUSE)
+        (structured && self.is_condition_alone())
             .then(|| "the other value leaves more than noise".to_owned())
     }
 
@@ -266,7 +304,7 @@ impl GatedRepair<'_> {
 
 /// Residuals of all channels of a run over their standard deviations; missing samples are 0.
 fn scaled_residual(run: &Run, fit: &ScoredRun) -> Vec<f64> {
-    let of = |(o, y): (&hysteron_identify::study::ObservedChannel, &Vec<f64>)| -> Vec<f64> {
+    let of = |(o, y): (&ObservedChannel, &Vec<f64>)| -> Vec<f64> {
         let scale = o.variance.sqrt();
         y.iter().zip(&o.values).map(|(y, v)| (y - v) / scale).map(|r| if r.is_finite() { r } else { 0.0 }).collect()
     };

@@ -9,6 +9,8 @@
 //! - `fault_in_words`: faults of channels with their corrections
 //! - `gain`: errors before and after a repair, beside the noise of the recordings
 //! - `gates`: limits of the probability of a cause by physics, bounds and channels
+//! - `held_out_condition`: the condition of a run held out, where fitted runs differ in it
+//! - `like_motion`: fitted runs between which neither amplitude nor rate differs
 //! - `levels`: storeys, and the elements between them
 //! - `learned`, `learned_study`: a learned law where no effect of the library explains the recordings, and without a diagnosis
 //! - `plausibility`: balances and published ranges
@@ -35,9 +37,11 @@ pub(crate) mod explanation;
 mod fault_in_words;
 mod gain;
 mod gates;
+mod held_out_condition;
 pub(crate) mod learned;
 pub(crate) mod learned_study;
 mod levels;
+mod like_motion;
 mod limits_of_none;
 pub(crate) mod mismatch;
 mod nearest;

@@ -179,6 +179,7 @@ fn proposal(
     let name = |of: &str| added.iter().find(|a| a.name == format!("hy_{of}")).map(|a| a.name.clone());
     let condition = ChangedCondition {
         run: run.map(|run| run.name.clone()).filter(|_| s.study.runs.len() > 1),
+        also_in: vec![],
         factors: vec![(p.name.to_owned(), factor.name.clone())],
         from: name(FROM),
         to: name(TO),

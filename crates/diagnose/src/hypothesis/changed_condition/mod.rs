@@ -3,6 +3,9 @@
 
 mod change_points;
 mod in_time;
+mod runs_held_out;
+
+pub(crate) use runs_held_out::held_in_too;
 
 use super::context::distinguishing_variable;
 use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
@@ -23,8 +26,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     look_alikes: &["sensor_gain", "ambient_temperature"],
     shows: "one run differs from the first cycle on, or from one moment to another, as another value of one parameter of the model makes it",
     parted_by: "`sensor_gain` scales elastic and hysteretic force alike, and every run of the instrument; `cyclic_degradation` and `self_heating` follow the work, without a moment at which they begin, and rest where the motion rests; a ramp goes on",
-    place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart",
-    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.2 to 5. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, and one by the clock of every run",
+    place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart. A run held out that has half the error with the other values takes them, which is said",
+    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.05 to 20. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, and one by the clock of every run",
     needs_clock: false,
     memory: &[],
     materials: &[],
@@ -79,11 +82,16 @@ fn declared<'a>(s: &ProposalContext<'a>) -> Vec<Declared<'a>> {
     s.study.space.free().enumerate().filter_map(of).take(MAX_CONDITION_PARAMETERS).collect()
 }
 
-/// A command that runs only in a run, which has a value of the variable to itself. The value stands between braces in the
-/// script: `None` for one that has braces.
-fn only_in_run(run: &Run, variable: &str, command: &str) -> Option<String> {
+/// Condition of a script that holds in a run, which has a value of the variable to itself. The value stands between braces in
+/// the script: `None` for one that has braces.
+fn holds_in(run: &Run, variable: &str) -> Option<String> {
     let value = run.text(variable).filter(|v| !v.contains(['{', '}', '\\']))?;
-    Some(format!("if {{$::{variable} eq {{{value}}}}} {{{command}}}"))
+    Some(format!("$::{variable} eq {{{value}}}"))
+}
+
+/// A command that runs only in a run.
+fn only_in_run(run: &Run, variable: &str, command: &str) -> Option<String> {
+    Some(format!("if {{{}}} {{{command}}}", holds_in(run, variable)?))
 }
 
 /// Other values of some parameters in a run.
@@ -107,7 +115,7 @@ fn proposal(run: &Run, variable: &str, changed: &[&Declared<'_>]) -> Option<Prop
     Some(Proposal {
         option_edits: changed.iter().map(edit).collect::<Option<_>>()?,
         declared_at: changed.iter().map(|p| p.command).min(),
-        condition: Some(ChangedCondition { run: Some(run.name.clone()), factors, from: None, to: None, ramp: false }),
+        condition: Some(ChangedCondition { run: Some(run.name.clone()), factors, ..ChangedCondition::default() }),
         ..Proposal::script_edit(CAUSE, form, location, vec![], parameters)
     })
 }
