@@ -215,7 +215,7 @@ fn expected_nmse<'a>(study: &'a Study, fits: &[Option<ScoredRun>]) -> impl Fn(&O
 
 #[cfg(test)]
 mod tests {
-    use super::{HoldoutJudgement, Repair, judge, worsened_channel};
+    use super::{HoldoutJudgement, Repair, WORSE_CHANNEL_RATIO, judge, worsened_channel};
     use crate::test_support::pad_study;
     use hysteron_identify::study::{ObservedChannel, Role, Score, ScoredRun, Study};
 

@@ -1,5 +1,6 @@
 //! Evidence of recordings for fitted hypotheses.
 //!
+//! - [`between_cycles`]: log evidence from what differs between the cycles of a steady motion
 //! - [`likelihood`]: log evidence from whitened held-out residuals
 //! - [`ranking`]: prior odds, and the order of hypotheses
 //! - [`parametric_bootstrap`]: gains on simulated recordings of a known cause
@@ -14,6 +15,7 @@
 //!
 //! Constants stand in `prior.rs`; scales of features stand beside them.
 
+pub(crate) mod between_cycles;
 pub(crate) mod holdout;
 pub(crate) mod likelihood;
 mod look_alike_limits;

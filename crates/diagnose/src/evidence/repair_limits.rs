@@ -317,8 +317,13 @@ mod tests {
             (h.held_back, h.device_held_back) = (Some(error), Some(error));
         }
         let errors = HeldOutErrors { before: Some(0.1), after: Some(after), noise: 1e-3 };
-        let repair =
-            RepairEvidence { cause: cause.into(), also: None, errors: Some(errors), device_held_out: Some(after), of_one_run: false };
+        let repair = RepairEvidence {
+            cause: cause.into(),
+            also: None,
+            errors: Some(errors),
+            device_held_out: Some(after),
+            of_one_run: false,
+        };
         (e, repair)
     }
 

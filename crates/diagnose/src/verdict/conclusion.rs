@@ -332,13 +332,14 @@ impl VerdictJudge<'_, '_> {
         let fits = fits_of_all_runs(c, variant, &fitted.values);
         self.scheduler.check_cancelled()?;
         let hypothesis = FittedHypothesis { fitted: fitted.clone(), ..hypothesis };
-        let (hypothesis, fits) =
-            with_conditions_of_runs_held_out(c, &self.baseline.variant, &hypothesis, &fits).unwrap_or((hypothesis, fits));
+        let (hypothesis, fits) = with_conditions_of_runs_held_out(c, &self.baseline.variant, &hypothesis, &fits)
+            .unwrap_or((hypothesis, fits));
         let variant = &hypothesis.variant;
         let in_holdout = |f: &ChannelFault| {
             f.run.as_ref().is_none_or(|name| study.runs_of(Role::Holdout).any(|(_, r)| r.name == *name))
         };
-        let affects_holdout = variant.edits_further_runs() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
+        let affects_holdout =
+            variant.edits_further_runs() || variant.channel_faults(&fitted.values).iter().any(in_holdout);
         let repair = holdout::Repair {
             before: self.baseline_fits,
             after: &fits,
@@ -361,6 +362,7 @@ impl VerdictJudge<'_, '_> {
             judged: &repair,
             responses: c.responses,
             motions: &self.motions,
+            told_between_cycles: hypothesis.told_between_cycles,
             extent: c.inventory.extent,
             noise: c.recorded.noise,
             left: fitted.objective,

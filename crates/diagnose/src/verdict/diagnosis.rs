@@ -1,11 +1,13 @@
 //! The way from a study to its diagnosis.
 
+use super::all_runs::displacements;
 use super::conclusion::{ConclusionContext, Ranking, RefutedEffect, conclude};
 use super::device_loop::DeviceLoop;
 use super::discriminating_test::DiscriminatingTest;
 use super::result_file::Outcome;
 use super::structure_drawing::StructureDrawing;
 use crate::candidate::proposal::Proposal;
+use crate::evidence::between_cycles::{SteadyMotion, compare_cycles};
 use crate::evidence::memory_evidence::ModelRuns;
 use crate::evidence::ranking::{bootstrap_ranking, rank};
 use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
@@ -222,6 +224,11 @@ pub fn diagnose(
     search.until_not_refuted(&mut scheduler, singles)
 }
 
+/// Steady parts of the motions of all runs.
+fn steady_motions(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<SteadyMotion>> {
+    displacements(c, values).into_iter().map(|motion| SteadyMotion::of(&motion?.1)).collect()
+}
+
 /// From fitted single effects to the verdict.
 struct SecondSearch<'a> {
     context: &'a ConclusionContext<'a>,
@@ -271,6 +278,9 @@ impl SecondSearch<'_> {
         ranked.retain(|e| drift_is_significant(c.study, e));
         scheduler.hold_out("what it predicts", &mut ranked)?;
         rank(&mut ranked)?;
+        let has_change = ranked.iter().any(|e| !e.variant.change_point_coordinates().is_empty());
+        let motions = if has_change { steady_motions(c, &self.baseline_of_script.fitted.values) } else { vec![] };
+        compare_cycles(c.study, &mut ranked, &motions);
         // A complete model lacks no two effects. Where no single effect gains anything, two together may.
         let left = || unmodelled_structure(c.study, c.responses, &ranked[0].fitted.fits, true).share;
         if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
@@ -279,6 +289,7 @@ impl SecondSearch<'_> {
             if !pairs.is_empty() {
                 ranked.extend(pairs);
                 rank(&mut ranked)?;
+                compare_cycles(c.study, &mut ranked, &motions);
             }
         }
         let bootstrap = bootstrap_ranking(scheduler, &ranked, &finalists)?;

@@ -17,8 +17,9 @@ use crate::hypothesis::changed_condition;
 use crate::hypothesis::isolation_layer::{self, LayerLimit};
 use crate::inspect::response::{ResponseHistory, ResponseRanges};
 use crate::prior::{
-    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, LIKE_ERROR_RATIO, MAX_NOISE_OF_CONDITION, MAX_STRUCTURE_OF_CONDITION,
-    MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO, SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY, WORSENED_RATIO,
+    BOUND_PROBABILITY, BOUND_STEP, FOLLOWED_HISTORY_SHARE, LIKE_ERROR_RATIO, MAX_NOISE_OF_CONDITION,
+    MAX_STRUCTURE_OF_CONDITION, MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO,
+    SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY, WORSENED_RATIO,
 };
 use hysteron_identify::study::{ObservedChannel, Role, Run, Score, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
@@ -38,6 +39,8 @@ pub(super) struct GatedRepair<'a> {
     pub(super) responses: &'a ResponseRanges,
     /// Motions of the fitted runs.
     pub(super) motions: &'a RunMotions,
+    /// True if it takes most of what differs between the cycles of a steady motion, and no other cause does.
+    pub(super) told_between_cycles: bool,
     /// Diagonal of the box around all nodes.
     pub(super) extent: f64,
     /// NMSE of the noise in the fitted recordings; none if they do not show it.
@@ -61,8 +64,7 @@ impl GatedRepair<'_> {
         out.extend(impossible_heat(self.variant, self.values, self.responses.largest_work()).map(limit(0.0)));
         out.extend(eccentricity(self.variant, self.values, self.extent).map(limit(0.0)));
         // A condition of one fitted run is none of the others, whose error follows the user's own parameters alone.
-        let ratio =
-            if self.variant.is_condition_of_one_run() { WORSENED_RATIO } else { holdout::WORSE_CHANNEL_RATIO };
+        let ratio = if self.variant.is_condition_of_one_run() { WORSENED_RATIO } else { holdout::WORSE_CHANNEL_RATIO };
         out.extend(worsened_channel(self.study, self.judged, ratio).map(|w| w.description()).map(limit(0.0)));
         out.extend(self.nothing_taken().map(limit(0.0)));
         out.extend(self.fault_at_limit().map(limit(0.0)));
@@ -226,9 +228,10 @@ impl GatedRepair<'_> {
         own.iter().zip(&fit.scores).all(is_alike)
     }
 
-    /// Returns true for another value of a parameter that no run of like motion tells.
+    /// Returns true for another value of a parameter that neither a run nor cycles of like motion tell.
     fn is_condition_alone(&self) -> bool {
-        self.variant.cause() == changed_condition::CAUSE && !self.is_told_by_like_motion()
+        let is_told = self.told_between_cycles || self.is_told_by_like_motion();
+        self.variant.cause() == changed_condition::CAUSE && !is_told
     }
 
     /// Another value of a parameter that leaves many times the noise: the model lacks more than a value.
@@ -242,8 +245,7 @@ impl GatedRepair<'_> {
     /// value of its own for a run takes much from any effect that differs by run.
     fn condition_with_structure(&self) -> Option<String> {
         let structured = self.judged.structured_share > MAX_STRUCTURE_OF_CONDITION;
-        (structured && self.is_condition_alone())
-            .then(|| "the other value leaves more than noise".to_owned())
+        (structured && self.is_condition_alone()).then(|| "the other value leaves more than noise".to_owned())
     }
 
     /// A wandering zero that follows what the motion has left behind: no instrument does.
