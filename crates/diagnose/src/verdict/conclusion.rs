@@ -8,6 +8,7 @@ use super::learned::{LearnedContext, LearnedModel, learned_repair};
 use super::like_motion::RunMotions;
 use super::limits_of_none::limit_by_judgement;
 use super::presentation::{present, uncertainty_of};
+use super::time_of_change::TimeOfChange;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
 use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, judge};
@@ -89,12 +90,22 @@ pub(super) struct Repair {
     errors: Option<HeldOutErrors>,
     /// Limits of the probability of its cause.
     limits: Vec<ProbabilityLimit>,
+    /// Times at which a parameter of the user's changed.
+    pub(super) times: Vec<TimeOfChange>,
 }
 
 impl Repair {
     /// A repair that has passed its own judgement.
     fn accepted(hypothesis: FittedHypothesis, fitted: FittedModel, fits: Vec<Option<ScoredRun>>) -> Self {
-        Self { hypothesis, fitted, fits, judgement: HoldoutJudgement::Accepted, errors: None, limits: vec![] }
+        Self {
+            hypothesis,
+            fitted,
+            fits,
+            judgement: HoldoutJudgement::Accepted,
+            errors: None,
+            limits: vec![],
+            times: vec![],
+        }
     }
 
     /// Returns true if the runs held out or a gate refuse it.
@@ -328,7 +339,8 @@ impl VerdictJudge<'_, '_> {
         let refined = self.scheduler.fit("the repaired model", jobs)?.into_iter().flatten();
         let known = Some(hypothesis.fitted.clone()).filter(|_| c.step_error.parts == 1);
         let fitted = known.into_iter().chain(refined).min_by(|a, b| a.objective.total_cmp(&b.objective));
-        let fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
+        let mut fitted = fitted.ok_or("the repaired model has no answer with the steps of the script")?;
+        let times = self.settled_times(variant, &mut fitted);
         let fits = fits_of_all_runs(c, variant, &fitted.values);
         self.scheduler.check_cancelled()?;
         let hypothesis = FittedHypothesis { fitted: fitted.clone(), ..hypothesis };
@@ -369,7 +381,17 @@ impl VerdictJudge<'_, '_> {
             simulate: &simulate,
         };
         let limits = gated.limits();
-        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits })
+        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits, times })
+    }
+
+    /// Times of change of a repair, of which those of the fit are put into the middle of their intervals.
+    fn settled_times(&self, variant: &Arc<Variant>, fitted: &mut FittedModel) -> Vec<TimeOfChange> {
+        let mut simulator = variant.simulator(&self.c.simulator.factory());
+        let study = self.c.study;
+        TimeOfChange::settle(study, variant, fitted, |values| {
+            let runs = study.runs_of(Role::Fit);
+            runs.map(|(run, _)| simulate_and_score(&mut simulator, study, run, values).ok()).collect()
+        })
     }
 }
 

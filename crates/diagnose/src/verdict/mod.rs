@@ -20,6 +20,7 @@
 //! - [`mismatch`]: windows of time in which the model differs
 //! - [`discriminating_test`]: the test that best separates the verdict from its strongest competitor
 //! - `structure_drawing`: errors on the structure
+//! - `time_of_change`: times at which a parameter changed
 //! - `error_conditions`: errors over amplitude, rate and temperature
 //! - `result_file`: `diagnosis.json`
 //! - `report`: `report.html`
@@ -55,5 +56,6 @@ pub(crate) mod residual_force;
 pub(crate) mod result_file;
 pub(crate) mod structure_drawing;
 pub(crate) mod summary;
+mod time_of_change;
 mod unmoved;
 mod verdict_in_words;

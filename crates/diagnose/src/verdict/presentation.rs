@@ -271,7 +271,9 @@ pub(super) fn uncertainty_of(c: &ConclusionContext<'_>, repair: &Repair) -> Opti
     let (factory, variant) = (c.simulator.factory(), repair.hypothesis.variant.clone());
     let study = variant.study.clone();
     let problem = StudyProblem::new(study, c.threads.max(1), move || variant.simulator(&factory)).ok()?;
-    uncertainty(&problem, &repair.fitted.point).ok()
+    let mut uncertainty = uncertainty(&problem, &repair.fitted.point).ok()?;
+    repair.times.iter().for_each(|time| time.correct(&mut uncertainty));
+    Some(uncertainty)
 }
 
 fn values_by_name(space: &ParameterSpace, values: &[f64]) -> BTreeMap<String, f64> {
