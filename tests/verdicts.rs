@@ -8,6 +8,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::print_stderr, unreachable_pub)]
 
+#[path = "verdicts/conditions.rs"]
+mod conditions;
 #[path = "verdicts/imposed.rs"]
 mod imposed;
 #[path = "verdicts/invariance.rs"]
@@ -90,6 +92,11 @@ const TABLE: &[Row] = &[
     ("tightened for a time", "changed_condition", "changed_condition", 95),
     ("tightened on the way", "changed_condition", "changed_condition", 95),
     ("tightened slowly", "changed_condition", "changed_condition", 95),
+    ("recovered", "changed_condition", "changed_condition", 95),
+    ("loosened", "changed_condition", "changed_condition", 90),
+    ("loosened by nothing", "unknown", "unknown", 90),
+    ("tightened in steady motion", "changed_condition", "changed_condition", 60),
+    ("steady motion", "unknown", "unknown", 90),
     ("aging", "changed_condition", "changed_condition", 75),
     ("loud for a time", "none", "none", 90),
     ("gain", "sensor_gain", "sensor_gain", 85),
@@ -145,6 +152,11 @@ const STUDIES: &[Named] = &[
     ("tightened for a time", || imposed::condition_in_time(5.3)),
     ("tightened on the way", || imposed::condition_in_time(f64::INFINITY)),
     ("tightened slowly", imposed::tightened_slowly),
+    ("recovered", conditions::recovered),
+    ("loosened", || conditions::loosened(0.15)),
+    ("loosened by nothing", || conditions::loosened(1.0)),
+    ("tightened in steady motion", || conditions::tightened_in_steady_motion(1.35)),
+    ("steady motion", || conditions::tightened_in_steady_motion(1.0)),
     ("aging", imposed::aging),
     ("loud for a time", imposed::loud_for_a_time),
     ("gain", imposed::gain),
@@ -161,7 +173,7 @@ fn verdict(name: &str, study: &Concealed) -> (String, f64) {
         Settings { excluded_causes: without.map(|c| (*c).to_owned()).collect(), threads: 1, ..Settings::default() };
     let dir = study.write(&format!("verdict-{}", name.replace([' ', ','], "-")));
     let found = studies::attempt(&dir, &settings, &mut CheckpointRecorder::unlimited());
-    let _ = fs::remove_dir_all(dir);
+    if std::env::var("KEEP").is_err() { let _ = fs::remove_dir_all(dir); } else { eprintln!("{dir:?}"); }
     let verdict = found.unwrap_or_else(|e| panic!("{name}: {e}")).outcome.verdict;
     let causes = std::iter::once(&verdict.cause).chain(&verdict.also);
     (causes.map(String::as_str).collect::<Vec<_>>().join(" + "), 100.0 * verdict.confidence)

@@ -2,24 +2,24 @@
 
 use super::studies::{Channel, Concealed, Noise, PAD, Record};
 
-const DT: f64 = 0.02;
+pub const DT: f64 = 0.02;
 
 /// Strength, stiffness before yielding, stiffness of the elastic part of the pad that was tested.
-const FY: f64 = 11.0;
-const K0: f64 = 2000.0;
-const K: f64 = 260.0;
+pub const FY: f64 = 11.0;
+pub const K0: f64 = 2000.0;
+pub const K: f64 = 260.0;
 
 /// Standard deviation of the load cell's noise: about 3 % of the force's.
 const NOISE: f64 = 0.3;
 
 /// An elastic-plastic spring.
 #[derive(Default)]
-struct Plastic {
+pub struct Plastic {
     plastic: f64,
 }
 
 impl Plastic {
-    fn force(&mut self, u: f64, stiffness: f64, strength: f64) -> f64 {
+    pub fn force(&mut self, u: f64, stiffness: f64, strength: f64) -> f64 {
         let f = (stiffness * (u - self.plastic)).clamp(-strength, strength);
         self.plastic = u - f / stiffness;
         f
@@ -32,7 +32,7 @@ fn growing() -> Vec<f64> {
 }
 
 /// Two sines.
-fn mixed() -> Vec<f64> {
+pub fn mixed() -> Vec<f64> {
     (0..400).map(|i| DT * f64::from(i)).map(|t| 0.03 * (2.5 * t).sin() + 0.02 * (7.0 * t).sin()).collect()
 }
 
@@ -44,20 +44,20 @@ fn blocks() -> Vec<f64> {
 }
 
 /// One run of the pad: what it is called, its motion, whether it is held out.
-struct Test {
-    name: &'static str,
-    path: Vec<f64>,
-    holdout: bool,
+pub struct Test {
+    pub name: &'static str,
+    pub path: Vec<f64>,
+    pub holdout: bool,
     set: String,
     beside: Vec<(&'static str, Vec<f64>)>,
 }
 
-fn test(name: &'static str, path: Vec<f64>, holdout: bool) -> Test {
+pub fn test(name: &'static str, path: Vec<f64>, holdout: bool) -> Test {
     Test { name, path, holdout, set: String::new(), beside: vec![] }
 }
 
 /// Fitted to a growing sine, held out two sines.
-fn two_tests() -> Vec<Test> {
+pub fn two_tests() -> Vec<Test> {
     vec![test("growing", growing(), false), test("mixed", mixed(), true)]
 }
 
@@ -67,7 +67,7 @@ fn blocks_first() -> Vec<Test> {
 }
 
 /// The study of some tests of the pad, from the force in each of them without noise.
-fn pad(tests: Vec<Test>, force: impl Fn(&Test) -> Vec<f64>) -> Concealed {
+pub fn pad(tests: Vec<Test>, force: impl Fn(&Test) -> Vec<f64>) -> Concealed {
     let mut noise = Noise::default();
     let runs = tests.into_iter().map(|t| {
         let force = force(&t).iter().map(|f| f + NOISE * noise.next()).collect();

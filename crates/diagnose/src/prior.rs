@@ -159,6 +159,11 @@ prior! {
 
     /// Gain over the user's model from which a repair is written although structure remains. A choice.
     MIN_REPAIR_GAIN: f64 = 5.0, "nats";
+    /// Gain of a pair over its first effect alone from which the repair may have both, although the second has no sure name. A
+    /// choice: well above that of chance.
+    MIN_SECOND_REPAIR_GAIN: f64 = 10.0, "nats";
+    /// Error in the runs held out, over that of the first effect alone, below which such a repair has both. A choice.
+    MAX_SECOND_REPAIR_RATIO: f64 = 0.8, "ratio";
     /// Structured share of the residual of the user's model above which two effects are sought although no single one gains. A
     /// choice.
     MIN_STRUCTURE_FOR_PAIRS: f64 = 0.18, "1";

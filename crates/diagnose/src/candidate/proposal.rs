@@ -72,6 +72,18 @@ pub(crate) struct WholeLawParts {
     pub(crate) basis: &'static str,
 }
 
+/// Course of another value of a parameter in time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// It holds between the times.
+    #[default]
+    Step,
+    /// It is reached on a ramp between the times, and holds.
+    Ramp,
+    /// It is there at the first time, and back at the usual one on a ramp up to the second.
+    Recovery,
+}
+
 /// Other values of the user's parameters, by the names of the added parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ChangedCondition {
@@ -85,8 +97,7 @@ pub(crate) struct ChangedCondition {
     pub(crate) from: Option<String>,
     /// Time up to which they hold, or at which a ramp ends; none for the end.
     pub(crate) to: Option<String>,
-    /// True if they are reached on a ramp between these times, and hold.
-    pub(crate) ramp: bool,
+    pub(crate) course: Course,
 }
 
 /// An edit of the script, or a fault of a channel.
@@ -138,7 +149,7 @@ impl fmt::Debug for Proposal {
 impl ChangedCondition {
     /// Returns true if the values hold in a whole run.
     pub(crate) fn is_of_whole_run(&self) -> bool {
-        self.run.is_some() && self.from.is_none() && self.to.is_none() && !self.ramp
+        self.run.is_some() && self.from.is_none() && self.to.is_none() && self.course == Course::Step
     }
 
     /// The same with other names of the added parameters.
@@ -149,7 +160,7 @@ impl ChangedCondition {
             factors: self.factors.iter().map(|(own, added)| (own.clone(), rename(added))).collect(),
             from: self.from.as_deref().map(&rename),
             to: self.to.as_deref().map(&rename),
-            ramp: self.ramp,
+            course: self.course,
         }
     }
 }

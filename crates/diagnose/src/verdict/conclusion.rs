@@ -28,7 +28,9 @@ use crate::hypothesis::is_sensor_fault;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE};
+use crate::prior::{
+    COMPLETE_MODEL_LOG_ODDS, MAX_SECOND_REPAIR_RATIO, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_SECOND_REPAIR_GAIN,
+};
 use crate::residual::unmodelled_structure::UnmodelledStructure;
 use hysteron_identify::study::{
     InitialRun, ObservedChannel, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -92,6 +94,8 @@ pub(super) struct Repair {
     limits: Vec<ProbabilityLimit>,
     /// Times at which a parameter of the user's changed.
     pub(super) times: Vec<TimeOfChange>,
+    /// True if its second effect has no sure name.
+    open_second: bool,
 }
 
 impl Repair {
@@ -105,6 +109,23 @@ impl Repair {
             errors: None,
             limits: vec![],
             times: vec![],
+            open_second: false,
+        }
+    }
+
+    /// Second cause if it has a name; none for an unknown cause.
+    pub(super) fn named_second_cause(&self, verdict: &str) -> Option<&'static str> {
+        self.hypothesis.second_cause().filter(|_| verdict != "unknown" && !self.open_second)
+    }
+
+    /// The second effect in words where its name is open; empty otherwise.
+    pub(super) fn open_second_in_words(&self) -> String {
+        match self.hypothesis.second_cause().filter(|_| self.open_second) {
+            Some(second) => format!(
+                " The repair has {second} beside it, because both together predict the runs held out better. Another second effect may do \
+                 the same, so that it is not named."
+            ),
+            None => String::new(),
         }
     }
 
@@ -325,7 +346,25 @@ impl VerdictJudge<'_, '_> {
                 return Ok(second);
             }
         }
-        Ok(repair)
+        if matches!(cause, "none" | "unknown") { Ok(repair) } else { self.with_open_second_effect(repair) }
+    }
+
+    /// The repair with a second effect too, whose name is open, where both together predict the runs held out clearly better.
+    ///
+    /// Several second effects may explain as much, so that none is likely; that there is one may be sure all the same.
+    fn with_open_second_effect(&mut self, repair: Repair) -> Result<Repair, String> {
+        let first = &repair.hypothesis;
+        let is_pair = |e: &&FittedHypothesis| {
+            let of_model = e.second_cause().is_some_and(|second| !is_sensor_fault(second));
+            of_model && e.cause() == first.cause() && e.log_evidence > first.log_evidence + MIN_SECOND_REPAIR_GAIN
+        };
+        let pair = self.ranked.iter().find(is_pair).filter(|_| first.second_cause().is_none() && !repair.is_refused());
+        let Some(pair) = pair else { return Ok(repair) };
+        let both = Repair { open_second: true, ..self.repair(pair.clone())? };
+        let held_out = |r: &Repair| r.errors.and_then(|e| e.after);
+        let is_better =
+            held_out(&both).zip(held_out(&repair)).is_some_and(|(both, alone)| both <= MAX_SECOND_REPAIR_RATIO * alone);
+        Ok(if is_better && !both.is_refused() { both } else { repair })
     }
 
     /// The last search, from the optimum of a hypothesis and from points around it, and the judgement of the runs held out.
@@ -381,7 +420,7 @@ impl VerdictJudge<'_, '_> {
             simulate: &simulate,
         };
         let limits = gated.limits();
-        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits, times })
+        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits, times, open_second: false })
     }
 
     /// Times of change of a repair, of which those of the fit are put into the middle of their intervals.

@@ -1,7 +1,7 @@
 //! Another value of a user's parameter in words: its values, the run, and the times.
 
 use super::quantity::digits;
-use crate::candidate::proposal::ChangedCondition;
+use crate::candidate::proposal::{ChangedCondition, Course};
 use crate::candidate::variant::Variant;
 use serde::Serialize;
 
@@ -19,6 +19,9 @@ pub struct TimeSpan {
     /// True if the values are reached on a ramp, and hold from its end on.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub ramp: bool,
+    /// True if they are there at its beginning, and back at the usual ones on a ramp to its end.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub recovers: bool,
 }
 
 /// A changed condition with its fitted values.
@@ -57,8 +60,9 @@ impl<'a> FittedCondition<'a> {
         let time = |name: &Option<String>| name.as_deref().and_then(|n| self.value(n));
         let (from, to) = (time(&self.condition.from), time(&self.condition.to));
         let run = self.condition.run.clone().unwrap_or_default();
-        let ramp = self.condition.ramp;
-        (ramp || from.is_some() || to.is_some()).then_some(TimeSpan { run, from, to, ramp })
+        let course = self.condition.course;
+        let (ramp, recovers) = (course == Course::Ramp, course == Course::Recovery);
+        (course != Course::Step || from.is_some() || to.is_some()).then_some(TimeSpan { run, from, to, ramp, recovers })
     }
 
     /// When the parameters have the other values, in words.
@@ -66,7 +70,7 @@ impl<'a> FittedCondition<'a> {
         let seconds = |t: f64| digits(t, DIGITS);
         let time = self.span().map(|s| match (s.from, s.to) {
             (None, None) => "from the beginning to the end".to_owned(),
-            (Some(from), None) if s.ramp => format!("from {} s to the end", seconds(from)),
+            (Some(from), None) if s.ramp || s.recovers => format!("from {} s to the end", seconds(from)),
             (None, Some(to)) if s.ramp => format!("from the beginning to {} s", seconds(to)),
             (Some(from), Some(to)) => format!("from {} to {} s", seconds(from), seconds(to)),
             (Some(from), None) => format!("from {} s on", seconds(from)),
@@ -80,7 +84,13 @@ impl<'a> FittedCondition<'a> {
     /// The values in words: `Fp is 13.9 from 3.6 to 9.7 s in the run A, and 10 otherwise`, or `k goes from 10 to 8 from 2 to 9 s`.
     pub(super) fn description(&self) -> String {
         let all = self.changed();
-        if self.condition.ramp {
+        if self.condition.course == Course::Recovery {
+            let of = |(name, x, usual): &(&str, f64, f64)| {
+                format!("{name} jumps to {} and goes back to {}", digits(*x, DIGITS), digits(*usual, DIGITS))
+            };
+            return format!("{} {}", all.iter().map(of).collect::<Vec<_>>().join(" and "), self.when());
+        }
+        if self.condition.course == Course::Ramp {
             let of = |(name, x, usual): &(&str, f64, f64)| {
                 format!("{name} goes from {} to {}", digits(*usual, DIGITS), digits(*x, DIGITS))
             };
@@ -94,7 +104,7 @@ impl<'a> FittedCondition<'a> {
     /// The value that has to be known of another run before it is predicted.
     pub(super) fn needed(&self) -> String {
         let all = self.changed();
-        if self.condition.ramp && self.condition.run.is_none() {
+        if self.condition.course == Course::Ramp && self.condition.run.is_none() {
             let names: Vec<&str> = all.iter().map(|(name, ..)| *name).collect();
             let names = names.join(" and ");
             return format!(
@@ -115,7 +125,7 @@ impl<'a> FittedCondition<'a> {
 #[cfg(test)]
 mod tests {
     use super::FittedCondition;
-    use crate::candidate::proposal::{ChangedCondition, Proposal};
+    use crate::candidate::proposal::{ChangedCondition, Course, Proposal};
     use crate::candidate::variant::Variant;
     use crate::inspect::insertion::InsertionPoint;
     use crate::test_support::{baseline, script_edit};
@@ -132,7 +142,7 @@ mod tests {
             factors: vec![(name.clone(), added("factor"))],
             from: from.then(|| added("from")),
             to: to.then(|| added("to")),
-            ramp,
+            course: if ramp { Course::Ramp } else { Course::Step },
         };
         let proposal =
             Proposal { condition: Some(condition), ..script_edit("changed_condition", &["factor", "from", "to"]) };
@@ -181,6 +191,15 @@ mod tests {
         let (variant, values, name) = fitted(false, false, true);
         let needed = FittedCondition::of(&variant, &values).expect("a condition").needed().replace(&name, "x");
         assert!(needed.contains("whether x changes in it too"), "{needed}");
+    }
+
+    #[test]
+    fn a_way_back_has_both_values() {
+        let (mut variant, values, name) = fitted(true, true, false);
+        variant.proposal.as_mut().and_then(|p| p.condition.as_mut()).expect("a condition").course = Course::Recovery;
+        let c = FittedCondition::of(&variant, &values).expect("a condition");
+        assert_eq!(c.description().replace(&name, "x"), "x jumps to 15 and goes back to 10 from 2 to 4 s in the run A");
+        assert!(c.span().is_some_and(|s| s.recovers && !s.ramp));
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(super) fn verdict_in_words(
     let (cause, repair) = (verdict.cause, &verdict.repair);
     let Ranking { baseline, ranked, bootstrap, left_out } = ranking;
     let hypothesis = &repair.hypothesis;
-    let second_causes: Vec<&str> = hypothesis.second_cause().into_iter().filter(|_| cause != "unknown").collect();
+    let second_causes: Vec<&str> = repair.named_second_cause(cause).into_iter().collect();
     let share = remaining_share(baseline, repair);
     let judgement = uncertainty.map(|u| &u.judgement);
     let mut text = explanation(cause, hypothesis, &second_causes, &structure.description, share, judgement);
@@ -58,6 +58,7 @@ pub(super) fn verdict_in_words(
         text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
                  fewer samples, may tell more.";
     }
+    text += &repair.open_second_in_words();
     text += &repair.judgement.description();
     if !left_out.is_empty() {
         text += &format!(

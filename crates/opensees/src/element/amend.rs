@@ -71,6 +71,7 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
         Arg::of("-from", "t1", "domain time from which it has the other value; the beginning where it is left out"),
         Arg::of("-reached", "t2", "domain time at which it has the whole of the other value; a ramp begins at `-from`"),
         Arg::of("-to", "t3", "domain time up to which it has it; the end where it is left out"),
+        Arg::of("-recovered", "t4", "domain time at which it has its own value again; the way back begins at `-to`"),
     ])];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
@@ -79,7 +80,7 @@ const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-di
                      amend element $tag <$tag ...> hinges -mat $mat <-end i|j> | \
                      amend element $tag <$tag ...> ends -from $old -to $new | \
                      amend node $tag dampedAs $other | amend node $tag late -by $delay | \
-                     amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>";
+                     amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3> <-recovered $t4>";
 
 fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;

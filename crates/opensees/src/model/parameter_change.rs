@@ -36,6 +36,8 @@ struct Change {
     /// Time at which a ramp from the own value ends; not after `from` for a step.
     reached: f64,
     to: f64,
+    /// Time at which a ramp back to the own value ends; not after `to` where it has it at once.
+    recovered: f64,
 }
 
 /// Steps of a ramp. Each needs another run of the script up to its first analysis.
@@ -47,24 +49,32 @@ impl Change {
     /// Part of the other value that the parameter has in the mean of a step, so that the response is continuous in all times.
     fn part(&self, begin: f64, end: f64) -> f64 {
         let (begin, end) = (begin.min(end), begin.max(end));
-        if self.reached <= self.from {
-            return self.part_from(self.from, begin, end);
-        }
-        let step = (self.reached - self.from) / RAMP_STEPS as f64;
-        let starts = (0..RAMP_STEPS).map(|i| self.from + (i as f64 + 0.5) * step);
-        starts.map(|from| self.part_from(from, begin, end)).sum::<f64>() / RAMP_STEPS as f64
+        let ends = moments(self.to, self.recovered);
+        let until = |to: f64| mean(moments(self.from, self.reached).map(|from| shared(from, to, begin, end)));
+        mean(ends.map(until))
     }
+}
 
-    /// Part of a step after a time and before the end of the other value.
-    fn part_from(&self, from: f64, begin: f64, end: f64) -> f64 {
-        if begin == end {
-            return f64::from(u8::from(from <= begin && begin < self.to));
-        }
-        match (self.to.min(end) - from.max(begin)) / (end - begin) {
-            part if part < ROUND_OFF => 0.0,
-            part if part > 1.0 - ROUND_OFF => 1.0,
-            part => part,
-        }
+/// Times at which the parts of a ramp hold, the same for all its steps; the time alone where there is none.
+fn moments(first: f64, last: f64) -> impl ExactSizeIterator<Item = f64> {
+    let (count, step) = if last > first { (RAMP_STEPS, (last - first) / RAMP_STEPS as f64) } else { (1, 0.0) };
+    (0..count).map(move |i| if step == 0.0 { first } else { first + (i as f64 + 0.5) * step })
+}
+
+fn mean(parts: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = parts.len() as f64;
+    parts.sum::<f64>() / count
+}
+
+/// Part of a step between two times.
+fn shared(from: f64, to: f64, begin: f64, end: f64) -> f64 {
+    if begin == end {
+        return f64::from(u8::from(from <= begin && begin < to));
+    }
+    match (to.min(end) - from.max(begin)) / (end - begin) {
+        part if part < ROUND_OFF => 0.0,
+        part if part > 1.0 - ROUND_OFF => 1.0,
+        part => part,
     }
 }
 
@@ -106,7 +116,7 @@ impl ParameterChanges {
     }
 }
 
-/// `amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3>`, behind the first two words.
+/// `amend parameter $name -factor $f <-from $t1> <-reached $t2> <-to $t3> <-recovered $t4>`, behind the first two words.
 pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     let name = a.word("name of the parameter")?.into_owned();
     if !interp.host.declared.contains_key(&name) {
@@ -115,14 +125,15 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
             if known.is_empty() { "none is declared".to_owned() } else { format!("declared: {}", known.join(" ")) };
         return Err(a.refuse(format!("no number \"{name}\" is declared by pset"), there));
     }
-    let (mut factor, mut from, mut reached, mut to) = (None, None, None, None);
+    let (mut factor, mut from, mut reached, mut to, mut recovered) = (None, None, None, None, None);
     while let Some(word) = a.option() {
         match word.as_ref() {
             "-factor" => factor = Some(a.positive("factor on the parameter")?),
             "-from" => from = Some(a.float("time from which it has the other value")?),
             "-reached" => reached = Some(a.float("time at which it has the whole of the other value")?),
             "-to" => to = Some(a.float("time up to which it has the other value")?),
-            _ => return Err(a.unknown_name("option", ["-factor", "-from", "-reached", "-to"])),
+            "-recovered" => recovered = Some(a.float("time at which it has its own value again")?),
+            _ => return Err(a.unknown_name("option", ["-factor", "-from", "-reached", "-to", "-recovered"])),
         }
     }
     let Some(factor) = factor.filter(|_| from.is_some() || to.is_some()) else {
@@ -132,6 +143,10 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     if reached.is_some() && from.is_none() {
         let message = "amend parameter: -reached ends a ramp, which needs a beginning";
         return Err(a.refuse(message, "expected -from $t1 with it"));
+    }
+    if recovered.is_some() && to.is_none() {
+        let message = "amend parameter: -recovered ends a way back, which needs a beginning";
+        return Err(a.refuse(message, "expected -to $t3 with it"));
     }
     finish(interp, a)?;
     let session = &mut interp.host;
@@ -144,7 +159,8 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     }
     // In a search the end may come before the beginning: the other value is never taken then.
     let (from, to) = (from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY));
-    session.changes.all.push(Change { name, factor, from, reached: reached.unwrap_or(from), to });
+    let (reached, recovered) = (reached.unwrap_or(from), recovered.unwrap_or(to));
+    session.changes.all.push(Change { name, factor, from, reached, to, recovered });
     session.changes.parts.push(0.0);
     Ok(Value::EMPTY)
 }
@@ -256,7 +272,7 @@ mod tests {
     use super::{Change, ParameterChanges};
 
     fn change(factor: f64, from: f64, to: f64) -> Change {
-        Change { name: "Fy".into(), factor, from, reached: from, to }
+        Change { name: "Fy".into(), factor, from, reached: from, to, recovered: to }
     }
 
     #[test]
@@ -279,6 +295,17 @@ mod tests {
         assert_eq!(c.part(1.0, 1.05), 0.0);
         // A ramp that ends before it begins is a step.
         assert_eq!(Change { reached: 0.0, ..c }.part(1.0, 1.1), 1.0);
+    }
+
+    /// From 1 s on, and on the way back from there to 3 s.
+    #[test]
+    fn a_value_recovers_linearly_in_time() {
+        let c = Change { recovered: 3.0, ..change(2.0, 1.0, 1.0) };
+        let parts = [(0.0, 1.0), (1.0, 1.5), (1.5, 2.5), (2.5, 3.0), (3.0, 4.0)].map(|(b, e)| c.part(b, e));
+        assert_eq!(parts, [0.0, 0.875, 0.5, 0.125, 0.0]);
+        // A way back that ends before it begins is a step back.
+        let back = Change { recovered: 1.0, ..change(2.0, 1.0, 4.0) };
+        assert_eq!([back.part(3.0, 4.0), back.part(4.0, 5.0)], [1.0, 0.0]);
     }
 
     #[test]

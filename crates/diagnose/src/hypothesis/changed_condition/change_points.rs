@@ -5,6 +5,7 @@
 //! cells of time give the error that each span leaves.
 
 use super::super::context::Sensitivities;
+use crate::candidate::proposal::Course;
 use crate::prior::{CHANGE_PLACES, HISTORY_SCALES, MIN_RAMP_PLACES};
 use nalgebra::{Cholesky, DVector, Dyn};
 
@@ -12,15 +13,6 @@ use nalgebra::{Cholesky, DVector, Dyn};
 const DAMPING: f64 = 1e-3;
 /// Part of an addition outside of the derivatives below which it is none of its own.
 const MIN_OWN_PART: f64 = 1e-6;
-
-/// Course of another value of a parameter in time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Course {
-    /// It holds between the times.
-    Step,
-    /// It is reached on a ramp between the times, and holds.
-    Ramp,
-}
 
 /// A span of time with another value of a parameter, or on the way to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,19 +159,28 @@ impl<'a> ChangePoints<'a> {
         Some(Span { run: Some(run), coordinate, change, share, ..STEP })
     }
 
-    /// The best ramps of a parameter in a run: over all of it, from a time on, up to one, and between two.
+    /// The best ramps of a parameter in a run: over all of it, from a time on, up to one, and between two; and the best ways
+    /// back from a time on, up to the end and up to another time.
     pub(super) fn ramps(&self, run: usize, coordinate: usize) -> Vec<Span> {
         let cells = self.cells(run, coordinate);
-        let ends = |begin| (begin + MIN_RAMP_PLACES..=CHANGE_PLACES).map(move |end| (begin, end));
-        let added = (0..CHANGE_PLACES).flat_map(ends).map(|(begin, end)| {
-            let mut sum = Addition::none(self.s.derivatives.ncols());
-            for (m, own) in cells.iter().enumerate() {
-                let part = (m as f64 + 0.5 - begin as f64) / (end - begin) as f64;
-                sum.add(own, part.clamp(0.0, 1.0));
-            }
-            ((begin, end), sum)
-        });
-        self.best(Span { run: Some(run), coordinate, course: Course::Ramp, ..STEP }, added)
+        let of_course = |course: Course, first: usize| {
+            let weight = |part: f64| match course {
+                Course::Recovery if part < 0.0 => 0.0,
+                Course::Recovery => (1.0 - part).max(0.0),
+                _ => part.clamp(0.0, 1.0),
+            };
+            let ends = |begin| (begin + MIN_RAMP_PLACES..=CHANGE_PLACES).map(move |end| (begin, end));
+            let added = (first..CHANGE_PLACES).flat_map(ends).map(|(begin, end)| {
+                let mut sum = Addition::none(self.s.derivatives.ncols());
+                for (m, own) in cells.iter().enumerate() {
+                    sum.add(own, weight((m as f64 + 0.5 - begin as f64) / (end - begin) as f64));
+                }
+                ((begin, end), sum)
+            });
+            self.best(Span { run: Some(run), coordinate, course, ..STEP }, added)
+        };
+        // A way back from the beginning on is a ramp from another usual value.
+        [of_course(Course::Ramp, 0), of_course(Course::Recovery, 1)].concat()
     }
 
     /// The best ramps of a parameter that follow a clock in all runs: over all of it, and up to a part of it.
@@ -340,6 +341,25 @@ mod tests {
         assert!(one.share > 0.9 && clock < one.share, "{one:?} {clock}");
         let (one, clock) = best(&time);
         assert!(clock > 0.9 && one.share < clock, "{one:?} {clock}");
+    }
+
+    /// A strength that jumps, and is back at its own a while later.
+    #[test]
+    fn a_way_back_is_found_with_its_times() {
+        let j = derivatives();
+        let noise = white_noise(11, 2 * N);
+        let effect = |i: usize| {
+            let part = ((i % N) as f64 / N as f64 - 0.3) / 0.5;
+            if i < N || part < 0.0 { 0.0 } else { (1.0 - part).max(0.0) }
+        };
+        let residual: Vec<f64> = (0..2 * N).map(|i| 0.05 * noise[i] - effect(i) * j[0][i]).collect();
+        let (residual, derivatives) = of_series(&residual, &j);
+        let s = Sensitivities { residual: &residual, derivatives: &derivatives, channels: &[N, N] };
+        let points = ChangePoints::new(&s, &[1, 1]).expect("a residual");
+        let best = points.ramps(1, 0).into_iter().max_by(|a, b| a.share.total_cmp(&b.share)).expect("a ramp");
+        let steps = points.spans(1, 0).into_iter().map(|s| s.share).fold(0.0, f64::max);
+        assert_eq!((best.course, best.from, best.to), (super::Course::Recovery, Some(0.3), Some(0.8)));
+        assert!(best.share > 0.9 && steps < best.share, "{best:?} {steps}");
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Another value of a parameter for a part of a run, or on a ramp.
 
-use super::change_points::{ChangePoints, Course, Span};
+use super::change_points::{ChangePoints, Span};
 use super::{CAUSE, Declared, declared, factor_name, only_in_run};
-use crate::candidate::proposal::ChangedCondition;
+use crate::candidate::proposal::{ChangedCondition, Course};
 use crate::hypothesis::context::{ProposalContext, distinguishing_variable};
 use crate::hypothesis::{AddedParameter, Proposal};
 use crate::inspect::response::ResponseHistory;
@@ -152,16 +152,21 @@ fn proposal(
     let [first, last] = bounds(run, runs)?;
     let mut factor = AddedParameter::log(&factor_name(p.name), CONDITION_FACTORS[0], CONDITION_FACTORS[1], 1.3);
     factor.start = start_factor(s, p, span.change).clamp(CONDITION_FACTORS[0], CONDITION_FACTORS[1]);
-    let ramp = span.course == Course::Ramp;
-    let times = [(FROM, "from", span.from, first), (TO, if ramp { "reached" } else { "to" }, span.to, last)];
+    // The beginning of a way back is that of the other value.
+    let [begins, ends] = match span.course {
+        Course::Step => [&["from"][..], &["to"]],
+        Course::Ramp => [&["from"][..], &["reached"]],
+        Course::Recovery => [&["from", "to"][..], &["recovered"]],
+    };
+    let times = [(FROM, begins, span.from, first), (TO, ends, span.to, last)];
     let mut options = String::new();
     let mut added = vec![];
-    for (name, option, part, bound) in times {
+    for (name, own, part, bound) in times {
         if let Some(part) = part {
             added.push(AddedParameter::linear(name, first, last, first + part * (last - first)));
-            options += &format!(" -{option} $::hy_{name}");
-        } else if ramp {
-            options += &format!(" -{option} {bound}");
+            own.iter().for_each(|option| options += &format!(" -{option} $::hy_{name}"));
+        } else if span.course != Course::Step {
+            own.iter().for_each(|option| options += &format!(" -{option} {bound}"));
         }
     }
     let command = format!("amend parameter {} -factor $::hy_{}{options}", p.name, factor_name(p.name));
@@ -172,6 +177,7 @@ fn proposal(
     let form = match (span.course, span.from, span.to) {
         (Course::Ramp, None, None) => "a parameter that goes steadily to another value",
         (Course::Ramp, ..) => "a parameter that goes to another value on a ramp",
+        (Course::Recovery, ..) => "another value of a parameter that goes back to the usual one",
         (_, Some(_), Some(_)) => "another value of a parameter between two times",
         (_, Some(_), None) => "another value of a parameter from a time on",
         _ => "another value of a parameter up to a time",
@@ -183,11 +189,11 @@ fn proposal(
         factors: vec![(p.name.to_owned(), factor.name.clone())],
         from: name(FROM),
         to: name(TO),
-        ramp,
+        course: span.course,
     };
     let parameters = std::iter::once(factor).chain(added).collect();
     let location = match run {
-        Some(run) if ramp => format!("parameter {} on a ramp in the run {}", p.name, run.name),
+        Some(run) if span.course == Course::Ramp => format!("parameter {} on a ramp in the run {}", p.name, run.name),
         Some(run) => format!("parameter {} in a part of the run {}", p.name, run.name),
         None => format!("parameter {} with the time of each run", p.name),
     };

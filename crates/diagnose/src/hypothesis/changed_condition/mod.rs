@@ -27,7 +27,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "one run differs from the first cycle on, or from one moment to another, as another value of one parameter of the model makes it",
     parted_by: "`sensor_gain` scales elastic and hysteretic force alike, and every run of the instrument; `cyclic_degradation` and `self_heating` follow the work, without a moment at which they begin, and rest where the motion rests; a ramp goes on",
     place: "up to six parameters with a value in the script, in up to three of at least two fitted runs, where a variable of the study tells the runs apart. A run held out that has half the error with the other values takes them, which is said",
-    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.05 to 20. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, and one by the clock of every run",
+    forms: "the values of one parameter, or of two of the first four where there are others, in one run, by factors of 0.05 to 20. The value of one parameter from a time on, up to a time, or between two times: four spans of the scan at most, in one fitted run or, where a variable tells the runs apart, in any. A ramp to another value over a run, or between two times, one back to the usual value, and one by the clock of every run",
     needs_clock: false,
     memory: &[],
     materials: &[],
