@@ -27,7 +27,7 @@ impl Plastic {
 }
 
 /// A sine that grows for 8 s.
-fn growing() -> Vec<f64> {
+pub fn growing() -> Vec<f64> {
     (0..400).map(|i| DT * f64::from(i)).map(|t| 0.006 * t * (4.0 * t).sin()).collect()
 }
 
