@@ -137,7 +137,12 @@ fn between_cycles(
 
 #[cfg(test)]
 mod tests {
-    use super::SteadyMotion;
+    use super::{SteadyMotion, compare_cycles};
+    use crate::candidate::proposal::{ChangedCondition, Proposal};
+    use crate::fit::fitted::FittedHypothesis;
+    use crate::inspect::insertion::InsertionPoint;
+    use crate::test_support::{baseline, fitted_at, script_edit, white_noise};
+    use hysteron_identify::study::Role;
     use std::f64::consts::TAU;
 
     fn series(n: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {
@@ -156,6 +161,48 @@ mod tests {
         assert_eq!(steady(&series(900, |i| i * (TAU * i / 128.0).sin())), None);
         assert_eq!(steady(&series(900, |i| (TAU * i / 128.0).sin() + (TAU * i / 90.1).sin())), None);
         assert_eq!(steady(&series(380, |i| (TAU * i / 128.0).sin())), None);
+    }
+
+    /// Another value for a time takes what differs between cycles, beside a large error that every cycle repeats. A rival that
+    /// takes it as well leaves it where it was.
+    #[test]
+    fn a_change_in_time_has_the_evidence_of_what_differs_between_cycles() {
+        let own = baseline();
+        let study = own.variant.study.clone();
+        let run = study.runs.iter().position(|r| r.role == Role::Fit).expect("a fitted run");
+        let lengths: Vec<usize> =
+            study.runs_of(Role::Fit).flat_map(|(_, r)| r.observe.iter().map(|o| o.values.len())).collect();
+        let motion = SteadyMotion { length: 40.0, samples: 0..lengths[0] / 40 * 40 };
+        let mut motions = vec![None; study.runs.len()];
+        motions[run] = Some(motion);
+        let residuals = |changed: f64, seed: u64| -> Option<Vec<Vec<f64>>> {
+            let of = |n: &usize| {
+                let noise = white_noise(seed, *n);
+                let at = |i: usize| (TAU * i as f64 / 40.0).sin();
+                let step = |i: usize| if (n / 3..n / 2).contains(&i) { changed * at(i).signum() } else { 0.0 };
+                (0..*n).map(|i| 3.0 * at(i).powi(3) + step(i) + 0.05 * noise[i]).collect()
+            };
+            Some(lengths.iter().map(of).collect())
+        };
+        let in_time = Proposal {
+            condition: Some(ChangedCondition { from: Some("hy_from".into()), ..ChangedCondition::default() }),
+            ..script_edit("changed_condition", &["factor", "from"])
+        };
+        let of = |proposal: &Proposal, added: &[f64]| {
+            fitted_at(own.variant.with_proposal(&InsertionPoint::At(0), proposal).expect("a variant"), added)
+        };
+        let told = |rival: f64| {
+            let mut all: Vec<FittedHypothesis> =
+                vec![own.clone(), of(&in_time, &[0.5, 0.5]), of(&script_edit("friction", &["x"]), &[0.5])];
+            let left = [1.0, 0.0, rival];
+            for (k, (e, changed)) in all.iter_mut().zip(left).enumerate() {
+                (e.held_out, e.log_evidence) = (residuals(changed, k as u64), 10.0 - k as f64);
+            }
+            compare_cycles(&study, &mut all, &motions);
+            (all[0].cause(), all.iter().any(|e| e.told_between_cycles))
+        };
+        assert_eq!(told(1.0), ("changed_condition", true));
+        assert_eq!(told(0.0), ("none", false));
     }
 
     #[test]
