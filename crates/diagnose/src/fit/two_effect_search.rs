@@ -155,11 +155,7 @@ impl PairSearch<'_> {
         let Some(best) = best_pair(pairs).filter(|p| p.gain(&ranked[0]) > 0.0) else { return Ok(()) };
         let alone = (0..2).filter_map(|side| Some(self.effect_of_pair(best, side)?.hypothesis)).collect();
         for found in scheduler.refine(STAGE, alone, SECOND_ROUND_ITERATIONS)? {
-            let better = |e: &&mut FittedHypothesis| {
-                Arc::ptr_eq(&e.variant, &found.variant) && found.fitted.objective < e.fitted.objective
-            };
-            if let Some(known) = ranked.iter_mut().find(better) {
-                known.fitted = found.fitted;
+            if let Some(known) = improved_by(ranked, found) {
                 scheduler.hold_out(STAGE, std::slice::from_mut(known))?;
             }
         }
@@ -268,11 +264,38 @@ impl PairSearch<'_> {
     }
 }
 
+/// Gives a known hypothesis the optimum of a search of its variant where that is better; `None` where it is not.
+fn improved_by(known: &mut [FittedHypothesis], found: FittedHypothesis) -> Option<&mut FittedHypothesis> {
+    let is_improved = |e: &&mut FittedHypothesis| {
+        Arc::ptr_eq(&e.variant, &found.variant) && found.fitted.objective < e.fitted.objective
+    };
+    let known = known.iter_mut().find(is_improved)?;
+    known.fitted = found.fitted;
+    Some(known)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{EffectPair, PairSearch};
+    use super::{EffectPair, PairSearch, improved_by};
     use crate::inspect::insertion::InsertionPoint;
     use crate::test_support::{baseline, fitted_at, script_edit};
+
+    /// A better optimum counts for the hypothesis of its variant alone, a worse one for none.
+    #[test]
+    fn a_single_effect_is_improved_by_a_search_from_a_pair() {
+        let with = |cause: &'static str| {
+            let proposal = script_edit(cause, &["x"]);
+            fitted_at(baseline().variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant"), &[0.5])
+        };
+        let mut known = [with("friction"), with("damping")];
+        let mut found = known[1].clone();
+        found.fitted.objective = 2.0;
+        assert!(improved_by(&mut known, found.clone()).is_none());
+        found.fitted.objective = 0.5;
+        assert!(improved_by(&mut known, found).is_some_and(|e| e.cause() == "damping"));
+        assert_eq!([known[0].fitted.objective, known[1].fitted.objective], [1.0, 0.5]);
+        assert!(improved_by(&mut known, with("friction")).is_none());
+    }
 
     /// A reordered pair keeps the values of all parameters, and each effect its own.
     #[test]

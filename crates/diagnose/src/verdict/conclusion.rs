@@ -310,8 +310,7 @@ impl VerdictJudge<'_, '_> {
     /// A pair has the most evidence, and its first effect alone was repaired: nothing is named, so both may stand.
     fn nearest_repair(&mut self, repaired: Repair) -> Result<Repair, String> {
         let best = &self.ranked[0];
-        let is_part = best.second_cause().is_some() && best.cause() == repaired.hypothesis.cause();
-        if !is_part || Arc::ptr_eq(&best.variant, &repaired.hypothesis.variant) {
+        if !is_pair_of_repaired(best, &repaired.hypothesis) {
             return Ok(repaired);
         }
         let nearest = self.repair(best.clone())?;
@@ -362,8 +361,7 @@ impl VerdictJudge<'_, '_> {
         let Some(pair) = pair else { return Ok(repair) };
         let both = Repair { open_second: true, ..self.repair(pair.clone())? };
         let held_out = |r: &Repair| r.errors.and_then(|e| e.after);
-        let is_better =
-            held_out(&both).zip(held_out(&repair)).is_some_and(|(both, alone)| both <= MAX_SECOND_REPAIR_RATIO * alone);
+        let is_better = predicts_clearly_better(held_out(&both), held_out(&repair));
         Ok(if is_better && !both.is_refused() { both } else { repair })
     }
 
@@ -434,6 +432,17 @@ impl VerdictJudge<'_, '_> {
     }
 }
 
+/// Returns true if two effects together leave clearly less than the first alone in the runs held out, which both must have.
+fn predicts_clearly_better(both: Option<f64>, alone: Option<f64>) -> bool {
+    both.zip(alone).is_some_and(|(both, alone)| both <= MAX_SECOND_REPAIR_RATIO * alone)
+}
+
+/// Returns true if a hypothesis is a pair whose first effect alone was repaired.
+fn is_pair_of_repaired(best: &FittedHypothesis, repaired: &FittedHypothesis) -> bool {
+    let is_part = best.second_cause().is_some() && best.cause() == repaired.cause();
+    is_part && !Arc::ptr_eq(&best.variant, &repaired.variant)
+}
+
 /// Share of the baseline's squared error that a repair leaves.
 pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
     let before = baseline.fitted.objective;
@@ -442,9 +451,29 @@ pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f
 
 #[cfg(test)]
 mod tests {
-    use super::RefutedEffect;
+    use super::{RefutedEffect, is_pair_of_repaired, predicts_clearly_better};
+    use crate::candidate::proposal::Proposal;
     use crate::inspect::insertion::InsertionPoint;
     use crate::test_support::{baseline, fitted_at, script_edit};
+
+    #[test]
+    fn a_second_effect_without_a_name_predicts_clearly_better() {
+        assert!(predicts_clearly_better(Some(0.03), Some(0.07)));
+        assert!(!predicts_clearly_better(Some(0.06), Some(0.07)) && !predicts_clearly_better(Some(0.03), None));
+    }
+
+    #[test]
+    fn the_pair_of_a_repaired_first_effect_is_its_nearest_repair() {
+        let of = |proposal: &Proposal| {
+            let variant = baseline().variant.with_proposal(&InsertionPoint::At(0), proposal).expect("a variant");
+            fitted_at(variant, &vec![0.5; proposal.parameters.len()])
+        };
+        let (first, other) = (script_edit("friction", &["x"]), script_edit("damping", &["y"]));
+        let (pair, alone) = (of(&first.combined_with(&other)), of(&first));
+        assert!(is_pair_of_repaired(&pair, &alone));
+        assert!(!is_pair_of_repaired(&pair, &pair) && !is_pair_of_repaired(&pair, &of(&other)));
+        assert!(!is_pair_of_repaired(&alone, &of(&first)));
+    }
 
     /// A refuted mechanism leaves the others of its cause in the search, a refuted cause none of them.
     #[test]
