@@ -8,6 +8,7 @@ use super::learned::{LearnedContext, LearnedModel, learned_repair};
 use super::like_motion::RunMotions;
 use super::limits_of_none::limit_by_judgement;
 use super::presentation::{present, uncertainty_of};
+use super::repair::{RefutedEffect, Repair, is_pair_of_repaired, predicts_clearly_better};
 use super::time_of_change::TimeOfChange;
 use crate::candidate::channel_fault::ChannelFault;
 use crate::candidate::variant::Variant;
@@ -15,7 +16,7 @@ use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, judge};
 use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::second_effect::has_second_effect;
-use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, RepairEvidence, VerdictEvidence};
+use crate::evidence::verdict_evidence::{RankedStudy, VerdictEvidence};
 use crate::evidence::verdict_model::{CauseProbabilities, cause_probabilities};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
@@ -28,9 +29,7 @@ use crate::hypothesis::is_sensor_fault;
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
-use crate::prior::{
-    COMPLETE_MODEL_LOG_ODDS, MAX_SECOND_REPAIR_RATIO, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_SECOND_REPAIR_GAIN,
-};
+use crate::prior::{COMPLETE_MODEL_LOG_ODDS, MIN_REPAIR_GAIN, MIN_REPEATED_SHARE, MIN_SECOND_REPAIR_GAIN};
 use crate::residual::unmodelled_structure::UnmodelledStructure;
 use hysteron_identify::study::{
     InitialRun, ObservedChannel, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
@@ -77,101 +76,6 @@ pub(super) struct Ranking<'a> {
     pub(super) bootstrap: Option<BootstrapResult>,
     /// Causes of which runs held out had refuted a repair, which was left out.
     pub(super) left_out: &'a [&'static str],
-}
-
-/// A repaired model.
-pub(super) struct Repair {
-    /// Hypothesis of the repair.
-    pub(super) hypothesis: FittedHypothesis,
-    /// Its optimum with the steps of the script.
-    pub(super) fitted: FittedModel,
-    /// Channels of all runs; none for a run without a result.
-    pub(super) fits: Vec<Option<ScoredRun>>,
-    pub(super) judgement: HoldoutJudgement,
-    /// Errors of the runs held out.
-    errors: Option<HeldOutErrors>,
-    /// Limits of the probability of its cause.
-    limits: Vec<ProbabilityLimit>,
-    /// Times at which a parameter of the user's changed.
-    pub(super) times: Vec<TimeOfChange>,
-    /// True if its second effect has no sure name.
-    open_second: bool,
-}
-
-impl Repair {
-    /// A repair that has passed its own judgement.
-    fn accepted(hypothesis: FittedHypothesis, fitted: FittedModel, fits: Vec<Option<ScoredRun>>) -> Self {
-        Self {
-            hypothesis,
-            fitted,
-            fits,
-            judgement: HoldoutJudgement::Accepted,
-            errors: None,
-            limits: vec![],
-            times: vec![],
-            open_second: false,
-        }
-    }
-
-    /// Second cause if it has a name; none for an unknown cause.
-    pub(super) fn named_second_cause(&self, verdict: &str) -> Option<&'static str> {
-        self.hypothesis.second_cause().filter(|_| verdict != "unknown" && !self.open_second)
-    }
-
-    /// The second effect in words where its name is open; empty otherwise.
-    pub(super) fn open_second_in_words(&self) -> String {
-        match self.hypothesis.second_cause().filter(|_| self.open_second) {
-            Some(second) => format!(
-                " The repair has {second} beside it, because both together predict the runs held out better. Another second effect may do \
-                 the same, so that it is not named."
-            ),
-            None => String::new(),
-        }
-    }
-
-    /// Returns true if the runs held out or a gate refuse it.
-    fn is_refused(&self) -> bool {
-        self.judgement.refutes() || self.limits.iter().any(|l| l.most == 0.0)
-    }
-
-    /// Its effect, or the faulty channel beside it, which bends to anything; none for the user's model.
-    fn most_flexible_effect(&self) -> Option<RefutedEffect> {
-        let (e, second) = (&self.hypothesis, self.hypothesis.second_cause().filter(|c| is_sensor_fault(c)));
-        let mechanism = || Some(e.variant.mechanism().to_owned()).filter(|_| e.variant.edits_script());
-        match second {
-            Some(cause) => Some(RefutedEffect { cause, mechanism: None }),
-            None if e.cause() == "none" => None,
-            None => Some(RefutedEffect { cause: e.cause(), mechanism: mechanism() }),
-        }
-    }
-
-    /// Errors of the runs held out, with its causes.
-    fn evidence(&self, c: &ConclusionContext<'_>) -> RepairEvidence {
-        let (cause, also) = (self.hypothesis.cause(), self.hypothesis.second_cause());
-        let device_held_out = holdout::channel_nmse(c.study, &self.fits, &c.recorded.channel);
-        RepairEvidence {
-            cause: cause.into(),
-            also: also.map(Into::into),
-            errors: self.errors,
-            device_held_out,
-            of_one_run: self.hypothesis.variant.is_condition_of_one_run(),
-        }
-    }
-}
-
-/// An effect that runs held out refute.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct RefutedEffect {
-    pub(super) cause: &'static str,
-    /// Its mechanism; none if the cause as a whole is refuted. Ground that rocks may be right where ground that sways is not.
-    mechanism: Option<String>,
-}
-
-impl RefutedEffect {
-    /// Returns true for a hypothesis of this effect.
-    pub(super) fn includes(&self, e: &FittedHypothesis) -> bool {
-        e.cause() == self.cause && self.mechanism.as_ref().is_none_or(|m| *m == e.variant.mechanism())
-    }
 }
 
 /// Cause with the highest probability after the judgement of its repair.
@@ -417,8 +321,8 @@ impl VerdictJudge<'_, '_> {
             left: fitted.objective,
             simulate: &simulate,
         };
-        let limits = gated.limits();
-        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits, times, open_second: false })
+        let (limits, told_by) = (gated.limits(), gated.like_motion_in_words());
+        Ok(Repair { hypothesis, fitted, fits, judgement, errors, limits, times, told_by, open_second: false })
     }
 
     /// Times of change of a repair, of which those of the fit are put into the middle of their intervals.
@@ -432,61 +336,8 @@ impl VerdictJudge<'_, '_> {
     }
 }
 
-/// Returns true if two effects together leave clearly less than the first alone in the runs held out, which both must have.
-fn predicts_clearly_better(both: Option<f64>, alone: Option<f64>) -> bool {
-    both.zip(alone).is_some_and(|(both, alone)| both <= MAX_SECOND_REPAIR_RATIO * alone)
-}
-
-/// Returns true if a hypothesis is a pair whose first effect alone was repaired.
-fn is_pair_of_repaired(best: &FittedHypothesis, repaired: &FittedHypothesis) -> bool {
-    let is_part = best.second_cause().is_some() && best.cause() == repaired.cause();
-    is_part && !Arc::ptr_eq(&best.variant, &repaired.variant)
-}
-
 /// Share of the baseline's squared error that a repair leaves.
 pub(super) fn remaining_share(baseline: &FittedHypothesis, repair: &Repair) -> f64 {
     let before = baseline.fitted.objective;
     if before > 0.0 { repair.fitted.objective / before } else { 1.0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{RefutedEffect, is_pair_of_repaired, predicts_clearly_better};
-    use crate::candidate::proposal::Proposal;
-    use crate::inspect::insertion::InsertionPoint;
-    use crate::test_support::{baseline, fitted_at, script_edit};
-
-    #[test]
-    fn a_second_effect_without_a_name_predicts_clearly_better() {
-        assert!(predicts_clearly_better(Some(0.03), Some(0.07)));
-        assert!(!predicts_clearly_better(Some(0.06), Some(0.07)) && !predicts_clearly_better(Some(0.03), None));
-    }
-
-    #[test]
-    fn the_pair_of_a_repaired_first_effect_is_its_nearest_repair() {
-        let of = |proposal: &Proposal| {
-            let variant = baseline().variant.with_proposal(&InsertionPoint::At(0), proposal).expect("a variant");
-            fitted_at(variant, &vec![0.5; proposal.parameters.len()])
-        };
-        let (first, other) = (script_edit("friction", &["x"]), script_edit("damping", &["y"]));
-        let (pair, alone) = (of(&first.combined_with(&other)), of(&first));
-        assert!(is_pair_of_repaired(&pair, &alone));
-        assert!(!is_pair_of_repaired(&pair, &pair) && !is_pair_of_repaired(&pair, &of(&other)));
-        assert!(!is_pair_of_repaired(&alone, &of(&first)));
-    }
-
-    /// A refuted mechanism leaves the others of its cause in the search, a refuted cause none of them.
-    #[test]
-    fn a_refuted_effect_is_a_mechanism_of_its_cause() {
-        let with = |parameter: &str| {
-            let proposal = script_edit("foundation_flexibility", &[parameter]);
-            fitted_at(baseline().variant.with_proposal(&InsertionPoint::At(0), &proposal).expect("a variant"), &[0.5])
-        };
-        let (sways, rocks) = (with("sway"), with("rocking_yield"));
-        let mechanism = Some(sways.variant.mechanism().to_owned());
-        let refuted = RefutedEffect { cause: "foundation_flexibility", mechanism };
-        assert!(refuted.includes(&sways) && !refuted.includes(&rocks));
-        let whole = RefutedEffect { mechanism: None, ..refuted };
-        assert!(whole.includes(&sways) && whole.includes(&rocks) && !whole.includes(&baseline()));
-    }
 }

@@ -1,9 +1,10 @@
 //! The way from a study to its diagnosis.
 
 use super::all_runs::displacements;
-use super::conclusion::{ConclusionContext, Ranking, RefutedEffect, conclude};
+use super::conclusion::{ConclusionContext, Ranking, conclude};
 use super::device_loop::DeviceLoop;
 use super::discriminating_test::DiscriminatingTest;
+use super::repair::RefutedEffect;
 use super::result_file::Outcome;
 use super::structure_drawing::StructureDrawing;
 use crate::candidate::proposal::Proposal;

@@ -201,15 +201,29 @@ impl GatedRepair<'_> {
         (left <= enough).then(|| format!("other values of your own parameters in the run {name} explain as much"))
     }
 
-    /// Returns true if a run of like motion has the usual values, and an error that is hardly less. All that differs between the
-    /// two is the condition, whatever the model lacks in both.
-    fn is_told_by_like_motion(&self) -> bool {
-        let condition = self.variant.proposal.as_ref().and_then(|p| p.condition.as_ref());
-        let Some(name) = condition.and_then(|c| c.run.as_ref()) else { return false };
+    /// The run with other values, and one of like motion with the usual values and an error that is hardly less. All that differs
+    /// between the two is the condition, whatever the model lacks in both.
+    fn runs_of_like_motion(&self) -> Option<[&str; 2]> {
+        let name = self.variant.proposal.as_ref()?.condition.as_ref()?.run.as_ref()?;
         let fitted: Vec<(usize, &Run)> = self.study.runs_of(Role::Fit).collect();
-        let Some(changed) = fitted.iter().find(|(_, r)| r.name == *name).map(|(i, _)| *i) else { return false };
-        let mut others = fitted.iter().map(|(i, _)| *i).filter(|i| *i != changed);
-        others.any(|i| self.motions.are_alike(changed, i) && self.has_error_of(changed, i))
+        let (changed, own) = fitted.iter().find(|(_, r)| r.name == *name)?;
+        let is_like = |i: usize| self.motions.are_alike(*changed, i) && self.has_error_of(*changed, i);
+        let (_, other) = fitted.iter().find(|(i, _)| i != changed && is_like(*i))?;
+        Some([&own.name, &other.name])
+    }
+
+    /// What tells a changed condition although the model lacks more, in words; empty for other causes, or where nothing does.
+    pub(super) fn like_motion_in_words(&self) -> String {
+        if self.variant.cause() != changed_condition::CAUSE {
+            return String::new();
+        }
+        if self.told_between_cycles {
+            return " It takes most of what differs between the cycles of a steady motion, and no other cause does."
+                .into();
+        }
+        self.runs_of_like_motion().map_or_else(String::new, |[changed, other]| {
+            format!(" The runs {changed} and {other} move alike, so that neither amplitude nor rate tells them apart.")
+        })
     }
 
     /// Returns true if no channel of a run has a clearly larger error than in another run, as a share or in its unit.
@@ -230,7 +244,7 @@ impl GatedRepair<'_> {
 
     /// Returns true for another value of a parameter that neither a run nor cycles of like motion tell.
     fn is_condition_alone(&self) -> bool {
-        let is_told = self.told_between_cycles || self.is_told_by_like_motion();
+        let is_told = self.told_between_cycles || self.runs_of_like_motion().is_some();
         self.variant.cause() == changed_condition::CAUSE && !is_told
     }
 

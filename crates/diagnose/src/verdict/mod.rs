@@ -23,6 +23,7 @@
 //! - `time_of_change`: times at which a parameter changed
 //! - `error_conditions`: errors over amplitude, rate and temperature
 //! - `result_file`: `diagnosis.json`
+//! - `repair`: a repaired model, and the effect that runs held out may refute
 //! - `report`: `report.html`
 
 mod advice;
@@ -51,6 +52,7 @@ mod plausibility;
 mod presentation;
 pub(crate) mod quantity;
 mod recorded_quantities;
+mod repair;
 pub(crate) mod report;
 pub(crate) mod residual_force;
 pub(crate) mod result_file;

@@ -1,7 +1,7 @@
 //! From the decision to what a diagnosis shows: words, files, loop and drawing.
 
 use super::all_runs::{displacements, script_steps};
-use super::conclusion::{ConclusionContext, Decision, Ranking, Repair, remaining_share};
+use super::conclusion::{ConclusionContext, Decision, Ranking, remaining_share};
 use super::device_loop::{BlamedParts, DeviceLoop, LoopSources, blamed_parts, repaired_responses};
 use super::diagnosis::{Diagnosis, RankedHypothesis};
 use super::discriminating_test::{DiscriminatingTest, discriminating_test};
@@ -9,6 +9,7 @@ use super::explanation::observation;
 use super::mismatch::mismatches;
 use super::nearest::nearest_in_words;
 use super::quantity::Units;
+use super::repair::Repair;
 use super::residual_force::{FittedModelRuns, ResidualForce, residual_forces};
 use super::result_file::{Baseline, Mismatch, Outcome, RepairedModel, UnmovedChannel, Verdict};
 use super::structure_drawing::StructureDrawing;

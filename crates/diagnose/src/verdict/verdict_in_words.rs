@@ -58,6 +58,9 @@ pub(super) fn verdict_in_words(
         text += " The fitted model leaves much, and the fitted runs are too long to search for every effect far from its values: fewer of them, or \
                  fewer samples, may tell more.";
     }
+    if cause == hypothesis.cause() {
+        text += &repair.told_by;
+    }
     text += &repair.open_second_in_words();
     text += &repair.judgement.description();
     if !left_out.is_empty() {
