@@ -106,6 +106,12 @@ impl Command {
         self
     }
 
+    /// The same command with arguments that it shares with others.
+    const fn groups(mut self, groups: &'static [&'static [Arg]]) -> Self {
+        self.text.groups = groups;
+        self
+    }
+
     /// The same command as one that OpenSees does not have.
     const fn own(mut self) -> Self {
         self.text.is_own = true;

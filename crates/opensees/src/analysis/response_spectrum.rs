@@ -17,6 +17,8 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis
          the modes.",
     )
     .arguments(&[
+        Arg::thing("series", things::SERIES),
+        Arg::thing("direction", things::SERIES),
         Arg::of("-Tn", "periods", "periods of the spectrum"),
         Arg::of("-Sa", "accelerations", "accelerations of the spectrum at these periods"),
         Arg::of("-scale", "factor", "has no effect in OpenSees either"),

@@ -4,7 +4,7 @@ use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
-use crate::text::Text;
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, LinkOptions, TwoNodeLink};
@@ -18,7 +18,9 @@ pub(super) const TWO_NODE_LINK: Kind = Kind {
     names: &["twoNodeLink"],
     usage: "element twoNodeLink $tag $i $j -mat $mat1 ... -dir $dir1 ... <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> \
             <-pDelta <$My1 $My2> $Mz1 $Mz2> <-shearDist $sDy <$sDz>> <-doRayleigh> <-mass $m>",
-    text: Text::new("Springs between two nodes at a distance."),
+    text: Text::new("Springs between two nodes at a distance.")
+        .example("element twoNodeLink 2 1 2 -mat 1 -dir 1")
+        .arguments(&[Arg::of("-pDelta", "My1", "ratio of a P-Delta moment").within(Domain::Number)]),
     make: Make::TwoNodes(make),
 };
 

@@ -3,7 +3,8 @@
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
-use crate::text::Text;
+use crate::text::{Arg, Text};
+use crate::things;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, ZeroLengthSection};
@@ -15,7 +16,9 @@ use std::sync::Arc;
 pub(super) const ZERO_LENGTH_SECTION: Kind = Kind {
     names: &["zeroLengthSection", "ZeroLengthSection"],
     usage: "element zeroLengthSection $tag $i $j $section <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3> <-doRayleigh $flag>",
-    text: Text::new("A section between two nodes at one place."),
+    text: Text::new("A section between two nodes at one place.")
+        .example("element zeroLengthSection 2 1 2 1")
+        .arguments(&[Arg::thing("section", things::SECTION)]),
     make: Make::TwoNodes(make),
 };
 

@@ -13,6 +13,15 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const EC: Arg = Arg::positive("Ec", "initial modulus Ec");
+const FT: Arg = Arg::positive("ft", "tensile strength ft");
+const ET: Arg = Arg::positive("et", "strain at the tensile strength et");
+const SIGT0: Arg = Arg::positive("sigt0", "tensile stress at cracking sigt0");
+const EPST0: Arg = Arg::positive("epst0", "tensile strain at cracking epst0");
+const SIGT1: Arg = Arg::positive("sigt1", "peak tensile stress sigt1");
+const EPST1: Arg = Arg::positive("epst1", "strain at the peak epst1");
+const EPST2: Arg = Arg::positive("epst2", "ultimate tensile strain epst2");
+
 const COMPRESSION: [Arg; 4] = [
     Arg::number("fpc", "compressive strength fpc"),
     Arg::number("epsc0", "strain at the strength epsc0"),
@@ -81,18 +90,22 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01", "concrete01"],
         usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
-        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.").arguments(&[
-            COMPRESSION[0].also(&["fc"]),
-            COMPRESSION[1].also(&["epsco"]),
-            COMPRESSION[2].also(&["fcu"]),
-            COMPRESSION[3],
-        ]),
+        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.")
+            .example("uniaxialMaterial Concrete01 77 1 1 1 1")
+            .arguments(&[
+                COMPRESSION[0].also(&["fc"]),
+                COMPRESSION[1].also(&["epsco"]),
+                COMPRESSION[2].also(&["fcu"]),
+                COMPRESSION[3],
+            ]),
         make: concrete01,
     },
     Kind {
         names: &["Concrete02", "concrete02"],
         usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
-        text: Text::new("Concrete with linear tension softening.").groups(&[&COMPRESSION, &TENSION]),
+        text: Text::new("Concrete with linear tension softening.")
+            .example("uniaxialMaterial Concrete02 77 1 1 1 1")
+            .groups(&[&COMPRESSION, &TENSION]),
         make: concrete02,
     },
     Kind {
@@ -109,6 +122,15 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Concrete of Chang and Mander with closing cracks.")
             .example("uniaxialMaterial ConcreteCM 77 -30. -0.002 25000. 7. 1.035 3. 0.0002 1.2 1e4")
             .arguments(&[
+                Arg::number("fpcc", "compressive strength fpcc"),
+                Arg::number("epcc", "strain at the strength epcc"),
+                EC,
+                Arg::positive("rc", "shape parameter rc"),
+                Arg::positive("xcrn", "critical strain xcrn"),
+                FT,
+                ET,
+                Arg::positive("rt", "shape parameter rt"),
+                Arg::positive("xcrp", "critical strain xcrp"),
                 Arg::new("mon", "1: the envelopes alone, without memory; 0: cycles"),
                 Arg::of("-GapClose", "gap", "1: cracks close with a stiffness of their own; 0: without"),
             ]),
@@ -151,8 +173,13 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
                 <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
         text: Text::new("Concrete with multilinear softening, of planar trusses and panels.")
-            .example("uniaxialMaterial ConcretewBeta 77 -30. -0.002 -15. -0.006 -3. -0.012 3. 1.5 0.0005 0.3 0.001")
+            .example(
+                "uniaxialMaterial ConcretewBeta 77 -30. -0.002 -15. -0.006 -3. -0.012 3. 1.5 0.0005 0.3 \
+                0.001",
+            )
             .arguments(&[
+                Arg::number("fpc", "peak stress fpc"),
+                Arg::number("ec0", "peak strain ec0"),
                 Arg::new("fcint", "stress in the middle of softening in compression"),
                 Arg::new("ecint", "strain of that stress"),
                 Arg::new("fcres", "residual stress in compression"),
@@ -178,7 +205,9 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01WithSITC"],
         usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
-        text: Text::new("As `Concrete01`, with debris that keeps cracks open.").groups(&[&COMPRESSION, &[DEBRIS]]),
+        text: Text::new("As `Concrete01`, with debris that keeps cracks open.")
+            .example("uniaxialMaterial Concrete01WithSITC 77 1 1 1 1")
+            .groups(&[&COMPRESSION, &[DEBRIS]]),
         make: concrete01_sitc,
     },
     Kind {
@@ -188,6 +217,11 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Engineered cementitious composite, ductile in tension.")
             .example("uniaxialMaterial ECC01 77 3. 0.0002 4. 0.01 0.03 -40. -0.003 -0.01 3. 4. 2. 1.5 0.4 0.3")
             .arguments(&[
+                SIGT0,
+                EPST0,
+                SIGT1,
+                EPST1,
+                EPST2,
                 Arg::new("sigc0", "compressive strength"),
                 Arg::new("epsc0", "strain at the strength"),
                 Arg::new("epsc1", "ultimate compressive strain"),
@@ -380,9 +414,9 @@ fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
 }
 
 fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let first = [a.positive("tensile stress at cracking sigt0")?, a.positive("tensile strain at cracking epst0")?];
-    let peak = [a.positive("peak tensile stress sigt1")?, a.positive("strain at the peak epst1")?];
-    let ultimate = a.positive("ultimate tensile strain epst2")?;
+    let first = [a.number(&SIGT0)?, a.number(&EPST0)?];
+    let peak = [a.number(&SIGT1)?, a.number(&EPST1)?];
+    let ultimate = a.number(&EPST2)?;
     if peak[1] <= first[1] || ultimate <= peak[1] {
         let message = format!("the tensile strains are {}, {} and {ultimate}", first[1], peak[1]);
         return Err(a.refuse(message, "expected epst0 < epst1 < epst2"));
@@ -435,7 +469,7 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
 fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (strength, strain) =
         (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
-    let ec = a.positive("initial modulus Ec")?;
+    let ec = a.number(&EC)?;
     let shape = |a: &mut Args<'_>, side: &str| {
         Ok::<_, Exception>((
             a.positive(&format!("shape parameter {side}"))?,
@@ -444,7 +478,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     };
     let (r, critical) = shape(a, "rc")?;
     let compression = TsaiEnvelope { strength, strain, r, critical };
-    let (strength, strain) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?);
+    let (strength, strain) = (a.number(&FT)?, a.number(&ET)?);
     let (r, critical) = shape(a, "rt")?;
     let tension = TsaiEnvelope { strength, strain, r, critical };
     let (mut stiff_closure, mut monotonic) = (false, false);

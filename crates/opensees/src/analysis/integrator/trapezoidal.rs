@@ -3,7 +3,7 @@
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
@@ -34,7 +34,8 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTGeneralizedExplicit_TP"],
         usage: "integrator HHTGeneralizedExplicit_TP $rhoB $alphaF | $alphaI $alphaF $beta $gamma",
-        text: Text::new("The explicit generalised alpha method with trapezoidal weights."),
+        text: Text::new("The explicit generalised alpha method with trapezoidal weights.")
+            .arguments(&[Arg::new("rhoB", "a parameter")]),
         make: hht_generalized_explicit,
     },
     Kind {
