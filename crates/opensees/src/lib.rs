@@ -267,6 +267,12 @@ fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Resul
     args.unknown_option(known)?.map_or(Ok(()), |d| warn(interp, d))
 }
 
+/// Warn that the word just taken is none of the options in the usage, and ignore it.
+fn ignore_unknown(interp: &mut Tcl, args: &mut Args<'_>) -> Result<(), Exception> {
+    let known = args.options();
+    ignore_option(interp, args, &known)
+}
+
 /// Report a message, whether or not warnings are errors.
 fn report(interp: &mut Tcl, warning: Diagnostic) {
     // What came from the same place before is counted there.

@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
     Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
@@ -318,7 +318,7 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
             "-secant" => no_secant(interp, a)?,
             // The number alone is an old form.
             _ if a.last_word().parse::<usize>().is_ok_and(|n| n > 0) => count = a.last_word().parse().unwrap_or(count),
-            _ => ignore_option(interp, a, &["-initial", "-count"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if count > MAX_CORRECTIONS {
@@ -337,7 +337,7 @@ fn express(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
             "-initialTangent" | "-InitialTangent" | "-initial" | "-Initial" => (initial, once) = (true, true),
             "-currentTangent" | "-CurrentTangent" => initial = false,
             "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
-            _ => ignore_option(interp, a, &["-initialTangent", "-currentTangent", "-factorOnce"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let mix = if initial {

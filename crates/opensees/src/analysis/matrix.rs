@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::effect::Effect;
 use crate::text::Arg;
-use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
 use hysteron_engine::analysis::Equations;
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::{Call, OpenMode, Value};
@@ -52,7 +52,7 @@ fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equati
         match option.as_ref() {
             "-file" | "file" => file = Some(a.word(FILE.meaning)?.into_owned()),
             "-ret" | "ret" => give_back = true,
-            _ => ignore_option(interp, &mut a, &["-file", "-ret"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let terms = interp.host.parts.matrix_terms.unwrap_or_default();

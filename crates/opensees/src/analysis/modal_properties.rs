@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::effect::Effect;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
 use hysteron_engine::analysis::{ModalProperties, cumulative};
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::diagnostic::Absent;
@@ -31,7 +31,7 @@ fn modal_properties(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-unorm" => unit = true,
             "-return" => give = true,
             "-file" => file = Some((a.word(FILE.meaning)?.into_owned(), a.last_span())),
-            _ => ignore_option(interp, &mut a, &["-print", "-file", "-unorm", "-return"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let engine = &interp.host.engine;

@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::effect::Effect;
 use crate::load::series::series_of_words;
 use crate::text::{Arg, Domain};
-use crate::{Command, Outcome, Tcl, ignore_option};
+use crate::{Command, Outcome, Tcl, ignore_unknown};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
@@ -60,7 +60,7 @@ fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-uresid" | "-uresidual" => span.residual = a.float("residual displacement")?,
             "-umaxprev" => span.largest = a.float("earlier largest displacement")?,
             "-tend" => end = Some(a.float("time of the end")?),
-            _ => ignore_option(interp, &mut a, &["-uresid", "-umaxprev", "-tend"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     span.end =

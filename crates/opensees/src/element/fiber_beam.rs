@@ -9,7 +9,7 @@ use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_option, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
     AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, Lacking,
@@ -169,7 +169,7 @@ fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Re
                     return Err(a.refuse(message, "expected a rule for as many points"));
                 }
             }
-            _ => ignore_option(interp, a, &["-integration", "-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let words = Words {
@@ -470,7 +470,7 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
             "-iter" => iterations(interp, a, &mut force_based)?,
-            _ => ignore_option(interp, a, &["-mass", "-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let elastic: SharedSection = Elastic::new(s, ends.ndm == 2).shared();

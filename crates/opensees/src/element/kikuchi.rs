@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{
     Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Mean, Scheme, Shape,
@@ -45,23 +45,6 @@ pub(super) const KIKUCHI: Kind = Kind {
 };
 
 const NAME: &str = "KikuchiBearing";
-const OPTIONS: &[&str] = &[
-    "-shape",
-    "-size",
-    "-totalHeight",
-    "-nMSS",
-    "-matMSS",
-    "-limDisp",
-    "-nMNS",
-    "-matMNS",
-    "-lambda",
-    "-orient",
-    "-mass",
-    "-noPDInput",
-    "-noTilt",
-    "-adjustPDOutput",
-    "-doBalance",
-];
 
 /// The options as they have been given.
 struct Options {
@@ -147,7 +130,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
                 let rounds = a.count("largest number nIter of corrections")? as u32;
                 keep!(balance, option, Balance { tolerance, rounds })
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(o)

@@ -5,7 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
 use hysteron_engine::shared::Shared;
@@ -31,7 +31,6 @@ pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
 };
 
 const NAME: &str = "multipleNormalSpring";
-const OPTIONS: &[&str] = &["-mat", "-shape", "-size", "-lambda", "-orient", "-mass"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
@@ -59,7 +58,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-lambda" => lambda = distribution(a)?,
             "-orient" => orient.take(a)?,
             "-mass" => mass = a.positive("mass")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let missing = |option, what| option_missing(a, last, NAME, option, what);

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, LinkOptions, TwoNodeLink};
 use hysteron_engine::shared::Shared;
@@ -23,8 +23,6 @@ pub(super) const TWO_NODE_LINK: Kind = Kind {
         .arguments(&[Arg::of("-pDelta", "My1", "ratio of a P-Delta moment").within(Domain::Number)]),
     make: Make::TwoNodes(make),
 };
-
-const OPTIONS: &[&str] = &["-mat", "-dir", "-orient", "-pDelta", "-shearDist", "-doRayleigh", "-mass"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
@@ -68,7 +66,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-doRayleigh" => options.rayleigh = true,
             "-mass" => options.mass = a.not_negative("mass")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if mats.is_empty() {

@@ -8,7 +8,7 @@ use crate::model::transform::vector;
 use crate::slips;
 use crate::text::{Arg, Text};
 use crate::things;
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
 use hysteron_engine::material::Material;
@@ -40,8 +40,6 @@ pub(super) const COUPLED: Kind = Kind {
     ]),
     make: Make::TwoNodes(make_coupled),
 };
-
-const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-damp", "-orient"];
 
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
     let mut out = vec![a.of(&interp.host.builder.definitions.materials)?];
@@ -99,7 +97,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 };
                 axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if mats.is_empty() {

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::model::transform::vector;
 use crate::text::{Arg, Text};
 use crate::things;
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, ZeroLengthSection};
 use hysteron_engine::shared::Shared;
@@ -39,7 +39,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 }
             }
             "-doRayleigh" => rayleigh = a.switch(interp, "flag")?,
-            _ => ignore_option(interp, a, &["-orient", "-doRayleigh"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if ends.ndm == 2 {

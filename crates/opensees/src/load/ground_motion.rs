@@ -6,7 +6,7 @@ use crate::model::nodes::node_of;
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_tcl::diagnostic::Span;
 use hysteron_tcl::{Call, Exception, Value};
@@ -121,7 +121,7 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
             },
             "-dtInt" | "-dtIntegrator" | "-deltaT" => dt = a.positive("step of the integration")?,
             "-fact" | "-factor" => factor = a.float("factor")?,
-            _ => ignore_option(interp, a, &["-accel", "-vel", "-disp", "-int", "-dtInt", "-fact"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     // OpenSees integrates missing histories, but differentiates none: supports given displacements have no velocity.

@@ -5,7 +5,7 @@ use crate::checks;
 use crate::host::Mode;
 use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::series::{self, Path};
 use hysteron_recordings::series::{channel_names, find_channel};
 use hysteron_recordings::told::{self, Key};
@@ -43,8 +43,6 @@ const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-
 
 /// Options that say what a measured file does not, and what is taken from it.
 pub(super) const FILE_OPTIONS: [&str; 5] = ["-channel", "-quantity", "-unit", "-layout", "-to"];
-
-const OPTIONS: &[&str] = &["-factor", "-dt", "-useLast", "-channel", "-quantity", "-unit", "-layout", "-to"];
 
 /// What a command says about a measured file.
 #[derive(Default)]
@@ -174,7 +172,7 @@ fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-dt" => options.dt = Some(a.number(&DT)?),
             "-useLast" => use_last = true,
             word if FILE_OPTIONS.contains(&word) => drop(options.take(word, &mut a)?),
-            _ => ignore_option(interp, &mut a, OPTIONS)?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let mut read = read(interp, &a, (&name, span), &options)?;

@@ -11,7 +11,7 @@ use crate::session::Session;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::{
     ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag, acceleration_of,
@@ -131,7 +131,7 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
         a.option();
         match a.last_word().as_ref() {
             "-fact" | "-factor" => factor = a.float("factor")?,
-            _ => ignore_option(interp, &mut a, &["-fact"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let pattern = Pattern::new(PatternKind::Plain { series, factor });
@@ -182,7 +182,7 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
             "-disp" | "-displacement" => motion[2] = Some(series_of(interp, &mut a)?),
             "-vel0" | "-initialVel" => excitation.initial_velocity = a.number(&VEL0_V)?,
             "-fact" | "-factor" => excitation.influence = a.float("factor")?,
-            _ => ignore_option(interp, &mut a, &["-accel", "-vel", "-disp", "-vel0", "-fact"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let [accel, vel, disp] = motion;
@@ -243,7 +243,7 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-const" => constant = true,
             "-pattern" => named = Some(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
-            _ => ignore_option(interp, &mut a, &["-const", "-pattern"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let tag = current(interp, &a, named)?;
@@ -267,7 +267,7 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-const" => constant = true,
             "-subtractInit" => initial = interp.host.engine.state().disp[offset + dof],
             "-pattern" => named = Some(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
-            _ => ignore_option(interp, &mut a, &["-const", "-subtractInit", "-pattern"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let pattern = current(interp, &a, named)?;
@@ -385,7 +385,7 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-time" => time = Some(a.number(&SET_TIME_TIME)?),
-            _ => ignore_option(interp, &mut a, &["-time"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     // Loads stay as an analysis has applied them, whatever the time has been set to since.

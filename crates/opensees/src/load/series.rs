@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_recordings::{Clock, Measured, Told};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -148,7 +148,7 @@ fn factor_only(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-factor" => factor = a.number(&FACTOR_C)?,
-            _ => ignore_option(interp, a, &["-factor"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(factor)

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, slips, warn};
+use crate::{Tcl, ignore_unknown, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
     ConcreteWBeta, Ecc01, Material, TsaiEnvelope,
@@ -369,7 +369,7 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
             "-M" => stiffening = a.not_negative("share of tension stiffening M")?,
             "-E" => e0 = a.positive("initial modulus E")?,
             "-conf" => confined = negative(a, "confined", "fcc", "ecc")?,
-            _ => ignore_option(interp, a, &["-lambda", "-alpha", "-beta", "-M", "-E", "-conf"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if confined[0] > peak[0] || confined[1] > peak[1] {
@@ -487,7 +487,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     } else if let Some(option) = a.option() {
         match option.as_ref() {
             "-GapClose" => stiff_closure = switch(a, "switch gap of the closure")?,
-            _ => ignore_option(interp, a, &["-GapClose"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }.shared())

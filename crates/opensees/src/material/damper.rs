@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     BilinearOilDamper, CoulombDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper,
 };
@@ -233,7 +233,7 @@ fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
                 a.float("damping coefficient dampOutTangent")?;
             }
             "-reduceFc" => {}
-            _ => ignore_option(interp, a, &["-tol", "-numFlipped", "-reduceFc", "-dampOutTangent"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(CoulombDamper { k, friction, slow }.shared())

@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -15,23 +15,6 @@ pub(super) const USAGE: &str = "nDMaterial ASDConcrete3D $tag $E $nu -Te $strain
     -Cs $stresses <-Cd $damages> <-rho $rho> <-Kc $Kc> <-eta $eta> <-cdf $share> <-implex> <-implexControl $tolerance $limit> \
     <-implexAlpha $alpha> <-tangent> <-autoRegularization $length>";
 
-const OPTIONS: &[&str] = &[
-    "-Te",
-    "-Ts",
-    "-Td",
-    "-Ce",
-    "-Cs",
-    "-Cd",
-    "-rho",
-    "-Kc",
-    "-eta",
-    "-cdf",
-    "-implex",
-    "-implexControl",
-    "-implexAlpha",
-    "-tangent",
-    "-autoRegularization",
-];
 /// Shape of the surface of failure that OpenSees assumes.
 const KC: f64 = 2.0 / 3.0;
 
@@ -113,7 +96,7 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exc
             "-Kc" => kc = shape(a)?,
             "-cdf" => cross_damage = a.not_negative("share of damage in tension that counts in compression")?,
             option if common.read(option, a)? => {}
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let extrapolation = common.extrapolation();
@@ -208,23 +191,6 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     make: asd_concrete_1d,
 }];
 
-const OPTIONS_1D: &[&str] = &[
-    "-fc",
-    "-ft",
-    "-Te",
-    "-Ts",
-    "-Td",
-    "-Ce",
-    "-Cs",
-    "-Cd",
-    "-implex",
-    "-implexControl",
-    "-implexAlpha",
-    "-eta",
-    "-tangent",
-    "-autoRegularization",
-];
-
 fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let e = a.number(&MODULUS)?;
     let (mut fc, mut ft, mut common) = (None, None, Common::default());
@@ -233,7 +199,7 @@ fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
             "-fc" => fc = Some(a.positive("compressive strength fc in MPa")?),
             "-ft" => ft = Some(a.positive("tensile strength ft in MPa")?),
             option if common.read(option, a)? => {}
-            _ => ignore_option(interp, a, OPTIONS_1D)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let extrapolation = common.extrapolation();

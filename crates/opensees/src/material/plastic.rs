@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     BarFatigue, BondSp01, Buckling, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
     ReinforcingSteel, SteelFractureDi, UvcUniaxial,
@@ -365,7 +365,7 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
                 hardening = [rate, a.optional_float("least share of the plateau")?.unwrap_or(0.01)];
             }
             "-MPCurveParams" => curve = [a.float("constant R1")?, a.float("constant R2")?, a.float("constant R3")?],
-            _ => ignore_option(interp, a, &["-GABuck", "-DMBuck", "-CMFatigue", "-IsoHard", "-MPCurveParams"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }.shared())

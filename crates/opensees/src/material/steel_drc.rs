@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, slips};
+use crate::{Tcl, ignore_unknown, slips};
 use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -50,9 +50,6 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     make: steel_drc,
 }];
 
-const OPTIONS: &[&str] =
-    &["-Psh", "-shPoint", "-omegaFactor", "-fractStrain", "-bausch", "-stiffOutput", "-viscousDamper", "-Dfu"];
-
 fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (e, fy) = (a.number(&ES)?, a.number(&FY)?);
     let ultimate = [a.number(&EU)?, a.number(&FU)?];
@@ -89,7 +86,7 @@ fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
                 law.viscous = [a.not_negative("damping coefficient C")?, a.positive("velocity exponent alpha")?];
             }
             "-dfu" => law.straight = a.positive("length Dfu of the straight line after a reversal")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if let Some(fracture) = law.fracture.filter(|x| *x <= ultimate[0]) {

@@ -6,7 +6,7 @@ use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
 };
@@ -106,7 +106,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                     return Err(a.refuse(message, "expected a factor for each material"));
                 }
             }
-            _ => ignore_option(interp, a, &["-factors"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(Parallel::new(all, factors).shared())
@@ -127,7 +127,7 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                 rounds = a.count("largest number of iterations maxIter")?;
                 tolerance = a.not_negative("tolerance")?;
             }
-            _ => ignore_option(interp, a, &["-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let compat = interp.host.follows(&[slips::SERIES_ROUND]);
@@ -142,7 +142,7 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         match option.as_ref() {
             "-min" | "-Min" | "-MIN" => min = a.number(&MIN_MIN_STRAIN)?,
             "-max" | "-Max" | "-MAX" => max = a.number(&MAX_MAX_STRAIN)?,
-            _ => ignore_option(interp, a, &["-min", "-max"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if min >= max {
@@ -179,7 +179,7 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                     p.d_max = 1.0;
                 }
             }
-            _ => ignore_option(interp, a, &["-E0", "-m", "-min", "-max", "-Dmax"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if p.limits.0 >= p.limits.1 {

@@ -5,7 +5,7 @@ use crate::checks;
 use crate::effect::Effect;
 use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
@@ -108,7 +108,7 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         match option.as_ref() {
             "-ndm" | "-NDM" => ndm = Some(a.dof(BASIC_BUILDER_NDM.meaning, 3)? + 1),
             "-ndf" | "-NDF" => ndf = Some(a.dof(BASIC_BUILDER_NDF.meaning, 6)? + 1),
-            _ => ignore_option(interp, &mut a, &["-ndm", "-ndf"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let Some(ndm) = ndm else {
@@ -160,7 +160,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-mass" => mass = Some(masses(&mut a, ndf)?),
             "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement of degree of freedom")?),
             "-vel" => vel = Some(values(&mut a, ndf, "velocity of degree of freedom")?),
-            _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let engine = &mut interp.host.engine;

@@ -6,7 +6,7 @@ use crate::model::nodes::need_model;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
@@ -88,7 +88,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-jntOffset" => {
                 offsets = (vector(&mut a, ndm, "offset at node i")?, vector(&mut a, ndm, "offset at node j")?);
             }
-            _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let ignored = ndm == 3 && kind.make == TransformKind::Corotational && offsets != Default::default();

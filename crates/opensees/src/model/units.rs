@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::text::Arg;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
@@ -62,7 +62,7 @@ fn default_units(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-length" => length = Some(unit(&mut a, "length", LENGTHS)?),
             "-time" => time = Some(unit(&mut a, "time", TIMES)?),
             "-temp" | "-temperature" => drop(a.word(TEMP_UNIT.meaning)?),
-            _ => ignore_option(interp, &mut a, &["-force", "-length", "-time", "-temp"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let missing = |what: &str| {

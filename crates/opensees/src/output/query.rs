@@ -8,7 +8,7 @@ use crate::session::Session;
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
@@ -232,7 +232,7 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 interp.host.output.reaction_kind = ReactionKind::Dynamic;
             }
             "-rayleigh" | "-Rayleigh" => interp.host.output.reaction_kind = ReactionKind::Rayleigh,
-            _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     if interp.host.follows(&[slips::KEPT_REACTIONS]) {

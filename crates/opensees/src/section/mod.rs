@@ -13,7 +13,7 @@ use crate::checks;
 use crate::model::nodes::need_model;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{
@@ -262,7 +262,7 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
             }
             "-torsion" => torsion = Some(a.of(&interp.host.builder.definitions.materials)?),
             "-noCentroid" => origin = true,
-            _ => ignore_option(interp, a, &["-GJ", "-torsion", "-noCentroid"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let space = interp.host.builder.ndm == 3;

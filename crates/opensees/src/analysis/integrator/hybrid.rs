@@ -3,7 +3,7 @@
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_option, ignore_unknown};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, Newmark, Restrained,
     Restraint, Trapezoidal,
@@ -128,7 +128,7 @@ fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) ->
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-updateElemDisp" => update_elements = true,
-            _ => ignore_option(interp, a, &["-updateElemDisp"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let p = match (name, numbers.as_slice()) {

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::analysis::Coefficients;
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, Collocation, Form, GeneralizedAlpha, GimmeMck, Hht, Newmark, backward_euler, houbolt, park_lms3,
@@ -130,7 +130,7 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
                     _ => return Err(a.unknown_name("form of Newmark's method", ["D", "V", "A"])),
                 };
             }
-            _ => ignore_option(interp, a, &["-form"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if beta == 0.0 && form != Form::Acceleration {
