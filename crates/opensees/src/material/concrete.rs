@@ -7,20 +7,11 @@ use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_unknown, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
-    ConcreteWBeta, Ecc01, Material, TsaiEnvelope,
+    ConcreteWBeta, Material, TsaiEnvelope,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
-
-const EC: Arg = Arg::positive("Ec", "initial modulus Ec");
-const FT: Arg = Arg::positive("ft", "tensile strength ft");
-const ET: Arg = Arg::positive("et", "strain at the tensile strength et");
-const SIGT0: Arg = Arg::positive("sigt0", "tensile stress at cracking sigt0");
-const EPST0: Arg = Arg::positive("epst0", "tensile strain at cracking epst0");
-const SIGT1: Arg = Arg::positive("sigt1", "peak tensile stress sigt1");
-const EPST1: Arg = Arg::positive("epst1", "strain at the peak epst1");
-const EPST2: Arg = Arg::positive("epst2", "ultimate tensile strain epst2");
 
 const COMPRESSION: [Arg; 4] = [
     Arg::number("fpc", "compressive strength fpc"),
@@ -124,11 +115,11 @@ pub(super) const KINDS: &[Kind] = &[
             .arguments(&[
                 Arg::number("fpcc", "compressive strength fpcc"),
                 Arg::number("epcc", "strain at the strength epcc"),
-                EC,
+                TSAI[0],
                 Arg::positive("rc", "shape parameter rc"),
                 Arg::positive("xcrn", "critical strain xcrn"),
-                FT,
-                ET,
+                TSAI[1],
+                TSAI[2],
                 Arg::positive("rt", "shape parameter rt"),
                 Arg::positive("xcrp", "critical strain xcrp"),
                 Arg::new("mon", "1: the envelopes alone, without memory; 0: cycles"),
@@ -209,30 +200,6 @@ pub(super) const KINDS: &[Kind] = &[
             .example("uniaxialMaterial Concrete01WithSITC 77 1 1 1 1")
             .groups(&[&COMPRESSION, &[DEBRIS]]),
         make: concrete01_sitc,
-    },
-    Kind {
-        names: &["ECC01"],
-        usage: "uniaxialMaterial ECC01 $tag $sigt0 $epst0 $sigt1 $epst1 $epst2 $sigc0 $epsc0 $epsc1 $alphaT1 $alphaT2 \
-                $alphaC $alphaCU $betaT $betaC",
-        text: Text::new("Engineered cementitious composite, ductile in tension.")
-            .example("uniaxialMaterial ECC01 77 3. 0.0002 4. 0.01 0.03 -40. -0.003 -0.01 3. 4. 2. 1.5 0.4 0.3")
-            .arguments(&[
-                SIGT0,
-                EPST0,
-                SIGT1,
-                EPST1,
-                EPST2,
-                Arg::new("sigc0", "compressive strength"),
-                Arg::new("epsc0", "strain at the strength"),
-                Arg::new("epsc1", "ultimate compressive strain"),
-                Arg::new("alphaT1", "exponent of unloading in hardening tension"),
-                Arg::new("alphaT2", "exponent of unloading in softening tension"),
-                Arg::new("alphaC", "exponent of unloading in compression"),
-                Arg::new("alphaCU", "exponent of softening in compression"),
-                Arg::new("betaT", "permanent part of the tensile strain beyond cracking"),
-                Arg::new("betaC", "permanent part of the compressive strain beyond the strength"),
-            ]),
-        make: ecc01,
     },
 ];
 
@@ -413,29 +380,6 @@ fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
     Ok(Concrete01Sitc { concrete: Concrete01 { fpc, epsc0, fpcu, epscu }, end }.shared())
 }
 
-fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let first = [a.number(&SIGT0)?, a.number(&EPST0)?];
-    let peak = [a.number(&SIGT1)?, a.number(&EPST1)?];
-    let ultimate = a.number(&EPST2)?;
-    if peak[1] <= first[1] || ultimate <= peak[1] {
-        let message = format!("the tensile strains are {}, {} and {ultimate}", first[1], peak[1]);
-        return Err(a.refuse(message, "expected epst0 < epst1 < epst2"));
-    }
-    let bottom = [-compressive(a, "compressive strength sigc0")?, -compressive(a, "strain at the strength epsc0")?];
-    let crushed = -compressive(a, "ultimate compressive strain epsc1")?;
-    if crushed >= bottom[1] {
-        return Err(a.refuse(format!("the ultimate compressive strain epsc1 is {crushed}"), "expected it beyond epsc0"));
-    }
-    let unloading = [
-        a.positive("exponent of unloading alphaT1")?,
-        a.positive("exponent of unloading alphaT2")?,
-        a.positive("exponent of unloading alphaC")?,
-    ];
-    let softening = a.positive("exponent of softening alphaCU")?;
-    let permanent = [a.not_negative("permanent part betaT")?, a.not_negative("permanent part betaC")?];
-    Ok(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }.shared())
-}
-
 /// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.
 const TENSION_LEFT: f64 = 0.1;
 
@@ -469,7 +413,7 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
 fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (strength, strain) =
         (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
-    let ec = a.number(&EC)?;
+    let ec = a.number(&TSAI[0])?;
     let shape = |a: &mut Args<'_>, side: &str| {
         Ok::<_, Exception>((
             a.positive(&format!("shape parameter {side}"))?,
@@ -478,7 +422,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     };
     let (r, critical) = shape(a, "rc")?;
     let compression = TsaiEnvelope { strength, strain, r, critical };
-    let (strength, strain) = (a.number(&FT)?, a.number(&ET)?);
+    let (strength, strain) = (a.number(&TSAI[1])?, a.number(&TSAI[2])?);
     let (r, critical) = shape(a, "rt")?;
     let tension = TsaiEnvelope { strength, strain, r, critical };
     let (mut stiff_closure, mut monotonic) = (false, false);
@@ -503,7 +447,7 @@ fn switch(a: &mut Args<'_>, what: &str) -> Result<bool, Exception> {
 }
 
 /// A number other than zero that stands for compression, whatever its sign.
-fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+pub(super) fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
     match a.float(what)? {
         0.0 => Err(a.refuse(format!("the {what} is 0"), "expected a number less than 0")),
         x => Ok(x.abs()),

@@ -7,6 +7,7 @@ mod concrete;
 mod confined_concrete;
 mod damper;
 mod deteriorating;
+mod ecc;
 mod elastic;
 pub(crate) mod friction;
 mod hysteretic;
@@ -80,6 +81,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         steel::KINDS,
         plastic::KINDS,
         concrete::KINDS,
+        ecc::KINDS,
         confined_concrete::KINDS,
         nd_concrete::KINDS,
         masonry::KINDS,
