@@ -11,8 +11,6 @@ mod keys;
 mod page;
 #[path = "reference/pages.rs"]
 mod pages;
-#[path = "reference/probe.rs"]
-mod probe;
 #[path = "reference/response.rs"]
 mod response;
 #[path = "support/script.rs"]

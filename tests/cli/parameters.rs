@@ -30,7 +30,7 @@ fn mistakes_are_reported() {
         ("parameter 1 node 2 mass x\nupdateParameter 1 -2", "the mass is -2"),
         ("parameter 1\nparameter 1", "there is a parameter 1 already"),
         ("parameter 1 element 7 E", "there is no element 7"),
-        ("parameter 1 element 1 E\nupdateParameter 1 -2", "E is -2"),
+        ("parameter 1 element 1 A\nupdateParameter 1 -2", "A is -2"),
         ("parameter 1 region 7 E", "there is no region 7"),
     ] {
         let (code, _, err) = run(&format!("{SPRING}{command}\n"));

@@ -7,6 +7,7 @@ mod switches;
 mod unknown_words;
 
 use crate::checks::words;
+use crate::text::Domain;
 use crate::{Tcl, check, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
@@ -43,14 +44,6 @@ const MAX_UNKNOWN: usize = 20;
 
 /// Help about a comment that is none.
 const COMMENT: &str = "a comment after a command begins with \";#\"";
-
-/// Range that a number must lie in.
-#[derive(Clone, Copy)]
-enum Sign {
-    Any,
-    Positive,
-    NotNegative,
-}
 
 impl<'a> Args<'a> {
     /// All words after the name of the command.
@@ -215,13 +208,9 @@ impl<'a> Args<'a> {
         self.take(&what).cloned()
     }
 
-    fn number(&mut self, what: &dyn Display, sign: Sign) -> Result<f64, Exception> {
+    fn within(&mut self, what: &dyn Display, domain: Domain) -> Result<f64, Exception> {
         let value = self.take(what)?;
-        let expected = match sign {
-            Sign::Any => "a number",
-            Sign::Positive => "a number greater than 0",
-            Sign::NotNegative => "a number not less than 0",
-        };
+        let expected = domain.expected();
         self.call.note_meaning(self.at - 1, || format!("{what}, {expected}"));
         self.call.note_number(self.at - 1, || what.to_string(), false);
         let label = || format!("expected the {what}, {expected}");
@@ -233,27 +222,22 @@ impl<'a> Args<'a> {
         if !x.is_finite() {
             return Err(self.refuse(format!("{what} is not finite"), label()).by(&words::NOT_A_NUMBER));
         }
-        let good = match sign {
-            Sign::Any => true,
-            Sign::Positive => x > 0.0,
-            Sign::NotNegative => x >= 0.0,
-        };
-        if good { Ok(x) } else { Err(self.out_of_range(format!("{what} is {x}"), label())) }
+        if domain.holds(x) { Ok(x) } else { Err(self.out_of_range(format!("{what} is {x}"), label())) }
     }
 
     /// A finite number.
     pub(crate) fn float(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(&what, Sign::Any)
+        self.within(&what, Domain::Number)
     }
 
     /// A number greater than zero.
     pub(crate) fn positive(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(&what, Sign::Positive)
+        self.within(&what, Domain::Positive)
     }
 
     /// A number not less than zero.
     pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
-        self.number(&what, Sign::NotNegative)
+        self.within(&what, Domain::NotNegative)
     }
 
     /// A number that ought to be greater than zero, though OpenSees takes any: see [`Self::doubt`].
@@ -305,12 +289,12 @@ impl<'a> Args<'a> {
 
     /// A finite number that is one of several, counted from 1: the message of an error names it.
     pub(crate) fn nth_float(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
-        self.number(&format_args!("{what} {i}"), Sign::Any)
+        self.within(&format_args!("{what} {i}"), Domain::Number)
     }
 
     /// The same for a number not less than zero.
     pub(crate) fn nth_not_negative(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
-        self.number(&format_args!("{what} {i}"), Sign::NotNegative)
+        self.within(&format_args!("{what} {i}"), Domain::NotNegative)
     }
 
     /// A number, where the next word is one.

@@ -106,6 +106,12 @@ impl Command {
         self
     }
 
+    /// The same command with arguments that it shares with others.
+    const fn groups(mut self, groups: &'static [&'static [Arg]]) -> Self {
+        self.text.groups = groups;
+        self
+    }
+
     /// The same command as one that OpenSees does not have.
     const fn own(mut self) -> Self {
         self.text.is_own = true;
@@ -259,6 +265,12 @@ fn warn(interp: &mut Tcl, mut warning: Diagnostic) -> Result<(), Exception> {
 /// Warn that the word just taken is none of the command's options, and ignore it.
 fn ignore_option(interp: &mut Tcl, args: &mut Args<'_>, known: &[&str]) -> Result<(), Exception> {
     args.unknown_option(known)?.map_or(Ok(()), |d| warn(interp, d))
+}
+
+/// Warn that the word just taken is none of the options in the usage, and ignore it.
+fn ignore_unknown(interp: &mut Tcl, args: &mut Args<'_>) -> Result<(), Exception> {
+    let known = args.options();
+    ignore_option(interp, args, &known)
 }
 
 /// Report a message, whether or not warnings are errors.

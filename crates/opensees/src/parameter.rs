@@ -3,9 +3,9 @@
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
-use crate::element::{set_parameter as set_parameter_of, with_parameter};
+use crate::element::{domain_of, set_parameter as set_parameter_of, with_parameter};
 use crate::model::nodes::node_of;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
@@ -13,16 +13,29 @@ use hysteron_engine::parameter::ParameterError;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
+const TAG: Arg = Arg::whole("tag", "tag of the parameter");
+const PARAMETER_VALUE: Arg = Arg::number("value", "value");
+const NODE: Arg = Arg::whole("node", "tag of the node");
+const DOF: Arg = Arg::whole("dof", "degree of freedom");
+const PARAMETER_PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
+const NAME: Arg = Arg::new("name", "name of the parameter");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("parameter", PARAMETER, parameter)
+        .arguments(&[TAG, PARAMETER_VALUE, NODE, DOF, PARAMETER_PATTERN, NAME])
         .about(
-            "Declares a quantity that `updateParameter` can change. Of an element it is a number of its command, or of the \
-             command of a law in it, also one that was left out. OpenSees has few of them: its names are known too.",
+            "Declares a quantity that `updateParameter` can change. Of an element it is a number of its command, or of \
+             the command of a law in it, also one that was left out. OpenSees has few of them: its names are known too.",
         )
         .defining(&[things::PARAMETER], 1),
-    Command::new("addToParameter", ADD, add_to_parameter).about("Adds a quantity to a parameter that exists."),
-    Command::new("updateParameter", UPDATE, update_parameter).about("Gives a parameter a new value."),
+    Command::new("addToParameter", ADD, add_to_parameter)
+        .arguments(&[TAG, NODE, PARAMETER_PATTERN, DOF, NAME])
+        .about("Adds a quantity to a parameter that exists."),
+    Command::new("updateParameter", UPDATE, update_parameter)
+        .arguments(&[TAG, PARAMETER_VALUE])
+        .about("Gives a parameter a new value."),
     Command::new("getParamValue", "getParamValue $tag", value_of)
+        .arguments(&[TAG])
         .about("Returns the value of a parameter.")
         .leaving(Effect::Nothing),
     Command::new("getParamTags", "getParamTags", tags)
@@ -30,6 +43,8 @@ pub(crate) const COMMANDS: &[Command] = &[
         .leaving(Effect::Nothing),
     Command::new("setParameter", SET, set_parameter).about("Changes a quantity of elements or nodes once.").arguments(
         &[
+            Arg::of("-val", "value", "new value").within(Domain::Number),
+            Arg::of("-node", "node", "tags of nodes").within(Domain::Whole),
             Arg::of("-ele", "element", "tags of elements"),
             Arg::of("-eleRange", "first", "first and last tag of elements"),
         ],
@@ -69,7 +84,7 @@ pub(crate) struct Parameter {
 
 /// A node by its tag; the tag.
 fn node_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, Tag), Exception> {
-    let node = node_of(interp, a, "tag of the node")?;
+    let node = node_of(interp, a, NODE.meaning)?;
     Ok((node, interp.host.engine.model().nodes[node.0].tag))
 }
 
@@ -90,15 +105,12 @@ fn mass_dofs(a: &mut Args<'_>, ndf: usize) -> Result<Vec<usize>, Exception> {
     Ok(dofs)
 }
 
-/// Parameters that mean nothing unless they are greater than 0, though no declaration says so: moduli, areas, strengths.
-const POSITIVE: [&str; 14] = ["E", "Epos", "A", "I", "Iz", "Iy", "G", "J", "Av", "Avy", "Avz", "sigmaY", "fy", "Fy"];
-
 /// The name of a parameter of elements, and a warning where none of them has it: OpenSees says nothing.
 fn of_elements(interp: &mut Tcl, a: &mut Args<'_>, elements: &[Tag]) -> Result<Vec<Place>, Exception> {
-    let mut words = vec![a.word("name of the parameter")?.into_owned()];
+    let mut words = vec![a.word(NAME.meaning)?.into_owned()];
     let span = a.last_span();
     while a.left() > 0 {
-        words.push(a.word("name of the parameter")?.into_owned());
+        words.push(a.word(NAME.meaning)?.into_owned());
     }
     let place = |element: Tag| Place::Element { element, words: words.clone() };
     let mut places: Vec<Place> = elements.iter().map(|e| place(*e)).collect();
@@ -151,12 +163,12 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
             let ndf = model.nodes[id.0].ndf;
             match a.word("property of the node")?.as_ref() {
                 "mass" | "-mass" => Ok(Place::Mass { node, dofs: mass_dofs(a, ndf)? }),
-                "disp" => Ok(Place::Disp { node, dof: a.dof("degree of freedom", ndf)? }),
+                "disp" => Ok(Place::Disp { node, dof: a.dof(DOF.meaning, ndf)? }),
                 _ => Err(a.unknown_name("property of a node", ["mass", "disp"])),
             }
         }
         "loadPattern" | "pattern" => {
-            let pattern = a.tag(things::PATTERN, "tag of the pattern")?;
+            let pattern = a.tag(things::PATTERN, PARAMETER_PATTERN.meaning)?;
             if !model.patterns.contains_key(&pattern) {
                 return Err(a.absent(things::PATTERN, pattern, "expected the tag of a pattern"));
             }
@@ -165,7 +177,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
                 "loadAtNode" => {
                     let (id, node) = node_tag(interp, a)?;
                     let span = a.last_span();
-                    let dof = a.dof("degree of freedom", model.nodes[id.0].ndf)?;
+                    let dof = a.dof(DOF.meaning, model.nodes[id.0].ndf)?;
                     let loaded = model.patterns[&pattern].nodal_loads.iter().any(|l| l.node == id);
                     if !loaded {
                         let message = format!("load pattern {pattern} has no load on node {node}");
@@ -243,12 +255,12 @@ fn refusal(interp: &mut Tcl, place: &Place, value: f64) -> Option<String> {
 
 fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PARAMETER);
-    let tag = a.int("tag of the parameter")?;
+    let tag = a.int(TAG.meaning)?;
     if interp.host.builder.parameters.contains_key(&tag) {
         return Err(a.exists(things::PARAMETER, tag));
     }
     let mut new = Parameter::default();
-    if let Some(value) = a.optional_float("value")? {
+    if let Some(value) = a.optional_number(&PARAMETER_VALUE)? {
         new.value = value;
     } else if a.left() > 0 {
         new.places = places(interp, &mut a)?;
@@ -261,7 +273,7 @@ fn parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Tag of a parameter that is there.
 fn known(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
-    let tag = a.tag(things::PARAMETER, "tag of the parameter")?;
+    let tag = a.tag(things::PARAMETER, TAG.meaning)?;
     if interp.host.builder.parameters.contains_key(&tag) {
         return Ok(tag);
     }
@@ -299,10 +311,15 @@ fn refuse_meaningless(
             Place::Mass { .. } if value < 0.0 => {
                 return Err(a.refuse_at(span, format!("the mass is {value}"), "expected a mass not less than 0"));
             }
-            Place::Element { words, .. } if value <= 0.0 => {
-                if let Some(name) = words.last().filter(|w| POSITIVE.contains(&w.as_str())) {
-                    return Err(a.refuse_at(span, format!("{name} is {value}"), "expected a number greater than 0"));
+            Place::Element { element, words } => {
+                let domain = domain_of(interp, *element, words).filter(|domain| !domain.holds(value));
+                let Some(domain) = domain else { continue };
+                let message = format!("{} is {value}", words.join(" "));
+                let label = format!("expected {}", domain.expected());
+                if !domain.is_usual() {
+                    return Err(a.refuse_at(span, message, label).by(&checks::words::OUT_OF_RANGE));
                 }
+                a.doubt_at(interp, span, message, label)?;
             }
             _ => {}
         }
@@ -313,7 +330,7 @@ fn refuse_meaningless(
 fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, UPDATE);
     let tag = known(interp, &mut a)?;
-    let value = a.float("value")?;
+    let value = a.number(&PARAMETER_VALUE)?;
     let span = a.last_span();
     finish(interp, &a)?;
     let places = interp.host.builder.parameters.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
@@ -360,7 +377,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         a.word("option -val")?;
         return Err(a.refuse("setParameter begins with the value", "expected -val"));
     }
-    let value = a.float("value")?;
+    let value = a.number(&PARAMETER_VALUE)?;
     let span = a.last_span();
     let model = interp.host.engine.model();
     let elements: Option<Vec<Tag>> = match a.peek().as_deref() {

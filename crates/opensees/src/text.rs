@@ -2,6 +2,8 @@
 
 mod any_command;
 
+use std::borrow::Cow;
+
 /// Values that a number may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
@@ -19,18 +21,53 @@ pub enum Domain {
     UsuallyPositive,
     /// Not less than 0, though OpenSees takes any number.
     UsuallyNotNegative,
+    /// Less than 0.
+    Negative,
     /// A whole number.
     Whole,
+    /// The tag of a thing that is there; the meaning names its kind.
+    Tag,
 }
 
 impl Domain {
+    /// True for a number of the domain.
+    pub(crate) fn holds(self, x: f64) -> bool {
+        match self {
+            Self::Number | Self::Whole | Self::Tag => true,
+            Self::Positive | Self::UsuallyPositive => x > 0.0,
+            Self::NotNegative | Self::UsuallyNotNegative => x >= 0.0,
+            Self::Negative => x < 0.0,
+            Self::Ratio => (0.0..1.0).contains(&x),
+            Self::Fraction => (0.0..=1.0).contains(&x),
+        }
+    }
+
+    /// A number of the domain, in the words of messages.
+    pub(crate) fn expected(self) -> &'static str {
+        match self {
+            Self::Number => "a number",
+            Self::Positive | Self::UsuallyPositive => "a number greater than 0",
+            Self::NotNegative | Self::UsuallyNotNegative => "a number not less than 0",
+            Self::Negative => "a number less than 0",
+            Self::Ratio => "a number from 0 to below 1",
+            Self::Fraction => "a number from 0 to 1",
+            Self::Whole | Self::Tag => "a whole number",
+        }
+    }
+
+    /// True if OpenSees takes numbers outside of it.
+    pub(crate) fn is_usual(self) -> bool {
+        matches!(self, Self::UsuallyPositive | Self::UsuallyNotNegative)
+    }
+
     /// The domain in the tables of the reference.
     pub fn told(self) -> &'static str {
         match self {
             Self::Number | Self::Fraction | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
             Self::Positive => "number > 0",
+            Self::Negative => "number < 0",
             Self::NotNegative | Self::Ratio => "number ≥ 0",
-            Self::Whole => "whole number",
+            Self::Whole | Self::Tag => "whole number",
         }
     }
 }
@@ -42,9 +79,9 @@ pub struct Arg {
     pub option: &'static str,
     /// Name in the usage, without its dollar; of several behind an option the first. Empty for an option alone.
     pub name: &'static str,
-    /// Meaning of it, or of all arguments behind the option.
+    /// Meaning of it, or of all arguments behind the option. Of a tag it is the kind of thing: see [`Self::told`].
     pub meaning: &'static str,
-    /// Domain of a number that is read by this declaration, whose messages have the meaning; none elsewhere.
+    /// Domain of a number; none of other words.
     pub domain: Option<Domain>,
     /// Further names of the number in OpenSees' `parameter`. A name after a minus sets the opposite.
     pub parameters: &'static [&'static str],
@@ -89,6 +126,36 @@ impl Arg {
     /// A number not less than 0, by position.
     pub(crate) const fn not_negative(name: &'static str, meaning: &'static str) -> Self {
         Self::of_domain(name, meaning, Domain::NotNegative)
+    }
+
+    /// A whole number, by position.
+    pub(crate) const fn whole(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::Whole)
+    }
+
+    /// The tag of a thing of a kind, by position.
+    pub(crate) const fn thing(name: &'static str, kind: &'static str) -> Self {
+        Self::of_domain(name, kind, Domain::Tag)
+    }
+
+    /// The same argument as a number of a domain.
+    pub(crate) const fn within(mut self, domain: Domain) -> Self {
+        self.domain = Some(domain);
+        self
+    }
+
+    /// The same argument behind an option.
+    pub(crate) const fn after(mut self, option: &'static str) -> Self {
+        self.option = option;
+        self
+    }
+
+    /// The meaning in the tables of the reference.
+    pub fn told(&self) -> Cow<'static, str> {
+        match self.domain {
+            Some(Domain::Tag) => format!("tag of a {}", self.meaning).into(),
+            _ => self.meaning.into(),
+        }
     }
 
     /// The same argument with further names in OpenSees' `parameter`.
@@ -221,14 +288,19 @@ mod tests {
     /// True if the numbers that are declared stand in a usage, in their order.
     fn are_in_order<'a>(arguments: impl Iterator<Item = &'a Arg>, usage: &str) -> bool {
         let mut names = names(usage).into_iter();
-        arguments.filter(|a| a.domain.is_some()).all(|a| names.any(|n| n == a.name))
+        arguments.filter(|a| a.domain.is_some() && a.option.is_empty()).all(|a| names.any(|n| n == a.name))
     }
 
     #[test]
     fn numbers_are_declared_in_the_order_of_the_usage() {
-        for kind in crate::commands().flat_map(crate::Command::kinds) {
-            assert!(are_in_order(kind.text.all(), kind.usage), "{}", kind.usage);
-        }
+        let is_in_order = |kind: &crate::KindUsage| {
+            let mut lists = kind.text.groups.iter().copied().chain([kind.text.arguments]);
+            lists.all(|list| are_in_order(list.iter(), kind.usage))
+        };
+        // Further forms have orders of their own.
+        let kinds = crate::commands().flat_map(crate::Command::kinds).filter(|k| !k.usage.contains(" or "));
+        let wrong: Vec<&str> = kinds.filter(|k| !is_in_order(k)).map(|k| k.usage).collect();
+        assert!(wrong.is_empty(), "{wrong:#?}");
         let [fy, e] = ["Fy", "E"].map(|name| Arg::number(name, ""));
         assert!(
             are_in_order([fy, e].iter(), "law $tag $Fy <$E>") && !are_in_order([e, fy].iter(), "law $tag $Fy <$E>")

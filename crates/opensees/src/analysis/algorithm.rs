@@ -2,8 +2,8 @@
 
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
     Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
@@ -12,7 +12,19 @@ use hysteron_engine::analysis::algorithm::{
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const TOL_TOLERANCE: Arg = Arg::of("-tol", "tolerance", "tolerance of the line search").within(Domain::Positive);
+const MAX_ITER_N: Arg = Arg::of("-maxIter", "n", "largest number of steps of the search").within(Domain::Whole);
+const MIN_ETA_ETA: Arg = Arg::of("-minEta", "eta", "shortest length").within(Domain::Number);
+const MAX_ETA_ETA: Arg = Arg::of("-maxEta", "eta", "longest length").within(Domain::Number);
+const INCREMENT_TANGENT: Arg = Arg::of("-increment", "tangent", "tangent: current, initial or noTangent");
+const ITERATE_TANGENT: Arg = Arg::of("-iterate", "tangent", "tangent: current, initial or noTangent");
+const NUM_TERMS_N: Arg = Arg::of("-numTerms", "n", "number of terms").within(Domain::Whole);
+const COUNT_CORRECTIONS: Arg =
+    Arg::of("-count", "corrections", "number of corrections with one tangent").within(Domain::Whole);
+const FACTOR: Arg = Arg::positive("factor", "factor of the stiffness");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("algorithm", ALGORITHM, algorithm)
+    .arguments(&[Arg::of("-maxDim", "n", "largest dimension of the subspace").within(Domain::Whole)])
     .about("Chooses the solution algorithm of a step.")
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -69,16 +81,23 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Newton"],
         usage: "algorithm Newton <-initial | -initialThenCurrent | -Hall <$initial $current>>",
-        text: Text::new("A new tangent in each iteration.").arguments(&[Arg::flag(
-            "-initialThenCurrent",
-            "forms the tangent of the first iteration at the initial state, the others at the current one",
-        )]),
+        text: Text::new("A new tangent in each iteration.").arguments(&[
+            Arg::flag(
+                "-initialThenCurrent",
+                "forms the tangent of the first iteration at the initial state, the others at the current one",
+            ),
+            Arg::of("-Hall", "initial", "share of the initial tangent").within(Domain::Number),
+            Arg::of("-Hall", "current", "share of the current tangent").within(Domain::Number),
+        ]),
         make: |interp, a| Ok(Box::new(Newton::new(tangent(interp, a)?.0))),
     },
     Kind {
         names: &["ModifiedNewton"],
         usage: "algorithm ModifiedNewton <-initial | -Hall <$initial $current>> <-factorOnce>",
-        text: Text::new("One tangent for the whole step."),
+        text: Text::new("One tangent for the whole step.").arguments(&[
+            Arg::of("-Hall", "initial", "share of the initial tangent").within(Domain::Number),
+            Arg::of("-Hall", "current", "share of the current tangent").within(Domain::Number),
+        ]),
         make: |interp, a| {
             let (choice, once) = tangent(interp, a)?;
             Ok(Box::new(ModifiedNewton::new(mix(choice), once)))
@@ -88,54 +107,68 @@ const KINDS: &[Kind] = &[
         names: &["NewtonLineSearch"],
         usage: "algorithm NewtonLineSearch <-type InitialInterpolated|Bisection|Secant|RegulaFalsi> <-tol $tolerance> \
                 <-maxIter $n> <-minEta $eta> <-maxEta $eta>",
-        text: Text::new("Newton's method with a search for the length of each correction.")
-            .arguments(&[Arg::flag("-type", "rule of the line search")]),
+        text: Text::new("Newton's method with a search for the length of each correction.").arguments(&[
+            Arg::flag("-type", "rule of the line search"),
+            TOL_TOLERANCE,
+            MAX_ITER_N,
+            MIN_ETA_ETA,
+            MAX_ETA_ETA,
+        ]),
         make: line_search,
     },
     // Miller's acceleration is that of the Krylov subspace (Carlson and Miller, 1998).
     Kind {
         names: &["KrylovNewton", "MillerNewton"],
         usage: "algorithm KrylovNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>",
-        text: Text::new("Modified Newton accelerated in a Krylov subspace."),
+        text: Text::new("Modified Newton accelerated in a Krylov subspace.")
+            .arguments(&[INCREMENT_TANGENT, ITERATE_TANGENT]),
         make: krylov,
     },
     Kind {
         names: &["SecantNewton"],
         usage: "algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> \
                 <-cutOut $R1 $R2>",
-        text: Text::new("Modified Newton accelerated by secants."),
+        text: Text::new("Modified Newton accelerated by secants.").arguments(&[
+            INCREMENT_TANGENT,
+            ITERATE_TANGENT,
+            NUM_TERMS_N,
+            Arg::of("-cutOut", "R1", "limit R1 of the scale").within(Domain::Positive),
+            Arg::of("-cutOut", "R2", "limit R2 of the added part").within(Domain::Positive),
+        ]),
         make: |interp, a| secant(interp, a, false),
     },
     Kind {
         names: &["PeriodicNewton"],
         usage: "algorithm PeriodicNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n>",
-        text: Text::new("Modified Newton with a new tangent from time to time."),
+        text: Text::new("Modified Newton with a new tangent from time to time.")
+            .arguments(&[INCREMENT_TANGENT, ITERATE_TANGENT]),
         make: |interp, a| secant(interp, a, true),
     },
     // In OpenSees an accelerated method that does not accelerate.
     Kind {
         names: &["RaphsonNewton"],
         usage: "algorithm RaphsonNewton <-increment $tangent> <-iterate $tangent>",
-        text: Text::new("Newton's method whose tangent is formed before the correction of each iteration."),
+        text: Text::new("Newton's method whose tangent is formed before the correction of each iteration.")
+            .arguments(&[INCREMENT_TANGENT, ITERATE_TANGENT]),
         make: raphson,
     },
     Kind {
         names: &["BFGS"],
         usage: "algorithm BFGS <-initial> <-count $corrections>",
-        text: Text::new("The method of Broyden, Fletcher, Goldfarb and Shanno."),
+        text: Text::new("The method of Broyden, Fletcher, Goldfarb and Shanno.").arguments(&[COUNT_CORRECTIONS]),
         make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| bfgs(mix, count)),
     },
     Kind {
         names: &["Broyden"],
         usage: "algorithm Broyden <-initial> <-count $corrections>",
-        text: Text::new("Broyden's method."),
+        text: Text::new("Broyden's method.").arguments(&[COUNT_CORRECTIONS]),
         make: |interp, a| quasi_newton(interp, a).map(|(mix, count)| broyden(mix, count)),
     },
     Kind {
         names: &["ExpressNewton"],
         usage: "algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>",
         text: Text::new("A fixed number of corrections a step.")
-            .arguments(&[Arg::new("corrections", "number of corrections a step")]),
+            .arguments(&[Arg::new("corrections", "number of corrections a step"), FACTOR]),
         make: express,
     },
 ];
@@ -186,10 +219,10 @@ fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
                     }
                 };
             }
-            "-tol" | "-tolerance" => search.tolerance = a.positive("tolerance of the line search")?,
-            "-maxIter" => search.max_iterations = a.count("largest number of steps of the search")?,
-            "-minEta" => search.min_eta = a.float("shortest length")?,
-            "-maxEta" => search.max_eta = a.float("longest length")?,
+            "-tol" | "-tolerance" => search.tolerance = a.number(&TOL_TOLERANCE)?,
+            "-maxIter" => search.max_iterations = a.count(MAX_ITER_N.meaning)?,
+            "-minEta" => search.min_eta = a.number(&MIN_ETA_ETA)?,
+            "-maxEta" => search.max_eta = a.number(&MAX_ETA_ETA)?,
             "-pFlag" | "-flag" => drop(a.int("print flag")?),
             _ => ignore_option(interp, a, &["-type", "-tol", "-maxIter", "-minEta", "-maxEta", "-pFlag"])?,
         }
@@ -213,7 +246,7 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-increment" | "-iterate" => {
-                let mix = match a.word("tangent: current, initial or noTangent")?.as_ref() {
+                let mix = match a.word(INCREMENT_TANGENT.meaning)?.as_ref() {
                     "current" => Some(TangentMix::CURRENT),
                     "initial" => Some(TangentMix::INITIAL),
                     "noTangent" => None,
@@ -234,7 +267,7 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
             "-factorOnce" | "-FactorOnce" | "-factoronce" | "-factorIncrementOnce" | "-FactorIncrementOnce" => {
                 t.once = true;
             }
-            "-numTerms" if secant => o.terms = a.count("number of terms")?,
+            "-numTerms" if secant => o.terms = a.count(NUM_TERMS_N.meaning)?,
             "-cutOut" | "-cutout" if secant => {
                 o.cut_out = Some((a.positive("limit R1 of the scale")?, a.positive("limit R2 of the added part")?));
             }
@@ -281,11 +314,11 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
         match option.as_ref() {
             "-initial" | "initial" => mix = TangentMix::INITIAL,
             "-current" => mix = TangentMix::CURRENT,
-            "-count" => count = a.count("number of corrections with one tangent")?,
+            "-count" => count = a.count(COUNT_CORRECTIONS.meaning)?,
             "-secant" => no_secant(interp, a)?,
             // The number alone is an old form.
             _ if a.last_word().parse::<usize>().is_ok_and(|n| n > 0) => count = a.last_word().parse().unwrap_or(count),
-            _ => ignore_option(interp, a, &["-initial", "-count"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if count > MAX_CORRECTIONS {
@@ -297,14 +330,14 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
 
 fn express(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let corrections = if a.at_number() { a.count("number of corrections")? } else { 2 };
-    let factor = if a.at_number() { a.positive("factor of the stiffness")? } else { 1.0 };
+    let factor = if a.at_number() { a.number(&FACTOR)? } else { 1.0 };
     let (mut initial, mut once) = (false, false);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-initialTangent" | "-InitialTangent" | "-initial" | "-Initial" => (initial, once) = (true, true),
             "-currentTangent" | "-CurrentTangent" => initial = false,
             "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
-            _ => ignore_option(interp, a, &["-initialTangent", "-currentTangent", "-factorOnce"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let mix = if initial {

@@ -24,6 +24,8 @@ use hysteron_engine::assembly::Handler;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
+const COUNT: Arg = Arg::whole("count", "number of modes");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("analysis", ANALYSIS, analysis)
         .about("Makes the analysis of the chosen parts.")
@@ -40,7 +42,7 @@ pub(crate) const COMMANDS: &[Command] = &[
         ]),
     Command::new("eigen", EIGEN, eigen)
         .about("Computes modes; returns the eigenvalues, squares of the circular frequencies.")
-        .arguments(&[Arg::new("solver", "name of OpenSees' solver, accepted")]),
+        .arguments(&[COUNT, Arg::new("solver", "name of OpenSees' solver, accepted")]),
     Command::new("wipeAnalysis", "wipeAnalysis", wipe_analysis).about("Removes the analysis and keeps the model."),
     Command::new("reset", "reset", reset).about("Returns to the state at the start."),
     Command::new("revertToStart", "revertToStart", reset).about("Returns to the state at the start."),
@@ -388,7 +390,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     }
-    let count = a.count("number of modes")?;
+    let count = a.count(COUNT.meaning)?;
     let span = a.last_span();
     if interp.host.mode == Mode::Check {
         interp.host.overview.note_analysis(call.span(0));

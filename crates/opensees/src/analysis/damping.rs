@@ -5,7 +5,7 @@ use crate::checks;
 use crate::element::damping::of_tag;
 use crate::output::recorders::absent_of;
 use crate::session::Region;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
@@ -16,6 +16,13 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const ALPHA_M: Arg = Arg::number("alphaM", "factor of the mass alphaM");
+const BETA_K: Arg = Arg::number("betaK", "factor of the current stiffness betaK");
+const BETA_K0: Arg = Arg::number("betaK0", "factor of the initial stiffness betaK0");
+const BETA_KC: Arg = Arg::number("betaKc", "factor of the committed stiffness betaKc");
+const TAG: Arg = Arg::whole("tag", "tag of the region");
+const SET_ELEMENT_RAYLEIGH_DAMPING_FACTORS_ELEMENT: Arg = Arg::whole("element", "tag of the element");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("rayleigh", RAYLEIGH, rayleigh)
         .about(
@@ -23,23 +30,33 @@ pub(crate) const COMMANDS: &[Command] = &[
              with the current, initial and committed stiffness.",
         )
         .arguments(&[
+            ALPHA_M,
+            BETA_K,
+            BETA_K0,
+            BETA_KC,
             Arg::of("-ele", "tag", "tags of elements that get the damping of their stiffness and mass"),
             Arg::of("-node", "tag", "tags of nodes that get the damping of their mass"),
         ]),
     Command::new("region", REGION, region)
         .about("Names nodes and elements together, for recorders, parameters or Rayleigh damping of their own.")
         .arguments(&[
+            TAG,
+            Arg::of("-rayleigh", "alphaM", "factor of the mass alphaM").within(Domain::Number),
+            Arg::of("-rayleigh", "betaK", "factor of the current stiffness betaK").within(Domain::Number),
+            Arg::of("-rayleigh", "betaK0", "factor of the initial stiffness betaK0").within(Domain::Number),
+            Arg::of("-rayleigh", "betaKc", "factor of the committed stiffness betaKc").within(Domain::Number),
             Arg::of("-ele", "tag", "tags of elements; their nodes belong to the region too"),
             Arg::of("-eleOnly", "tag", "tags of elements, without their nodes"),
             Arg::flag("-eleOnlyRange", "first and last tag of elements, without their nodes"),
             Arg::of("-node", "tag", "tags of nodes; elements between them belong to the region too"),
             Arg::flag("-nodeOnlyRange", "first and last tag of nodes, without elements"),
-            Arg::of("-eleRange", "first", "first and last tag of elements"),
-            Arg::of("-nodeRange", "first", "first and last tag of nodes"),
+            Arg::of("-eleRange", "first", "first and last tag of elements").within(Domain::Whole),
+            Arg::of("-nodeRange", "first", "first and last tag of nodes").within(Domain::Whole),
             Arg::flag("-nodeOnly", "tags of nodes, without elements"),
         ])
         .defining(&[things::REGION], 1),
     Command::new("setElementRayleighDampingFactors", FACTORS, element_factors)
+        .arguments(&[SET_ELEMENT_RAYLEIGH_DAMPING_FACTORS_ELEMENT, ALPHA_M, BETA_K, BETA_K0, BETA_KC])
         .about("Sets Rayleigh damping of one element."),
     Command::new("setElementRayleighFactors", FACTORS, element_factors).about("Sets Rayleigh damping of one element."),
 ];
@@ -52,10 +69,10 @@ const FACTORS: &str = "setElementRayleighDampingFactors $element $alphaM $betaK 
 
 fn factors(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rayleigh, Exception> {
     let r = Rayleigh {
-        alpha_m: a.float("factor of the mass alphaM")?,
-        beta_k: a.float("factor of the current stiffness betaK")?,
-        beta_k0: a.float("factor of the initial stiffness betaK0")?,
-        beta_kc: a.float("factor of the committed stiffness betaKc")?,
+        alpha_m: a.number(&ALPHA_M)?,
+        beta_k: a.number(&BETA_K)?,
+        beta_k0: a.number(&BETA_K0)?,
+        beta_kc: a.number(&BETA_KC)?,
     };
     let stiffness = r.beta_k + r.beta_k0 + r.beta_kc;
     if r.alpha_m < 0.0 || stiffness < 0.0 {
@@ -126,7 +143,7 @@ fn damp_model(interp: &mut Tcl, r: Rayleigh) {
 
 fn element_factors(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FACTORS);
-    let tag = a.tag(things::ELEMENT, "tag of the element")?;
+    let tag = a.tag(things::ELEMENT, SET_ELEMENT_RAYLEIGH_DAMPING_FACTORS_ELEMENT.meaning)?;
     let Some(id) = interp.host.engine.model().element(tag) else {
         return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));
     };
@@ -178,7 +195,7 @@ fn damp(interp: &mut Tcl, a: &Args<'_>, region: &Region, damping: &Arc<ElementDa
 
 fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, REGION);
-    let tag = a.int("tag of the region")?;
+    let tag = a.int(TAG.meaning)?;
     let mut region = Region::default();
     let (mut damping, mut own) = (None, None);
     let mut absent: Vec<Missing> = vec![];

@@ -2,17 +2,22 @@
 
 use crate::args::Args;
 use crate::effect::Effect;
-use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use crate::text::Arg;
+use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
 use hysteron_engine::analysis::Equations;
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::{Call, OpenMode, Value};
 use std::io::Write as _;
 
+const FILE: Arg = Arg::of("-file", "file", "name of the file");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("printA", PRINT_A, print_a)
+        .arguments(&[FILE])
         .about("Prints the matrix of the equations, under `system Diagonal` its diagonal.")
         .leaving(Effect::Nothing),
     Command::new("printB", PRINT_B, print_b)
+        .arguments(&[FILE])
         .about("Prints the right-hand side of the equations.")
         .leaving(Effect::Nothing),
 ];
@@ -45,9 +50,9 @@ fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equati
     let (mut file, mut give_back) = (None, false);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-file" | "file" => file = Some(a.word("name of the file")?.into_owned()),
+            "-file" | "file" => file = Some(a.word(FILE.meaning)?.into_owned()),
             "-ret" | "ret" => give_back = true,
-            _ => ignore_option(interp, &mut a, &["-file", "-ret"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let terms = interp.host.parts.matrix_terms.unwrap_or_default();

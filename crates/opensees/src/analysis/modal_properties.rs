@@ -2,8 +2,9 @@
 
 use crate::args::Args;
 use crate::effect::Effect;
+use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
 use hysteron_engine::analysis::{ModalProperties, cumulative};
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::diagnostic::Absent;
@@ -12,7 +13,10 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
+const FILE: Arg = Arg::of("-file", "file", "name of the file");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("modalProperties", USAGE, modal_properties)
+    .arguments(&[FILE])
     .about("Computes participation factors and effective masses of the modes.")
     .leaving(Effect::Nothing)];
 
@@ -26,8 +30,8 @@ fn modal_properties(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-print" => print = true,
             "-unorm" => unit = true,
             "-return" => give = true,
-            "-file" => file = Some((a.word("name of the file")?.into_owned(), a.last_span())),
-            _ => ignore_option(interp, &mut a, &["-print", "-file", "-unorm", "-return"])?,
+            "-file" => file = Some((a.word(FILE.meaning)?.into_owned(), a.last_span())),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let engine = &interp.host.engine;

@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::analysis::ModalProperties;
 use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic};
@@ -17,6 +17,8 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis
          the modes.",
     )
     .arguments(&[
+        Arg::thing("series", things::SERIES),
+        Arg::thing("direction", things::SERIES),
         Arg::of("-Tn", "periods", "periods of the spectrum"),
         Arg::of("-Sa", "accelerations", "accelerations of the spectrum at these periods"),
         Arg::of("-scale", "factor", "has no effect in OpenSees either"),
@@ -90,7 +92,7 @@ fn response_spectrum(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             "-damp" => drop(a.float("damping")?),
             "-mode" => only = Some(a.count("mode")?),
-            _ => ignore_option(interp, &mut a, &["-Tn", "-Sa", "-scale", "-mode"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let spectrum = match series {

@@ -3,8 +3,8 @@
 use crate::args::Args;
 use crate::effect::Effect;
 use crate::load::series::series_of_words;
-use crate::text::Arg;
-use crate::{Command, Outcome, Tcl, ignore_option};
+use crate::text::{Arg, Domain};
+use crate::{Command, Outcome, Tcl, ignore_unknown};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
@@ -14,18 +14,18 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, res
          an elastic-plastic system of one degree of freedom under a series of forces.",
     )
     .arguments(&[
-        Arg::new("m", "mass"),
-        Arg::new("zeta", "damping ratio of the elastic system"),
-        Arg::new("k", "elastic stiffness"),
-        Arg::new("Fy", "yield force"),
-        Arg::new("alpha", "stiffness after yielding over the elastic one"),
-        Arg::new("dtF", "step of the forces in the file"),
+        Arg::positive("m", "mass"),
+        Arg::not_negative("zeta", "damping ratio of the elastic system"),
+        Arg::positive("k", "elastic stiffness"),
+        Arg::positive("Fy", "yield force"),
+        Arg::not_negative("alpha", "stiffness after yielding over the elastic one"),
+        Arg::whole("dtF", "step of the forces in the file"),
         Arg::new("file", "file of forces"),
-        Arg::new("series", "tag of a time series of forces"),
-        Arg::new("dt", "step of the analysis"),
-        Arg::of("-uresid", "u", "residual displacement at the start"),
-        Arg::of("-umaxprev", "u", "largest displacement of before"),
-        Arg::of("-tend", "t", "time of the end; that of the series where it is left out"),
+        Arg::whole("series", "tag of a time series of forces"),
+        Arg::positive("dt", "step of the analysis"),
+        Arg::of("-uresid", "u", "residual displacement at the start").within(Domain::Number),
+        Arg::of("-umaxprev", "u", "largest displacement of before").within(Domain::Number),
+        Arg::of("-tend", "t", "time of the end; that of the series where it is left out").within(Domain::Number),
     ])
     .leaving(Effect::Nothing)];
 
@@ -60,7 +60,7 @@ fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-uresid" | "-uresidual" => span.residual = a.float("residual displacement")?,
             "-umaxprev" => span.largest = a.float("earlier largest displacement")?,
             "-tend" => end = Some(a.float("time of the end")?),
-            _ => ignore_option(interp, &mut a, &["-uresid", "-umaxprev", "-tend"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     span.end =

@@ -3,15 +3,25 @@
 use crate::args::Args;
 use crate::checks;
 use crate::kind::{self, Kind};
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::analysis::{MatrixTerms, Measure, Norm, Test};
 use hysteron_engine::assembly::Handler;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const LAGRANGE_ALPHA_S: Arg = Arg::number("alphaS", "factor alphaS");
+const LAGRANGE_ALPHA_M: Arg = Arg::number("alphaM", "factor alphaM");
+const ITERATIONS: Arg = Arg::whole("iterations", "largest number of iterations");
+const TOL_DISP: Arg = Arg::of_domain("tolDisp", "tolerance", Domain::UsuallyNotNegative);
+const TOL_UNBALANCE: Arg = Arg::not_negative("tolUnbalance", "tolerance of the unbalance");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("constraints", CONSTRAINTS, constraints)
+        .arguments(&[
+            Arg::number("alphaS", "penalty alphaS of single-point constraints"),
+            Arg::number("alphaM", "penalty alphaM of multi-point constraints"),
+        ])
         .about("Chooses how constraints are enforced.")
         .with_kinds(|| kind::usages(HANDLERS)),
     Command::new("numberer", NUMBERER, numberer)
@@ -23,10 +33,10 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("test", TEST, test)
         .about("Chooses the test of convergence.")
         .arguments(&[
-            Arg::new("tolerance", "tolerance of the norm"),
-            Arg::new("maxIterations", "most iterations"),
-            Arg::new("printFlag", "what the test prints, 0 to 5"),
-            Arg::new("norm", "norm: 0 largest, 1 sum, 2 square root of the sum of squares"),
+            Arg::number("tolerance", "tolerance of the norm"),
+            Arg::whole("maxIterations", "most iterations"),
+            Arg::number("printFlag", "what the test prints, 0 to 5"),
+            Arg::number("norm", "norm: 0 largest, 1 sum, 2 square root of the sum of squares"),
         ])
         .with_kinds(|| kind::usages(TESTS)),
 ];
@@ -45,13 +55,17 @@ const HANDLERS: &[Kind<MakeHandler>] = &[
     Kind {
         names: &["Penalty"],
         usage: "constraints Penalty $alphaS $alphaM",
-        text: Text::new("Constraints by stiff springs of given penalty factors."),
+        text: Text::new("Constraints by stiff springs of given penalty factors.").arguments(&[
+            Arg::number("alphaS", "penalty alphaS of single-point constraints"),
+            Arg::number("alphaM", "penalty alphaM of multi-point constraints"),
+        ]),
         make: penalty,
     },
     Kind {
         names: &["Lagrange"],
         usage: "constraints Lagrange <$alphaS $alphaM>",
-        text: Text::new("Constraints by Lagrange multipliers, each one more equation."),
+        text: Text::new("Constraints by Lagrange multipliers, each one more equation.")
+            .arguments(&[LAGRANGE_ALPHA_S, LAGRANGE_ALPHA_M]),
         make: lagrange,
     },
 ];
@@ -79,8 +93,8 @@ fn penalty_of(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exc
 }
 
 fn lagrange(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
-    let single = a.optional_float("factor alphaS")?.unwrap_or(1.0);
-    Ok(Handler::Lagrange { single, multi: a.optional_float("factor alphaM")?.unwrap_or(1.0) })
+    let single = a.optional_number(&LAGRANGE_ALPHA_S)?.unwrap_or(1.0);
+    Ok(Handler::Lagrange { single, multi: a.optional_number(&LAGRANGE_ALPHA_M)?.unwrap_or(1.0) })
 }
 
 fn constraints(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -190,19 +204,21 @@ const TESTS: &[Kind<Measure>] = &[
     Kind {
         names: &["FixedNumIter"],
         usage: "test FixedNumIter $iterations <$printFlag> <$norm>",
-        text: Text::new("Makes a given number of iterations and accepts their result."),
+        text: Text::new("Makes a given number of iterations and accepts their result.").arguments(&[ITERATIONS]),
         make: Measure::FixedIterations,
     },
     Kind {
         names: &["NormDispAndUnbalance"],
         usage: "test NormDispAndUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
-        text: Text::new("Passes if both the correction and the unbalanced forces are within their tolerances."),
+        text: Text::new("Passes if both the correction and the unbalanced forces are within their tolerances.")
+            .arguments(&[TOL_DISP, TOL_UNBALANCE]),
         make: Measure::DispAndUnbalance,
     },
     Kind {
         names: &["NormDispOrUnbalance"],
         usage: "test NormDispOrUnbalance $tolDisp $tolUnbalance $maxIterations <$printFlag> <$norm>",
-        text: Text::new("Passes if the correction or the unbalanced forces are within their tolerance."),
+        text: Text::new("Passes if the correction or the unbalanced forces are within their tolerance.")
+            .arguments(&[TOL_DISP, TOL_UNBALANCE]),
         make: Measure::DispOrUnbalance,
     },
 ];
@@ -212,7 +228,7 @@ const DEFAULT_ITERATIONS: usize = 25;
 
 /// OpenSees makes one iteration whatever the number is.
 fn iterations(interp: &mut Tcl, a: &mut Args<'_>) -> Result<usize, Exception> {
-    let n = a.int("largest number of iterations")?;
+    let n = a.int(ITERATIONS.meaning)?;
     if n < 1 {
         let label = "expected the largest number of iterations, at least 1";
         a.doubt(interp, format!("largest number of iterations is {n}"), label)?;
@@ -224,9 +240,8 @@ fn test(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, TEST);
     let measure = &kind::take(&mut a, "kind of test", "convergence test", TESTS.iter())?.make;
     let two = matches!(measure, Measure::DispAndUnbalance | Measure::DispOrUnbalance);
-    let tolerance =
-        if *measure == Measure::FixedIterations { 0.0 } else { a.usually_not_negative(interp, "tolerance")? };
-    let second = if two { a.not_negative("tolerance of the unbalance")? } else { tolerance };
+    let tolerance = if *measure == Measure::FixedIterations { 0.0 } else { a.read(interp, &TOL_DISP)? };
+    let second = if two { a.number(&TOL_UNBALANCE)? } else { tolerance };
     let iterations = if a.left() == 0 && *measure != Measure::FixedIterations {
         let message =
             format!("test: the largest number of iterations is missing and is taken for {DEFAULT_ITERATIONS}");

@@ -6,14 +6,22 @@ use crate::text::{Arg, Domain};
 use hysteron_tcl::Exception;
 
 impl Args<'_> {
-    /// A number of the domain that is declared.
+    /// A number of the domain that is declared. What only OpenSees takes is for the session to judge.
     pub(crate) fn read(&mut self, interp: &mut Tcl, arg: &Arg) -> Result<f64, Exception> {
+        match arg.domain {
+            Some(Domain::UsuallyPositive) => self.usually_positive(interp, arg.meaning),
+            Some(Domain::UsuallyNotNegative) => self.usually_not_negative(interp, arg.meaning),
+            _ => self.number(arg),
+        }
+    }
+
+    /// The same without a session: what only OpenSees takes is refused.
+    pub(crate) fn number(&mut self, arg: &Arg) -> Result<f64, Exception> {
         let what = arg.meaning;
         match arg.domain {
-            Some(Domain::Positive) => self.positive(what),
-            Some(Domain::NotNegative) => self.not_negative(what),
-            Some(Domain::UsuallyPositive) => self.usually_positive(interp, what),
-            Some(Domain::UsuallyNotNegative) => self.usually_not_negative(interp, what),
+            Some(Domain::Positive | Domain::UsuallyPositive) => self.positive(what),
+            Some(Domain::NotNegative | Domain::UsuallyNotNegative) => self.not_negative(what),
+            Some(Domain::Negative) => self.within(&what, Domain::Negative),
             Some(Domain::Ratio) => {
                 let x = self.not_negative(what)?;
                 if x < 1.0 { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected 0 to below 1")) }
@@ -23,7 +31,7 @@ impl Args<'_> {
                 let within = (0.0..=1.0).contains(&x);
                 if within { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
             }
-            Some(Domain::Whole) => self.int(what).map(f64::from),
+            Some(Domain::Whole | Domain::Tag) => self.int(what).map(f64::from),
             Some(Domain::Number) | None => self.float(what),
         }
     }
@@ -84,5 +92,10 @@ impl Args<'_> {
     /// A number, where the next word is one.
     pub(crate) fn read_optional(&mut self, interp: &mut Tcl, arg: &Arg) -> Result<Option<f64>, Exception> {
         if self.at_number() { self.read(interp, arg).map(Some) } else { Ok(None) }
+    }
+
+    /// The same without a session.
+    pub(crate) fn optional_number(&mut self, arg: &Arg) -> Result<Option<f64>, Exception> {
+        if self.at_number() { self.number(arg).map(Some) } else { Ok(None) }
     }
 }

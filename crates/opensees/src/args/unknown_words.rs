@@ -8,6 +8,21 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{self, Diagnostic};
 
 impl Args<'_> {
+    /// The options of the usage, in its order.
+    pub(crate) fn options(&self) -> Vec<&'static str> {
+        let words = self.usage.split([' ', '<', '>', '|']).filter(|word| {
+            let mut letters = word.chars();
+            letters.next() == Some('-') && letters.next().is_some_and(char::is_alphabetic)
+        });
+        let mut known = vec![];
+        words.for_each(|word| {
+            if !known.contains(&word) {
+                known.push(word)
+            }
+        });
+        known
+    }
+
     /// A warning about the last word taken, which is no option of the command. Numbers after it are left out with it.
     /// After a word that begins with "#" there is no further warning: OpenSees still takes options from there.
     ///

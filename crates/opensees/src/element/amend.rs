@@ -14,10 +14,15 @@ use hysteron_engine::model::ElementId;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
+const TAG: Arg = Arg::whole("tag", "tag of the element");
+const KIND: Arg = Arg::new("kind", "kind of amendment");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
     .about("Adds physics to an element that exists; see [Amendments](../amendments.md).")
     .own()
     .arguments(&[
+        TAG,
+        KIND,
         Arg::of("-option", "value", "options of the kind, below"),
         Arg::of("-axial", "dir", "direction that carries the axial force"),
         Arg::of("-axialSeries", "ts", "tag of a series of the compression"),
@@ -95,7 +100,7 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while a.at_number() {
         elements.push(element_of(interp, &mut a)?);
     }
-    let name = a.word("kind of amendment")?;
+    let name = a.word(KIND.meaning)?;
     let Some(kind) = AMENDMENTS.iter().find(|k| k.name == name) else {
         return Err(a.unknown_name("amendment", AMENDMENTS.iter().map(|k| k.name)));
     };
@@ -171,7 +176,7 @@ impl Words {
 
 /// An element at rest, by its tag.
 fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
-    let tag = a.tag(things::ELEMENT, "tag of the element")?;
+    let tag = a.tag(things::ELEMENT, TAG.meaning)?;
     let engine = &interp.host.engine;
     let Some(id) = engine.model().element(tag) else {
         return Err(a.absent(things::ELEMENT, tag, "expected the tag of an element"));

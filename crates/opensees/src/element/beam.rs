@@ -4,7 +4,8 @@ use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
+use crate::things;
 use crate::{Tcl, ignore_option, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
@@ -17,18 +18,26 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
+const MOD_ELASTIC_BEAM2D_A: Arg = Arg::positive("A", "cross-sectional area A");
+const MOD_ELASTIC_BEAM2D_E: Arg = Arg::positive("E", "elastic modulus E");
+const IZ: Arg = Arg::positive("Iz", "second moment of area Iz");
+const RHO_M: Arg = Arg::of("-rho", "m", "mass per length").within(Domain::NotNegative);
+const MOD_ELASTIC_BEAM3D_G: Arg = Arg::positive("G", "shear modulus G");
+const MOD_ELASTIC_BEAM3D_J: Arg = Arg::positive("J", "torsion constant J");
+const IY: Arg = Arg::positive("Iy", "second moment of area Iy");
+
 /// Arguments of elastic beams.
 pub(super) const ELASTIC_BEAM: &[Arg] = &[
-    Arg::new("Avy", "shear area for forces along local y"),
-    Arg::new("Avz", "shear area for forces along local z, in space"),
-    Arg::new("G", "shear modulus"),
-    Arg::new("A", "cross-sectional area"),
-    Arg::new("E", "elastic modulus"),
-    Arg::new("Iz", "second moment of area about local z"),
-    Arg::new("Iy", "second moment of area about local y, in space"),
-    Arg::new("J", "torsion constant, in space"),
-    Arg::new("section", "tag of a section"),
-    Arg::new("transf", "tag of a geometric transformation"),
+    Arg::usually_positive("Avy", "shear area for forces along local y"),
+    Arg::usually_positive("Avz", "shear area for forces along local z, in space"),
+    Arg::usually_positive("G", "shear modulus"),
+    Arg::usually_positive("A", "cross-sectional area"),
+    Arg::usually_positive("E", "elastic modulus"),
+    Arg::usually_positive("Iz", "second moment of area about local z"),
+    Arg::usually_positive("Iy", "second moment of area about local y, in space"),
+    Arg::usually_positive("J", "torsion constant, in space"),
+    Arg::thing("section", things::SECTION),
+    Arg::thing("transf", things::TRANSFORM),
 ];
 
 pub(super) const ELASTIC: Kind = Kind {
@@ -37,6 +46,7 @@ pub(super) const ELASTIC: Kind = Kind {
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
             <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
     text: Text::new("Elastic beam, Euler-Bernoulli or, with shear areas, Timoshenko.")
+        .example("element elasticBeamColumn 2 1 2 1 1 1 1")
         .arguments(&[
             Arg::of("-section", "section", "tag of a section"),
             Arg::of("-transform", "transf", "tag of a geometric transformation"),
@@ -49,7 +59,17 @@ pub(super) const ELASTIC: Kind = Kind {
 pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
-    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane."),
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane.")
+        .example("element ModElasticBeam2d 2 1 2 1 1 1 1 1 1 1")
+        .arguments(&[
+            MOD_ELASTIC_BEAM2D_A,
+            MOD_ELASTIC_BEAM2D_E,
+            IZ,
+            Arg::positive("K11", "factor K11"),
+            Arg::positive("K33", "factor K33"),
+            Arg::number("K44", "factor K44"),
+            RHO_M,
+        ]),
     make: Make::TwoNodes(make_modified),
 };
 
@@ -57,7 +77,22 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
     names: &["ModElasticBeam3d", "modElasticBeam3d"],
     usage: "element ModElasticBeam3d $tag $i $j $A $E $G $J $Iy $Iz $K11y $K33y $K44y $K11z $K33z $K44z $transf \
             <-mass $m> <-cMass>",
-    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space."),
+    text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space.")
+        .example("element ModElasticBeam3d 2 1 2 1 1 1 1 1 1 1 1 1 1 1 1 1")
+        .arguments(&[
+            MOD_ELASTIC_BEAM2D_A,
+            MOD_ELASTIC_BEAM2D_E,
+            MOD_ELASTIC_BEAM3D_G,
+            MOD_ELASTIC_BEAM3D_J,
+            IY,
+            IZ,
+            Arg::positive("K11y", "factor K11y"),
+            Arg::positive("K33y", "factor K33y"),
+            Arg::number("K44y", "factor K44y"),
+            Arg::positive("K11z", "factor K11z"),
+            Arg::positive("K33z", "factor K33z"),
+            Arg::number("K44z", "factor K44z"),
+        ]),
     make: Make::TwoNodes(make_modified_space),
 };
 
@@ -81,7 +116,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Dampin
     let (mut o, mut damping) = (ElasticOptions::default(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-mass" => o.rho = a.number(&RHO_M)?,
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
@@ -250,8 +285,8 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
-    let iz = a.positive("second moment of area Iz")?;
+    let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
+    let iz = a.number(&IZ)?;
     let factors = [factors(a, "")?, [4.0, 4.0, 2.0]];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
@@ -275,7 +310,7 @@ fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions
     let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-rho" | "-RHO" | "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-rho" | "-RHO" | "-mass" => o.rho = a.number(&RHO_M)?,
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             // Of use to thermal loads alone.
@@ -291,9 +326,9 @@ fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Resul
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
-    let (g, j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
-    let (iy, iz) = (a.positive("second moment of area Iy")?, a.positive("second moment of area Iz")?);
+    let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
+    let (g, j) = (a.number(&MOD_ELASTIC_BEAM3D_G)?, a.number(&MOD_ELASTIC_BEAM3D_J)?);
+    let (iy, iz) = (a.number(&IY)?, a.number(&IZ)?);
     let about_y = factors(a, "y")?;
     let factors = [factors(a, "z")?, about_y];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;

@@ -4,7 +4,7 @@ use super::{Kind, Make};
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::element::{BeamColumnJoint, Element, JOINT_SPRINGS, JointGeometry};
 use hysteron_engine::model::NodeId;
@@ -20,18 +20,21 @@ pub(super) const BEAM_COLUMN_JOINT: Kind = Kind {
     text: Text::new("Joint of beams and columns: bar slip, interface shear and a shear panel.")
         .example("element beamColumnJoint 77 1 3 2 4 9 9 9 9 9 9 9 9 9 9 9 9 9")
         .arguments(&[
-            Arg::new("below", "node at the lower edge of the panel"),
-            Arg::new("right", "node at the right edge"),
-            Arg::new("above", "node at the upper edge"),
-            Arg::new("left", "node at the left edge"),
+            Arg::whole("below", "node at the lower edge of the panel"),
+            Arg::whole("right", "node at the right edge"),
+            Arg::whole("above", "node at the upper edge"),
+            Arg::whole("left", "node at the left edge"),
             Arg::new(
                 "mat1",
                 "laws of bar slip at the left, bar slip at the right (for beams: below and above) and \
                  interface shear, of each node from below against the clock",
-            ),
-            Arg::new("mat13", "law of the shear panel, moment over shear angle"),
-            Arg::new("heightFactor", "distance of the bars of the beams over the height, in the plane"),
-            Arg::new("widthFactor", "distance of the bars of the columns over the width, in the plane"),
+            )
+            .within(Domain::Whole),
+            Arg::whole("mat13", "law of the shear panel, moment over shear angle"),
+            Arg::new("heightFactor", "distance of the bars of the beams over the height, in the plane")
+                .within(Domain::Whole),
+            Arg::new("widthFactor", "distance of the bars of the columns over the width, in the plane")
+                .within(Domain::Whole),
         ]),
     make: Make::AnyNodes(make),
 };

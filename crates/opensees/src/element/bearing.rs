@@ -47,7 +47,9 @@ pub(super) const BOUC_WEN: Kind = Kind {
     usage: "element elastomericBearingBoucWen $tag $i $j $kInit $qd $alpha1 $alpha2 $mu $eta $beta $gamma -P $mat \
             <-T $mat -My $mat> -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> \
             <-mass $m> <-iter $maxIter $tol>",
-    text: Text::new("Bearing with Bouc-Wen shear hysteresis.").groups(&[&PARTS, &HARDENING, &LOOPS]),
+    text: Text::new("Bearing with Bouc-Wen shear hysteresis.")
+        .example("element elastomericBearingBoucWen 2 1 2 1 1 0.5 1 1 1 1 1 -P 1 -Mz 1")
+        .groups(&[&PARTS, &HARDENING, &LOOPS]),
     make: Make::TwoNodes(make),
 };
 
@@ -55,7 +57,9 @@ pub(super) const PLASTICITY: Kind = Kind {
     names: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity", "elastomericBearing"],
     usage: "element elastomericBearingPlasticity $tag $i $j $kInit $qd $alpha1 $alpha2 $mu -P $mat <-T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m>",
-    text: Text::new("Bearing with plastic shear.").groups(&[&PARTS, &HARDENING]),
+    text: Text::new("Bearing with plastic shear.")
+        .example("element elastomericBearingPlasticity 2 1 2 1 1 0.5 1 1 -P 1 -Mz 1")
+        .groups(&[&PARTS, &HARDENING]),
     make: Make::TwoNodes(make_plastic),
 };
 
@@ -63,12 +67,9 @@ pub(super) const UFRP: Kind = Kind {
     names: &["elastomericBearingUFRP"],
     usage: "element elastomericBearingUFRP $tag $i $j $uy $a1 $a2 $a3 $a4 $a5 $b $c $eta $beta $gamma -P $mat -Mz $mat \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
-    text: Text::new("Unbonded fibre-reinforced bearing, in the plane.").groups(&[
-        &[YIELD],
-        &POLYNOMIAL,
-        &FIBRES,
-        &LOOPS,
-    ]),
+    text: Text::new("Unbonded fibre-reinforced bearing, in the plane.")
+        .example("element elastomericBearingUFRP 2 1 2 1 1 1 1 1 1 1 1 1 1 1 -P 1 -Mz 1")
+        .groups(&[&[YIELD], &POLYNOMIAL, &FIBRES, &LOOPS]),
     make: Make::TwoNodes(make_ufrp),
 };
 

@@ -9,16 +9,29 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const CATENARY_CABLE_E: Arg = Arg::positive("E", "elastic modulus E");
+const CATENARY_CABLE_A: Arg = Arg::positive("A", "cross-sectional area A");
+const CATENARY_CABLE_L0: Arg = Arg::number("L0", "length without stress L0");
+const ALPHA: Arg = Arg::number("alpha", "thermal expansion alpha");
+const RHO: Arg = Arg::number("rho", "mass per length rho");
+
 pub(super) const CATENARY: Kind = Kind {
     names: &["CatenaryCable"],
     usage: "element CatenaryCable $tag $i $j $weight $E $A $L0 $alpha $temperature $rho $tol $parts $massType",
-    text: Text::new("An elastic cable under its weight or a uniform load.").arguments(&[
-        Arg::new("weight", "weight per length along z, until a load on the element replaces it"),
-        Arg::new("temperature", "change of temperature"),
-        Arg::new("tol", "tolerance of the shape as a part of the length"),
-        Arg::new("parts", "number of parts of a correction"),
-        Arg::new("massType", "0: mass at the nodes, 3: mass matrix of a bar"),
-    ]),
+    text: Text::new("An elastic cable under its weight or a uniform load.")
+        .example("element CatenaryCable 2 1 2 1 1 1 1 1 1 1 1 1 1")
+        .arguments(&[
+            Arg::number("weight", "weight per length along z, until a load on the element replaces it"),
+            CATENARY_CABLE_E,
+            CATENARY_CABLE_A,
+            CATENARY_CABLE_L0,
+            ALPHA,
+            Arg::number("temperature", "change of temperature"),
+            RHO,
+            Arg::positive("tol", "tolerance of the shape as a part of the length"),
+            Arg::whole("parts", "number of parts of a correction"),
+            Arg::whole("massType", "0: mass at the nodes, 3: mass matrix of a bar"),
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -30,14 +43,14 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     if weight == 0.0 {
         return Err(a.refuse("the weight per length is 0", "expected another number, negative downwards"));
     }
-    let stiffness = a.positive("elastic modulus E")? * a.positive("cross-sectional area A")?;
-    let given = a.float("length without stress L0")?;
+    let stiffness = a.number(&CATENARY_CABLE_E)? * a.number(&CATENARY_CABLE_A)?;
+    let given = a.number(&CATENARY_CABLE_L0)?;
     let length = if given > 0.0 { given } else { (ends.place.1 - ends.place.0).norm() };
     if length == 0.0 {
         return Err(a.refuse("the cable has no length", "expected a number greater than 0"));
     }
-    let expansion = a.float("thermal expansion alpha")? * a.float("change of temperature")?;
-    let (rho, tolerance) = (a.float("mass per length rho")?, a.positive("tolerance of the shape")?);
+    let expansion = a.number(&ALPHA)? * a.float("change of temperature")?;
+    let (rho, tolerance) = (a.number(&RHO)?, a.positive("tolerance of the shape")?);
     let parts = a.count("number of parts of a correction")?.max(1);
     // Lumped where OpenSees has no integration of its own.
     let consistent = match a.int("type of the mass")? {

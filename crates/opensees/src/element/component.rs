@@ -3,7 +3,8 @@
 use super::beam::no_transform;
 use super::{Ends, Kind, Make};
 use crate::args::Args;
-use crate::text::Text;
+use crate::text::{Arg, Domain, Text};
+use crate::things;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{ComponentBeam, ComponentOptions};
@@ -13,11 +14,27 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const COMPONENT_ELEMENT2D_A: Arg = Arg::positive("A", "cross-sectional area A");
+const COMPONENT_ELEMENT2D_E: Arg = Arg::positive("E", "elastic modulus E");
+const COMPONENT_ELEMENT2D_I: Arg = Arg::positive("I", "second moment of area I");
+const RHO_M: Arg = Arg::of("-rho", "m", "mass per length").within(Domain::NotNegative);
+
 pub(super) const COMPONENT: Kind = Kind {
     names: &["componentElement2d", "componentElement", "ComponentElement2d"],
     usage: "element componentElement2d $tag $i $j $A $E $I $transf $materialI $materialJ | -stiffness $kI $kJ <-rho $m> \
             <-cMass>",
-    text: Text::new("Elastic beam between two rotational springs, in the plane."),
+    text: Text::new("Elastic beam between two rotational springs, in the plane.")
+        .example("element componentElement2d 2 1 2 1 1 1 1 1 1")
+        .arguments(&[
+            COMPONENT_ELEMENT2D_A,
+            COMPONENT_ELEMENT2D_E,
+            COMPONENT_ELEMENT2D_I,
+            Arg::thing("materialI", things::MATERIAL),
+            Arg::thing("materialJ", things::MATERIAL),
+            Arg::of("-stiffness", "kI", "stiffness kI (0: a hinge)").within(Domain::NotNegative),
+            Arg::of("-stiffness", "kJ", "stiffness kJ (0: a hinge)").within(Domain::NotNegative),
+            RHO_M,
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -26,8 +43,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let (area, e) = (a.positive("cross-sectional area A")?, a.positive("elastic modulus E")?);
-    let i = a.positive("second moment of area I")?;
+    let (area, e) = (a.number(&COMPONENT_ELEMENT2D_A)?, a.number(&COMPONENT_ELEMENT2D_E)?);
+    let i = a.number(&COMPONENT_ELEMENT2D_I)?;
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let springs = if a.flag("-stiffness") || a.flag("-k") {
@@ -40,7 +57,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut options = ComponentOptions { ea: e * area, ei: e * i, rho: 0.0, consistent: false };
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-rho" => options.rho = a.not_negative("mass per length")?,
+            "-rho" => options.rho = a.number(&RHO_M)?,
             "-cMass" => options.consistent = true,
             _ => ignore_option(interp, a, &["-rho", "-cMass"])?,
         }

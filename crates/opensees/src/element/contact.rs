@@ -3,7 +3,7 @@
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::{
     Contact, ContactDirection, ContactFriction, ContactSurface, Element, Impact, ImpactOptions,
 };
@@ -11,15 +11,37 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const DIRECTION: Arg = Arg::whole("direction", "direction of the contact");
+const GAP: Arg = Arg::number("gap", "gap");
+const FRICTION: Arg = Arg::not_negative("friction", "coefficient of friction");
+const KT: Arg = Arg::not_negative("Kt", "tangential stiffness Kt");
+const KN: Arg = Arg::positive("Kn", "normal stiffness Kn");
+const KN2: Arg = Arg::not_negative("Kn2", "normal stiffness Kn2 after yielding");
+const YIELD: Arg = Arg::not_negative("yield", "yield penetration");
+const COHESION: Arg = Arg::not_negative("cohesion", "cohesion");
+
 const NODES: &[Arg] = &[
-    Arg::new("secondary", "node that must not enter the surface of the other one"),
-    Arg::new("primary", "node on the surface"),
+    Arg::whole("secondary", "node that must not enter the surface of the other one"),
+    Arg::whole("primary", "node on the surface"),
 ];
 
 pub(super) const IMPACT: Kind = Kind {
     names: &["zeroLengthImpact3D"],
     usage: "element zeroLengthImpact3D $tag $secondary $primary $direction $gap $friction $Kt $Kn $Kn2 $yield $cohesion",
-    text: Text::new("Contact of two nodes with friction and a bilinear hysteretic stiffness."),
+    text: Text::new("Contact of two nodes with friction and a bilinear hysteretic stiffness.")
+        .example("element zeroLengthImpact3D 2 1 2 1 1 1 1 1 1 1 1")
+        .arguments(&[
+            Arg::whole("secondary", "tag of node i"),
+            Arg::whole("primary", "tag of node j"),
+            DIRECTION,
+            GAP,
+            FRICTION,
+            KT,
+            KN,
+            KN2,
+            YIELD,
+            COHESION,
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -28,7 +50,12 @@ pub(super) const CONTACT_2D: Kind = Kind {
     usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
     text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
         .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1.")
-        .arguments(&[Arg::of("-normal", "Nx", "vector out of the primary surface")])
+        .arguments(&[
+            KN,
+            KT,
+            FRICTION,
+            Arg::of("-normal", "Nx", "vector out of the primary surface").within(Domain::Number),
+        ])
         .groups(&[NODES]),
     make: Make::TwoNodes(make_in_plane),
 };
@@ -39,11 +66,16 @@ pub(super) const CONTACT_3D: Kind = Kind {
     text: Text::new("Contact of two nodes in space with Coulomb friction, by penalties.")
         .example("element zeroLengthContact3D 77 1 2 1. 1. 0.3 0. 3")
         .arguments(&[
+            KN,
+            KT,
+            FRICTION,
+            COHESION,
             Arg::new(
                 "direction",
                 "1, 2 or 3: the primary surface faces along x, y or z; 0: a circle around an axis \
                  along z",
-            ),
+            )
+            .within(Domain::Whole),
             Arg::new("originX", "place of the axis of the circle; the origin without"),
             Arg::new("originY", "place of the axis of the circle; the origin without"),
         ])
@@ -52,7 +84,7 @@ pub(super) const CONTACT_3D: Kind = Kind {
 };
 
 fn direction(a: &mut Args<'_>) -> Result<ContactDirection, Exception> {
-    match a.int("direction of the contact")? {
+    match a.int(DIRECTION.meaning)? {
         0 => Ok(ContactDirection::Circular),
         axis @ 1..=3 => Ok(ContactDirection::Axis(axis as usize - 1)),
         other => Err(a.refuse(format!("direction of the contact is {other}"), "expected 0, 1, 2 or 3")),
@@ -61,9 +93,9 @@ fn direction(a: &mut Args<'_>) -> Result<ContactDirection, Exception> {
 
 /// Normal stiffness, then the law of the friction without cohesion.
 fn stiffnesses(a: &mut Args<'_>) -> Result<(f64, ContactFriction), Exception> {
-    let normal = a.positive("normal stiffness Kn")?;
-    let tangential = a.not_negative("tangential stiffness Kt")?;
-    Ok((normal, ContactFriction { tangential, friction: a.not_negative("coefficient of friction")?, cohesion: 0.0 }))
+    let normal = a.number(&KN)?;
+    let tangential = a.number(&KT)?;
+    Ok((normal, ContactFriction { tangential, friction: a.number(&FRICTION)?, cohesion: 0.0 }))
 }
 
 fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
@@ -88,7 +120,7 @@ fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
         return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
     }
     let (normal, mut friction) = stiffnesses(a)?;
-    friction.cohesion = a.not_negative("cohesion")?;
+    friction.cohesion = a.number(&COHESION)?;
     let direction = direction(a)?;
     let place = a.last_span();
     let mut origin = [0.0; 2];
@@ -112,12 +144,12 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     let direction = direction(a)?;
     let options = ImpactOptions {
         direction,
-        gap: a.float("gap")?,
-        friction: a.not_negative("coefficient of friction")?,
-        tangential: a.not_negative("tangential stiffness Kt")?,
-        normal: [a.positive("normal stiffness Kn")?, a.not_negative("normal stiffness Kn2 after yielding")?],
-        yield_penetration: a.not_negative("yield penetration")?,
-        cohesion: a.not_negative("cohesion")?,
+        gap: a.number(&GAP)?,
+        friction: a.number(&FRICTION)?,
+        tangential: a.number(&KT)?,
+        normal: [a.number(&KN)?, a.number(&KN2)?],
+        yield_penetration: a.number(&YIELD)?,
+        cohesion: a.number(&COHESION)?,
     };
     Ok(Impact::new(options, [ends.place.0, ends.place.1]).shared())
 }

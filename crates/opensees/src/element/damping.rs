@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::load::series::series_of;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
@@ -10,7 +10,17 @@ use hysteron_engine::element::{Element, ElementError};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TAG: Arg = Arg::whole("tag", "tag of the damping");
+const ZETA: Arg = Arg::positive("zeta", "damping ratio zeta");
+const UNIFORM_FREQ1: Arg = Arg::positive("freq1", "lower frequency freq1");
+const UNIFORM_FREQ2: Arg = Arg::positive("freq2", "upper frequency freq2");
+const ACTIVATE_TIME_TA: Arg = Arg::of("-activateTime", "ta", "time of activation").within(Domain::Number);
+const DEACTIVATE_TIME_TD: Arg = Arg::of("-deactivateTime", "td", "time of deactivation").within(Domain::Number);
+const BETA: Arg = Arg::positive("beta", "coefficient beta");
+const N: Arg = Arg::whole("n", "number of frequencies n");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("damping", "damping $kind $tag ...", damping)
+    .arguments(&[Arg::of("-factor", "series", "time series")])
     .about("Makes a damping of single elements, for their option `-damp` and for `region -damp`.")
     .defining(&[things::DAMPING], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -24,7 +34,8 @@ const KINDS: &[Kind] = &[
         usage: "damping Uniform $tag $zeta $freq1 $freq2 <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
         text: Text::new(
             "A constant damping ratio over a range of frequencies, by low-pass filters of the element's forces.",
-        ),
+        )
+        .arguments(&[TAG, ZETA, UNIFORM_FREQ1, UNIFORM_FREQ2, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
         make: uniform,
     },
     Kind {
@@ -32,7 +43,8 @@ const KINDS: &[Kind] = &[
         usage: "damping SecStif $tag $beta <-activateTime $ta> <-deactivateTime $td> <-factor $series>",
         text: Text::new(
             "Forces in proportion to the rate of the element's forces: those before the first dynamic step count as 0.",
-        ),
+        )
+        .arguments(&[TAG, BETA, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
         make: secant_stiffness,
     },
     Kind {
@@ -41,6 +53,12 @@ const KINDS: &[Kind] = &[
                 <-activateTime $ta> <-deactivateTime $td> <-factor $series> <-prttag>",
         text: Text::new("Damping ratios given over the frequency, by low-pass filters of the element's forces.")
             .arguments(&[
+                TAG,
+                N,
+                Arg::positive("freq1", "frequency freq1"),
+                Arg::number("zeta1", "damping ratio zeta1"),
+                Arg::positive("freq2", "frequency freq2"),
+                Arg::number("zeta2", "damping ratio zeta2"),
                 Arg::of("-tol", "tol", "largest relative error of the damping ratios"),
                 Arg::of("-maxiter", "rounds", "most rounds with more and more filters"),
                 Arg::of("-activateTime", "ta", "time at which it begins"),
@@ -54,7 +72,16 @@ const KINDS: &[Kind] = &[
         names: &["URDbeta"],
         usage: "damping URDbeta $tag $n $freq1 $beta1 $freq2 $beta2 ... <-activateTime $ta> <-deactivateTime $td> \
                 <-factor $series>",
-        text: Text::new("Low-pass filters of given frequencies and coefficients."),
+        text: Text::new("Low-pass filters of given frequencies and coefficients.").arguments(&[
+            TAG,
+            N,
+            Arg::positive("freq1", "frequency freq1"),
+            Arg::number("beta1", "coefficient beta1"),
+            Arg::positive("freq2", "frequency freq2"),
+            Arg::number("beta2", "coefficient beta2"),
+            ACTIVATE_TIME_TA,
+            DEACTIVATE_TIME_TD,
+        ]),
         make: filters,
     },
 ];
@@ -66,7 +93,7 @@ fn damping(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "damping $kind $tag ...");
     let kind = kind::take(&mut a, "kind of damping", "damping", KINDS.iter())?;
     interp.host.note_kind("damping", kind.names[0]);
-    let tag = a.int("tag of the damping")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
@@ -86,8 +113,8 @@ fn with_options(
     let mut made = ElementDamping { law, window: [0.0, NEVER], factor: None };
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-activateTime" | "-ActivateTime" => made.window[0] = a.float("time of activation")?,
-            "-deactivateTime" | "-DeactivateTime" => made.window[1] = a.float("time of deactivation")?,
+            "-activateTime" | "-ActivateTime" => made.window[0] = a.number(&ACTIVATE_TIME_TA)?,
+            "-deactivateTime" | "-DeactivateTime" => made.window[1] = a.number(&DEACTIVATE_TIME_TD)?,
             "-factor" | "-fact" => made.factor = Some(series_of(interp, a)?),
             "-tol" | "-tolerence" if own.fits() => own.tolerance = a.positive("tolerance of the damping ratios")?,
             "-maxiter" | "-iter" if own.fits() => own.rounds = a.count("largest number of rounds")?.max(1),
@@ -116,8 +143,8 @@ impl Options<'_> {
 }
 
 fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
-    let zeta = a.positive("damping ratio zeta")?;
-    let (first, last) = (a.positive("lower frequency freq1")?, a.positive("upper frequency freq2")?);
+    let zeta = a.number(&ZETA)?;
+    let (first, last) = (a.number(&UNIFORM_FREQ1)?, a.number(&UNIFORM_FREQ2)?);
     if first >= last {
         return Err(a.refuse(format!("the frequencies are {first} and {last}"), "expected freq1 < freq2"));
     }
@@ -128,13 +155,13 @@ fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Excepti
 }
 
 fn secant_stiffness(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
-    let beta = a.positive("coefficient beta")?;
+    let beta = a.number(&BETA)?;
     with_options(interp, a, DampingLaw::SecantStiffness { beta }, &mut Options::common())
 }
 
 /// The number of pairs, and frequencies with a second number each.
 fn pairs(a: &mut Args<'_>, what: &str) -> Result<(Vec<f64>, Vec<f64>), Exception> {
-    let n = a.count("number of frequencies n")?;
+    let n = a.count(N.meaning)?;
     if n < 2 {
         return Err(a.refuse(format!("the number of frequencies n is {n}"), "expected 2 at least"));
     }

@@ -7,8 +7,9 @@ use crate::args::Args;
 use crate::checks;
 use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
-use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::things;
+use crate::{Tcl, ignore_option, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
     AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, Lacking,
@@ -23,9 +24,14 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
+const INTEGRATION: Arg = Arg::new("integration", "integration");
+const MIXED_BEAM_COLUMN_SECTION: Arg = Arg::new("section", "integration");
+const LP_I: Arg = Arg::not_negative("lpI", "length of the hinge lpI");
+const LP_J: Arg = Arg::not_negative("lpJ", "length of the hinge lpJ");
+
 const SECTIONS: &[Arg] = &[
     Arg::new("integration", "tag of a beam integration"),
-    Arg::new("n", "number of sections"),
+    Arg::whole("n", "number of sections"),
     Arg::new("section", "tag of the section"),
 ];
 
@@ -35,7 +41,7 @@ pub(super) const DISPLACEMENT: Kind = Kind {
             $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
     text: Text::new("Displacement-based beam with sections.")
         .example("element dispBeamColumn 77 1 2 3 1 1")
-        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .arguments(&[Arg::whole("transf", "tag of a geometric transformation")])
         .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_displacement),
 };
@@ -46,9 +52,12 @@ pub(super) const AXIAL_EQUILIBRIUM: Kind = Kind {
     text: Text::new("Displacement-based beam whose sections have one axial force.")
         .example("element AxEqDispBeamColumn2d 77 1 2 3 1 1 1e-8")
         .arguments(&[
-            Arg::new("tol", "sum of the differences of the axial forces of adjacent sections that counts as none"),
-            Arg::of("-iter", "maxIter", "most iterations inside the element; 20 without"),
+            Arg::whole("n", "number of integration points"),
+            Arg::thing("section", things::SECTION),
+            Arg::new("tol", "sum of the differences of the axial forces of adjacent sections that counts as none")
+                .within(Domain::Positive),
             Arg::flag("-integration", "rule of integration; Legendre without"),
+            Arg::of("-iter", "maxIter", "most iterations inside the element; 20 without").within(Domain::Whole),
         ]),
     make: Make::TwoNodes(make_axial_equilibrium),
 };
@@ -59,7 +68,7 @@ pub(super) const FORCE: Kind = Kind {
             $tag $i $j $n $section|-sections $section1 ... $transf <-mass $m> <-iter $maxIter $tol> <-integration $rule>",
     text: Text::new("Force-based beam with sections.")
         .example("element forceBeamColumn 77 1 2 3 1 1")
-        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .arguments(&[Arg::whole("transf", "tag of a geometric transformation")])
         .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_force),
 };
@@ -71,7 +80,7 @@ pub(super) const CURVATURE: Kind = Kind {
             <-integration $rule>",
     text: Text::new("Force-based beam whose deflections follow its curvatures.")
         .example("element forceBeamColumnCBDI 77 1 2 3 1 1")
-        .arguments(&[Arg::new("transf", "tag of a geometric transformation")])
+        .arguments(&[Arg::whole("transf", "tag of a geometric transformation")])
         .groups(&[SECTIONS]),
     make: Make::TwoNodes(make_curvature),
 };
@@ -88,7 +97,8 @@ pub(super) const MIXED: Kind = Kind {
     usage: "element mixedBeamColumn $tag $i $j $transf $integration <-mass $m> or $tag $i $j $n $section $transf \
             <-mass $m> <-integration $rule>",
     text: Text::new("Mixed beam with sections: forces in equilibrium, deformations compatible in the mean.")
-        .example("element mixedBeamColumn 77 1 2 3 1 1"),
+        .example("element mixedBeamColumn 77 1 2 3 1 1")
+        .arguments(&[INTEGRATION, Arg::thing("n", things::TRANSFORM), MIXED_BEAM_COLUMN_SECTION]),
     make: Make::TwoNodes(make_mixed),
 };
 
@@ -96,15 +106,21 @@ pub(super) const WITH_HINGES: Kind = Kind {
     names: &["beamWithHinges", "BeamWithHinges"],
     usage: "element beamWithHinges $tag $i $j $secI $lpI $secJ $lpJ $E $A $Iz <$Iy $G $J> $transf <-mass $m> \
             <-iter $maxIter $tol>",
-    text: Text::new("Force-based beam with plastic regions at its ends.").arguments(&[
-        Arg::new("E", "elastic modulus"),
-        Arg::new("A", "cross-sectional area"),
-        Arg::new("Iz", "second moment of area about local z"),
-        Arg::new("Iy", "second moment of area about local y, in space"),
-        Arg::new("G", "shear modulus, in space"),
-        Arg::new("J", "torsion constant, in space"),
-        Arg::new("transf", "tag of a geometric transformation"),
-    ]),
+    text: Text::new("Force-based beam with plastic regions at its ends.")
+        .example("element beamWithHinges 2 1 2 1 1 1 1 1 1 1 1")
+        .arguments(&[
+            Arg::thing("secI", things::SECTION),
+            LP_I,
+            Arg::thing("secJ", things::SECTION),
+            LP_J,
+            Arg::positive("E", "elastic modulus"),
+            Arg::positive("A", "cross-sectional area"),
+            Arg::positive("Iz", "second moment of area about local z"),
+            Arg::new("Iy", "second moment of area about local y, in space"),
+            Arg::new("G", "shear modulus, in space"),
+            Arg::whole("J", "torsion constant, in space"),
+            Arg::whole("transf", "tag of a geometric transformation"),
+        ]),
     make: Make::TwoNodes(make_with_hinges),
 };
 
@@ -153,7 +169,7 @@ fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Re
                     return Err(a.refuse(message, "expected a rule for as many points"));
                 }
             }
-            _ => ignore_option(interp, a, &["-integration", "-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let words = Words {
@@ -271,7 +287,7 @@ fn take(
         (_, false) => {
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             let at = a.last_span();
-            let mut words = vec![a.value("integration")?.clone()];
+            let mut words = vec![a.value(INTEGRATION.meaning)?.clone()];
             // Without quotes the numbers are words of their own.
             while words[0].to_list().is_ok_and(|l| l.len() == 1) && a.at_number() {
                 words.push(a.value("number of the integration")?.clone());
@@ -437,9 +453,9 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     let nodes = a.last_span();
     check(a, ends)?;
     let section_i = a.of(&interp.host.builder.definitions.sections)?;
-    let lp_i = a.not_negative("length of the hinge lpI")?;
+    let lp_i = a.number(&LP_I)?;
     let section_j = a.of(&interp.host.builder.definitions.sections)?;
-    let lp_j = a.not_negative("length of the hinge lpJ")?;
+    let lp_j = a.number(&LP_J)?;
     let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
     let iz = a.positive("second moment of area Iz")?;
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
@@ -454,7 +470,7 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
             "-iter" => iterations(interp, a, &mut force_based)?,
-            _ => ignore_option(interp, a, &["-mass", "-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let elastic: SharedSection = Elastic::new(s, ends.ndm == 2).shared();

@@ -7,7 +7,8 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::transform::vector;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
+use crate::things;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::sliding::{
@@ -18,15 +19,57 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const MU_REF: Arg = Arg::positive("MuRef", "reference coefficient of friction MuRef");
+const P_REF: Arg = Arg::not_negative("pRef", "reference pressure pRef");
+const DIFFUSIVITY: Arg = Arg::positive("Diffusivity", "thermal diffusivity");
+const CONDUCTIVITY: Arg = Arg::positive("Conductivity", "thermal conductivity");
+const RATE_PARAMETER: Arg = Arg::not_negative("rateParameter", "rate of the dependence on speed");
+const REFFECTIVE_FP: Arg = Arg::positive("ReffectiveFP", "effective radius ReffectiveFP");
+const RADIUS_CONTACT: Arg = Arg::positive("Radius_Contact", "radius of contact Radius_Contact");
+const K_INITIAL: Arg = Arg::positive("kInitial", "initial stiffness kInitial");
+const MASS: Arg = Arg::not_negative("mass", "mass");
+const ITER: Arg = Arg::whole("iter", "largest number of iterations iter");
+const TOL: Arg = Arg::positive("tol", "tolerance tol");
+
 pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
     names: &["FPBearingPTV"],
     usage: "element FPBearingPTV $tag $i $j $MuRef $IsPressureDependent $pRef $isTemperatureDependent $Diffusivity \
             $Conductivity $IsVelocityDependent $rateParameter $ReffectiveFP $Radius_Contact $kInitial $theMaterialA \
             $theMaterialB $theMaterialC $theMaterialD $x1 $x2 $x3 $y1 $y2 $y3 $shearDist $doRayleigh $mass $iter $tol $unit",
-    text: Text::new("Single friction pendulum whose friction depends on pressure, temperature and velocity.").example(
-        "element FPBearingPTV 77 1 2 0.06 1 9549. 1 4.44e-6 0.018 1 20. 2. 0.2 8000. 1 2 3 4 0 0 1 1 0 0 0.3 \
+    text: Text::new("Single friction pendulum whose friction depends on pressure, temperature and velocity.")
+        .example(
+            "element FPBearingPTV 77 1 2 0.06 1 9549. 1 4.44e-6 0.018 1 20. 2. 0.2 8000. 1 2 3 4 0 0 1 1 0 0 0.3 \
          0 0. 20 1e-8 2",
-    ),
+        )
+        .arguments(&[
+            MU_REF,
+            Arg::whole("IsPressureDependent", "dependence on pressure"),
+            P_REF,
+            Arg::whole("isTemperatureDependent", "dependence on temperature"),
+            DIFFUSIVITY,
+            CONDUCTIVITY,
+            Arg::whole("IsVelocityDependent", "dependence on speed"),
+            RATE_PARAMETER,
+            REFFECTIVE_FP,
+            RADIUS_CONTACT,
+            K_INITIAL,
+            Arg::thing("theMaterialA", things::MATERIAL),
+            Arg::thing("theMaterialB", things::MATERIAL),
+            Arg::thing("theMaterialC", things::MATERIAL),
+            Arg::thing("theMaterialD", things::MATERIAL),
+            Arg::number("x1", "x of the local x axis"),
+            Arg::number("x2", "y of the local x axis"),
+            Arg::number("x3", "z of the local x axis"),
+            Arg::number("y1", "x of the vector of the local x-y plane"),
+            Arg::number("y2", "y of the vector of the local x-y plane"),
+            Arg::number("y3", "z of the vector of the local x-y plane"),
+            Arg::number("shearDist", "place of the shear force as a fraction of the length"),
+            Arg::whole("doRayleigh", "Rayleigh damping doRayleigh"),
+            MASS,
+            ITER,
+            TOL,
+            Arg::whole("unit", "system of units"),
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -37,16 +80,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     }
     let compat = interp.host.follows(&[slips::PTV_HEAT, slips::PTV_FORCE, slips::PTV_TENSION]);
     let on = |a: &mut Args<'_>, what: &str| Ok::<bool, Exception>(one_of(a, what, 0..=1)? == 1);
-    let mu = a.positive("reference coefficient of friction MuRef")?;
+    let mu = a.number(&MU_REF)?;
     let by_pressure = on(a, "dependence on pressure")?;
-    let reference = a.not_negative("reference pressure pRef")?;
+    let reference = a.number(&P_REF)?;
     let softens = on(a, "dependence on temperature")?;
-    let conduction = [a.positive("thermal diffusivity")?, a.positive("thermal conductivity")?];
+    let conduction = [a.number(&DIFFUSIVITY)?, a.number(&CONDUCTIVITY)?];
     let by_speed = on(a, "dependence on speed")?;
-    let rate = a.not_negative("rate of the dependence on speed")?;
-    let dish = Dish { radius: a.positive("effective radius ReffectiveFP")?, rises: false };
-    let radius = a.positive("radius of contact Radius_Contact")?;
-    let k_init = a.positive("initial stiffness kInitial")?;
+    let rate = a.number(&RATE_PARAMETER)?;
+    let dish = Dish { radius: a.number(&REFFECTIVE_FP)?, rises: false };
+    let radius = a.number(&RADIUS_CONTACT)?;
+    let k_init = a.number(&K_INITIAL)?;
     let known = &interp.host.builder.definitions.materials;
     let materials = vec![a.of(known)?, a.of(known)?, a.of(known)?, a.of(known)?];
     let mut place = Placement::at_nodes(nodes);
@@ -55,9 +98,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     place.orientation = Orientation { x: Some(x), y: Some(vector(a, 3, "vector of the local x-y plane")?) };
     let shear_dist = shear_dist(a)?;
     let rayleigh = on(a, "Rayleigh damping doRayleigh")?;
-    let mass = a.not_negative("mass")?;
-    let substitution =
-        Substitution { rounds: a.count("largest number of iterations iter")?, tolerance: a.positive("tolerance tol")? };
+    let mass = a.number(&MASS)?;
+    let substitution = Substitution { rounds: a.count(ITER.meaning)?, tolerance: a.number(&TOL)? };
     let unit = one_of(a, "system of units", 1..=8)?;
     let (mega_pascal, _) = UNITS[usize::try_from(unit - 1).unwrap_or_default()];
     let heat = Heat::new(HeatSetting {

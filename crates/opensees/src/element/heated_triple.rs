@@ -5,7 +5,8 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
+use crate::things;
 use crate::{Tcl, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::triple::{
@@ -18,12 +19,67 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
+const T2: Arg = Arg::positive("t2", "thickness t2 of the lower plate");
+const T3: Arg = Arg::positive("t3", "thickness t3 of the upper plate");
+const TRIPLE_FRICTION_PENDULUM_X_W: Arg = Arg::positive("W", "weight W");
+const UY: Arg = Arg::positive("uy", "yield displacement uy");
+const KVT: Arg = Arg::positive("kvt", "vertical stiffness in tension kvt");
+const MIN_FV: Arg = Arg::not_negative("minFv", "least normal force minFv");
+const TOL: Arg = Arg::positive("tol", "tolerance tol");
+const DIFFUSIVITY: Arg = Arg::positive("Diffusivity", "thermal diffusivity");
+const CONDUCTIVITY: Arg = Arg::positive("Conductivity", "thermal conductivity");
+const TEMPERATURE0: Arg = Arg::number("Temperature0", "temperature at the beginning");
+const RATE_PARAM: Arg = Arg::not_negative("rateParam", "rate of the dependence on speed");
+
 pub(super) const TRIPLE_X: Kind = Kind {
     names: &["TripleFrictionPendulumX"],
     usage: "element TripleFrictionPendulumX $tag $i $j $tagT $tagT2 $vertMatTag $rotZMatTag $rotXMatTag $rotYMatTag \
             $tagPres $tagTemp $tagVel $mu1 $mu2 $mu3 $L1 $L2 $L3 $d1 $d2 $d3 $b1 $b2 $b3 $t2 $t3 $W $uy $kvt $minFv $tol \
             $refPres1 $refPres2 $refPres3 $Diffusivity $Conductivity $Temperature0 $rateParam $kTmodel $unit",
-    text: Text::new("Triple friction pendulum whose friction depends on pressure, temperature and velocity."),
+    text: Text::new("Triple friction pendulum whose friction depends on pressure, temperature and velocity.")
+        .example(
+            "element TripleFrictionPendulumX 2 1 2 1 1 1 1 1 1 1 1 1 1 1 1 1 2 2 1 1 1 1 1 1 1 1 1 1 \
+                1 1 1 1 1 1 1 1 1 1 1 1",
+        )
+        .arguments(&[
+            Arg::whole("tagT", "way tagT to the displacements of the surfaces"),
+            Arg::whole("tagT2", "conduction tagT2 (1 half space, 2 plate)"),
+            Arg::thing("vertMatTag", things::MATERIAL),
+            Arg::thing("rotZMatTag", things::MATERIAL),
+            Arg::thing("rotXMatTag", things::MATERIAL),
+            Arg::thing("rotYMatTag", things::MATERIAL),
+            Arg::whole("tagPres", "dependence on pressure tagPres"),
+            Arg::whole("tagTemp", "dependence on temperature tagTemp"),
+            Arg::whole("tagVel", "dependence on speed tagVel"),
+            Arg::positive("mu1", "coefficient of friction mu1"),
+            Arg::positive("mu2", "coefficient of friction mu2"),
+            Arg::positive("mu3", "coefficient of friction mu3"),
+            Arg::positive("L1", "effective radius L1 of the inner surfaces"),
+            Arg::positive("L2", "effective radius L2 of the lower outer surface"),
+            Arg::positive("L3", "effective radius L3 of the upper outer surface"),
+            Arg::positive("d1", "displacement limit d1 of the inner surfaces"),
+            Arg::positive("d2", "displacement limit d2 of the lower outer surface"),
+            Arg::positive("d3", "displacement limit d3 of the upper outer surface"),
+            Arg::positive("b1", "diameter b1 of the slider"),
+            Arg::positive("b2", "diameter b2 of the lower plate"),
+            Arg::positive("b3", "diameter b3 of the upper plate"),
+            T2,
+            T3,
+            TRIPLE_FRICTION_PENDULUM_X_W,
+            UY,
+            KVT,
+            MIN_FV,
+            TOL,
+            Arg::positive("refPres1", "reference pressure 1"),
+            Arg::positive("refPres2", "reference pressure 2"),
+            Arg::positive("refPres3", "reference pressure 3"),
+            DIFFUSIVITY,
+            CONDUCTIVITY,
+            TEMPERATURE0,
+            RATE_PARAM,
+            Arg::whole("kTmodel", "dependence kTmodel on temperature"),
+            Arg::whole("unit", "system of units"),
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -98,22 +154,18 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let (l, d) = lengths(a)?;
     let width =
         three(a, ["diameter b1 of the slider", "diameter b2 of the lower plate", "diameter b3 of the upper plate"])?;
-    let thickness = [a.positive("thickness t2 of the lower plate")?, a.positive("thickness t3 of the upper plate")?];
-    let weight = a.positive("weight W")?;
-    let uy = a.positive("yield displacement uy")?;
+    let thickness = [a.number(&T2)?, a.number(&T3)?];
+    let weight = a.number(&TRIPLE_FRICTION_PENDULUM_X_W)?;
+    let uy = a.number(&UY)?;
     let uy_span = a.last_span();
-    let k_tension = a.positive("vertical stiffness in tension kvt")?;
-    let least_normal = a.not_negative("least normal force minFv")?;
-    let tolerance = a.positive("tolerance tol")?;
+    let k_tension = a.number(&KVT)?;
+    let least_normal = a.number(&MIN_FV)?;
+    let tolerance = a.number(&TOL)?;
     let reference = three(a, ["reference pressure 1", "reference pressure 2", "reference pressure 3"])?;
-    let conduction = Conduction {
-        diffusivity: a.positive("thermal diffusivity")?,
-        conductivity: a.positive("thermal conductivity")?,
-        body,
-        compat,
-    };
-    let temperature = a.float("temperature at the beginning")?;
-    let rate = a.not_negative("rate of the dependence on speed")?;
+    let conduction =
+        Conduction { diffusivity: a.number(&DIFFUSIVITY)?, conductivity: a.number(&CONDUCTIVITY)?, body, compat };
+    let temperature = a.number(&TEMPERATURE0)?;
+    let rate = a.number(&RATE_PARAM)?;
     let softening = match one_of(a, "dependence kTmodel on temperature", 1..=3)? {
         1 => Softening::Half,
         2 => Softening::Third,

@@ -4,7 +4,7 @@ use super::two_node_link::moment_ratios;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, Inerter, InerterOptions};
@@ -25,11 +25,15 @@ pub(super) const INERTER: Kind = Kind {
                 "-dir",
                 "dir1",
                 "directions of the relative motions: degrees of freedom of the nodes in local axes",
-            ),
-            Arg::of("-inertance", "b11", "force over acceleration, a matrix by rows with a row for each direction"),
-            Arg::of("-damp", "c11", "force over velocity, a matrix by rows with a row for each direction"),
-            Arg::of("-pDelta", "My1", "shares of the P-Delta moments about local y at nodes i and j, in space"),
-            Arg::of("-mass", "m", "mass of the element, half at each node"),
+            )
+            .within(Domain::Whole),
+            Arg::of("-inertance", "b11", "force over acceleration, a matrix by rows with a row for each direction")
+                .within(Domain::Number),
+            Arg::of("-pDelta", "My1", "shares of the P-Delta moments about local y at nodes i and j, in space")
+                .within(Domain::Number),
+            Arg::of("-damp", "c11", "force over velocity, a matrix by rows with a row for each direction")
+                .within(Domain::Number),
+            Arg::of("-mass", "m", "mass of the element, half at each node").within(Domain::NotNegative),
         ]),
     make: Make::TwoNodes(make),
 };

@@ -5,7 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::model::constraint;
 use crate::model::nodes::node_of;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
 use hysteron_engine::element::{Element, Joint};
 use hysteron_engine::material::Material;
@@ -15,13 +15,21 @@ use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const N2: Arg = Arg::whole("n2", "tag of a node of the joint");
+const N3: Arg = Arg::whole("n3", "tag of a node of the joint");
+const N4: Arg = Arg::whole("n4", "tag of a node of the joint");
+
 pub(super) const JOINT_2D: Kind = Kind {
     names: &["Joint2D", "Joint2d"],
     usage: "element Joint2D $tag $n1 $n2 $n3 $n4 $centre <$mat1 $mat2 $mat3 $mat4> $panel <$largeDisp>",
     text: Text::new("Joint of beams and columns in the plane: a shear panel with rotational springs at its edges.")
         .example("element Joint2D 77 1 2 4 3 99 9 0")
         .arguments(&[
-            Arg::new("n1", "nodes at the middles of the edges of a parallelogram, one after the other"),
+            Arg::new("n1", "nodes at the middles of the edges of a parallelogram, one after the other")
+                .within(Domain::Whole),
+            N2,
+            N3,
+            N4,
             Arg::new("centre", "new tag of the node in the middle, with two displacements and two rotations"),
             Arg::new("mat1", "law of the rotational spring at node 1; 0 stands for a rigid one"),
             Arg::new("mat2", "law of the rotational spring at node 2; 0 stands for a rigid one"),
@@ -41,7 +49,7 @@ const ROTATIONS: [usize; 2] = [2, 3];
 fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (mut nodes, mut places) = (vec![], [Vector3::zeros(); 4]);
     for place in &mut places {
-        let id = node_of(interp, a, "tag of a node of the joint")?;
+        let id = node_of(interp, a, N2.meaning)?;
         let node = &interp.host.engine.model().nodes[id.0];
         if (node.ndm(), node.ndf) != (2, 3) {
             let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());

@@ -5,8 +5,8 @@ use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{
     Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Mean, Scheme, Shape,
@@ -17,34 +17,34 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use std::sync::Arc;
 
+const TOTAL_HEIGHT_HEIGHT: Arg =
+    Arg::of("-totalHeight", "height", "total height of the bearing").within(Domain::Positive);
+const LIM_DISP: Arg = Arg::of("-limDisp", "limDisp", "displacement limDisp of the scaling").within(Domain::NotNegative);
+
 pub(super) const KIKUCHI: Kind = Kind {
     names: &["KikuchiBearing"],
     usage: "element KikuchiBearing $tag $i $j -shape round|square -size $size $totalRubber <-totalHeight $height> \
             -nMSS $nMSS -matMSS $mat <-limDisp $limDisp> -nMNS $nMNS -matMNS $mat <-lambda $lambda> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m> <-noPDInput> <-noTilt> <-adjustPDOutput $ci $cj> \
             <-doBalance $limFo $limFi $nIter>",
-    text: Text::new("Bearing of shear springs between two sections of normal springs, with P-Delta and tilt."),
+    text: Text::new("Bearing of shear springs between two sections of normal springs, with P-Delta and tilt.")
+        .example("element KikuchiBearing 2 1 2 -shape round -size 1 1 -nMSS 1 -matMSS 1 -nMNS 1 -matMNS 1")
+        .arguments(&[
+            Arg::of("-size", "size", "diameter or edge of the bearing").within(Domain::Positive),
+            Arg::of("-size", "totalRubber", "total thickness of the rubber").within(Domain::Positive),
+            TOTAL_HEIGHT_HEIGHT,
+            Arg::of("-nMSS", "nMSS", "number nMSS of shear springs").within(Domain::Whole),
+            Arg::of("-matMSS", "mat", "tag of a uniaxial material").within(Domain::Whole),
+            LIM_DISP,
+            Arg::of("-nMNS", "nMNS", "number nMNS of normal springs across the section").within(Domain::Whole),
+            Arg::of("-matMNS", "mat", "tag of a uniaxial material").within(Domain::Whole),
+            Arg::of("-lambda", "lambda", "distribution parameter lambda").within(Domain::NotNegative),
+            super::MASS_ABOVE_ZERO,
+        ]),
     make: Make::TwoNodes(make),
 };
 
 const NAME: &str = "KikuchiBearing";
-const OPTIONS: &[&str] = &[
-    "-shape",
-    "-size",
-    "-totalHeight",
-    "-nMSS",
-    "-matMSS",
-    "-limDisp",
-    "-nMNS",
-    "-matMNS",
-    "-lambda",
-    "-orient",
-    "-mass",
-    "-noPDInput",
-    "-noTilt",
-    "-adjustPDOutput",
-    "-doBalance",
-];
 
 /// The options as they have been given.
 struct Options {
@@ -103,7 +103,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
                 };
                 keep!(size, option, size(a)?)
             }
-            "-totalHeight" => keep!(height, option, a.positive("total height of the bearing")?),
+            "-totalHeight" => keep!(height, option, a.number(&TOTAL_HEIGHT_HEIGHT)?),
             "-nMSS" => keep!(shear_springs, option, divisions(a, "number nMSS of shear springs")?),
             "-matMSS" => keep!(shear, option, a.of(&interp.host.builder.definitions.materials)?.0),
             "-limDisp" => keep!(limit, option, limit(a)?),
@@ -130,7 +130,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
                 let rounds = a.count("largest number nIter of corrections")? as u32;
                 keep!(balance, option, Balance { tolerance, rounds })
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(o)
@@ -138,7 +138,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
 
 /// The displacement from which on the shear forces are scaled.
 fn limit(a: &mut Args<'_>) -> Result<f64, Exception> {
-    let limit = a.not_negative("displacement limDisp of the scaling")?;
+    let limit = a.number(&LIM_DISP)?;
     if limit == 0.0 {
         let label = "expected a displacement greater than 0: at rest there is no force to scale";
         return Err(a.refuse("-limDisp is 0", label));

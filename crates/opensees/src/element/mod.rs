@@ -41,6 +41,7 @@ mod zero_length_section;
 
 use crate::args::Args;
 use crate::model::nodes::{need_model, node_of};
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::element::axes::Orientation;
@@ -52,12 +53,24 @@ use std::sync::Arc;
 
 pub use amendments::{AMENDMENTS, AmendmentKind, AmendmentOption};
 pub use recipe::numbers_of_element;
-pub(crate) use recipe::{set_parameter, with_parameter};
+pub(crate) use recipe::{domain_of, set_parameter, with_parameter};
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind $tag $iNode $jNode ...", element)
+    .arguments(&[
+        Arg::whole("tag", "tag of the element"),
+        Arg::whole("i", "tag of node i"),
+        Arg::whole("j", "tag of node j"),
+        Arg::thing("transf", things::TRANSFORM),
+        Arg::thing("frnMdlTag", things::FRICTION),
+        Arg::thing("material", things::ND_MATERIAL),
+        Arg::thing("section", things::PLATE),
+    ])
     .about("Makes an element between nodes.")
     .defining(&[things::ELEMENT], 2)
     .with_kinds(|| kind::usages(KINDS))];
+
+/// Mass of an element that refuses 0.
+const MASS_ABOVE_ZERO: Arg = Arg::of("-mass", "m", "mass of the element").within(Domain::Positive);
 
 /// Makes an element between two nodes that are already known.
 type MakeBetween = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;

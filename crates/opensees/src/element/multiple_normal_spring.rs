@@ -4,24 +4,33 @@ use super::multiple_springs::{Orient, distribution, divisions, once, option_miss
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
-use crate::{Tcl, ignore_option};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Distribution, Layout, Link, Mean, MultipleNormalSpring, NormalSprings};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const SIZE: Arg = Arg::of("-size", "size", "diameter or edge of the section").within(Domain::Positive);
+
 pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
     names: &["multipleNormalSpring"],
     usage: "element multipleNormalSpring $tag $i $j $nDivide -mat $mat -shape round|square -size $size \
             <-lambda $lambda> <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
-    text: Text::new("A section of normal springs."),
+    text: Text::new("A section of normal springs.")
+        .example("element multipleNormalSpring 2 1 2 1 -mat 1 -shape round -size 1")
+        .arguments(&[
+            Arg::whole("nDivide", "number nDivide of springs across the section"),
+            Arg::of("-mat", "mat", "tag of a uniaxial material").within(Domain::Whole),
+            SIZE,
+            Arg::of("-lambda", "lambda", "distribution parameter lambda").within(Domain::NotNegative),
+            super::MASS_ABOVE_ZERO,
+        ]),
     make: Make::TwoNodes(make),
 };
 
 const NAME: &str = "multipleNormalSpring";
-const OPTIONS: &[&str] = &["-mat", "-shape", "-size", "-lambda", "-orient", "-mass"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
@@ -44,12 +53,12 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-size" => {
                 once(a, &size, "-size")?;
-                size = Some(a.positive("diameter or edge of the section")?);
+                size = Some(a.number(&SIZE)?);
             }
             "-lambda" => lambda = distribution(a)?,
             "-orient" => orient.take(a)?,
             "-mass" => mass = a.positive("mass")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let missing = |option, what| option_missing(a, last, NAME, option, what);

@@ -5,18 +5,26 @@ use super::{Ends, Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, MultipleShearSpring, ShearSprings};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const LIM_DSP: Arg =
+    Arg::of("-lim", "dsp", "smallest displacement dsp that the factors are for").within(Domain::NotNegative);
+
 pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
     names: &["multipleShearSpring", "MSS"],
     usage: "element multipleShearSpring $tag $i $j $nSpring -mat $mat | -nMat $mat1 ... <-lim $dsp> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
-    text: Text::new("Shear springs in a circle."),
+    text: Text::new("Shear springs in a circle.").example("element multipleShearSpring 2 1 2 1 -mat 1").arguments(&[
+        Arg::whole("nSpring", "number nSpring of springs"),
+        Arg::of("-mat", "mat", "tag of a uniaxial material").within(Domain::Whole),
+        LIM_DSP,
+        super::MASS_ABOVE_ZERO,
+    ]),
     make: Make::TwoNodes(make),
 };
 
@@ -44,8 +52,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 });
             }
             "-lim" => {
-                limit =
-                    Some(a.not_negative("smallest displacement dsp that the factors are for")?).filter(|l| *l > 0.0);
+                limit = Some(a.number(&LIM_DSP)?).filter(|l| *l > 0.0);
                 limit_at = a.last_span();
             }
             "-orient" => orient.take(a)?,

@@ -6,13 +6,23 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::model::nodes::node_of;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape};
 use hysteron_engine::material::{Condensed, PLANE, Plane, SharedMultiaxial};
 use hysteron_engine::model::NodeId;
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
+
+const I: Arg = Arg::whole("i", "tag of a corner's node");
+const J: Arg = Arg::whole("j", "tag of a corner's node");
+const K: Arg = Arg::whole("k", "tag of a corner's node");
+const L: Arg = Arg::whole("l", "tag of a corner's node");
+const QUAD_THICKNESS: Arg = Arg::positive("thickness", "thickness");
+const N9: Arg = Arg::whole("n9", "tag of a corner's node");
+const QUAD9N_THICKNESS: Arg = Arg::whole("thickness", "tag of a corner's node");
+const N8: Arg = Arg::whole("n8", "tag of a corner's node");
+const N6: Arg = Arg::whole("n6", "tag of a corner's node");
 
 const BODY: &[Arg] = &[
     Arg::new("pressure", "surface pressure"),
@@ -25,7 +35,10 @@ pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
             <-damp $damping>",
-    text: Text::new("Four-node quadrilateral.").example("element quad 77 1 2 3 4 1. PlaneStress 1").groups(&[BODY]),
+    text: Text::new("Four-node quadrilateral.")
+        .example("element quad 77 1 2 3 4 1. PlaneStress 1")
+        .arguments(&[I, J, K, L, QUAD_THICKNESS])
+        .groups(&[BODY]),
     make: Make::AnyNodes(make),
 };
 
@@ -33,7 +46,8 @@ pub(super) const MEAN_DILATATION: Kind = Kind {
     names: &["bbarQuad", "mixedQuad"],
     usage: "element bbarQuad $tag $i $j $k $l $thickness $material",
     text: Text::new("Four-node quadrilateral in plane strain with a constant dilatation.")
-        .example("element bbarQuad 77 1 2 3 4 1. 1"),
+        .example("element bbarQuad 77 1 2 3 4 1. 1")
+        .arguments(&[I, J, K, L, QUAD_THICKNESS]),
     make: Make::AnyNodes(make_mean_dilatation),
 };
 
@@ -41,7 +55,8 @@ pub(super) const STABILISED: Kind = Kind {
     names: &["SSPquad", "SSPQuad"],
     usage: "element SSPquad $tag $i $j $k $l $material PlaneStrain|PlaneStress $thickness <$bx $by>",
     text: Text::new("Stabilised quadrilateral of plane elasticity with one Gauss point.")
-        .example("element SSPquad 77 1 2 3 4 1 PlaneStress 1."),
+        .example("element SSPquad 77 1 2 3 4 1 PlaneStress 1.")
+        .arguments(&[I, J, K, L, QUAD_THICKNESS, Arg::new("bx", "body force bx"), Arg::new("by", "body force by")]),
     make: Make::AnyNodes(make_stabilised),
 };
 
@@ -50,6 +65,7 @@ pub(super) const TRIANGLE: Kind = Kind {
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     text: Text::new("Three-node triangle of plane elasticity.")
         .example("element tri31 77 1 2 3 1. PlaneStress 1")
+        .arguments(&[I, J, K, QUAD_THICKNESS])
         .groups(&[BODY]),
     make: Make::AnyNodes(make_triangle),
 };
@@ -60,7 +76,10 @@ pub(super) const NINE_NODES: Kind = Kind {
     text: Text::new("Nine-node quadrilateral of plane elasticity.")
         .example("element quad9n 77 1 2 3 4 5 6 7 8 9 1. PlaneStress 1")
         .arguments(&[
-            Arg::new("n1", "corners against the clock, then the middles of the sides in order, then the centre"),
+            Arg::new("n1", "corners against the clock, then the middles of the sides in order, then the centre")
+                .within(Domain::Whole),
+            N9,
+            QUAD9N_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -73,7 +92,9 @@ pub(super) const EIGHT_NODES: Kind = Kind {
     text: Text::new("Eight-node quadrilateral.")
         .example("element quad8n 77 1 2 3 4 5 6 7 8 1. PlaneStress 1")
         .arguments(&[
-            Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
+            Arg::whole("n1", "corners against the clock, then the middles of the sides in order"),
+            N8,
+            QUAD9N_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -86,7 +107,9 @@ pub(super) const SIX_NODES: Kind = Kind {
     text: Text::new("Six-node triangle.")
         .example("element tri6n 77 1 2 3 5 6 9 1. PlaneStress 1")
         .arguments(&[
-            Arg::new("n1", "corners against the clock, then the middles of the sides in order"),
+            Arg::whole("n1", "corners against the clock, then the middles of the sides in order"),
+            N6,
+            QUAD9N_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -97,7 +120,8 @@ pub(super) const ENHANCED: Kind = Kind {
     names: &["enhancedQuad", "EnhancedQuad"],
     usage: "element enhancedQuad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material",
     text: Text::new("Four-node quadrilateral of plane elasticity with enhanced strains.")
-        .example("element enhancedQuad 77 1 2 3 4 1. PlaneStress 1"),
+        .example("element enhancedQuad 77 1 2 3 4 1. PlaneStress 1")
+        .arguments(&[I, J, K, L, QUAD_THICKNESS]),
     make: Make::AnyNodes(make_enhanced),
 };
 
@@ -115,7 +139,7 @@ fn plane_law(interp: &Tcl, a: &mut Args<'_>, plane: Plane) -> Result<SharedMulti
 fn corners<const N: usize>(interp: &Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, [[f64; 2]; N]), Exception> {
     let (mut nodes, mut corners) = (vec![], [[0.0; 2]; N]);
     for corner in &mut corners {
-        let id = node_of(interp, a, "tag of a corner's node")?;
+        let id = node_of(interp, a, I.meaning)?;
         let node = &interp.host.engine.model().nodes[id.0];
         if (node.ndm(), node.ndf) != (2, 2) {
             let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
@@ -144,7 +168,7 @@ fn body_forces(a: &mut Args<'_>, body: &mut [f64; 2]) -> Result<(), Exception> {
 
 /// Thickness, plane, material, pressure, density and body forces.
 fn properties(interp: &Tcl, a: &mut Args<'_>) -> Result<(SharedMultiaxial<PLANE>, QuadOptions), Exception> {
-    let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
+    let mut o = QuadOptions { thickness: a.number(&QUAD_THICKNESS)?, ..QuadOptions::default() };
     let plane = plane(a)?;
     let law = plane_law(interp, a, plane)?;
     o.pressure = a.optional_float("pressure")?.unwrap_or(0.0);
@@ -167,7 +191,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
 fn make_mean_dilatation(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (nodes, corners) = corners::<4>(interp, a)?;
     let place = a.last_span();
-    let thickness = a.positive("thickness")?;
+    let thickness = a.number(&QUAD_THICKNESS)?;
     let family = family(interp, a)?;
     let solid = form(a, &family, (family.0.solid.as_ref(), "in space"))?;
     let law = Condensed::thick_plane(&solid);
@@ -189,7 +213,7 @@ fn make_stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, A
     let family = family(interp, a)?;
     let plane = plane(a)?;
     let law = plane_form(a, &family, plane)?;
-    let mut o = QuadOptions { thickness: a.positive("thickness")?, ..QuadOptions::default() };
+    let mut o = QuadOptions { thickness: a.number(&QUAD_THICKNESS)?, ..QuadOptions::default() };
     body_forces(a, &mut o.body)?;
     let made = Continuum::stabilised_quad(&corners, &law, &o).map_err(|e| refused(a, place, e))?;
     Ok((nodes, made.shared()))
@@ -213,7 +237,7 @@ where
 fn make_enhanced(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
     let (nodes, corners) = corners::<4>(interp, a)?;
     let place = a.last_span();
-    let thickness = a.positive("thickness")?;
+    let thickness = a.number(&QUAD_THICKNESS)?;
     let plane = plane(a)?;
     let law = plane_law(interp, a, plane)?;
     let made = Continuum::enhanced(&corners, &law, thickness).map_err(|e| refused(a, place, e))?;

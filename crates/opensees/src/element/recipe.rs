@@ -4,6 +4,7 @@ use super::{Ends, KINDS, Make};
 use crate::Tcl;
 use crate::args::{Args, number_names};
 use crate::recipes::{WordsOfElement, as_refusal, in_scratch};
+use crate::text::Domain;
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Tag;
 use hysteron_engine::parameter::{Changed, ParameterError};
@@ -99,6 +100,13 @@ pub fn numbers_of_element(interp: &mut Tcl, tag: Tag) -> Vec<(usize, String)> {
     let made = in_scratch(interp, |interp| make(&recipe, interp, &recipe.texts()));
     interp.host.builder.element_words.insert(tag, recipe);
     made.map_or_else(|_| vec![], |(_, names)| names)
+}
+
+/// Domain of a number of an element's own, as its kind declares it.
+pub(crate) fn domain_of(interp: &Tcl, tag: Tag, words: &[String]) -> Option<Domain> {
+    let ([name], Some(recipe)) = (words, interp.host.builder.element_words.get(&tag)) else { return None };
+    let kind = recipe.words.get(1)?.as_str();
+    KINDS.iter().find(|k| k.names.contains(&kind.as_ref()))?.text.argument("", name)?.domain
 }
 
 /// The element made again with another value of a number of its words.

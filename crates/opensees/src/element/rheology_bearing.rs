@@ -4,9 +4,9 @@ use super::rubber_bearing::{AC, COVER, Common, KC, MASS, PHI_M, SHEAR_DIST, in_s
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
-use crate::material::rheology;
+use crate::material::{CONDUCTION, RHEOLOGY_ARGUMENTS, rheology};
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
@@ -29,7 +29,20 @@ pub(super) const RHEOLOGY: Kind = Kind {
         "element HDRRheologyBearing 77 1 2 800. 2e6 0. 0.6 0.003 0.008 20 700. 100. 20. 200. 3. 900. 100. \
          400. 300. 0.2",
     )
-    .arguments(&[Arg::new("n", "number of layers; the second `$n` is the parameter n of the overstress")])
+    .arguments(&[
+        Arg::positive("Gr", "shear modulus Gr"),
+        Arg::positive("Kbulk", "bulk modulus Kbulk"),
+        Arg::not_negative("D1", "inner diameter D1"),
+        Arg::positive("D2", "outer diameter D2"),
+        Arg::not_negative("ts", "thickness of a shim ts"),
+        Arg::positive("tr", "thickness of a rubber layer tr"),
+        Arg::number("n", "number of layers; the second `$n` is the parameter n of the overstress"),
+        Arg::of("-kc", "kc", "cavitation parameter kc").within(Domain::NotNegative),
+        Arg::of("-PhiM", "PhiM", "largest damage of the cavitation strength PhiM").within(Domain::Number),
+        Arg::of("-ac", "ac", "strength degradation parameter ac").within(Domain::NotNegative),
+        Arg::of("-cover", "tc", "cover thickness tc").within(Domain::NotNegative),
+    ])
+    .groups(&[RHEOLOGY_ARGUMENTS, &CONDUCTION])
     .own(),
     make: Make::TwoNodes(make),
 };

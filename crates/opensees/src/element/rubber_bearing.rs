@@ -71,13 +71,9 @@ pub(super) const HDR: Kind = Kind {
     names: &["HDR"],
     usage: "element HDR $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n $a1 $a2 $a3 $b1 $b2 $b3 $c1 $c2 $c3 $c4 \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$tc>>>>>>>",
-    text: Text::new("High damping rubber bearing (Grant) with the axial law of layered rubber.").groups(&[
-        &LAYERS,
-        &SHEAR,
-        &X_AXIS,
-        &Y_AXIS,
-        &[KC, PHI_M, AC, SHEAR_DIST, MASS, COVER],
-    ]),
+    text: Text::new("High damping rubber bearing (Grant) with the axial law of layered rubber.")
+        .example("element HDR 2 1 2 1 1 1 2 1 1 1 1 1 1 1 1 1 1 1 1 1")
+        .groups(&[&LAYERS, &SHEAR, &X_AXIS, &Y_AXIS, &[KC, PHI_M, AC, SHEAR_DIST, MASS, COVER]]),
     make: Make::TwoNodes(make_hdr),
 };
 
@@ -86,6 +82,7 @@ pub(super) const ELASTOMERIC_X: Kind = Kind {
     usage: "element ElastomericX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n \
             <$x1 $x2 $x3 $y1 $y2 $y3 <$kc <$PhiM <$ac <$sDratio <$m <$cd <$tc <$tag1 ... $tag4>>>>>>>>",
     text: Text::new("Elastomeric bearing with the axial law of layered rubber.")
+        .example("element ElastomericX 2 1 2 1 0.5 1 1 1 2 1 1 1")
         .arguments(&[
             Arg::new("tag1", "1: cavitation; 0: not"),
             Arg::new("tag4", "1: vertical stiffness varies with shear; 0: not"),
@@ -99,6 +96,7 @@ pub(super) const LEAD_RUBBER_X: Kind = Kind {
     usage: "element LeadRubberX $tag $i $j $Fy $alpha $Gr $Kbulk $D1 $D2 $ts $tr $n <$x1 $x2 $x3 $y1 $y2 $y3 \
             <$kc <$PhiM <$ac $sDratio $m $cd <$tc <$qL $cL $kS $aS <$tag1 ... $tag5>>>>>>>",
     text: Text::new("Lead rubber bearing whose core heats, with the axial law of layered rubber.")
+        .example("element LeadRubberX 2 1 2 1 0.5 1 1 1 2 1 1 1")
         .arguments(&[Arg::new("tag1", "1: cavitation; 0: not"), Arg::new("tag5", "1: the lead core heats; 0: not")])
         .groups(&[&YIELDING, &LAYERS, &X_AXIS, &Y_AXIS, &[KC, PHI_M, AC, SHEAR_DIST, MASS, CD, COVER], &LEAD]),
     make: Make::TwoNodes(make_leaded),

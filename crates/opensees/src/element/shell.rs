@@ -16,6 +16,11 @@ use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const I: Arg = Arg::whole("i", "tag of a corner's node");
+const J: Arg = Arg::whole("j", "tag of a corner's node");
+const K: Arg = Arg::whole("k", "tag of a corner's node");
+const L: Arg = Arg::whole("l", "tag of a corner's node");
+
 const LOCAL_AXES: &[Arg] = &[
     Arg::flag("-corotational", "the axes of the shell follow its nodes"),
     Arg::of("-local", "x1", "direction of axis 1 of the section, projected onto the shell"),
@@ -24,21 +29,27 @@ const LOCAL_AXES: &[Arg] = &[
 pub(super) const MITC4: Kind = Kind {
     names: &["ShellMITC4", "shellMITC4", "Shell", "shell"],
     usage: "element ShellMITC4 $tag $i $j $k $l $section <-damp $damping>",
-    text: Text::new("Four-node shell with shear deformation.").example("element ShellMITC4 77 1 3 4 2 1"),
+    text: Text::new("Four-node shell with shear deformation.")
+        .example("element ShellMITC4 77 1 3 4 2 1")
+        .arguments(&[I, J, K, L]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::Mitc4)),
 };
 
 pub(super) const DKGQ: Kind = Kind {
     names: &["ShellDKGQ", "shellDKGQ"],
     usage: "element ShellDKGQ $tag $i $j $k $l $section <-damp $damping>",
-    text: Text::new("Four-node thin shell with drilling.").example("element ShellDKGQ 77 1 3 4 2 1"),
+    text: Text::new("Four-node thin shell with drilling.")
+        .example("element ShellDKGQ 77 1 3 4 2 1")
+        .arguments(&[I, J, K, L]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffQuadrilateral)),
 };
 
 pub(super) const DKGT: Kind = Kind {
     names: &["ShellDKGT", "shellDKGT"],
     usage: "element ShellDKGT $tag $i $j $k $section <-damp $damping>",
-    text: Text::new("Three-node thin shell with drilling.").example("element ShellDKGT 77 1 3 4 1"),
+    text: Text::new("Three-node thin shell with drilling.")
+        .example("element ShellDKGT 77 1 3 4 1")
+        .arguments(&[I, J, K]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffTriangle)),
 };
 
@@ -46,7 +57,8 @@ pub(super) const UPDATED: Kind = Kind {
     names: &["ShellNLDKGQ", "shellNLDKGQ"],
     usage: "element ShellNLDKGQ $tag $i $j $k $l $section",
     text: Text::new("Four-node thin shell with drilling and large displacements.")
-        .example("element ShellNLDKGQ 77 1 3 4 2 1"),
+        .example("element ShellNLDKGQ 77 1 3 4 2 1")
+        .arguments(&[I, J, K, L]),
     make: Make::AnyNodes(make_updated),
 };
 
@@ -60,6 +72,10 @@ pub(super) const ENHANCED: Kind = Kind {
     )
     .example("element ASDShellQ4 77 1 3 4 2 1")
     .arguments(&[
+        I,
+        J,
+        K,
+        L,
         Arg::flag("-noeas", "the membrane has no internal modes"),
         Arg::of(
             "-drillingStab",
@@ -79,6 +95,9 @@ pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
     text: Text::new("Three-node shell with shear deformation and drilling; large displacements on demand.")
         .example("element ASDShellT3 77 1 3 4 1")
         .arguments(&[
+            I,
+            J,
+            K,
             Arg::flag("-reducedIntegration", "one point, and a penalty on the drilling strain"),
             Arg::flag("-drillingNL", "with -reducedIntegration, the drilling stiffness is damaged with the section"),
         ])
@@ -92,7 +111,7 @@ type Corners = (Vec<NodeId>, Vec<Vector3<f64>>, Vec<f64>);
 fn corners(interp: &Tcl, a: &mut Args<'_>, count: usize) -> Result<Corners, Exception> {
     let (mut nodes, mut places, mut disp) = (vec![], vec![], vec![]);
     for _ in 0..count {
-        let id = node_of(interp, a, "tag of a corner's node")?;
+        let id = node_of(interp, a, I.meaning)?;
         let engine = &interp.host.engine;
         let node = &engine.model().nodes[id.0];
         if (node.ndm(), node.ndf) != (3, 6) {

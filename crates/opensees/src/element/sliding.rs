@@ -4,7 +4,7 @@ use super::bearing::{Placement, materials};
 use super::{Ends, Make, orientation};
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::sliding::{
@@ -15,11 +15,16 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const K_INIT: Arg = Arg::positive("kInit", "initial stiffness kInit");
+const REFF: Arg = Arg::positive("Reff", "effective radius Reff");
+const K_FACT_UPLIFT_K_FACT: Arg =
+    Arg::of("-kFactUplift", "kFact", "share of the stiffness left in uplift kFactUplift").within(Domain::Positive);
+
 pub(super) const FLAT: super::Kind = super::Kind {
     names: &["flatSliderBearing"],
     usage: "element flatSliderBearing $tag $i $j $frnMdlTag $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> <-iter $maxIter $tol>",
-    text: Text::new("Flat slider."),
+    text: Text::new("Flat slider.").example("element flatSliderBearing 2 1 2 1 1 -P 1 -Mz 1").arguments(&[K_INIT]),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Flat)),
 };
 
@@ -28,7 +33,9 @@ pub(super) const PENDULUM: super::Kind = super::Kind {
     usage: "element singleFPBearing $tag $i $j $frnMdlTag $Reff $kInit -P $mat <-T $mat -My $mat> -Mz $mat \
             <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-inclVertDisp> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
-    text: Text::new("Single friction pendulum."),
+    text: Text::new("Single friction pendulum.")
+        .example("element singleFPBearing 2 1 2 1 1 1 -P 1 -Mz 1")
+        .arguments(&[REFF, K_INIT, K_FACT_UPLIFT_K_FACT]),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Pendulum)),
 };
 
@@ -37,7 +44,9 @@ pub(super) const RJ_WATSON: super::Kind = super::Kind {
     usage: "element RJWatsonEqsBearing $tag $i $j $frnMdlTag $kInit -P $mat -Vy $mat <-Vz $mat -T $mat -My $mat> \
             -Mz $mat <-orient <$x1 $x2 $x3> $y1 $y2 $y3> <-shearDist $sDratio> <-doRayleigh> <-mass $m> \
             <-iter $maxIter $tol> <-kFactUplift $kFact>",
-    text: Text::new("Slider with an elastic spring (EradiQuake)."),
+    text: Text::new("Slider with an elastic spring (EradiQuake).")
+        .example("element RJWatsonEqsBearing 2 1 2 1 1 -P 1 -Vy 1 -Mz 1")
+        .arguments(&[K_INIT, K_FACT_UPLIFT_K_FACT]),
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Springs)),
 };
 
@@ -47,10 +56,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
     let nodes = a.last_span();
     let (friction, _) = a.of(&interp.host.builder.definitions.frictions)?;
     let mut dish = match kind {
-        Kind::Pendulum => Some(Dish { radius: a.positive("effective radius Reff")?, rises: false }),
+        Kind::Pendulum => Some(Dish { radius: a.number(&REFF)?, rises: false }),
         _ => None,
     };
-    let k_init = a.positive("initial stiffness kInit")?;
+    let k_init = a.number(&K_INIT)?;
     let wanted: &[&str] = match (kind, ends.ndm) {
         (Kind::Springs, 2) => &["-P", "-Vy", "-Mz"],
         (Kind::Springs, _) => &["-P", "-Vy", "-Vz", "-T", "-My", "-Mz"],
@@ -85,7 +94,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
                 substitution.tolerance = a.positive("tolerance")?;
             }
             "-kFactUplift" if known.contains(&"-kFactUplift") => {
-                setting.uplift = a.positive("share of the stiffness left in uplift kFactUplift")?;
+                setting.uplift = a.number(&K_FACT_UPLIFT_K_FACT)?;
             }
             "-inclVertDisp" | "-inclVertdisp" if known.contains(&"-inclVertDisp") => {
                 dish = dish.map(|d| Dish { rises: true, ..d });

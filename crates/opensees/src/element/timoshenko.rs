@@ -18,7 +18,9 @@ pub(super) const TIMOSHENKO: Kind = Kind {
     names: &["ElasticTimoshenkoBeam", "elasticTimoshenkoBeam"],
     usage: "element ElasticTimoshenkoBeam $tag $i $j $E $G $A $Iz $Avy $transf (in the plane) or \
             $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
-    text: Text::new("Elastic beam with shear deformation.").groups(&[super::beam::ELASTIC_BEAM]),
+    text: Text::new("Elastic beam with shear deformation.")
+        .example("element ElasticTimoshenkoBeam 2 1 2 1 1 1 1 1 1")
+        .groups(&[super::beam::ELASTIC_BEAM]),
     make: Make::TwoNodes(make),
 };
 

@@ -5,6 +5,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
 use crate::text::{Arg, Text};
+use crate::things;
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron_engine::element::friction::Friction;
@@ -15,13 +16,38 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
 
+const TRIPLE_FRICTION_PENDULUM_L1: Arg = Arg::positive("L1", "effective radius L1 of the inner surfaces");
+const D1: Arg = Arg::positive("d1", "displacement limit d1 of the inner surfaces");
+const D2: Arg = Arg::positive("d2", "displacement limit d2 of the lower outer surface");
+const D3: Arg = Arg::positive("d3", "displacement limit d3 of the upper outer surface");
+const TRIPLE_FRICTION_PENDULUM_W: Arg = Arg::positive("W", "weight W");
+const UY: Arg = Arg::positive("uy", "yield displacement uy");
+
 pub(super) const TRIPLE: Kind = Kind {
     names: &["TripleFrictionPendulum"],
     usage: "element TripleFrictionPendulum $tag $i $j $frnTag1 $frnTag2 $frnTag3 $vertMatTag $rotZMatTag $rotXMatTag \
             $rotYMatTag $L1 $L2 $L3 $d1 $d2 $d3 $W $uy $kvt $minFv $tol",
     text: Text::new("Triple friction pendulum.")
-        .example("element TripleFrictionPendulum 77 1 2 2 1 1 1 2 2 2 0.3 1. 1. 0.05 0.25 0.25 300. 0.002 1. 0.1 1e-8")
+        .example(
+            "element TripleFrictionPendulum 77 1 2 2 1 1 1 2 2 2 0.3 1. 1. 0.05 0.25 0.25 300. 0.002 \
+                1. 0.1 1e-8",
+        )
         .arguments(&[
+            Arg::thing("frnTag1", things::FRICTION),
+            Arg::thing("frnTag2", things::FRICTION),
+            Arg::thing("frnTag3", things::FRICTION),
+            Arg::thing("vertMatTag", things::MATERIAL),
+            Arg::thing("rotZMatTag", things::MATERIAL),
+            Arg::thing("rotXMatTag", things::MATERIAL),
+            Arg::thing("rotYMatTag", things::MATERIAL),
+            TRIPLE_FRICTION_PENDULUM_L1,
+            Arg::positive("L2", "effective radius L2 of the lower outer surface"),
+            Arg::positive("L3", "effective radius L3 of the upper outer surface"),
+            D1,
+            D2,
+            D3,
+            TRIPLE_FRICTION_PENDULUM_W,
+            UY,
             Arg::new("kvt", "tension stiffness kvt"),
             Arg::new("minFv", "smallest vertical force minFv"),
             Arg::new("tol", "tolerance"),
@@ -31,16 +57,16 @@ pub(super) const TRIPLE: Kind = Kind {
 
 /// Effective radii and displacement limits of the inner, lower and upper surfaces.
 pub(super) fn lengths(a: &mut Args<'_>) -> Result<([f64; 3], [f64; 3]), Exception> {
-    let l1 = a.positive("effective radius L1 of the inner surfaces")?;
+    let l1 = a.number(&TRIPLE_FRICTION_PENDULUM_L1)?;
     let mut outer = |what: &str| -> Result<f64, Exception> {
         let l = a.positive(&format!("effective radius {what}"))?;
         let refused = || a.refuse(format!("{what} is {l}"), format!("expected a radius greater than L1, {l1}"));
         if l > l1 { Ok(l) } else { Err(refused()) }
     };
     let l = [l1, outer("L2 of the lower outer surface")?, outer("L3 of the upper outer surface")?];
-    let d1 = a.positive("displacement limit d1 of the inner surfaces")?;
-    let d2 = a.positive("displacement limit d2 of the lower outer surface")?;
-    let d3 = a.positive("displacement limit d3 of the upper outer surface")?;
+    let d1 = a.number(&D1)?;
+    let d2 = a.number(&D2)?;
+    let d3 = a.number(&D3)?;
     Ok((l, [d1, d2, d3]))
 }
 
@@ -84,8 +110,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut material = || a.of(&definitions.materials);
     let materials: [(Material, i32); 4] = [material()?, material()?, material()?, material()?];
     let (l, d) = lengths(a)?;
-    let weight = a.positive("weight W")?;
-    let uy = a.positive("yield displacement uy")?;
+    let weight = a.number(&TRIPLE_FRICTION_PENDULUM_W)?;
+    let uy = a.number(&UY)?;
     let e = stiffness(a, a.last_span(), frictions[0].coefficient(weight, 0.0).mu, uy, &l)?;
     let k_tension = a.positive("vertical stiffness in tension kvt")?;
     let least_normal = a.not_negative("least normal force minFv")?;

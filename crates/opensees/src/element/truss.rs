@@ -3,7 +3,7 @@
 use super::beam::numbers_ahead;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
 use hysteron_engine::material::Material;
@@ -12,24 +12,37 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const TRUSS_A: Arg = Arg::of_domain("A", "cross-sectional area A", Domain::UsuallyPositive);
+const RHO: Arg = Arg::of("-rho", "rho", "mass per length rho").within(Domain::NotNegative);
+
 pub(super) const TRUSS: Kind = Kind {
     names: &["truss", "Truss"],
     usage: "element truss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag> <-useInitialDisp $flag>",
-    text: Text::new("Axial bar.").arguments(&[Arg::new("matTag", "tag of the law")]),
+    text: Text::new("Axial bar.").example("element truss 2 1 2 1 1").arguments(&[
+        TRUSS_A,
+        Arg::new("matTag", "tag of the law"),
+        RHO,
+    ]),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS: Kind = Kind {
     names: &["corotTruss", "CorotTruss"],
     usage: "element corotTruss $tag $i $j $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    text: Text::new("Axial bar with large displacements.").arguments(&[Arg::new("matTag", "tag of the law")]),
+    text: Text::new("Axial bar with large displacements.").example("element corotTruss 2 1 2 1 1").arguments(&[
+        TRUSS_A,
+        Arg::new("matTag", "tag of the law"),
+        RHO,
+    ]),
     make: Make::TwoNodes(make_corot),
 };
 
 pub(super) const TRUSS_SECTION: Kind = Kind {
     names: &["trussSection", "TrussSection"],
     usage: "element trussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    text: Text::new("Axial bar with a section.").arguments(&[Arg::new("section", "tag of a section")]),
+    text: Text::new("Axial bar with a section.")
+        .example("element trussSection 2 1 2 1")
+        .arguments(&[Arg::number("section", "tag of a section"), RHO]),
     make: Make::TwoNodes(make),
 };
 
@@ -37,7 +50,8 @@ pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
     names: &["corotTrussSection", "CorotTrussSection"],
     usage: "element corotTrussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
     text: Text::new("Axial bar with a section and large displacements.")
-        .arguments(&[Arg::new("section", "tag of a section")]),
+        .example("element corotTrussSection 2 1 2 1")
+        .arguments(&[Arg::number("section", "tag of a section"), RHO]),
     make: Make::TwoNodes(make_corot),
 };
 
@@ -75,7 +89,7 @@ fn axial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exc
         };
         return Ok((1.0, axial.shared(), tag));
     }
-    let area = a.usually_positive(interp, "cross-sectional area A")?;
+    let area = a.read(interp, &TRUSS_A)?;
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
     Ok((area, material, tag))
 }
@@ -92,7 +106,7 @@ fn words(
     let known = &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"][..if initial.is_some() { 4 } else { 3 }];
     while let Some(option) = a.option() {
         match (option.as_ref(), &mut initial) {
-            ("-rho", _) => options.rho = a.not_negative("mass per length rho")?,
+            ("-rho", _) => options.rho = a.number(&RHO)?,
             ("-cMass", _) => options.consistent = a.switch(interp, "flag")?,
             ("-doRayleigh", _) => options.rayleigh = a.switch(interp, "flag")?,
             ("-useInitialDisp", Some(initial)) => {

@@ -9,14 +9,23 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const BRACE_DIAMETER: Arg = Arg::positive("braceDiameter", "diameter of the brace");
+const ELASTIC_TUBULAR_JOINT_E: Arg = Arg::positive("E", "modulus of elasticity E");
+const CHORD_DIAMETER: Arg = Arg::positive("chordDiameter", "diameter of the chord");
+const CHORD_THICKNESS: Arg = Arg::positive("chordThickness", "thickness of the chord");
+
 pub(super) const TUBULAR_JOINT: Kind = Kind {
     names: &["ElasticTubularJoint", "elasticTubularJoint"],
     usage: "element ElasticTubularJoint $tag $i $j $braceDiameter $braceAngle $E $chordDiameter $chordThickness $chordAngle",
     text: Text::new("Elastic flexibility of the wall of a tubular chord where a brace meets it.")
         .example("element ElasticTubularJoint 77 1 2 0.3 60. 2e8 0.6 0.02 0.")
         .arguments(&[
-            Arg::new("braceAngle", "angle between brace and chord, degrees"),
-            Arg::new("chordAngle", "angle between the chord and the axis x, degrees"),
+            BRACE_DIAMETER,
+            Arg::number("braceAngle", "angle between brace and chord, degrees"),
+            ELASTIC_TUBULAR_JOINT_E,
+            CHORD_DIAMETER,
+            CHORD_THICKNESS,
+            Arg::number("chordAngle", "angle between the chord and the axis x, degrees"),
         ]),
     make: Make::TwoNodes(make),
 };
@@ -26,14 +35,14 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let brace_diameter = a.positive("diameter of the brace")?;
+    let brace_diameter = a.number(&BRACE_DIAMETER)?;
     let brace_angle = a.float("angle of the brace in degrees")?;
     if !(brace_angle > 0.0 && brace_angle < 180.0) {
         let label = "expected the angle between brace and chord, more than 0 and less than 180 degrees";
         return Err(a.refuse(format!("angle of the brace is {brace_angle}"), label));
     }
-    let e = a.positive("modulus of elasticity E")?;
-    let chord_diameter = a.positive("diameter of the chord")?;
+    let e = a.number(&ELASTIC_TUBULAR_JOINT_E)?;
+    let chord_diameter = a.number(&CHORD_DIAMETER)?;
     if brace_diameter >= chord_diameter {
         let message = format!("the brace with the diameter {brace_diameter} is as wide as the chord");
         return Err(a.refuse(message, "expected a diameter of the chord greater than that of the brace"));
@@ -43,7 +52,7 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         brace_angle,
         e,
         chord_diameter,
-        chord_thickness: a.positive("thickness of the chord")?,
+        chord_thickness: a.number(&CHORD_THICKNESS)?,
         chord_angle: a.float("angle of the chord in degrees")?,
     };
     let line = ends.place.1 - ends.place.0;

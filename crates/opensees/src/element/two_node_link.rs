@@ -4,8 +4,8 @@ use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
-use crate::text::Text;
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, LinkOptions, TwoNodeLink};
 use hysteron_engine::shared::Shared;
@@ -18,11 +18,11 @@ pub(super) const TWO_NODE_LINK: Kind = Kind {
     names: &["twoNodeLink"],
     usage: "element twoNodeLink $tag $i $j -mat $mat1 ... -dir $dir1 ... <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> \
             <-pDelta <$My1 $My2> $Mz1 $Mz2> <-shearDist $sDy <$sDz>> <-doRayleigh> <-mass $m>",
-    text: Text::new("Springs between two nodes at a distance."),
+    text: Text::new("Springs between two nodes at a distance.")
+        .example("element twoNodeLink 2 1 2 -mat 1 -dir 1")
+        .arguments(&[Arg::of("-pDelta", "My1", "ratio of a P-Delta moment").within(Domain::Number)]),
     make: Make::TwoNodes(make),
 };
-
-const OPTIONS: &[&str] = &["-mat", "-dir", "-orient", "-pDelta", "-shearDist", "-doRayleigh", "-mass"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
@@ -66,7 +66,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-doRayleigh" => options.rayleigh = true,
             "-mass" => options.mass = a.not_negative("mass")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if mats.is_empty() {

@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::{
     Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
@@ -18,11 +18,21 @@ use hysteron_tcl::diagnostic::Span;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const MVLEM_3_D_I: Arg = Arg::whole("i", "tag of a corner's node");
+const MVLEM_3_D_J: Arg = Arg::whole("j", "tag of a corner's node");
+const K: Arg = Arg::whole("k", "tag of a corner's node");
+const L: Arg = Arg::whole("l", "tag of a corner's node");
+const M: Arg = Arg::whole("m", "number m of strips");
+const THICK_T1: Arg = Arg::of("-thick", "t1", "thickness of a strip").within(Domain::Positive);
+const WIDTH_W1: Arg = Arg::of("-width", "w1", "width of a strip").within(Domain::Positive);
+const RHO_RATIO1: Arg = Arg::of("-rho", "ratio1", "ratio of reinforcement of a fibre").within(Domain::NotNegative);
+const C: Arg = Arg::number("c", "height c of the shear spring as a share of the height");
+
 const PLATE: &[Arg] = &[
-    Arg::of("-CoR", "c", "height of the centre of rotation as a share of the height"),
-    Arg::of("-ThickMod", "factor", "thickness in bending over the mean thickness"),
-    Arg::of("-Poisson", "nu", "Poisson's ratio of the plate"),
-    Arg::of("-Density", "density", "mass per volume of the wall"),
+    Arg::of("-CoR", "c", "height of the centre of rotation as a share of the height").within(Domain::Number),
+    Arg::of("-ThickMod", "factor", "thickness in bending over the mean thickness").within(Domain::Positive),
+    Arg::of("-Poisson", "nu", "Poisson's ratio of the plate").within(Domain::Number),
+    Arg::of("-Density", "density", "mass per volume of the wall").within(Domain::NotNegative),
 ];
 
 pub(super) const MVLEM: Kind = Kind {
@@ -30,17 +40,21 @@ pub(super) const MVLEM: Kind = Kind {
     usage: "element MVLEM $tag $density $i $j $m $c -thick $t1 ... -width $w1 ... -rho $ratio1 ... -matConcrete $mat1 ... \
             -matSteel $mat1 ... -matShear $mat",
     text: Text::new("Wall of vertical fibres between rigid beams, with a spring for the shear.")
-        .example("element MVLEM 77 0. 1 2 1 0.4 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9")
+        .example(
+            "element MVLEM 77 0. 1 2 1 0.4 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 \
+                -matShear 9",
+        )
         .arguments(&[
-            Arg::new("density", "mass per volume of the wall"),
-            Arg::new("m", "number of vertical fibres, from the left to the right"),
-            Arg::new("c", "height of the shear spring as a share of the height of the element"),
-            Arg::of("-thick", "t1", "thickness of each fibre"),
-            Arg::of("-width", "w1", "width of each fibre"),
-            Arg::of("-rho", "ratio1", "area of reinforcement of each fibre as a share of its area"),
-            Arg::of("-matConcrete", "mat1", "concrete of each fibre"),
-            Arg::of("-matSteel", "mat1", "reinforcement of each fibre"),
-            Arg::of("-matShear", "mat", "law of the shear force and the shear deformation"),
+            Arg::not_negative("density", "mass per volume of the wall"),
+            Arg::whole("m", "number of vertical fibres, from the left to the right"),
+            Arg::number("c", "height of the shear spring as a share of the height of the element"),
+            Arg::of("-thick", "t1", "thickness of each fibre").within(Domain::Positive),
+            Arg::of("-width", "w1", "width of each fibre").within(Domain::Positive),
+            Arg::of("-rho", "ratio1", "area of reinforcement of each fibre as a share of its area")
+                .within(Domain::NotNegative),
+            Arg::of("-matConcrete", "mat1", "concrete of each fibre").within(Domain::Whole),
+            Arg::of("-matSteel", "mat1", "reinforcement of each fibre").within(Domain::Whole),
+            Arg::of("-matShear", "mat", "law of the shear force and the shear deformation").within(Domain::Whole),
         ]),
     make: Make::AnyNodes(lines),
 };
@@ -53,7 +67,23 @@ pub(super) const MVLEM_3D: Kind = Kind {
         "Wall of vertical fibres in space, an elastic plate out of its plane. The corners go against the \
          clock.",
     )
-    .example("element MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 -matShear 9")
+    .example(
+        "element MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -rho 0.1 -matConcrete 9 -matSteel 9 \
+                -matShear 9",
+    )
+    .arguments(&[
+        MVLEM_3_D_I,
+        MVLEM_3_D_J,
+        K,
+        L,
+        M,
+        THICK_T1,
+        WIDTH_W1,
+        RHO_RATIO1,
+        Arg::of("-matConcrete", "mat1", "tag of a uniaxial material").within(Domain::Whole),
+        Arg::of("-matSteel", "mat1", "tag of a uniaxial material").within(Domain::Whole),
+        Arg::of("-matShear", "mat", "tag of a uniaxial material").within(Domain::Whole),
+    ])
     .groups(&[PLATE]),
     make: Make::AnyNodes(lines_in_space),
 };
@@ -62,7 +92,8 @@ pub(super) const SFI_MVLEM: Kind = Kind {
     names: &["SFI_MVLEM"],
     usage: "element SFI_MVLEM $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
     text: Text::new("Wall of panels in plane stress, without horizontal stress.")
-        .example("element SFI_MVLEM 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
+        .example("element SFI_MVLEM 77 1 2 1 0.4 -thick 1. -width 1. -mat 1")
+        .arguments(&[M, C, THICK_T1, WIDTH_W1]),
     make: Make::AnyNodes(|interp, a| panels(interp, a, PanelLaw::NoStress)),
 };
 
@@ -70,7 +101,8 @@ pub(super) const E_SFI: Kind = Kind {
     names: &["E_SFI", "E_SFI_MVLEM"],
     usage: "element E_SFI $tag $i $j $m $c -thick $t1 ... -width $w1 ... -mat $mat1 ...",
     text: Text::new("Wall of panels in plane stress, whose horizontal strain follows from the shear strain.")
-        .example("element E_SFI 77 1 2 1 0.4 -thick 1. -width 1. -mat 1"),
+        .example("element E_SFI 77 1 2 1 0.4 -thick 1. -width 1. -mat 1")
+        .arguments(&[M, C, THICK_T1, WIDTH_W1]),
     make: Make::AnyNodes(|interp, a| panels(interp, a, PanelLaw::FromShear)),
 };
 
@@ -80,11 +112,16 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
             <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`SFI_MVLEM` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[Arg::of(
-            "-Eave",
-            "modulus",
-            "modulus of elasticity of the plate; the mean of the concretes without",
-        )])
+        .arguments(&[
+            MVLEM_3_D_I,
+            MVLEM_3_D_J,
+            K,
+            L,
+            M,
+            THICK_T1,
+            WIDTH_W1,
+            Arg::of("-Eave", "modulus", "modulus of elasticity of the plate; the mean of the concretes without"),
+        ])
         .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::NoStress)),
 };
@@ -95,11 +132,16 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`E_SFI` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element E_SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[Arg::of(
-            "-Eave",
-            "modulus",
-            "modulus of elasticity of the plate; the mean of the concretes without",
-        )])
+        .arguments(&[
+            MVLEM_3_D_I,
+            MVLEM_3_D_J,
+            K,
+            L,
+            M,
+            THICK_T1,
+            WIDTH_W1,
+            Arg::of("-Eave", "modulus", "modulus of elasticity of the plate; the mean of the concretes without"),
+        ])
         .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::FromShearAndBars)),
 };
@@ -152,10 +194,10 @@ impl Strips {
         let last = a.last_span();
         while let Some(option) = a.option() {
             match option.as_ref() {
-                "-thick" => s.thickness = numbers(count, || a.positive("thickness of a strip"))?,
-                "-width" => s.width = numbers(count, || a.positive("width of a strip"))?,
+                "-thick" => s.thickness = numbers(count, || a.number(&THICK_T1))?,
+                "-width" => s.width = numbers(count, || a.number(&WIDTH_W1))?,
                 "-rho" if needed.contains(&"-rho") => {
-                    s.ratio = numbers(count, || a.not_negative("ratio of reinforcement of a fibre"))?;
+                    s.ratio = numbers(count, || a.number(&RHO_RATIO1))?;
                 }
                 "-matConcrete" => s.concrete = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
                 "-matSteel" => s.steel = numbers(count, || a.of(&interp.host.builder.definitions.materials))?,
@@ -260,7 +302,7 @@ fn numbers<T>(count: usize, mut take: impl FnMut() -> Result<T, Exception>) -> R
 }
 
 fn count(a: &mut Args<'_>) -> Result<usize, Exception> {
-    match a.count("number m of strips")? {
+    match a.count(M.meaning)? {
         0 => Err(a.refuse("the wall has no strips", "expected 1 or more")),
         count => Ok(count),
     }
@@ -283,7 +325,7 @@ fn ends(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, f64), Except
 
 /// Height of the shear spring over that of the wall.
 fn centre(a: &mut Args<'_>) -> Result<f64, Exception> {
-    a.float("height c of the shear spring as a share of the height")
+    a.number(&C)
 }
 
 /// Nodes at the corners of a wall, their places, and the last word of them.
@@ -294,7 +336,7 @@ type Corners = (Vec<NodeId>, [Vector3<f64>; 4], Option<Span>);
 fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<Corners, Exception> {
     let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 4]);
     for corner in &mut corners {
-        let id = node_of(interp, a, "tag of a corner's node")?;
+        let id = node_of(interp, a, K.meaning)?;
         let node = &interp.host.engine.model().nodes[id.0];
         if (node.ndm(), node.ndf) != (3, 6) {
             let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());

@@ -5,18 +5,25 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, ShearBearing, ShearLaw, YamamotoShear};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const TP: Arg = Arg::whole("tp", "compound tp");
+const D_DO: Arg = Arg::positive("dDo", "outer diameter dDo");
+const D_DI: Arg = Arg::not_negative("dDi", "inner diameter dDi");
+const HR: Arg = Arg::positive("hr", "total thickness hr of the rubber");
+
 pub(super) const YAMAMOTO: Kind = Kind {
     names: &["YamamotoBiaxialHDR"],
     usage: "element YamamotoBiaxialHDR $tag $i $j $tp $dDo $dDi $hr <-coRS $cr $cs> <-orient <$x1 $x2 $x3> $y1 $y2 $y3> \
             <-mass $m>",
-    text: Text::new("High damping rubber bearing with bidirectional shear (Yamamoto)."),
+    text: Text::new("High damping rubber bearing with bidirectional shear (Yamamoto).")
+        .example("element YamamotoBiaxialHDR 2 1 2 1 1 0.5 1")
+        .arguments(&[TP, D_DO, D_DI, HR, super::MASS_ABOVE_ZERO]),
     make: Make::TwoNodes(make),
 };
 
@@ -25,16 +32,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    match a.int("compound tp")? {
+    match a.int(TP.meaning)? {
         1 => {}
         tp => return Err(a.refuse(format!("there is no compound {tp}"), "expected 1, Bridgestone's X0.6R")),
     }
-    let outer = a.positive("outer diameter dDo")?;
-    let inner = a.not_negative("inner diameter dDi")?;
+    let outer = a.number(&D_DO)?;
+    let inner = a.number(&D_DI)?;
     if inner >= outer {
         return Err(a.refuse(format!("the inner diameter is {inner}"), format!("expected it less than dDo, {outer}")));
     }
-    let height = a.positive("total thickness hr of the rubber")?;
+    let height = a.number(&HR)?;
     let (mut factors, mut mass) = ([1.0; 2], 0.0);
     let mut orient = Orient::default();
     while let Some(option) = a.option() {

@@ -7,7 +7,8 @@ use crate::checks;
 use crate::model::transform::vector;
 use crate::slips;
 use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::things;
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::axes::{self, Orientation};
 use hysteron_engine::element::{CoupledZeroLength, Element, RayleighDamping, ZeroLength};
 use hysteron_engine::material::Material;
@@ -17,23 +18,28 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
+const DIR1: Arg = Arg::whole("dir1", "first direction");
+const DIR2: Arg = Arg::whole("dir2", "second direction");
+
 pub(super) const ZERO_LENGTH: Kind = Kind {
     names: &["zeroLength"],
     usage: "element zeroLength $tag $i $j -mat $mat1 ... -dir $dir1 ... <-doRayleigh <$flag>> \
             <-dampMats $mat1 ...> <-damp $damping> <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3>",
-    text: Text::new("Springs between two nodes at one place."),
+    text: Text::new("Springs between two nodes at one place.").example("element zeroLength 2 1 2 -mat 1 -dir 1"),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COUPLED: Kind = Kind {
     names: &["CoupledZeroLength", "coupledZeroLength", "ZeroLengthCoupled"],
     usage: "element CoupledZeroLength $tag $i $j $dir1 $dir2 $mat <$doRayleigh>",
-    text: Text::new("One spring for two directions.")
-        .arguments(&[Arg::new("doRayleigh", "1: the element takes part in Rayleigh damping")]),
+    text: Text::new("One spring for two directions.").example("element CoupledZeroLength 2 1 2 1 2 1").arguments(&[
+        DIR1,
+        DIR2,
+        Arg::thing("mat", things::MATERIAL),
+        Arg::new("doRayleigh", "1: the element takes part in Rayleigh damping"),
+    ]),
     make: Make::TwoNodes(make_coupled),
 };
-
-const OPTIONS: &[&str] = &["-mat", "-dir", "-doRayleigh", "-dampMats", "-damp", "-orient"];
 
 fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<Vec<(Material, i32)>, Exception> {
     let mut out = vec![a.of(&interp.host.builder.definitions.materials)?];
@@ -91,7 +97,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 };
                 axes = axes::from_x_and_y(x, y).map_err(|e| a.refuse_at(place, e.message(), ""))?;
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if mats.is_empty() {
@@ -130,7 +136,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
 }
 
 fn make_coupled(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    let directions = [a.dof("first direction", ends.ndf)?, a.dof("second direction", ends.ndf)?];
+    let directions = [a.dof(DIR1.meaning, ends.ndf)?, a.dof(DIR2.meaning, ends.ndf)?];
     if directions[0] == directions[1] {
         return Err(a.refuse("both directions are the same", "expected another direction"));
     }

@@ -3,8 +3,9 @@
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::model::transform::vector;
-use crate::text::Text;
-use crate::{Tcl, ignore_option};
+use crate::text::{Arg, Text};
+use crate::things;
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, ZeroLengthSection};
 use hysteron_engine::shared::Shared;
@@ -15,7 +16,9 @@ use std::sync::Arc;
 pub(super) const ZERO_LENGTH_SECTION: Kind = Kind {
     names: &["zeroLengthSection", "ZeroLengthSection"],
     usage: "element zeroLengthSection $tag $i $j $section <-orient $x1 $x2 $x3 $yp1 $yp2 $yp3> <-doRayleigh $flag>",
-    text: Text::new("A section between two nodes at one place."),
+    text: Text::new("A section between two nodes at one place.")
+        .example("element zeroLengthSection 2 1 2 1")
+        .arguments(&[Arg::thing("section", things::SECTION)]),
     make: Make::TwoNodes(make),
 };
 
@@ -36,7 +39,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 }
             }
             "-doRayleigh" => rayleigh = a.switch(interp, "flag")?,
-            _ => ignore_option(interp, a, &["-orient", "-doRayleigh"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if ends.ndm == 2 {

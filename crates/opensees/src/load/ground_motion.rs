@@ -6,16 +6,22 @@ use crate::model::nodes::node_of;
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_tcl::diagnostic::Span;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
+const TAG: Arg = Arg::whole("tag", "tag of the ground motion");
+const NODE: Arg = Arg::whole("node", "tag of the node");
+const DOF: Arg = Arg::whole("dof", "degree of freedom");
+const IMPOSED_MOTION_GROUND_MOTION: Arg = Arg::whole("groundMotion", "tag of a ground motion");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("groundMotion", GROUND, ground_motion)
         .about("Makes a motion of supports, in a pattern `MultipleSupport`.")
         .arguments(&[
+            TAG,
             Arg::of("-accel", "series", "tag of a series of accelerations"),
             Arg::of("-vel", "series", "tag of a series of velocities"),
             Arg::of("-disp", "series", "tag of a series of displacements"),
@@ -25,9 +31,12 @@ pub(crate) const COMMANDS: &[Command] = &[
             Arg::new("motion", "tags of ground motions"),
         ])
         .defining(&[things::GROUND_MOTION], 1),
-    Command::new("imposedMotion", IMPOSED, imposed_motion)
-        .about("Moves a support by a ground motion.")
-        .arguments(&[Arg::flag("-other", "the support follows the displacements without their rates")]),
+    Command::new("imposedMotion", IMPOSED, imposed_motion).about("Moves a support by a ground motion.").arguments(&[
+        NODE,
+        DOF,
+        IMPOSED_MOTION_GROUND_MOTION,
+        Arg::flag("-other", "the support follows the displacements without their rates"),
+    ]),
     Command::new("imposedSupportMotion", IMPOSED, imposed_motion).about("Moves a support by a ground motion."),
 ];
 
@@ -66,7 +75,7 @@ fn motions<'a>(interp: &'a Tcl, a: &Args<'_>) -> Result<(Tag, &'a BTreeMap<Tag, 
 }
 
 fn motion_of(interp: &Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> {
-    let tag = a.tag(things::GROUND_MOTION, "tag of a ground motion")?;
+    let tag = a.tag(things::GROUND_MOTION, IMPOSED_MOTION_GROUND_MOTION.meaning)?;
     let (_, all) = motions(interp, a)?;
     all.get(&tag).cloned().ok_or_else(|| {
         let known: Vec<String> = all.keys().map(ToString::to_string).collect();
@@ -76,7 +85,7 @@ fn motion_of(interp: &Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
 
 fn ground_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, GROUND);
-    let tag = a.int("tag of the ground motion")?;
+    let tag = a.int(TAG.meaning)?;
     let (pattern, all) = motions(interp, &a)?;
     if all.contains_key(&tag) {
         return Err(a.exists(things::GROUND_MOTION, tag));
@@ -112,7 +121,7 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
             },
             "-dtInt" | "-dtIntegrator" | "-deltaT" => dt = a.positive("step of the integration")?,
             "-fact" | "-factor" => factor = a.float("factor")?,
-            _ => ignore_option(interp, a, &["-accel", "-vel", "-disp", "-int", "-dtInt", "-fact"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     // OpenSees integrates missing histories, but differentiates none: supports given displacements have no velocity.
@@ -147,9 +156,9 @@ fn interpolated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exce
 
 fn imposed_motion(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, IMPOSED);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
-    let dof = a.dof("degree of freedom", ndf)?;
+    let dof = a.dof(DOF.meaning, ndf)?;
     let motion = motion_of(interp, &mut a)?;
     let rates = !a.flag("-other");
     finish(interp, &a)?;

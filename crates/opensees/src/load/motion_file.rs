@@ -3,8 +3,9 @@
 use crate::args::Args;
 use crate::checks;
 use crate::host::Mode;
+use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::series::{self, Path};
 use hysteron_recordings::series::{channel_names, find_channel};
 use hysteron_recordings::told::{self, Key};
@@ -15,7 +16,24 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::cell::RefCell;
 use std::sync::Arc;
 
+const MOTION_FILE_SERIES: Arg = Arg::whole("series", "tag of the time series");
+const FILE: Arg = Arg::new("file", "name of the file");
+const FACTOR_C: Arg = Arg::of("-factor", "c", "factor").within(Domain::Number);
+const DT: Arg = Arg::of("-dt", "dt", "step of time dt").within(Domain::Positive);
+const CHANNEL_NAME: Arg = Arg::of("-channel", "name", "name or number of the channel");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("motionFile", USAGE, motion_file)
+    .arguments(&[
+        MOTION_FILE_SERIES,
+        FILE,
+        FACTOR_C,
+        DT,
+        CHANNEL_NAME,
+        Arg::of("-quantity", "word", "quantity"),
+        Arg::of("-unit", "unit", "unit"),
+        Arg::of("-layout", "word", "layout"),
+        Arg::of("-to", "unit", "unit"),
+    ])
     .about("Reads a ground motion into a `Path` series and returns the time step and the number of values.")
     .own()];
 
@@ -25,8 +43,6 @@ const USAGE: &str = "lassign [motionFile $series $file <-factor $c> <-dt $dt> <-
 
 /// Options that say what a measured file does not, and what is taken from it.
 pub(super) const FILE_OPTIONS: [&str; 5] = ["-channel", "-quantity", "-unit", "-layout", "-to"];
-
-const OPTIONS: &[&str] = &["-factor", "-dt", "-useLast", "-channel", "-quantity", "-unit", "-layout", "-to"];
 
 /// What a command says about a measured file.
 #[derive(Default)]
@@ -46,7 +62,7 @@ impl FileOptions {
     /// Take one of [`FILE_OPTIONS`]; false if the option is none of them.
     pub(super) fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
         match option {
-            "-channel" => self.channel = Some(a.word("name or number of the channel")?.into_owned()),
+            "-channel" => self.channel = Some(a.word(CHANNEL_NAME.meaning)?.into_owned()),
             "-quantity" => self.quantity = Some(take(a, "quantity", told::quantity_of)?),
             "-unit" => self.unit = Some(take(a, "unit", told::unit_of)?),
             "-layout" => self.layout = Some(take(a, "layout", Layout::named)?),
@@ -145,18 +161,18 @@ fn converted(mut series: Series, options: &FileOptions) -> Result<FileSeries, Fa
 
 fn motion_file(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
-    let tag = a.int("tag of the time series")?;
+    let tag = a.int(MOTION_FILE_SERIES.meaning)?;
     let tag_span = a.last_span();
-    let name = a.word("name of the file")?.into_owned();
+    let name = a.word(FILE.meaning)?.into_owned();
     let span = a.last_span();
     let (mut factor, mut use_last, mut options) = (1.0, false, FileOptions::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-factor" | "-fact" => factor = a.float("factor")?,
-            "-dt" => options.dt = Some(a.positive("step of time dt")?),
+            "-factor" | "-fact" => factor = a.number(&FACTOR_C)?,
+            "-dt" => options.dt = Some(a.number(&DT)?),
             "-useLast" => use_last = true,
             word if FILE_OPTIONS.contains(&word) => drop(options.take(word, &mut a)?),
-            _ => ignore_option(interp, &mut a, OPTIONS)?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let mut read = read(interp, &a, (&name, span), &options)?;

@@ -9,9 +9,9 @@ use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{need_model, node_of};
 use crate::session::Session;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::{
     ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag, acceleration_of,
@@ -21,15 +21,31 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TAG: Arg = Arg::whole("tag", "tag of the pattern");
+const DIRECTION: Arg = Arg::whole("direction", "direction");
+const VEL0_V: Arg = Arg::of("-vel0", "v", "initial velocity").within(Domain::Number);
+const NODE: Arg = Arg::whole("node", "tag of the node");
+const PATTERN_TAG: Arg = Arg::of("-pattern", "tag", "tag of the pattern").within(Domain::Whole);
+const DOF: Arg = Arg::whole("dof", "degree of freedom");
+const VALUE: Arg = Arg::number("value", "value");
+const BEAM_UNIFORM_MOMENT_MZ: Arg = Arg::of("-beamUniformMoment", "mz", "moment per length mx").within(Domain::Number);
+const TIME: Arg = Arg::of("-time", "time", "time").within(Domain::Number);
+const SET_TIME_TIME: Arg = Arg::number("time", "time");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("pattern", PLAIN, pattern)
         .about("Makes a pattern of loads that follow a time series, or an excitation.")
-        .arguments(&[Arg::of("-fact", "factor", "factor on all loads")])
+        .arguments(&[Arg::of("-fact", "factor", "factor on all loads").within(Domain::Number)])
         .defining(&[things::PATTERN], 2)
         .with_kinds(|| kind::usages(KINDS)),
-    Command::new("load", LOAD, load).about("Adds a nodal load to a pattern."),
-    Command::new("sp", SP, sp).about("Imposes the displacement of a degree of freedom, in a pattern."),
+    Command::new("load", LOAD, load)
+        .arguments(&[NODE, Arg::number("f1", "force on degree of freedom 1"), PATTERN_TAG])
+        .about("Adds a nodal load to a pattern."),
+    Command::new("sp", SP, sp)
+        .arguments(&[NODE, DOF, VALUE, PATTERN_TAG])
+        .about("Imposes the displacement of a degree of freedom, in a pattern."),
     Command::new("eleLoad", ELE_LOAD, ele_load).about("Adds loads on beams to a pattern.").arguments(&[
+        BEAM_UNIFORM_MOMENT_MZ,
         Arg::flag("-type", "before the kind of load, may be left out"),
         Arg::flag(
             "-beamUniform",
@@ -41,11 +57,13 @@ pub(crate) const COMMANDS: &[Command] = &[
             "in the plane $P_y$ $x/L$ <$P_x$>, in space $P_y$ $P_z$ $x/L$ <$P_x$>: force in local \
              axes and its place over the length",
         ),
-        Arg::of("-range", "first", "first and last tag of elements"),
-        Arg::of("-ele", "tag", "tags of elements"),
+        Arg::of("-range", "first", "first and last tag of elements").within(Domain::Whole),
+        Arg::of("-ele", "tag", "tags of elements").within(Domain::Whole),
     ]),
-    Command::new("loadConst", LOAD_CONST, load_const).about("Keeps the loads of all patterns at their present level."),
-    Command::new("setTime", SET_TIME, set_time).about("Sets the clock of the domain."),
+    Command::new("loadConst", LOAD_CONST, load_const)
+        .arguments(&[TIME])
+        .about("Keeps the loads of all patterns at their present level."),
+    Command::new("setTime", SET_TIME, set_time).arguments(&[SET_TIME_TIME]).about("Sets the clock of the domain."),
 ];
 
 const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ... eleLoad ... }";
@@ -63,19 +81,27 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Plain", "LoadPattern"],
         usage: PLAIN,
-        text: Text::new("Nodal loads, imposed displacements and loads on elements."),
+        text: Text::new("Nodal loads, imposed displacements and loads on elements.")
+            .arguments(&[TAG, Arg::new("series", "time series")]),
         make: plain,
     },
     Kind {
         names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
         usage: "pattern UniformExcitation $tag $direction <-accel $series> <-vel $series> <-disp $series> <-vel0 $v> <-fact $factor>",
-        text: Text::new("One ground acceleration for all supports."),
+        text: Text::new("One ground acceleration for all supports.").arguments(&[
+            TAG,
+            DIRECTION,
+            Arg::of("-accel", "series", "time series"),
+            Arg::of("-vel", "series", "time series"),
+            Arg::of("-disp", "series", "time series"),
+            VEL0_V,
+        ]),
         make: uniform,
     },
     Kind {
         names: &["MultipleSupport", "MultiSupport"],
         usage: "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }",
-        text: Text::new("Ground motions of single supports."),
+        text: Text::new("Ground motions of single supports.").arguments(&[TAG]),
         make: ground_motion::multiple_support,
     },
 ];
@@ -90,7 +116,7 @@ fn pattern(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn new_tag(interp: &Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
-    let tag = a.int("tag of the pattern")?;
+    let tag = a.int(PATTERN_TAG.meaning)?;
     if interp.host.engine.model().patterns.contains_key(&tag) {
         return Err(a.exists(things::PATTERN, tag));
     }
@@ -105,7 +131,7 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
         a.option();
         match a.last_word().as_ref() {
             "-fact" | "-factor" => factor = a.float("factor")?,
-            _ => ignore_option(interp, &mut a, &["-fact"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let pattern = Pattern::new(PatternKind::Plain { series, factor });
@@ -145,7 +171,7 @@ fn need_series(a: &Args<'_>) -> Result<(), Exception> {
 
 fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     let limit = [1, 3, 6][interp.host.builder.ndm - 1];
-    let direction = a.dof("direction", limit)?;
+    let direction = a.dof(DIRECTION.meaning, limit)?;
     let mut excitation =
         Excitation { direction, accel: Arc::new(Constant { factor: 0.0 }), influence: 1.0, initial_velocity: 0.0 };
     let mut motion = [None, None, None];
@@ -154,9 +180,9 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
             "-accel" | "-acceleration" => motion[0] = Some(series_of(interp, &mut a)?),
             "-vel" | "-velocity" => motion[1] = Some(series_of(interp, &mut a)?),
             "-disp" | "-displacement" => motion[2] = Some(series_of(interp, &mut a)?),
-            "-vel0" | "-initialVel" => excitation.initial_velocity = a.float("initial velocity")?,
+            "-vel0" | "-initialVel" => excitation.initial_velocity = a.number(&VEL0_V)?,
             "-fact" | "-factor" => excitation.influence = a.float("factor")?,
-            _ => ignore_option(interp, &mut a, &["-accel", "-vel", "-disp", "-vel0", "-fact"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let [accel, vel, disp] = motion;
@@ -208,7 +234,7 @@ fn change_pattern(interp: &mut Tcl, tag: Tag, change: impl FnOnce(&mut Pattern))
 
 fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, LOAD);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
     let values = (1..=ndf).map(|i| a.nth_float("force on degree of freedom", i));
     let values = values.collect::<Result<Vec<f64>, _>>()?;
@@ -216,8 +242,8 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-const" => constant = true,
-            "-pattern" => named = Some(a.tag(things::PATTERN, "tag of the pattern")?),
-            _ => ignore_option(interp, &mut a, &["-const", "-pattern"])?,
+            "-pattern" => named = Some(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let tag = current(interp, &a, named)?;
@@ -227,21 +253,21 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SP);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let (ndf, offset) = {
         let n = &interp.host.engine.model().nodes[node.0];
         (n.ndf, n.offset)
     };
-    let dof = a.dof("degree of freedom", ndf)?;
+    let dof = a.dof(DOF.meaning, ndf)?;
     let span = a.last_span();
-    let value = a.float("value")?;
+    let value = a.number(&VALUE)?;
     let (mut constant, mut named, mut initial) = (false, None, 0.0);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-const" => constant = true,
             "-subtractInit" => initial = interp.host.engine.state().disp[offset + dof],
-            "-pattern" => named = Some(a.tag(things::PATTERN, "tag of the pattern")?),
-            _ => ignore_option(interp, &mut a, &["-const", "-subtractInit", "-pattern"])?,
+            "-pattern" => named = Some(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let pattern = current(interp, &a, named)?;
@@ -286,7 +312,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.builder.ndm)?),
             "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.builder.ndm)?),
             "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.builder.ndm)?),
-            "-pattern" => drop(a.tag(things::PATTERN, "tag of the pattern")?),
+            "-pattern" => drop(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
             _ if given.is_none() => {
                 return Err(a.unknown_name(
                     "element load",
@@ -336,7 +362,7 @@ fn beam_uniform(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> 
 /// A moment about z all along a beam; in space one about each axis, which no element takes.
 fn beam_moment(a: &mut Args<'_>, ndm: usize) -> Result<ElementLoad, Exception> {
     if ndm == 3 {
-        a.float("moment per length mx")?;
+        a.number(&BEAM_UNIFORM_MOMENT_MZ)?;
         a.float("moment per length my")?;
     }
     Ok(ElementLoad::Moment { z: a.float("moment per length mz")? })
@@ -358,8 +384,8 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut time = None;
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-time" => time = Some(a.float("time")?),
-            _ => ignore_option(interp, &mut a, &["-time"])?,
+            "-time" => time = Some(a.number(&SET_TIME_TIME)?),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     // Loads stay as an analysis has applied them, whatever the time has been set to since.
@@ -378,7 +404,7 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn set_time(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_TIME);
-    let time = a.float("time")?;
+    let time = a.number(&SET_TIME_TIME)?;
     finish(interp, &a)?;
     let session = &mut interp.host;
     session.builder.loads_time.get_or_insert(session.engine.state().time);

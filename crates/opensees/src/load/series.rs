@@ -3,20 +3,29 @@
 use super::motion_file::{self, FILE_OPTIONS, FileOptions, FileSeries};
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
+use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_recordings::{Clock, Measured, Told};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TAG: Arg = Arg::whole("tag", "tag of the time series");
+const FACTOR_C: Arg = Arg::of("-factor", "c", "factor").within(Domain::Number);
+const T_START: Arg = Arg::number("tStart", "start tStart");
+const T_END: Arg = Arg::number("tEnd", "end tEnd");
+const PERIOD: Arg = Arg::positive("period", "period");
+const SHIFT: Arg = Arg::of("-shift", "shift", "phase shift").within(Domain::Number);
+const DT: Arg = Arg::of("-dt", "dt", "step of time dt").within(Domain::Positive);
+const FILE_MOTION_FILE: Arg = Arg::of("-fileMotion", "file", "name of a measured file");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
     .about("Makes a factor that varies with time.")
     .arguments(&[
-        Arg::of("-zeroShift", "z", "added to the value"),
-        Arg::of("-width", "w", "width of a pulse over the period"),
+        Arg::of("-zeroShift", "z", "added to the value").within(Domain::Number),
+        Arg::of("-width", "w", "width of a pulse over the period").within(Domain::Number),
     ])
     .defining(&[things::SERIES], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -30,37 +39,39 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Constant", "ConstantSeries"],
         usage: "timeSeries Constant $tag <-factor $c>",
-        text: Text::new("A constant factor."),
+        text: Text::new("A constant factor.").arguments(&[TAG, FACTOR_C]),
         make: constant,
     },
     Kind {
         names: &["Linear", "LinearSeries"],
         usage: "timeSeries Linear $tag <-factor $c>",
-        text: Text::new("A factor that grows with time."),
+        text: Text::new("A factor that grows with time.").arguments(&[TAG, FACTOR_C]),
         make: linear,
     },
     Kind {
         names: &["Trig", "TrigSeries", "Sine", "SineSeries"],
         usage: WAVE,
-        text: Text::new("A sine between two times."),
+        text: Text::new("A sine between two times.").arguments(&[TAG, T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
         make: trig,
     },
     Kind {
         names: &["Triangle", "TriangleSeries"],
         usage: WAVE,
-        text: Text::new("A triangular wave between two times."),
+        text: Text::new("A triangular wave between two times.")
+            .arguments(&[TAG, T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
         make: triangle,
     },
     Kind {
         names: &["Rectangular"],
         usage: "timeSeries Rectangular $tag $tStart $tEnd <-factor $c>",
-        text: Text::new("A constant factor between two times."),
+        text: Text::new("A constant factor between two times.").arguments(&[TAG, T_START, T_END, FACTOR_C]),
         make: rectangular,
     },
     Kind {
         names: &["Pulse", "PulseSeries"],
         usage: "timeSeries Pulse $tag $tStart $tEnd $period <-width $w> <-shift $shift> <-factor $c> <-zeroShift $z>",
-        text: Text::new("A rectangular wave between two times."),
+        text: Text::new("A rectangular wave between two times.")
+            .arguments(&[TAG, T_START, T_END, PERIOD, SHIFT, FACTOR_C]),
         make: pulse,
     },
     Kind {
@@ -69,11 +80,19 @@ const KINDS: &[Kind] = &[
                 -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
                 <-unit $unit> <-layout $word> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
         text: Text::new("A factor given by points, interpolated linearly.").arguments(&[
+            TAG,
+            DT,
             Arg::flag("-values", "values, with `-dt` at equal steps, with `-time` at these times"),
-            Arg::of("-factor", "c", "factor"),
-            Arg::of("-startTime", "t", "time of the first value"),
-            Arg::of("-fileTime", "file", "file of times"),
             Arg::of("-filePath", "file", "file of values"),
+            Arg::of("-fileTime", "file", "file of times"),
+            FILE_MOTION_FILE,
+            Arg::of("-channel", "name", "name or number of the channel"),
+            Arg::of("-quantity", "word", "quantity"),
+            Arg::of("-unit", "unit", "unit"),
+            Arg::of("-layout", "word", "layout"),
+            Arg::of("-to", "unit", "unit"),
+            Arg::of("-factor", "c", "factor").within(Domain::Number),
+            Arg::of("-startTime", "t", "time of the first value").within(Domain::Number),
         ]),
         make: path,
     },
@@ -83,7 +102,7 @@ fn time_series(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "timeSeries $kind $tag ...");
     let kind = take_kind(&mut a)?;
     interp.host.note_kind("timeSeries", kind.names[0]);
-    let tag = a.int("tag of the time series")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let series = (kind.make)(interp, &mut a)?;
     if !interp.host.builder.definitions.series.add(tag, series) {
@@ -128,8 +147,8 @@ fn factor_only(interp: &mut Tcl, a: &mut Args<'_>) -> Result<f64, Exception> {
     let mut factor = 1.0;
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-factor" => factor = a.float("factor")?,
-            _ => ignore_option(interp, a, &["-factor"])?,
+            "-factor" => factor = a.number(&FACTOR_C)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(factor)
@@ -157,16 +176,16 @@ fn warn_of_end(interp: &mut Tcl, a: &Args<'_>, start: f64, end: f64) -> Result<(
 
 /// Times, period, and the options of the periodic series; also the width of a pulse.
 fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
-    let start = a.float("start tStart")?;
-    let end = a.float("end tEnd")?;
+    let start = a.number(&T_START)?;
+    let end = a.number(&T_END)?;
     warn_of_end(interp, a, start, end)?;
-    let period = a.positive("period")?;
+    let period = a.number(&PERIOD)?;
     let mut w = Wave { start, end, period, shift: 0.0, factor: 1.0, zero_shift: 0.0 };
     let mut width = 0.5;
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-factor" => w.factor = a.float("factor")?,
-            "-shift" | "-phaseShift" => w.shift = a.float("phase shift")?,
+            "-factor" => w.factor = a.number(&FACTOR_C)?,
+            "-shift" | "-phaseShift" => w.shift = a.number(&SHIFT)?,
             "-zeroShift" => w.zero_shift = a.float("zero shift")?,
             "-width" | "-pulseWidth" => {
                 width = a.float("width of the pulse as a fraction of the period")?;
@@ -202,8 +221,8 @@ fn pulse(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
 }
 
 fn rectangular(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
-    let start = a.float("start tStart")?;
-    let end = a.float("end tEnd")?;
+    let start = a.number(&T_START)?;
+    let end = a.number(&T_END)?;
     warn_of_end(interp, a, start, end)?;
     Ok(Arc::new(Rectangular { start, end, factor: factor_only(interp, a)? }))
 }
@@ -234,7 +253,7 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let (mut measured, mut of_file) = (None, FileOptions::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-dt" | "-dT" => dt = Some(a.positive("step of time dt")?),
+            "-dt" | "-dT" => dt = Some(a.number(&DT)?),
             "-values" => values = Some(numbers(interp, a, "value")?),
             "-time" => times = Some((numbers(interp, a, "time")?, a.last_span())),
             "-filePath" => {
@@ -248,11 +267,11 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
                 values = Some(pairs.iter().copied().skip(1).step_by(2).collect());
             }
             "-fileMotion" => {
-                let name = a.word("name of a measured file")?.into_owned();
+                let name = a.word(FILE_MOTION_FILE.meaning)?.into_owned();
                 measured = Some((name, a.last_span()));
             }
             word if FILE_OPTIONS.contains(&word) => drop(of_file.take(word, a)?),
-            "-factor" => factor = a.float("factor")?,
+            "-factor" => factor = a.number(&FACTOR_C)?,
             "-useLast" => use_last = true,
             "-prependZero" => prepend = true,
             "-startTime" | "-tStart" => start = a.float("start time")?,

@@ -10,16 +10,56 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TAG: Arg = Arg::whole("tag", "tag of the backbone");
+const ARCTANGENT_K1: Arg = Arg::number("K1", "coefficient K1");
+const GAMMA_Y: Arg = Arg::positive("gammaY", "strain at yielding gammaY");
+const ALPHA: Arg = Arg::number("alpha", "angle alpha");
+const ARCTANGENT_E: Arg = Arg::number("E", "angle alpha");
+const ES: Arg = Arg::positive("Es", "elastic modulus Es");
+const FY: Arg = Arg::positive("fy", "yield stress fy");
+const FSU: Arg = Arg::positive("fsu", "ultimate stress fsu");
+const EPSSH: Arg = Arg::positive("epssh", "strain at hardening epssh");
+const EPSSM: Arg = Arg::positive("epssm", "strain at the ultimate stress epssm");
+const RAYNOR_C1: Arg = Arg::not_negative("C1", "exponent of hardening C1");
+const EY: Arg = Arg::number("Ey", "modulus of the plateau Ey");
+const KX: Arg = Arg::positive("kx", "initial stiffness kx");
+const YM: Arg = Arg::positive("ym", "displacement ym");
+const PM: Arg = Arg::positive("pm", "resistance pm");
+const YU: Arg = Arg::positive("yu", "displacement yu");
+const REESE_SAND_PU: Arg = Arg::positive("pu", "resistance pu");
+const REESE_SOFT_CLAY_PU: Arg = Arg::positive("pu", "ultimate resistance pu");
+const Y50: Arg = Arg::positive("y50", "displacement y50");
+const N: Arg = Arg::positive("n", "exponent n");
+const ESI: Arg = Arg::positive("Esi", "initial stiffness Esi");
+const AS: Arg = Arg::positive("As", "coefficient As");
+const PC: Arg = Arg::positive("Pc", "ultimate resistance Pc");
+const HL: Arg = Arg::number("hl", "length of the linear part hl");
+const B: Arg = Arg::positive("b", "diameter b");
+const SU: Arg = Arg::positive("su", "shear strength su");
+const P_M: Arg = Arg::positive("pM", "resistance pM at b/60");
+const P_U: Arg = Arg::positive("pU", "resistance pU at 3b/80");
+const KPY: Arg = Arg::positive("Kpy", "stiffness per depth Kpy");
+const Z: Arg = Arg::positive("z", "depth z");
+const KIR: Arg = Arg::positive("Kir", "initial stiffness Kir");
+const PUR: Arg = Arg::positive("pur", "ultimate resistance pur");
+const YRM: Arg = Arg::positive("yrm", "displacement yrm");
+
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Backbone"],
     usage: "uniaxialMaterial Backbone $tag $backbone <$factor>",
     text: Text::new("Elastic along a curve of `hystereticBackbone`.")
         .example("hystereticBackbone Bilinear 1 0.01 1. 0.1 1.5; uniaxialMaterial Backbone 77 1")
-        .arguments(&[Arg::new("factor", "factor of the stress")]),
+        .arguments(&[Arg::thing("backbone", things::BACKBONE), Arg::new("factor", "factor of the stress")]),
     make: backbone_material,
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone)
+    .arguments(&[
+        Arg::number("e1", "strain e1"),
+        Arg::number("s1", "stress s1"),
+        Arg::number("e2", "strain e2"),
+        Arg::number("s2", "stress s2"),
+    ])
     .about("Makes a curve of stress over strain, for `uniaxialMaterial Backbone`.")
     .defining(&[things::BACKBONE], 2)
     .with_kinds(|| kind::usages(BACKBONES))];
@@ -33,93 +73,120 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["Bilinear"],
         usage: "hystereticBackbone Bilinear $tag $e1 $s1 $e2 $s2",
-        text: Text::new("Two straight lines."),
+        text: Text::new("Two straight lines.").arguments(&[TAG]),
         make: |_, a| points(a, 2),
     },
     BackboneKind {
         names: &["Trilinear"],
         usage: "hystereticBackbone Trilinear $tag $e1 $s1 $e2 $s2 $e3 $s3",
-        text: Text::new("Three straight lines."),
+        text: Text::new("Three straight lines.").arguments(&[
+            TAG,
+            Arg::number("e3", "strain e3"),
+            Arg::number("s3", "stress s3"),
+        ]),
         make: |_, a| points(a, 3),
     },
     BackboneKind {
         names: &["Multilinear"],
         usage: "hystereticBackbone Multilinear $tag $e1 $s1 $e2 $s2 ...",
-        text: Text::new("Straight lines through points, from the origin."),
+        text: Text::new("Straight lines through points, from the origin.").arguments(&[TAG]),
         make: |_, a| points(a, a.left() / 2),
     },
     BackboneKind {
         names: &["Arctangent"],
         usage: "hystereticBackbone Arctangent $tag $K1 $gammaY $alpha or $E $Fy",
-        text: Text::new("An arctangent of the strain.")
-            .arguments(&[Arg::new("Fy", "strength, for the form with a modulus")]),
+        text: Text::new("An arctangent of the strain.").arguments(&[
+            TAG,
+            ARCTANGENT_K1,
+            GAMMA_Y,
+            ALPHA,
+            ARCTANGENT_E,
+            Arg::new("Fy", "strength, for the form with a modulus"),
+        ]),
         make: arctangent,
     },
     BackboneKind {
         names: &["Mander"],
         usage: "hystereticBackbone Mander $tag $fc $epsc $E",
-        text: Text::new("Concrete under compression, with positive strains."),
+        text: Text::new("Concrete under compression, with positive strains.").arguments(&[
+            TAG,
+            Arg::number("fc", "strength fc"),
+            Arg::number("epsc", "strain at the strength epsc"),
+            Arg::number("E", "initial modulus E"),
+        ]),
         make: mander,
     },
     BackboneKind {
         names: &["Raynor"],
         usage: "hystereticBackbone Raynor $tag $Es $fy $fsu $epssh $epssm $C1 $Ey",
-        text: Text::new("Reinforcing steel with a plateau and hardening."),
+        text: Text::new("Reinforcing steel with a plateau and hardening.")
+            .arguments(&[TAG, ES, FY, FSU, EPSSH, EPSSM, RAYNOR_C1, EY]),
         make: raynor,
     },
     BackboneKind {
         names: &["ReeseSand"],
         usage: "hystereticBackbone ReeseSand $tag $kx $ym $pm $yu $pu",
-        text: Text::new("Lateral resistance of sand around a pile."),
+        text: Text::new("Lateral resistance of sand around a pile.").arguments(&[TAG, KX, YM, PM, YU, REESE_SAND_PU]),
         make: reese_sand,
     },
     BackboneKind {
         names: &["ReeseSoftClay"],
         usage: "hystereticBackbone ReeseSoftClay $tag $pu $y50 $n",
-        text: Text::new("Lateral resistance of soft clay around a pile."),
+        text: Text::new("Lateral resistance of soft clay around a pile.").arguments(&[TAG, REESE_SOFT_CLAY_PU, Y50, N]),
         make: reese_soft_clay,
     },
     BackboneKind {
         names: &["ReeseStiffClayBelowWS"],
         usage: "hystereticBackbone ReeseStiffClayBelowWS $tag $Esi $y50 $As $Pc",
-        text: Text::new("Lateral resistance of stiff clay below the water surface."),
+        text: Text::new("Lateral resistance of stiff clay below the water surface.")
+            .arguments(&[TAG, ESI, Y50, AS, PC]),
         make: reese_stiff_clay_below,
     },
     BackboneKind {
         names: &["ReeseStiffClayAboveWS"],
         usage: "hystereticBackbone ReeseStiffClayAboveWS $tag $pu $y50 <$hl>",
-        text: Text::new("Lateral resistance of stiff clay above the water surface."),
+        text: Text::new("Lateral resistance of stiff clay above the water surface.").arguments(&[
+            TAG,
+            REESE_SOFT_CLAY_PU,
+            Y50,
+            HL,
+        ]),
         make: reese_stiff_clay_above,
     },
     BackboneKind {
         names: &["VuggyLimestone"],
         usage: "hystereticBackbone VuggyLimestone $tag $b $su",
-        text: Text::new("Lateral resistance of vuggy limestone around a pile."),
+        text: Text::new("Lateral resistance of vuggy limestone around a pile.").arguments(&[TAG, B, SU]),
         make: vuggy_limestone,
     },
     BackboneKind {
         names: &["CementedSoil"],
         usage: "hystereticBackbone CementedSoil $tag $pM $pU $Kpy $z $b",
-        text: Text::new("Lateral resistance of cemented soil around a pile."),
+        text: Text::new("Lateral resistance of cemented soil around a pile.").arguments(&[TAG, P_M, P_U, KPY, Z, B]),
         make: cemented_soil,
     },
     BackboneKind {
         names: &["WeakRock"],
         usage: "hystereticBackbone WeakRock $tag $Kir $pur $yrm",
-        text: Text::new("Lateral resistance of weak rock around a pile."),
+        text: Text::new("Lateral resistance of weak rock around a pile.").arguments(&[TAG, KIR, PUR, YRM]),
         make: weak_rock,
     },
     BackboneKind {
         names: &["Material"],
         usage: "hystereticBackbone Material $tag $material <-compression>",
-        text: Text::new("The virgin curve of a uniaxial material.")
-            .arguments(&[Arg::flag("-compression", "the curve of compression, with positive strains")]),
+        text: Text::new("The virgin curve of a uniaxial material.").arguments(&[
+            TAG,
+            Arg::thing("material", things::MATERIAL),
+            Arg::flag("-compression", "the curve of compression, with positive strains"),
+        ]),
         make: of_material,
     },
     BackboneKind {
         names: &["LinearCapped"],
         usage: "hystereticBackbone LinearCapped $tag $backbone $eCap $E $sRes",
         text: Text::new("Another curve up to a strain, then a line to a residual stress.").arguments(&[
+            TAG,
+            Arg::thing("backbone", things::BACKBONE),
             Arg::new("eCap", "strain of the cap"),
             Arg::new("E", "slope behind the cap"),
             Arg::new("sRes", "residual stress"),
@@ -132,7 +199,7 @@ fn hysteretic_backbone(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of backbone", "backbone", BACKBONES.iter())?;
     interp.host.note_kind("hystereticBackbone", kind.names[0]);
-    let tag = a.int("tag of the backbone")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let made = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;
@@ -170,8 +237,8 @@ fn arctangent(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
         let k2 = DEFAULT_ANGLE.tan() / (fy / e);
         return Ok(Backbone::Arctangent { k1: e / k2, k2 });
     }
-    let (k1, gamma) = (a.float("coefficient K1")?, a.positive("strain at yielding gammaY")?);
-    Ok(Backbone::Arctangent { k1, k2: a.float("angle alpha")?.abs().tan() / gamma })
+    let (k1, gamma) = (a.number(&ARCTANGENT_K1)?, a.number(&GAMMA_Y)?);
+    Ok(Backbone::Arctangent { k1, k2: a.number(&ALPHA)?.abs().tan() / gamma })
 }
 
 /// A number of any sign, taken as positive.
@@ -193,25 +260,25 @@ fn mander(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
 }
 
 fn raynor(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (es, fy) = (a.positive("elastic modulus Es")?, a.positive("yield stress fy")?);
-    let fsu = a.positive("ultimate stress fsu")?;
-    let hard = a.positive("strain at hardening epssh")?;
+    let (es, fy) = (a.number(&ES)?, a.number(&FY)?);
+    let fsu = a.number(&FSU)?;
+    let hard = a.number(&EPSSH)?;
     if hard < fy / es {
         return Err(a.refuse(format!("the strain at hardening epssh is {hard}"), "expected fy / Es at least"));
     }
-    let ultimate = a.positive("strain at the ultimate stress epssm")?;
+    let ultimate = a.number(&EPSSM)?;
     if ultimate <= hard {
         let message = format!("the strain at the ultimate stress epssm is {ultimate}");
         return Err(a.refuse(message, format!("expected more than epssh, {hard}")));
     }
-    let c1 = a.not_negative("exponent of hardening C1")?;
-    Ok(Backbone::Raynor { es, fy, fsu, strain: [hard, ultimate], c1, ey: a.float("modulus of the plateau Ey")? })
+    let c1 = a.number(&RAYNOR_C1)?;
+    Ok(Backbone::Raynor { es, fy, fsu, strain: [hard, ultimate], c1, ey: a.number(&EY)? })
 }
 
 fn reese_sand(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let kx = a.positive("initial stiffness kx")?;
-    let (ym, pm) = (a.positive("displacement ym")?, a.positive("resistance pm")?);
-    let (yu, pu) = (a.positive("displacement yu")?, a.positive("resistance pu")?);
+    let kx = a.number(&KX)?;
+    let (ym, pm) = (a.number(&YM)?, a.number(&PM)?);
+    let (yu, pu) = (a.number(&YU)?, a.number(&REESE_SAND_PU)?);
     if yu <= ym || pu <= pm {
         return Err(
             a.refuse(format!("the end of the curve is {pu} at {yu}"), format!("expected more than {pm} at {ym}"))
@@ -221,19 +288,19 @@ fn reese_sand(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
 }
 
 fn reese_soft_clay(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (pu, y50) = (a.positive("ultimate resistance pu")?, a.positive("displacement y50")?);
-    Ok(Backbone::Soil(SoilCurve::SoftClay { pu, y50, n: a.positive("exponent n")? }))
+    let (pu, y50) = (a.number(&REESE_SOFT_CLAY_PU)?, a.number(&Y50)?);
+    Ok(Backbone::Soil(SoilCurve::SoftClay { pu, y50, n: a.number(&N)? }))
 }
 
 fn reese_stiff_clay_below(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (esi, y50) = (a.positive("initial stiffness Esi")?, a.positive("displacement y50")?);
-    let (coefficient, pc) = (a.positive("coefficient As")?, a.positive("ultimate resistance Pc")?);
+    let (esi, y50) = (a.number(&ESI)?, a.number(&Y50)?);
+    let (coefficient, pc) = (a.number(&AS)?, a.number(&PC)?);
     Ok(Backbone::Soil(SoilCurve::StiffClayBelowWater { esi, y50, a: coefficient, pc }))
 }
 
 fn reese_stiff_clay_above(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (pu, y50) = (a.positive("ultimate resistance pu")?, a.positive("displacement y50")?);
-    let linear = a.optional_float("length of the linear part hl")?.unwrap_or(0.1);
+    let (pu, y50) = (a.number(&REESE_SOFT_CLAY_PU)?, a.number(&Y50)?);
+    let linear = a.optional_number(&HL)?.unwrap_or(0.1);
     if !(linear > 0.0 && linear <= 1.0) {
         return Err(a.refuse(format!("the length of the linear part hl is {linear}"), "expected more than 0, up to 1"));
     }
@@ -241,19 +308,19 @@ fn reese_stiff_clay_above(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exc
 }
 
 fn vuggy_limestone(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (diameter, strength) = (a.positive("diameter b")?, a.positive("shear strength su")?);
+    let (diameter, strength) = (a.number(&B)?, a.number(&SU)?);
     Ok(Backbone::Soil(SoilCurve::VuggyLimestone { diameter, strength }))
 }
 
 fn cemented_soil(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let resistance = [a.positive("resistance pM at b/60")?, a.positive("resistance pU at 3b/80")?];
-    let stiffness = a.positive("stiffness per depth Kpy")? * a.positive("depth z")?;
-    Ok(Backbone::Soil(SoilCurve::CementedSoil { resistance, stiffness, diameter: a.positive("diameter b")? }))
+    let resistance = [a.number(&P_M)?, a.number(&P_U)?];
+    let stiffness = a.number(&KPY)? * a.number(&Z)?;
+    Ok(Backbone::Soil(SoilCurve::CementedSoil { resistance, stiffness, diameter: a.number(&B)? }))
 }
 
 fn weak_rock(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (kir, pur) = (a.positive("initial stiffness Kir")?, a.positive("ultimate resistance pur")?);
-    Ok(Backbone::Soil(SoilCurve::WeakRock { kir, pur, yrm: a.positive("displacement yrm")? }))
+    let (kir, pur) = (a.number(&KIR)?, a.number(&PUR)?);
+    Ok(Backbone::Soil(SoilCurve::WeakRock { kir, pur, yrm: a.number(&YRM)? }))
 }
 
 fn of_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {

@@ -9,15 +9,35 @@ use hysteron_engine::material::{BarPlace, BarSlip, Bond, BondDamage, Material, P
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const FC: Arg = Arg::number("fc", "strength of the concrete fc");
+const FY: Arg = Arg::positive("fy", "yield stress fy");
+const ES: Arg = Arg::positive("Es", "elastic modulus Es");
+const FU: Arg = Arg::positive("fu", "ultimate stress fu");
+const EH: Arg = Arg::positive("Eh", "hardening modulus Eh");
+const DB: Arg = Arg::positive("db", "diameter of a bar db");
+const LD: Arg = Arg::positive("ld", "anchorage length ld");
+const NB: Arg = Arg::positive("nb", "number of bars nb");
+
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["BarSlip"],
     usage: "uniaxialMaterial BarSlip $tag $fc $fy $Es $fu $Eh $db $ld $nb $width $depth <$ancLratio> strong|weak \
             beamTop|beamBot|column <Damage1|Damage2|NoDamage $unit>",
     text: Text::new("Slip of bars anchored in a joint: `Pinching4` with a backbone from the bond.")
-        .example("uniaxialMaterial BarSlip 77 30. 450. 200000. 600. 4000. 20. 400. 4 400. 400. strong beamTop")
+        .example(
+            "uniaxialMaterial BarSlip 77 30. 450. 200000. 600. 4000. 20. 400. 4 400. 400. strong \
+                beamTop",
+        )
         .arguments(&[
-            Arg::new("width", "width of the member"),
-            Arg::new("depth", "depth of the member"),
+            FC,
+            FY,
+            ES,
+            FU,
+            EH,
+            DB,
+            LD,
+            NB,
+            Arg::positive("width", "width of the member"),
+            Arg::positive("depth", "depth of the member"),
             Arg::new("ancLratio", "factor of the anchorage length"),
             Arg::new("unit", "unit of stress: `MPa`, `psi`, `Pa`, `psf`, `ksi` or `ksf`; that of length follows"),
         ]),
@@ -55,18 +75,18 @@ const UNITS: &[(&str, StressUnit)] = &[
 ];
 
 fn bar_slip(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let fc = a.float("strength of the concrete fc")?.abs();
+    let fc = a.number(&FC)?.abs();
     if fc == 0.0 {
         return Err(a.refuse("the strength of the concrete fc is 0", "expected another number"));
     }
-    let (fy, es) = (a.positive("yield stress fy")?, a.positive("elastic modulus Es")?);
-    let fu = a.positive("ultimate stress fu")?;
+    let (fy, es) = (a.number(&FY)?, a.number(&ES)?);
+    let fu = a.number(&FU)?;
     if fu <= fy {
         return Err(a.refuse(format!("the ultimate stress fu is {fu}"), format!("expected more than fy, {fy}")));
     }
-    let (eh, diameter) = (a.positive("hardening modulus Eh")?, a.positive("diameter of a bar db")?);
-    let mut anchorage = a.positive("anchorage length ld")?;
-    let bars = a.positive("number of bars nb")?.trunc();
+    let (eh, diameter) = (a.number(&EH)?, a.number(&DB)?);
+    let mut anchorage = a.number(&LD)?;
+    let bars = a.number(&NB)?.trunc();
     let member = [a.positive("width of the member")?, a.positive("depth of the member")?];
     if a.at_number() {
         anchorage *= a.positive("part of the anchorage length ancLratio")?;

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::material::{
     AxialParameters, AxialSp, AxialSpHD, COMPOUNDS, Device, ElasticRange, HighDampingRubber, KikuchiAiken, LeadRubber,
     LeadRubberParameters, Material, Uniaxial,
@@ -12,30 +12,93 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const SCE: Arg = Arg::positive("sce", "stiffness sce in compression");
+const FTY: Arg = Arg::not_negative("fty", "stress fty at cavitation");
+const FCY: Arg = Arg::number("fcy", "stress fcy at yield in compression");
+const KIKUCHI_AIKEN_HDR_TP: Arg = Arg::new("tp", "compound tp");
+const AR: Arg = Arg::positive("ar", "area ar of the rubber");
+const HR: Arg = Arg::positive("hr", "total thickness hr of the rubber");
+const TYPE: Arg = Arg::whole("type", "type of bearing");
+const GR: Arg = Arg::positive("gr", "shear modulus gr of the rubber");
+const AP: Arg = Arg::positive("ap", "area ap of the lead plug");
+const KIKUCHI_AIKEN_LRB_TP: Arg = Arg::positive("tp", "yield stress tp of the lead");
+const ALPH: Arg = Arg::not_negative("alph", "shear modulus alph of the lead");
+const BETA: Arg = Arg::number("beta", "ratio beta of the initial stiffness to that after yield");
+const T_TEMP: Arg = Arg::of("-T", "temp", "temperature in degrees Celsius").within(Domain::Number);
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["AxialSp"],
         usage: "uniaxialMaterial AxialSp $tag $sce $fty $fcy <$bte $bty $bcy $fcr>",
-        text: Text::new("Axial spring of an elastomeric bearing."),
+        text: Text::new("Axial spring of an elastomeric bearing.")
+            .example("uniaxialMaterial AxialSp 77 1 1 -1")
+            .arguments(&[
+                SCE,
+                FTY,
+                FCY,
+                Arg::number("bte", "ratio bte of the stiffness in tension"),
+                Arg::number("bty", "ratio bty of the stiffness after cavitation"),
+                Arg::number("bcy", "ratio bcy of the stiffness after yield in compression"),
+                Arg::number("fcr", "stress fcr at which a cavitated spring closes"),
+            ]),
         make: axial_sp,
     },
     Kind {
         names: &["AxialSpHD"],
         usage: "uniaxialMaterial AxialSpHD $tag $sce $fty $fcy <$bte $bty $bth $bcy $fcr $ath>",
-        text: Text::new("Axial spring of an elastomeric bearing, with hardening."),
+        text: Text::new("Axial spring of an elastomeric bearing, with hardening.")
+            .example("uniaxialMaterial AxialSpHD 77 1 1 -1")
+            .arguments(&[
+                SCE,
+                FTY,
+                FCY,
+                Arg::number("bte", "ratio bte of the stiffness in tension"),
+                Arg::number("bty", "ratio bty of the stiffness after cavitation"),
+                Arg::number("bth", "ratio bth of the stiffness after hardening in tension"),
+                Arg::number("bcy", "ratio bcy of the stiffness after yield in compression"),
+                Arg::number("fcr", "stress fcr at which a cavitated spring closes"),
+                Arg::number("ath", "displacement ath at which hardening begins, over that at cavitation"),
+            ]),
         make: axial_sp_hd,
     },
     Kind {
         names: &["KikuchiAikenHDR"],
         usage: "uniaxialMaterial KikuchiAikenHDR $tag $tp $ar $hr <-coGHU $cg $ch $cu> <-coMSS $rs $rf>",
-        text: Text::new("Shear spring of a high damping rubber bearing (Kikuchi and Aiken, 1997)."),
+        text: Text::new("Shear spring of a high damping rubber bearing (Kikuchi and Aiken, 1997).")
+            .example("uniaxialMaterial KikuchiAikenHDR 77 1 1 1")
+            .arguments(&[
+                KIKUCHI_AIKEN_HDR_TP,
+                AR,
+                HR,
+                Arg::of("-coGHU", "cg", "factor cg of the shear modulus").within(Domain::NotNegative),
+                Arg::of("-coGHU", "ch", "factor ch of the damping").within(Domain::NotNegative),
+                Arg::of("-coGHU", "cu", "factor cu of u").within(Domain::NotNegative),
+                Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative),
+                Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative),
+            ]),
         make: kikuchi_aiken_hdr,
     },
     Kind {
         names: &["KikuchiAikenLRB"],
         usage: "uniaxialMaterial KikuchiAikenLRB $tag $type $ar $hr $gr $ap $tp $alph $beta <-T $temp> <-coKQ $rk $rq> \
                 <-coMSS $rs $rf>",
-        text: Text::new("Shear spring of a lead rubber bearing (Kikuchi and Aiken, 1997)."),
+        text: Text::new("Shear spring of a lead rubber bearing (Kikuchi and Aiken, 1997).")
+            .example("uniaxialMaterial KikuchiAikenLRB 77 1 1 1 1 1 1 1 2")
+            .arguments(&[
+                TYPE,
+                AR,
+                HR,
+                GR,
+                AP,
+                KIKUCHI_AIKEN_LRB_TP,
+                ALPH,
+                BETA,
+                T_TEMP,
+                Arg::of("-coKQ", "rk", "factor rk of the stiffness").within(Domain::NotNegative),
+                Arg::of("-coKQ", "rq", "factor rq of the strength").within(Domain::NotNegative),
+                Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative),
+                Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative),
+            ]),
         make: kikuchi_aiken_lrb,
     },
 ];
@@ -61,9 +124,9 @@ const YIELDED: &str = "ratio bcy of the stiffness after yield in compression";
 
 /// sce, fty and fcy, which both springs begin with.
 fn stiffness_and_strengths(a: &mut Args<'_>) -> Result<AxialParameters, Exception> {
-    let sce = a.positive("stiffness sce in compression")?;
-    let fty = a.not_negative("stress fty at cavitation")?;
-    let fcy = a.float("stress fcy at yield in compression")?;
+    let sce = a.number(&SCE)?;
+    let fty = a.number(&FTY)?;
+    let fcy = a.number(&FCY)?;
     if fcy > 0.0 {
         return Err(
             a.refuse(format!("fcy is {fcy}"), "expected the stress at yield in compression, not greater than 0")
@@ -138,7 +201,7 @@ where
 }
 
 fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let name = a.word("compound tp")?;
+    let name = a.word(KIKUCHI_AIKEN_HDR_TP.meaning)?;
     let number = name.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
     let compound = match number {
         Some(i) => COMPOUNDS.get(i),
@@ -147,8 +210,8 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     let Some(compound) = compound else {
         return Err(a.unknown_name("compound", COMPOUNDS.iter().map(|c| c.name)));
     };
-    let area = a.positive("area ar of the rubber")?;
-    let height = a.positive("total thickness hr of the rubber")?;
+    let area = a.number(&AR)?;
+    let height = a.number(&HR)?;
     let (mut factors, mut springs) = ([1.0; 3], [1.0; 2]);
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -167,18 +230,18 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
 }
 
 fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    match a.int("type of bearing")? {
+    match a.int(TYPE.meaning)? {
         1 => {}
         n => return Err(a.refuse(format!("the type of bearing is {n}"), "expected 1: there is no other")),
     }
     let mut p = LeadRubberParameters {
-        rubber_area: a.positive("area ar of the rubber")?,
-        height: a.positive("total thickness hr of the rubber")?,
-        rubber_modulus: a.positive("shear modulus gr of the rubber")?,
-        lead_area: a.positive("area ap of the lead plug")?,
-        lead_strength: a.positive("yield stress tp of the lead")?,
-        lead_modulus: a.not_negative("shear modulus alph of the lead")?,
-        stiffness_ratio: a.float("ratio beta of the initial stiffness to that after yield")?,
+        rubber_area: a.number(&AR)?,
+        height: a.number(&HR)?,
+        rubber_modulus: a.number(&GR)?,
+        lead_area: a.number(&AP)?,
+        lead_strength: a.number(&KIKUCHI_AIKEN_LRB_TP)?,
+        lead_modulus: a.number(&ALPH)?,
+        stiffness_ratio: a.number(&BETA)?,
         temperature: 15.0,
         factors: [1.0; 2],
     };
@@ -189,7 +252,7 @@ fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     let mut springs = [1.0; 2];
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-T" => p.temperature = a.float("temperature in degrees Celsius")?,
+            "-T" => p.temperature = a.number(&T_TEMP)?,
             "-coKQ" => p.factors = [factor(a, "factor rk of the stiffness")?, factor(a, "factor rq of the strength")?],
             "-coMSS" => springs = spring_factors(a)?,
             _ => return Err(a.unknown_name("option", ["-T", "-coKQ", "-coMSS"])),

@@ -4,10 +4,10 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, slips, warn};
+use crate::{Tcl, ignore_unknown, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
-    ConcreteWBeta, Ecc01, Material, TsaiEnvelope,
+    ConcreteWBeta, Material, TsaiEnvelope,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -81,18 +81,22 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01", "concrete01"],
         usage: "uniaxialMaterial Concrete01 $tag $fpc $epsc0 $fpcu $epscu",
-        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.").arguments(&[
-            COMPRESSION[0].also(&["fc"]),
-            COMPRESSION[1].also(&["epsco"]),
-            COMPRESSION[2].also(&["fcu"]),
-            COMPRESSION[3],
-        ]),
+        text: Text::new("Concrete of Kent, Scott and Park without tensile strength.")
+            .example("uniaxialMaterial Concrete01 77 1 1 1 1")
+            .arguments(&[
+                COMPRESSION[0].also(&["fc"]),
+                COMPRESSION[1].also(&["epsco"]),
+                COMPRESSION[2].also(&["fcu"]),
+                COMPRESSION[3],
+            ]),
         make: concrete01,
     },
     Kind {
         names: &["Concrete02", "concrete02"],
         usage: "uniaxialMaterial Concrete02 $tag $fpc $epsc0 $fpcu $epscu <$lambda $ft $Ets>",
-        text: Text::new("Concrete with linear tension softening.").groups(&[&COMPRESSION, &TENSION]),
+        text: Text::new("Concrete with linear tension softening.")
+            .example("uniaxialMaterial Concrete02 77 1 1 1 1")
+            .groups(&[&COMPRESSION, &TENSION]),
         make: concrete02,
     },
     Kind {
@@ -109,6 +113,15 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Concrete of Chang and Mander with closing cracks.")
             .example("uniaxialMaterial ConcreteCM 77 -30. -0.002 25000. 7. 1.035 3. 0.0002 1.2 1e4")
             .arguments(&[
+                Arg::number("fpcc", "compressive strength fpcc"),
+                Arg::number("epcc", "strain at the strength epcc"),
+                TSAI[0],
+                Arg::positive("rc", "shape parameter rc"),
+                Arg::positive("xcrn", "critical strain xcrn"),
+                TSAI[1],
+                TSAI[2],
+                Arg::positive("rt", "shape parameter rt"),
+                Arg::positive("xcrp", "critical strain xcrp"),
                 Arg::new("mon", "1: the envelopes alone, without memory; 0: cycles"),
                 Arg::of("-GapClose", "gap", "1: cracks close with a stiffness of their own; 0: without"),
             ]),
@@ -151,8 +164,13 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ConcretewBeta $tag $fpc $ec0 $fcint $ecint $fcres $ecres $ft $ftint $etint $ftres $etres \
                 <-lambda $lambda> <-alpha $alpha> <-beta $bint $ebint $bres $ebres> <-M $M> <-E $Ec> <-conf $fcc $ecc>",
         text: Text::new("Concrete with multilinear softening, of planar trusses and panels.")
-            .example("uniaxialMaterial ConcretewBeta 77 -30. -0.002 -15. -0.006 -3. -0.012 3. 1.5 0.0005 0.3 0.001")
+            .example(
+                "uniaxialMaterial ConcretewBeta 77 -30. -0.002 -15. -0.006 -3. -0.012 3. 1.5 0.0005 0.3 \
+                0.001",
+            )
             .arguments(&[
+                Arg::number("fpc", "peak stress fpc"),
+                Arg::number("ec0", "peak strain ec0"),
                 Arg::new("fcint", "stress in the middle of softening in compression"),
                 Arg::new("ecint", "strain of that stress"),
                 Arg::new("fcres", "residual stress in compression"),
@@ -178,27 +196,10 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Concrete01WithSITC"],
         usage: "uniaxialMaterial Concrete01WithSITC $tag $fpc $epsc0 $fpcu $epscu <$endStrainSITC>",
-        text: Text::new("As `Concrete01`, with debris that keeps cracks open.").groups(&[&COMPRESSION, &[DEBRIS]]),
+        text: Text::new("As `Concrete01`, with debris that keeps cracks open.")
+            .example("uniaxialMaterial Concrete01WithSITC 77 1 1 1 1")
+            .groups(&[&COMPRESSION, &[DEBRIS]]),
         make: concrete01_sitc,
-    },
-    Kind {
-        names: &["ECC01"],
-        usage: "uniaxialMaterial ECC01 $tag $sigt0 $epst0 $sigt1 $epst1 $epst2 $sigc0 $epsc0 $epsc1 $alphaT1 $alphaT2 \
-                $alphaC $alphaCU $betaT $betaC",
-        text: Text::new("Engineered cementitious composite, ductile in tension.")
-            .example("uniaxialMaterial ECC01 77 3. 0.0002 4. 0.01 0.03 -40. -0.003 -0.01 3. 4. 2. 1.5 0.4 0.3")
-            .arguments(&[
-                Arg::new("sigc0", "compressive strength"),
-                Arg::new("epsc0", "strain at the strength"),
-                Arg::new("epsc1", "ultimate compressive strain"),
-                Arg::new("alphaT1", "exponent of unloading in hardening tension"),
-                Arg::new("alphaT2", "exponent of unloading in softening tension"),
-                Arg::new("alphaC", "exponent of unloading in compression"),
-                Arg::new("alphaCU", "exponent of softening in compression"),
-                Arg::new("betaT", "permanent part of the tensile strain beyond cracking"),
-                Arg::new("betaC", "permanent part of the compressive strain beyond the strength"),
-            ]),
-        make: ecc01,
     },
 ];
 
@@ -335,7 +336,7 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
             "-M" => stiffening = a.not_negative("share of tension stiffening M")?,
             "-E" => e0 = a.positive("initial modulus E")?,
             "-conf" => confined = negative(a, "confined", "fcc", "ecc")?,
-            _ => ignore_option(interp, a, &["-lambda", "-alpha", "-beta", "-M", "-E", "-conf"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if confined[0] > peak[0] || confined[1] > peak[1] {
@@ -379,29 +380,6 @@ fn concrete01_sitc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
     Ok(Concrete01Sitc { concrete: Concrete01 { fpc, epsc0, fpcu, epscu }, end }.shared())
 }
 
-fn ecc01(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let first = [a.positive("tensile stress at cracking sigt0")?, a.positive("tensile strain at cracking epst0")?];
-    let peak = [a.positive("peak tensile stress sigt1")?, a.positive("strain at the peak epst1")?];
-    let ultimate = a.positive("ultimate tensile strain epst2")?;
-    if peak[1] <= first[1] || ultimate <= peak[1] {
-        let message = format!("the tensile strains are {}, {} and {ultimate}", first[1], peak[1]);
-        return Err(a.refuse(message, "expected epst0 < epst1 < epst2"));
-    }
-    let bottom = [-compressive(a, "compressive strength sigc0")?, -compressive(a, "strain at the strength epsc0")?];
-    let crushed = -compressive(a, "ultimate compressive strain epsc1")?;
-    if crushed >= bottom[1] {
-        return Err(a.refuse(format!("the ultimate compressive strain epsc1 is {crushed}"), "expected it beyond epsc0"));
-    }
-    let unloading = [
-        a.positive("exponent of unloading alphaT1")?,
-        a.positive("exponent of unloading alphaT2")?,
-        a.positive("exponent of unloading alphaC")?,
-    ];
-    let softening = a.positive("exponent of softening alphaCU")?;
-    let permanent = [a.not_negative("permanent part betaT")?, a.not_negative("permanent part betaC")?];
-    Ok(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }.shared())
-}
-
 /// Stress at the ultimate tensile strain divided by the tensile strength, where it is left out.
 const TENSION_LEFT: f64 = 0.1;
 
@@ -435,7 +413,7 @@ fn concrete04(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
 fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (strength, strain) =
         (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
-    let ec = a.positive("initial modulus Ec")?;
+    let ec = a.number(&TSAI[0])?;
     let shape = |a: &mut Args<'_>, side: &str| {
         Ok::<_, Exception>((
             a.positive(&format!("shape parameter {side}"))?,
@@ -444,7 +422,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     };
     let (r, critical) = shape(a, "rc")?;
     let compression = TsaiEnvelope { strength, strain, r, critical };
-    let (strength, strain) = (a.positive("tensile strength ft")?, a.positive("strain at the tensile strength et")?);
+    let (strength, strain) = (a.number(&TSAI[1])?, a.number(&TSAI[2])?);
     let (r, critical) = shape(a, "rt")?;
     let tension = TsaiEnvelope { strength, strain, r, critical };
     let (mut stiff_closure, mut monotonic) = (false, false);
@@ -453,7 +431,7 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     } else if let Some(option) = a.option() {
         match option.as_ref() {
             "-GapClose" => stiff_closure = switch(a, "switch gap of the closure")?,
-            _ => ignore_option(interp, a, &["-GapClose"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(ConcreteCm { ec, compression, tension, stiff_closure, monotonic }.shared())
@@ -469,7 +447,7 @@ fn switch(a: &mut Args<'_>, what: &str) -> Result<bool, Exception> {
 }
 
 /// A number other than zero that stands for compression, whatever its sign.
-fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
+pub(super) fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
     match a.float(what)? {
         0.0 => Err(a.refuse(format!("the {what} is 0"), "expected a number less than 0")),
         x => Ok(x.abs()),

@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
@@ -13,20 +13,35 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::f64::consts::PI;
 
+const FRPCONFINED_CONCRETE02_EC: Arg = Arg::positive("Ec", "initial modulus Ec");
+const FT: Arg = Arg::positive("ft", "tensile strength ft");
+const ETS: Arg = Arg::positive("Ets", "softening modulus in tension Ets");
+const UNIT: Arg = Arg::whole("Unit", "units, 1: MPa, 0: ksi");
+const CONFINED_CONCRETE01_EC: Arg = Arg::positive("Ec", "modulus Ec");
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["FRPConfinedConcrete02"],
         usage: "uniaxialMaterial FRPConfinedConcrete02 $tag $fc0 $Ec $ec0 <-JacketC $tfrp $Efrp $erup $R | -Ultimate $fcu $ecu> \
                 $ft $Ets $Unit",
         text: Text::new("Concrete confined by fibre-reinforced polymer.")
-            .example("uniaxialMaterial FRPConfinedConcrete02 77 -30. 25000. -0.002 -Ultimate -50. -0.012 3. 2000. 1")
+            .example(
+                "uniaxialMaterial FRPConfinedConcrete02 77 -30. 25000. -0.002 -Ultimate -50. -0.012 3. \
+                2000. 1",
+            )
             .arguments(&[
+                Arg::number("fc0", "strength fc0"),
+                FRPCONFINED_CONCRETE02_EC,
+                Arg::number("ec0", "strain at the strength ec0"),
                 Arg::of(
                     "-JacketC",
                     "tfrp",
                     "jacket of a circular column: thickness, modulus, hoop strain at rupture, radius of the concrete",
                 ),
                 Arg::of("-Ultimate", "fcu", "ultimate stress and strain, in place of a jacket"),
+                FT,
+                ETS,
+                UNIT,
             ]),
         make: frp_confined_concrete02,
     },
@@ -42,29 +57,34 @@ pub(super) const KINDS: &[Kind] = &[
                  1000. 16.",
             )
             .arguments(&[
-                Arg::new("fpc", "compressive strength").also(&["fc"]),
-                Arg::of("-epscu", "epscu", "ultimate strain"),
+                Arg::number("fpc", "compressive strength").also(&["fc"]),
+                CONFINED_CONCRETE01_EC,
+                Arg::of("-epscu", "epscu", "ultimate strain").within(Domain::Number),
                 Arg::flag("-scott", "ultimate strain of Scott, Park and Priestley"),
                 Arg::of(
                     "-gamma",
                     "gamma",
                     "the ultimate strain is where the stress has fallen to this share of the strength",
-                ),
-                Arg::of("-nu", "nu", "Poisson's ratio of the concrete, constant"),
+                )
+                .within(Domain::Positive),
+                Arg::of("-nu", "nu", "Poisson's ratio of the concrete, constant").within(Domain::NotNegative),
                 Arg::flag("-varub", "Poisson's ratio grows with the strain to 0.5"),
+                Arg::of("-varnoub", "L1", "side of the hoops, or diameter").within(Domain::Positive),
                 Arg::of(
                     "-internal",
                     "phisi",
                     "inner ties of S2 to S5: diameter, spacing, yield stress, modulus, hardening ratio, ductility",
                 ),
-                Arg::of("-wrap", "cover", "jacket: cover of the hoops, area, spacing, strength, modulus"),
+                Arg::of("-wrap", "cover", "jacket: cover of the hoops, area, spacing, strength, modulus")
+                    .within(Domain::NotNegative),
                 Arg::flag("-gravel", "aggregate of gravel in place of crushed stone"),
                 Arg::flag("-silica", "concrete with silica fume"),
-                Arg::of("-tol", "tol", "relative change of the secant modulus that ends the iteration"),
-                Arg::of("-maxNumIter", "maxNumIter", "most iterations at a strain"),
-                Arg::of("-epscuLimit", "epscuLimit", "largest ultimate strain of -gamma"),
-                Arg::of("-stRatio", "stRatio", "strength in the column over that of the cylinder"),
-                Arg::of("-varnoub", "L1", "side of the hoops, or diameter"),
+                Arg::of("-tol", "tol", "relative change of the secant modulus that ends the iteration")
+                    .within(Domain::Positive),
+                Arg::of("-maxNumIter", "maxNumIter", "most iterations at a strain").within(Domain::Whole),
+                Arg::of("-epscuLimit", "epscuLimit", "largest ultimate strain of -gamma").within(Domain::Positive),
+                Arg::of("-stRatio", "stRatio", "strength in the column over that of the cylinder")
+                    .within(Domain::Positive),
             ]),
         make: confined_concrete01,
     },
@@ -83,7 +103,7 @@ fn compressive(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
 
 fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let fc0 = compressive(a, "strength fc0")?;
-    let ec = a.positive("initial modulus Ec")?;
+    let ec = a.number(&FRPCONFINED_CONCRETE02_EC)?;
     let epsc0 = compressive(a, "strain at the strength ec0")?;
     let (fcc, epscu) = if a.flag("-JacketC") {
         let jacket = Jacket {
@@ -102,8 +122,8 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
     if ec <= (fcc - fc0) / epscu {
         return Err(a.refuse("the initial modulus Ec is less than that of the second part", "expected more"));
     }
-    let (ft, ets) = (a.positive("tensile strength ft")?, a.positive("softening modulus in tension Ets")?);
-    let mpa = if a.int("units, 1: MPa, 0: ksi")? == 0 { KSI } else { 1.0 };
+    let (ft, ets) = (a.number(&FT)?, a.number(&ETS)?);
+    let mpa = if a.int(UNIT.meaning)? == 0 { KSI } else { 1.0 };
     Ok(FrpConfinedConcrete02 { fc0, ec, fcc, epscu, ft, ets, mpa }.shared())
 }
 
@@ -198,7 +218,7 @@ fn confined_concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
         0.0 => return Err(a.refuse("the compressive strength fpc is 0", "expected a strength in MPa")),
         x => x,
     };
-    let ec = a.positive("modulus Ec")?;
+    let ec = a.number(&CONFINED_CONCRETE01_EC)?;
     let (mut strain, mut gamma) = (None, None);
     match a.word("ultimate strain: -epscu, -scott or -gamma")?.as_ref() {
         "-scott" | "-Scott" => {}

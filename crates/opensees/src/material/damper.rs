@@ -4,14 +4,18 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     BilinearOilDamper, CoulombDamper, IntegrationMethod, Material, Maxwell, Viscous, ViscousDamper,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const FR: Arg = Arg::positive("Fr", "relief force Fr");
+const P: Arg = Arg::number("p", "ratio p of the damping coefficients");
+const REL_TOL: Arg = Arg::number("relTol", "ratio p of the damping coefficients");
 
 const COEFFICIENT: Arg = Arg::not_negative("C", "damping coefficient C");
 const EXPONENT: Arg = Arg::number("alpha", "velocity exponent alpha");
@@ -34,7 +38,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Viscous"],
         usage: "uniaxialMaterial Viscous $tag $C $alpha <$minVel>",
-        text: Text::new("Dashpot of a power of the velocity.").arguments(&[
+        text: Text::new("Dashpot of a power of the velocity.").example("uniaxialMaterial Viscous 77 1 1").arguments(&[
             COEFFICIENT,
             EXPONENT.also(&["Alpha"]),
             SMALLEST,
@@ -45,13 +49,14 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["ViscousDamper"],
         usage: "uniaxialMaterial ViscousDamper $tag $K $C $alpha <$LGap> <$NM $relTol $absTol $maxHalf>",
         text: Text::new("Dashpot of a power of the velocity in series with a spring.")
+            .example("uniaxialMaterial ViscousDamper 77 1 1 1")
             .arguments(&[
                 USUAL_STIFFNESS,
                 DASHPOT,
                 EXPONENT,
                 GAP,
-                Arg::new("relTol", "relative tolerance"),
                 Arg::new("NM", "method of integration of OpenSees"),
+                Arg::new("relTol", "relative tolerance"),
             ])
             .groups(&[SUBSTEPS]),
         make: viscous_damper,
@@ -64,8 +69,11 @@ pub(super) const KINDS: &[Kind] = &[
             .arguments(&[
                 STIFFNESS,
                 DASHPOT,
+                FR,
+                P,
                 GAP,
                 Arg::new("NM", "method of integration: 1 Dormand-Prince, 2 finite differences"),
+                REL_TOL,
             ])
             .groups(&[SUBSTEPS]),
         make: bilinear_oil_damper,
@@ -74,28 +82,34 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["CoulombDamper"],
         usage: "uniaxialMaterial CoulombDamper $tag $tangent $friction <-tol $tol> <-numFlipped $numFlipped> <-reduceFc> \
                 <-dampOutTangent $dampOutTangent>",
-        text: Text::new("Spring and Coulomb friction side by side.").arguments(&[
-            FRICTION[0],
-            FRICTION[1],
-            Arg::of("-tol", "tol", "rate below which the friction is proportional to it"),
-            Arg::of(
-                "-numFlipped",
-                "numFlipped",
-                "no effect; in OpenSees the friction depends on the iterations of a step",
-            ),
-            Arg::flag("-reduceFc", "no effect; in OpenSees the friction depends on the iterations of a step"),
-            Arg::of(
-                "-dampOutTangent",
-                "dampOutTangent",
-                "no effect; in OpenSees the friction depends on the iterations of a step",
-            ),
-        ]),
+        text: Text::new("Spring and Coulomb friction side by side.")
+            .example("uniaxialMaterial CoulombDamper 77 1 1")
+            .arguments(&[
+                FRICTION[0],
+                FRICTION[1],
+                Arg::of("-tol", "tol", "rate below which the friction is proportional to it").within(Domain::Positive),
+                Arg::of(
+                    "-numFlipped",
+                    "numFlipped",
+                    "no effect; in OpenSees the friction depends on the iterations of a step",
+                )
+                .within(Domain::Whole),
+                Arg::flag("-reduceFc", "no effect; in OpenSees the friction depends on the iterations of a step"),
+                Arg::of(
+                    "-dampOutTangent",
+                    "dampOutTangent",
+                    "no effect; in OpenSees the friction depends on the iterations of a step",
+                )
+                .within(Domain::Number),
+            ]),
         make: coulomb_damper,
     },
     Kind {
         names: &["Maxwell", "MaxwellMaterial"],
         usage: "uniaxialMaterial Maxwell $tag $K $C $alpha $L <-returnD>",
-        text: Text::new("Spring and linear dashpot in series.").arguments(&[STIFFNESS, DASHPOT, EXPONENT, LENGTH]),
+        text: Text::new("Spring and linear dashpot in series.")
+            .example("uniaxialMaterial Maxwell 77 1 1 1 1")
+            .arguments(&[STIFFNESS, DASHPOT, EXPONENT, LENGTH]),
         make: maxwell,
     },
 ];
@@ -175,8 +189,8 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
         compat,
     };
     if a.left() > 0 {
-        law.relief = a.positive("relief force Fr")?;
-        law.ratio = a.float("ratio p of the damping coefficients")?.max(0.0);
+        law.relief = a.number(&FR)?;
+        law.ratio = a.number(&P)?.max(0.0);
     }
     law.gap = a.read_or(interp, &GAP, 0.0)?;
     if a.left() > 0 {
@@ -219,7 +233,7 @@ fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
                 a.float("damping coefficient dampOutTangent")?;
             }
             "-reduceFc" => {}
-            _ => ignore_option(interp, a, &["-tol", "-numFlipped", "-reduceFc", "-dampOutTangent"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(CoulombDamper { k, friction, slow }.shared())

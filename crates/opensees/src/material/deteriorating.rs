@@ -15,6 +15,9 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const G_E: Arg = Arg::number("gE", "energy capacity gE divided by the energy under monotonic loading");
+const DMG_TYPE: Arg = Arg::new("dmgType", "damage by energy or cycle");
+
 const KE: Arg = Arg::positive("Ke", "elastic stiffness Ke");
 const POSITIVE: [Arg; 6] = [
     Arg::number("dpPos", "deformation dp up to the cap on the positive side"),
@@ -72,18 +75,46 @@ pub(super) const KINDS: &[Kind] = &[
         )
         .points([["stress", "f"], ["strain", "d"]])
         .arguments(&[
-            Arg::new("f1n", "stress 1 on the negative side, negative"),
-            Arg::new("d1n", "strain 1 on the negative side, negative"),
-            Arg::new("f2n", "stress 2 on the negative side, negative"),
-            Arg::new("d2n", "strain 2 on the negative side, negative"),
-            Arg::new("f3n", "stress 3 on the negative side, negative"),
-            Arg::new("d3n", "strain 3 on the negative side, negative"),
-            Arg::new("f4n", "stress 4 on the negative side, negative"),
-            Arg::new("d4n", "strain 4 on the negative side, negative"),
-            Arg::new("rDispN", "share of the largest strain at the begin of reloading, negative side"),
-            Arg::new("rForceN", "share of the stress at the begin of reloading, negative side"),
-            Arg::new("uForceN", "share of the strength at the end of unloading, negative side"),
-        ]),
+Arg::number("f1p", "stress 1 on the positive side"),
+Arg::number("d1p", "strain 1 on the positive side"),
+Arg::number("f2p", "stress 2 on the positive side"),
+Arg::number("d2p", "strain 2 on the positive side"),
+Arg::number("f3p", "stress 3 on the positive side"),
+Arg::number("d3p", "strain 3 on the positive side"),
+Arg::number("f4p", "stress 4 on the positive side"),
+Arg::number("d4p", "strain 4 on the positive side"),
+Arg::new("f1n", "stress 1 on the negative side, negative"),
+Arg::new("d1n", "strain 1 on the negative side, negative"),
+Arg::new("f2n", "stress 2 on the negative side, negative"),
+Arg::new("d2n", "strain 2 on the negative side, negative"),
+Arg::new("f3n", "stress 3 on the negative side, negative"),
+Arg::new("d3n", "strain 3 on the negative side, negative"),
+Arg::new("f4n", "stress 4 on the negative side, negative"),
+Arg::new("d4n", "strain 4 on the negative side, negative"),
+Arg::number("rDispP", "share of the largest strain at the begin of reloading on the positive side"),
+Arg::number("rForceP", "share of the stress at the begin of reloading on the positive side"),
+Arg::number("uForceP", "share of the strength at the end of unloading on the positive side"),
+Arg::new("rDispN", "share of the largest strain at the begin of reloading, negative side"),
+Arg::new("rForceN", "share of the stress at the begin of reloading, negative side"),
+Arg::new("uForceN", "share of the strength at the end of unloading, negative side"),
+Arg::number("gK1", "coefficient 1 of the damage of the unloading stiffness"),
+Arg::number("gK2", "coefficient 2 of the damage of the unloading stiffness"),
+Arg::number("gK3", "exponent 3 of the damage of the unloading stiffness"),
+Arg::number("gK4", "exponent 4 of the damage of the unloading stiffness"),
+Arg::number("gKLim", "limit of the damage of the unloading stiffness"),
+Arg::number("gD1", "coefficient 1 of the damage of the reloading strain"),
+Arg::number("gD2", "coefficient 2 of the damage of the reloading strain"),
+Arg::number("gD3", "exponent 3 of the damage of the reloading strain"),
+Arg::number("gD4", "exponent 4 of the damage of the reloading strain"),
+Arg::number("gDLim", "limit of the damage of the reloading strain"),
+Arg::number("gF1", "coefficient 1 of the damage of the strength"),
+Arg::number("gF2", "coefficient 2 of the damage of the strength"),
+Arg::number("gF3", "exponent 3 of the damage of the strength"),
+Arg::number("gF4", "exponent 4 of the damage of the strength"),
+Arg::number("gFLim", "limit of the damage of the strength"),
+G_E,
+DMG_TYPE,
+]),
         make: pinching4,
     },
     Kind {
@@ -180,8 +211,8 @@ fn pinching4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let sides = [side(positive, forward), side(negative, backward)];
     let [stiffness, reloading, strength] =
         [damage(a, "unloading stiffness")?, damage(a, "reloading strain")?, damage(a, "strength")?];
-    let energy = a.float("energy capacity gE divided by the energy under monotonic loading")?;
-    let word = a.word("damage by energy or cycle")?;
+    let energy = a.number(&G_E)?;
+    let word = a.word(DMG_TYPE.meaning)?;
     let by_cycles = BY_CYCLES.contains(&word.as_ref());
     if !by_cycles && !BY_ENERGY.contains(&word.as_ref()) {
         return Err(a.refuse(format!("the kind of damage is \"{word}\""), "expected energy or cycle"));

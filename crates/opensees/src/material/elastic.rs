@@ -47,46 +47,49 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Elastic"],
         usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>",
-        text: Text::new("Linear elastic, with an optional viscous part.").arguments(&[
-            E.also(&["Epos"]),
-            ETA,
-            E_NEG.also(&["E"]),
-        ]),
+        text: Text::new("Linear elastic, with an optional viscous part.")
+            .example("uniaxialMaterial Elastic 77 1")
+            .arguments(&[E.also(&["Epos"]), ETA, E_NEG.also(&["E"])]),
         make: elastic,
     },
     Kind {
         names: &["ElasticPP"],
         usage: "uniaxialMaterial ElasticPP $tag $E $epsyP <$epsyN> <$eps0>",
-        text: Text::new("Elastic, perfectly plastic.").arguments(&[USUAL_E, EPSY_P, EPSY_N, EPS_0]),
+        text: Text::new("Elastic, perfectly plastic.")
+            .example("uniaxialMaterial ElasticPP 77 1 1")
+            .arguments(&[USUAL_E, EPSY_P, EPSY_N, EPS_0]),
         make: elastic_pp,
     },
     Kind {
         names: &["ElasticPPGap"],
         usage: "uniaxialMaterial ElasticPPGap $tag $E $Fy $gap <$eta> <damage>",
-        text: Text::new("Elastic, perfectly plastic beyond a gap.").arguments(&[
-            STIFFNESS.also(&["k"]),
-            FY.also(&["fy"]),
-            CLOSING,
-            HARDENING,
-        ]),
+        text: Text::new("Elastic, perfectly plastic beyond a gap.")
+            .example("uniaxialMaterial ElasticPPGap 77 1 1 1")
+            .arguments(&[STIFFNESS.also(&["k"]), FY.also(&["fy"]), CLOSING, HARDENING]),
         make: elastic_pp_gap,
     },
     Kind {
         names: &["HookGap"],
         usage: "uniaxialMaterial HookGap $tag $E $gap <$gapP>",
-        text: Text::new("Elastic beyond a gap in either sense.").arguments(&[E, GAP, GAP_P]),
+        text: Text::new("Elastic beyond a gap in either sense.")
+            .example("uniaxialMaterial HookGap 77 1 1")
+            .arguments(&[E, GAP, GAP_P]),
         make: hook_gap,
     },
     Kind {
         names: &["ENT"],
         usage: "uniaxialMaterial ENT $tag $E <$a> <$b>",
-        text: Text::new("Elastic without tension.").arguments(&[STIFFNESS, TENSION, FACTOR]),
+        text: Text::new("Elastic without tension.")
+            .example("uniaxialMaterial ENT 77 1")
+            .arguments(&[STIFFNESS, TENSION, FACTOR]),
         make: no_tension,
     },
     Kind {
         names: &["ElasticBilin", "ElasticBilinear"],
         usage: "uniaxialMaterial ElasticBilin $tag $EP1 $EP2 $epsP2 <$EN1 $EN2 $epsN2>",
-        text: Text::new("Elastic with two slopes in each sense.").groups(&[&BILINEAR, &BILINEAR_N]),
+        text: Text::new("Elastic with two slopes in each sense.")
+            .example("uniaxialMaterial ElasticBilin 77 1 1 1")
+            .groups(&[&BILINEAR, &BILINEAR_N]),
         make: elastic_bilin,
     },
     Kind {
@@ -106,7 +109,11 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ElasticMultiLinear $tag <$eta> -strain $e1 $e2 ... -stress $s1 $s2 ...",
         text: Text::new("Elastic along given points.")
             .example("uniaxialMaterial ElasticMultiLinear 77 -strain -0.1 0. 0.1 -stress -1. 0. 1.")
-            .arguments(&[Arg::new("eta", "viscous coefficient")]),
+            .arguments(&[
+                Arg::new("eta", "viscous coefficient"),
+                Arg::of("-strain", "e1", "-stress"),
+                Arg::of("-stress", "s1", "a stress"),
+            ]),
         make: elastic_multi_linear,
     },
 ];

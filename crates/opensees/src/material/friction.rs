@@ -79,7 +79,8 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["VelDepMultiLinear", "VDependentMultiLinear"],
         usage: "frictionModel VelDepMultiLinear $tag -vel $v1 $v2 ... -frn $mu1 $mu2 ...",
-        text: Text::new("A coefficient given over velocity by points."),
+        text: Text::new("A coefficient given over velocity by points.")
+            .arguments(&[Arg::of("-vel", "v1", "option -frn"), Arg::of("-frn", "mu1", "a coefficient of friction")]),
         make: vel_dep_multi_linear,
     },
     Kind {

@@ -5,7 +5,7 @@ use super::deteriorating::SIDES;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, ModImkPeakOriented, ModImkPinching,
@@ -15,6 +15,11 @@ use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
+const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
+const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
+const DAMAGE2: Arg = Arg::number("damage2", "damage by energy damage2");
 
 const BOUC_WEN: [Arg; 9] = [
     Arg::number("alpha", "ratio of post-yield stiffness alpha"),
@@ -62,7 +67,7 @@ const HINGE: [Arg; 3] = [
 ];
 const STRENGTH: [Arg; 2] = [
     Arg::positive("MyPos", "yield strength My on the positive side"),
-    Arg::number("MyNeg", "yield strength My on the negative side"),
+    Arg::of_domain("MyNeg", "yield strength My on the negative side", Domain::Negative),
 ];
 const PINCHING: [Arg; 3] = [
     Arg::number("FprPos", "share Fpr of the largest force at the end of pinching on the positive side"),
@@ -167,32 +172,53 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["BoucWen"],
         usage: "uniaxialMaterial BoucWen $tag $alpha $ko $n $gamma $beta $Ao $deltaA $deltaNu $deltaEta",
-        text: Text::new("Bouc-Wen hysteresis with degradation (Baber and Noori).").groups(&[&BOUC_WEN]),
+        text: Text::new("Bouc-Wen hysteresis with degradation (Baber and Noori).")
+            .example("uniaxialMaterial BoucWen 77 1 1 1 1 1 1 1 1 1")
+            .groups(&[&BOUC_WEN]),
         make: bouc_wen,
     },
     Kind {
         names: &["Hysteretic"],
         usage: "uniaxialMaterial Hysteretic $tag $s1p $e1p $s2p $e2p <$s3p $e3p> $s1n $e1n $s2n $e2n <$s3n $e3n> \
                 $pinchX $pinchY $damage1 $damage2 <$beta>",
-        text: Text::new("Trilinear backbone with pinching and damage.").points(POINTS).arguments(&[
-            Arg::new("e3p", "third strain on the positive side"),
-            Arg::new("e3n", "third strain on the negative side"),
-            Arg::new("s3p", "third stress on the positive side"),
-            Arg::new("s3n", "third stress on the negative side"),
-            UNLOADING_EXPONENT,
-        ]),
+        text: Text::new("Trilinear backbone with pinching and damage.")
+            .example("uniaxialMaterial Hysteretic 77 1 1 1 2 -1 -1 1 -2 1 1 1 1")
+            .points(POINTS)
+            .arguments(&[
+                Arg::number("s1p", "stress 1 in tension"),
+                Arg::number("e1p", "strain 1 in tension"),
+                Arg::number("s2p", "stress 2 in tension"),
+                Arg::number("e2p", "strain 2 in tension"),
+                Arg::new("s3p", "third stress on the positive side"),
+                Arg::new("e3p", "third strain on the positive side"),
+                Arg::number("s1n", "stress 1 in compression"),
+                Arg::number("e1n", "strain 1 in compression"),
+                Arg::number("s2n", "stress 2 in compression"),
+                Arg::number("e2n", "strain 2 in compression"),
+                Arg::new("s3n", "third stress on the negative side"),
+                Arg::new("e3n", "third strain on the negative side"),
+                PINCH_X,
+                PINCH_Y,
+                DAMAGE1,
+                DAMAGE2,
+                UNLOADING_EXPONENT,
+            ]),
         make: hysteretic,
     },
     Kind {
         names: &["SAWS", "SAWSMaterial"],
         usage: "uniaxialMaterial SAWS $tag $F0 $FI $DU $S0 $R1 $R2 $R3 $R4 $alpha $beta",
-        text: Text::new("Nailed wood shear wall (Folz and Filiatrault).").groups(&[&WALL, &UNLOADING, &DEGRADATION]),
+        text: Text::new("Nailed wood shear wall (Folz and Filiatrault).")
+            .example("uniaxialMaterial SAWS 77 1 1 1 1 1 -1 1 0.5 1 1")
+            .groups(&[&WALL, &UNLOADING, &DEGRADATION]),
         make: saws,
     },
     Kind {
         names: &["SelfCentering"],
         usage: "uniaxialMaterial SelfCentering $tag $k1 $k2 $sigAct $beta <$epsSlip> <$epsBear> <$rBear>",
-        text: Text::new("Flag-shaped hysteresis.").groups(&[&FLAG, &[EPS_SLIP, EPS_BEAR, R_BEAR]]),
+        text: Text::new("Flag-shaped hysteresis.")
+            .example("uniaxialMaterial SelfCentering 77 1 1 1 1")
+            .groups(&[&FLAG, &[EPS_SLIP, EPS_BEAR, R_BEAR]]),
         make: self_centering,
     },
 ];
@@ -214,9 +240,6 @@ fn hinge(interp: &mut Tcl, a: &mut Args<'_>, pinched: bool) -> Result<Hinge, Exc
         return Err(a.refuse(format!("the hardening ratio is {ratio}"), "expected less than 1"));
     }
     let [positive, negative] = a.read_all(interp, &STRENGTH)?;
-    if negative >= 0.0 {
-        return Err(a.refuse(format!("the yield strength on the negative side is {negative}"), "expected it negative"));
-    }
     let mut pinching = PinchingPoint { force: [1.0; 2], deformation: 0.0 };
     if pinched {
         [pinching.force[0], pinching.force[1], pinching.deformation] = a.read_all(interp, &PINCHING)?;
@@ -329,8 +352,8 @@ fn hysteretic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
-    let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
-    let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
+    let pinch = [a.number(&PINCH_X)?, a.number(&PINCH_Y)?];
+    let damage = [a.number(&DAMAGE1)?, a.number(&DAMAGE2)?];
     let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     Ok(Hysteretic::new(tension, compression, pinch, damage, beta).shared())
 }

@@ -3,11 +3,13 @@
 use super::Kind;
 use super::hysteretic::POINTS as POINT_NAMES;
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{HystereticSm, Material, SmEnvelope};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
+
+const BETA: Arg = Arg::of("-beta", "beta", "exponent of the unloading stiffness beta").within(Domain::Number);
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["HystereticSM"],
@@ -19,16 +21,24 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         .example("uniaxialMaterial HystereticSM 77 -posEnv 1. 0.005 1.2 0.02 0.4 0.05 -pinch 0.7 0.4")
         .points(POINT_NAMES)
         .arguments(&[
-            Arg::flag("-XYorder", "points are given as strain and stress"),
+            Arg::of("-posEnv", "s1p", "a number of the envelope in tension"),
             Arg::new("s1p", "stress at the first point in tension"),
             Arg::new("e1p", "strain at the first point in tension"),
+            Arg::of("-negEnv", "s1n", "a number of the envelope in compression"),
             Arg::new("s1n", "stress at the first point in compression"),
             Arg::new("e1n", "strain at the first point in compression"),
+            Arg::of("-pinch", "pinchX", "a factors of pinching"),
             Arg::new("pinchX", "pinching factor of strain"),
             Arg::new("pinchY", "pinching factor of stress"),
+            Arg::of("-damage", "damage1", "a factors of damage"),
             Arg::new("damage1", "damage by ductility"),
             Arg::new("damage2", "damage by energy"),
+            BETA,
             Arg::new("beta", "exponent of the unloading stiffness"),
+            Arg::of("-degEnv", "degEnvp", "a losses of the envelopes"),
+            Arg::flag("-XYorder", "points are given as strain and stress"),
+            Arg::of("-defoLimitStates", "d1", "a limit state"),
+            Arg::of("-forceLimitStates", "f1", "a limit state"),
         ]),
     make: hysteretic_sm,
 }];
@@ -104,7 +114,7 @@ fn hysteretic_sm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
             "negEnv" | "negEnvXY" => negative = a.floats("number of the envelope in compression")?,
             "pinch" => pinch = pair(a, "factors of pinching", [1.0; 2])?,
             "damage" => damage = pair(a, "factors of damage", [0.0; 2])?,
-            "beta" => beta = a.float("exponent of the unloading stiffness beta")?,
+            "beta" => beta = a.number(&BETA)?,
             "degEnv" => degrading = pair(a, "losses of the envelopes", [0.0; 2])?,
             "XYorder" | "xyOrder" => xy = true,
             // Of use to recorders of limit states alone.

@@ -34,26 +34,33 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ImpactMaterial", "Impact"],
         usage: "uniaxialMaterial ImpactMaterial $tag $K1 $K2 $deltaY $gap",
-        text: Text::new("Pounding: a bilinear approximation of Hertz contact.").groups(&[&BILINEAR, &[DELTA_Y, GAP]]),
+        text: Text::new("Pounding: a bilinear approximation of Hertz contact.")
+            .example("uniaxialMaterial ImpactMaterial 77 1 1 1 1")
+            .groups(&[&BILINEAR, &[DELTA_Y, GAP]]),
         make: impact,
     },
     Kind {
         names: &["HertzDamp", "Hertzdamp"],
         usage: "uniaxialMaterial HertzDamp $tag $Kh $xiNorm $gap <$n>",
-        text: Text::new("Pounding: Hertz contact with a damping force.").groups(&[&HERTZ, &[GAP, EXPONENT]]),
+        text: Text::new("Pounding: Hertz contact with a damping force.")
+            .example("uniaxialMaterial HertzDamp 77 1 1 1")
+            .groups(&[&HERTZ, &[GAP, EXPONENT]]),
         make: hertz_damp,
     },
     Kind {
         names: &["JankowskiImpact"],
         usage: "uniaxialMaterial JankowskiImpact $tag $Kh $xi $mEff $gap <$n>",
         text: Text::new("Pounding: Hertz contact, damped on approach (Jankowski).")
+            .example("uniaxialMaterial JankowskiImpact 77 1 1 1 1")
             .groups(&[&JANKOWSKI, &[GAP, EXPONENT]]),
         make: jankowski,
     },
     Kind {
         names: &["ViscoelasticGap"],
         usage: "uniaxialMaterial ViscoelasticGap $tag $K $C $gap",
-        text: Text::new("Contact with a spring and a dashpot, in compression alone.").groups(&[&KELVIN, &[GAP]]),
+        text: Text::new("Contact with a spring and a dashpot, in compression alone.")
+            .example("uniaxialMaterial ViscoelasticGap 77 1 1 1")
+            .groups(&[&KELVIN, &[GAP]]),
         make: viscoelastic_gap,
     },
     Kind {

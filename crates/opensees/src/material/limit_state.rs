@@ -12,8 +12,33 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 
+const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
+const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
+const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
+const DAMAGE2: Arg = Arg::number("damage2", "damage by energy damage2");
+const TAG: Arg = Arg::whole("tag", "tag of the limit curve");
+const SHEAR_ELEMENT: Arg = Arg::whole("element", "tag of the element");
+const RHO: Arg = Arg::not_negative("rho", "ratio of hoops rho");
+const FC: Arg = Arg::positive("fc", "concrete strength fc in psi");
+const B: Arg = Arg::positive("b", "width b");
+const H: Arg = Arg::positive("h", "depth h");
+const D: Arg = Arg::positive("d", "effective depth d");
+const SHEAR_FSW: Arg = Arg::not_negative("Fsw", "force of the hoops Fsw");
+const KDEG: Arg = Arg::number("Kdeg", "slope after failure Kdeg");
+const SHEAR_FRES: Arg = Arg::not_negative("Fres", "residual force Fres");
+const DEF_TYPE: Arg = Arg::whole("defType", "type of the deformation defType");
+const FOR_TYPE: Arg = Arg::whole("forType", "type of the force forType");
+const AXIAL_FSW: Arg = Arg::positive("Fsw", "force of the hoops Fsw");
+const AXIAL_FRES: Arg = Arg::number("Fres", "residual force Fres");
+const NODE_I: Arg = Arg::whole("nodeI", "tag of node I");
+const NODE_J: Arg = Arg::whole("nodeJ", "tag of node J");
+const ROT_AXIS: Arg = Arg::whole("rotAxis", "axis of the rotation rotAxis");
+const VN: Arg = Arg::number("Vn", "shear strength Vn");
+const VR: Arg = Arg::number("Vr", "residual shear Vr");
+const ROT_LIM: Arg = Arg::positive("rotLim", "rotation at failure rotLim");
+
 const DRIFT: &[Arg] = &[
-    Arg::new("nodeI", "tags of the nodes whose drift counts, for defType 2"),
+    Arg::whole("nodeI", "tags of the nodes whose drift counts, for defType 2"),
     Arg::new("nodeJ", "tags of the nodes whose drift counts, for defType 2"),
     Arg::new("dof", "degree of freedom of the drift"),
     Arg::new("perpDirn", "coordinate along the column, 1 to 3"),
@@ -28,16 +53,29 @@ pub(super) const KINDS: &[Kind] = &[Kind {
          `twoNodeLink` and in sections `Aggregator` watch their column; inside other materials they do \
          not.",
     )
+    .example("uniaxialMaterial LimitState 77 1 1 1 2 -1 -1 1 -2 1 1 1 1")
     .points(POINTS)
     .arguments(&[
+        Arg::number("s1p", "stress 1 in tension"),
+        Arg::number("e1p", "strain 1 in tension"),
+        Arg::number("s2p", "stress 2 in tension"),
+        Arg::number("e2p", "strain 2 in tension"),
         Arg::new("s3p", "third point; without it the second is the last"),
+        Arg::new("e3p", "strain of the third point"),
+        Arg::number("s1n", "stress 1 in compression"),
+        Arg::number("e1n", "strain 1 in compression"),
+        Arg::number("s2n", "stress 2 in compression"),
+        Arg::number("e2n", "strain 2 in compression"),
         Arg::new("s3n", "third point; without it the second is the last"),
+        Arg::new("e3n", "strain of the third point"),
+        PINCH_X,
+        PINCH_Y,
+        DAMAGE1,
+        DAMAGE2,
         UNLOADING_EXPONENT,
         Arg::new("curve", "tag of a limit curve"),
         Arg::new("curveType", "1: a spring that loses axial load; 0: no curve; else a spring that loses shear"),
         Arg::new("degrade", "1: the largest deformation of one side counts for the other one too"),
-        Arg::new("e3p", "strain of the third point"),
-        Arg::new("e3n", "strain of the third point"),
     ]),
     make: limit_state,
 }];
@@ -58,7 +96,21 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
-            .arguments(&[Arg::new("delta", "shift of the drift")])
+            .arguments(&[
+                TAG,
+                SHEAR_ELEMENT,
+                RHO,
+                FC,
+                B,
+                H,
+                D,
+                SHEAR_FSW,
+                KDEG,
+                SHEAR_FRES,
+                DEF_TYPE,
+                FOR_TYPE,
+                Arg::new("delta", "shift of the drift"),
+            ])
             .groups(&[DRIFT]),
         make: shear,
     },
@@ -70,6 +122,13 @@ const CURVES: &[CurveKind] = &[
             "Axial load of a column by friction along its shear crack (Elwood and Moehle). The element is not removed.",
         )
         .arguments(&[
+            TAG,
+            SHEAR_ELEMENT,
+            AXIAL_FSW,
+            KDEG,
+            AXIAL_FRES,
+            DEF_TYPE,
+            FOR_TYPE,
             Arg::new("delta", "shift of the drift"),
             Arg::new("eleRemove", "0: the element is not removed at its failure"),
         ])
@@ -82,6 +141,14 @@ const CURVES: &[CurveKind] = &[
                 <$nodeI $nodeJ $dof $perpDirn>",
         text: Text::new("Straight lines between three points.")
             .arguments(&[
+                TAG,
+                SHEAR_ELEMENT,
+                Arg::number("x1", "deformation x 1"),
+                Arg::number("y1", "force y 1"),
+                Arg::number("x2", "deformation x 2"),
+                Arg::number("y2", "force y 2"),
+                Arg::number("x3", "deformation x 3"),
+                Arg::number("y3", "force y 3"),
                 Arg::new("Kdeg", "slope after failure, negative"),
                 Arg::new("Fres", "residual force"),
                 Arg::new(
@@ -98,6 +165,15 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
                 $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
         text: Text::new("Rotation of a plastic hinge, or a shear force (Leborgne); kip, in. and ksi.").arguments(&[
+            TAG,
+            SHEAR_ELEMENT,
+            NODE_I,
+            NODE_J,
+            ROT_AXIS,
+            VN,
+            VR,
+            KDEG,
+            ROT_LIM,
             Arg::new(
                 "defType",
                 "rotation at failure: 1 of the hinge, 2 total, 3 flexural, 4 plastic, 5 flexural \
@@ -115,7 +191,7 @@ const CURVES: &[CurveKind] = &[
             Arg::new("rhot", "ratio of hoops"),
             Arg::new("fc", "concrete strength, ksi"),
             Arg::new("fy", "yield stress of the longitudinal bars"),
-            Arg::new("fyt", "yield stress of the hoops"),
+            Arg::number("fyt", "yield stress of the hoops"),
             Arg::new("delta", "shift of the rotation"),
         ]),
         make: rotation_shear,
@@ -126,9 +202,9 @@ fn limit_curve(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of limit curve", "limit curve", CURVES.iter())?;
     interp.host.note_kind("limitCurve", kind.names[0]);
-    let tag = a.int("tag of the limit curve")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
-    let element = a.tag(things::ELEMENT, "tag of the element")?;
+    let element = a.tag(things::ELEMENT, SHEAR_ELEMENT.meaning)?;
     let made = (kind.make)(&mut a, element)?;
     finish(interp, &a)?;
     if !interp.host.builder.definitions.limit_curves.add(tag, made) {
@@ -139,12 +215,12 @@ fn limit_curve(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Deformation and force of a curve by their types, with the nodes of a drift.
 fn watched(a: &mut Args<'_>) -> Result<(LimitDeformation, LimitForce), Exception> {
-    let drift = match a.int("type of the deformation defType")? {
+    let drift = match a.int(DEF_TYPE.meaning)? {
         1 => false,
         2 => true,
         n => return Err(a.refuse(format!("there is no deformation {n}"), "expected 1 (chord rotation) or 2 (drift)")),
     };
-    let force = match a.int("type of the force forType")? {
+    let force = match a.int(FOR_TYPE.meaning)? {
         0 => LimitForce::Spring,
         1 => LimitForce::Shear,
         2 => LimitForce::Axial,
@@ -153,16 +229,16 @@ fn watched(a: &mut Args<'_>) -> Result<(LimitDeformation, LimitForce), Exception
     if !drift {
         return Ok((LimitDeformation::ChordRotation, force));
     }
-    let nodes = [a.int("tag of node I")?, a.int("tag of node J")?];
+    let nodes = [a.int(NODE_I.meaning)?, a.int(NODE_J.meaning)?];
     let dof = a.dof("degree of freedom of the drift", 6)?;
     Ok((LimitDeformation::Drift { nodes, dof, along: a.dof("direction of the height perpDirn", 3)? }, force))
 }
 
 fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
-    let (rho, fc) = (a.not_negative("ratio of hoops rho")?, a.positive("concrete strength fc in psi")?);
-    let size = [a.positive("width b")?, a.positive("depth h")?, a.positive("effective depth d")?];
-    let hoops = a.not_negative("force of the hoops Fsw")?;
-    let (slope, residual) = (a.float("slope after failure Kdeg")?, a.not_negative("residual force Fres")?);
+    let (rho, fc) = (a.number(&RHO)?, a.number(&FC)?);
+    let size = [a.number(&B)?, a.number(&H)?, a.number(&D)?];
+    let hoops = a.number(&SHEAR_FSW)?;
+    let (slope, residual) = (a.number(&KDEG)?, a.number(&SHEAR_FRES)?);
     if slope == 0.0 {
         return Err(
             a.refuse("the slope after failure Kdeg is 0", "expected it negative, or the stiffness of unloading")
@@ -176,15 +252,15 @@ fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
 
 /// Slope after failure, negative, and residual force.
 fn falling(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
-    let slope = a.float("slope after failure Kdeg")?;
+    let slope = a.number(&KDEG)?;
     if slope >= 0.0 {
         return Err(a.refuse(format!("the slope after failure Kdeg is {slope}"), "expected it negative"));
     }
-    Ok((slope, a.float("residual force Fres")?))
+    Ok((slope, a.number(&AXIAL_FRES)?))
 }
 
 fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
-    let hoops = a.positive("force of the hoops Fsw")?;
+    let hoops = a.number(&AXIAL_FSW)?;
     let (slope, residual) = falling(a)?;
     let (deformation, force) = watched(a)?;
     let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
@@ -211,26 +287,25 @@ fn three_point(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> 
 const COLUMN_WORDS: usize = 15;
 
 fn rotation_shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
-    let nodes = [a.int("tag of node I")?, a.int("tag of node J")?];
-    let dof = a.dof("axis of the rotation rotAxis", 6)?;
+    let nodes = [a.int(NODE_I.meaning)?, a.int(NODE_J.meaning)?];
+    let dof = a.dof(ROT_AXIS.meaning, 6)?;
     if dof < 2 {
         return Err(a.refuse("the axis of the rotation is a translation", "expected 3, or 4 to 6 in space"));
     }
     let calibrated = a.left() >= 3 + COLUMN_WORDS;
-    let strength = a.float("shear strength Vn")?;
+    let strength = a.number(&VN)?;
     if !(strength > 0.0 || strength == -1.0 || calibrated && strength == 0.0) {
         return Err(a.refuse(format!("the shear strength Vn is {strength}"), "expected it positive, or -1 for none"));
     }
-    let residual = a.float("residual shear Vr")?;
+    let residual = a.number(&VR)?;
     if residual < -1.0 {
         return Err(a.refuse(format!("the residual shear Vr is {residual}"), "expected -1 or more"));
     }
-    let slope = a.float("slope after failure Kdeg")?;
+    let slope = a.number(&KDEG)?;
     if slope > 0.0 || !calibrated && slope == 0.0 {
         return Err(a.refuse(format!("the slope after failure Kdeg is {slope}"), "expected it negative"));
     }
-    let (rotation, column) =
-        if calibrated { (0.0, Some(column(a)?)) } else { (a.positive("rotation at failure rotLim")?, None) };
+    let (rotation, column) = if calibrated { (0.0, Some(column(a)?)) } else { (a.number(&ROT_LIM)?, None) };
     let surface = LimitSurface::RotationShear(RotationShear { strength, rotation, column });
     let (deformation, force) = (LimitDeformation::Rotation { nodes, dof }, LimitForce::Spring);
     Ok(LimitCurve { element, deformation, force, surface, slope, residual })
@@ -270,8 +345,8 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow, then the curve.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let sides = [envelope(a, points, 1.0)?, envelope(a, points, -1.0)?];
-    let pinch = [a.float("pinching factor of strain pinchX")?, a.float("pinching factor of stress pinchY")?];
-    let damage = [a.float("damage by ductility damage1")?, a.float("damage by energy damage2")?];
+    let pinch = [a.number(&PINCH_X)?, a.number(&PINCH_Y)?];
+    let damage = [a.number(&DAMAGE1)?, a.number(&DAMAGE2)?];
     let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     let (mut curve, mut symmetric) = (None, false);
     if a.left() > 0 {

@@ -1,11 +1,15 @@
 //! A material by itself: `testUniaxialMaterial`, `setStrain`, `getStress` and the like.
 
 use crate::args::Args;
+use crate::text::Arg;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::material::{Slot, Strain, Stress};
 use hysteron_engine::model::Tag;
 use hysteron_tcl::{Call, Value};
 use std::collections::BTreeMap;
+
+pub(super) const STRAIN: Arg = Arg::number("strain", "strain");
+pub(super) const RATE: Arg = Arg::number("rate", "strain rate");
 
 pub(super) const SET_STRAIN: &str = "setStrain $strain <$rate>";
 
@@ -44,9 +48,9 @@ const FIRST: &str = "expected testUniaxialMaterial before";
 
 pub(super) fn set_strain(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_STRAIN);
-    let value = a.float("strain")?;
+    let value = a.number(&STRAIN)?;
     let span = a.last_span();
-    let rate = a.optional_float("strain rate")?.unwrap_or(0.0);
+    let rate = a.optional_number(&RATE)?.unwrap_or(0.0);
     finish(interp, &a)?;
     let tests = &mut interp.host.builder.material_tests;
     let Some(point) = tests.current.and_then(|tag| tests.points.get_mut(&tag)) else {

@@ -7,6 +7,7 @@ mod concrete;
 mod confined_concrete;
 mod damper;
 mod deteriorating;
+mod ecc;
 mod elastic;
 pub(crate) mod friction;
 mod hysteretic;
@@ -40,18 +41,20 @@ use recipe::WordsOfMaterial;
 use std::sync::Arc;
 
 pub(crate) use material_test::MaterialTests;
-pub(crate) use rubber::rheology;
+pub(crate) use rubber::{CONDUCTION, RHEOLOGY_ARGUMENTS, rheology};
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("uniaxialMaterial", "uniaxialMaterial $kind $tag ...", uniaxial_material)
         .about("Makes a uniaxial law: stress over strain, or force over deformation.")
-        .arguments(&[TAG])
+        .arguments(&[Arg::thing("material", things::MATERIAL), TAG])
         .defining(&[things::MATERIAL], 2)
         .with_kinds(|| kinds().map(kind::Kind::described).collect()),
     Command::new("testUniaxialMaterial", "testUniaxialMaterial $tag", material_test::test)
+        .arguments(&[Arg::thing("tag", things::MATERIAL)])
         .about("Chooses the law that `setStrain` drives."),
     Command::new("setStrain", material_test::SET_STRAIN, material_test::set_strain)
-        .about("Strains the chosen law and commits its state."),
+        .about("Strains the chosen law and commits its state.")
+        .arguments(&[material_test::STRAIN, material_test::RATE]),
     Command::new("getStrain", "getStrain", material_test::get)
         .about("Returns the strain of the chosen law.")
         .leaving(Effect::Nothing),
@@ -78,6 +81,7 @@ fn kinds() -> impl Iterator<Item = &'static Kind> + Clone {
         steel::KINDS,
         plastic::KINDS,
         concrete::KINDS,
+        ecc::KINDS,
         confined_concrete::KINDS,
         nd_concrete::KINDS,
         masonry::KINDS,

@@ -2,33 +2,19 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, HardeningCurve, Material, NdMaterial};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
+
+pub(super) const MODULUS: Arg = Arg::positive("E", "modulus of elasticity E");
+pub(super) const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
 
 pub(super) const USAGE: &str = "nDMaterial ASDConcrete3D $tag $E $nu -Te $strains -Ts $stresses <-Td $damages> -Ce $strains \
     -Cs $stresses <-Cd $damages> <-rho $rho> <-Kc $Kc> <-eta $eta> <-cdf $share> <-implex> <-implexControl $tolerance $limit> \
     <-implexAlpha $alpha> <-tangent> <-autoRegularization $length>";
 
-const OPTIONS: &[&str] = &[
-    "-Te",
-    "-Ts",
-    "-Td",
-    "-Ce",
-    "-Cs",
-    "-Cd",
-    "-rho",
-    "-Kc",
-    "-eta",
-    "-cdf",
-    "-implex",
-    "-implexControl",
-    "-implexAlpha",
-    "-tangent",
-    "-autoRegularization",
-];
 /// Shape of the surface of failure that OpenSees assumes.
 const KC: f64 = 2.0 / 3.0;
 
@@ -98,8 +84,8 @@ impl Common {
 }
 
 pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let e = a.positive("modulus of elasticity E")?;
-    let nu = a.float("Poisson's ratio nu")?;
+    let e = a.number(&MODULUS)?;
+    let nu = a.number(&NU)?;
     if !(nu > -1.0 && nu < 0.5) {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, less than 0.5"));
     }
@@ -110,7 +96,7 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exc
             "-Kc" => kc = shape(a)?,
             "-cdf" => cross_damage = a.not_negative("share of damage in tension that counts in compression")?,
             option if common.read(option, a)? => {}
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let extrapolation = common.extrapolation();
@@ -155,7 +141,7 @@ pub(super) const COMPRESSION_STRESSES: Arg = Arg::of("-Cs", "stresses", "stresse
 pub(super) const COMPRESSION_DAMAGES: Arg =
     Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without");
 /// See [`TENSION_STRAINS`].
-pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity, a time");
+pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity, a time").within(Domain::NotNegative);
 /// See [`TENSION_STRAINS`].
 pub(super) const EXTRAPOLATED: Arg =
     Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps");
@@ -165,9 +151,11 @@ pub(super) const EXTRAPOLATION_CONTROL: Arg = Arg::of(
     "tolerance",
     "largest error of the extrapolated damage, and the shortest step over the first one for which it \
                  counts",
-);
+)
+.within(Domain::Positive);
 /// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATION_FACTOR: Arg = Arg::of("-implexAlpha", "alpha", "factor of the extrapolation");
+pub(super) const EXTRAPOLATION_FACTOR: Arg =
+    Arg::of("-implexAlpha", "alpha", "factor of the extrapolation").within(Domain::NotNegative);
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["ASDConcrete1D"],
@@ -177,55 +165,41 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     text: Text::new("Concrete with plasticity and damage by curves in tension and compression, or by its strengths.")
         .example("uniaxialMaterial ASDConcrete1D 77 30000. -fc 30.")
         .arguments(&[
-            Arg::of("-fc", "fc", "compressive strength in MPa, which makes both curves; lengths are in mm"),
-            Arg::of("-ft", "ft", "tensile strength in MPa; a tenth of fc without it"),
+            MODULUS,
+            Arg::of("-fc", "fc", "compressive strength in MPa, which makes both curves; lengths are in mm")
+                .within(Domain::Positive),
+            Arg::of("-ft", "ft", "tensile strength in MPa; a tenth of fc without it").within(Domain::Positive),
             TENSION_STRAINS,
             TENSION_STRESSES,
             TENSION_DAMAGES,
             COMPRESSION_STRAINS,
             COMPRESSION_STRESSES,
             COMPRESSION_DAMAGES,
-            VISCOSITY,
             EXTRAPOLATED,
             EXTRAPOLATION_CONTROL,
             EXTRAPOLATION_FACTOR,
+            VISCOSITY,
             Arg::flag("-tangent", "the tangent is the consistent one, not the secant"),
             Arg::of(
                 "-autoRegularization",
                 "length",
                 "length for which the curves hold; their energy depends on the length of the bar, or of the section's \
                  part of a beam",
-            ),
+            )
+            .within(Domain::Positive),
         ]),
     make: asd_concrete_1d,
 }];
 
-const OPTIONS_1D: &[&str] = &[
-    "-fc",
-    "-ft",
-    "-Te",
-    "-Ts",
-    "-Td",
-    "-Ce",
-    "-Cs",
-    "-Cd",
-    "-implex",
-    "-implexControl",
-    "-implexAlpha",
-    "-eta",
-    "-tangent",
-    "-autoRegularization",
-];
-
 fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("modulus of elasticity E")?;
+    let e = a.number(&MODULUS)?;
     let (mut fc, mut ft, mut common) = (None, None, Common::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-fc" => fc = Some(a.positive("compressive strength fc in MPa")?),
             "-ft" => ft = Some(a.positive("tensile strength ft in MPa")?),
             option if common.read(option, a)? => {}
-            _ => ignore_option(interp, a, OPTIONS_1D)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let extrapolation = common.extrapolation();

@@ -15,7 +15,37 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TAG: Arg = Arg::whole("tag", "tag of the material");
+const ELASTIC_ISOTROPIC_E: Arg = Arg::positive("E", "modulus of elasticity E");
+const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
+const ELASTIC_ISOTROPIC_RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
+const J2_PLASTICITY_K: Arg = Arg::positive("K", "bulk modulus K");
+const J2_PLASTICITY_G: Arg = Arg::positive("G", "shear modulus G");
+const SIG0: Arg = Arg::positive("sig0", "yield stress sig0");
+const SIG_INF: Arg = Arg::positive("sigInf", "saturated yield stress sigInf");
+const DELTA: Arg = Arg::not_negative("delta", "rate of saturation delta");
+const J2_PLASTICITY_H: Arg = Arg::number("H", "linear hardening modulus H");
+const ETA: Arg = Arg::number("eta", "viscosity eta");
+const J2_PLASTICITY_RHO: Arg = Arg::number("rho", "mass per volume, which has no effect");
+const EX: Arg = Arg::positive("Ex", "modulus Ex");
+const EY: Arg = Arg::positive("Ey", "modulus Ey");
+const EZ: Arg = Arg::positive("Ez", "modulus Ez");
+const NU_XY: Arg = Arg::number("nu_xy", "Poisson's ratio nu_xy");
+const NU_YZ: Arg = Arg::number("nu_yz", "Poisson's ratio nu_yz");
+const NU_ZX: Arg = Arg::number("nu_zx", "Poisson's ratio nu_zx");
+const GXY: Arg = Arg::positive("Gxy", "shear modulus Gxy");
+const GYZ: Arg = Arg::positive("Gyz", "shear modulus Gyz");
+const GZX: Arg = Arg::positive("Gzx", "shear modulus Gzx");
+const H_KIN: Arg = Arg::not_negative("H_kin", "modulus of kinematic hardening H_kin");
+const H_ISO: Arg = Arg::not_negative("H_iso", "modulus of isotropic hardening H_iso");
+const EPS: Arg = Arg::number("eps", "initial strain");
+const EPS11: Arg = Arg::number("eps11", "initial strain");
+const J2_BEAM_FIBER_RHO: Arg = Arg::new("rho", "mass per volume rho");
+const PLATE_FROM_PLANE_STRESS_G: Arg = Arg::not_negative("G", "shear modulus G across the plate");
+const ANGLE: Arg = Arg::number("angle", "angle of the bars in degrees");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("nDMaterial", USAGE, nd_material)
+    .arguments(&[Arg::thing("material", things::ND_MATERIAL), Arg::whole("tag", "tag of the material")])
     .about("Makes a law of a continuum, for `quad`, bricks and plates.")
     .defining(&[things::ND_MATERIAL], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -29,37 +59,70 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["ElasticIsotropic", "ElasticIsotropic3D"],
         usage: "nDMaterial ElasticIsotropic $tag $E $nu <$rho>",
-        text: Text::new("A linear elastic, isotropic continuum."),
+        text: Text::new("A linear elastic, isotropic continuum.").arguments(&[
+            TAG,
+            ELASTIC_ISOTROPIC_E,
+            NU,
+            ELASTIC_ISOTROPIC_RHO,
+        ]),
         make: elastic_isotropic,
     },
     Kind {
         names: &["J2Plasticity", "J2"],
         usage: "nDMaterial J2Plasticity $tag $K $G $sig0 $sigInf $delta $H <$eta> <$rho>",
-        text: Text::new("Plasticity of von Mises with isotropic hardening that saturates, and viscosity."),
+        text: Text::new("Plasticity of von Mises with isotropic hardening that saturates, and viscosity.").arguments(
+            &[TAG, J2_PLASTICITY_K, J2_PLASTICITY_G, SIG0, SIG_INF, DELTA, J2_PLASTICITY_H, ETA, J2_PLASTICITY_RHO],
+        ),
         make: j2_plasticity,
     },
     Kind {
         names: &["ElasticOrthotropic", "ElasticOrthotropic3D"],
         usage: "nDMaterial ElasticOrthotropic $tag $Ex $Ey $Ez $nu_xy $nu_yz $nu_zx $Gxy $Gyz $Gzx <$rho>",
-        text: Text::new("A linear elastic continuum with other constants along each axis."),
+        text: Text::new("A linear elastic continuum with other constants along each axis.").arguments(&[
+            TAG,
+            EX,
+            EY,
+            EZ,
+            NU_XY,
+            NU_YZ,
+            NU_ZX,
+            GXY,
+            GYZ,
+            GZX,
+            ELASTIC_ISOTROPIC_RHO,
+        ]),
         make: elastic_orthotropic,
     },
     Kind {
         names: &["Simplified3DJ2", "3DJ2", "SimplifiedJ2"],
         usage: "nDMaterial Simplified3DJ2 $tag $G $K $sig0 $H_kin $H_iso",
-        text: Text::new("Plasticity of von Mises with linear isotropic and kinematic hardening."),
+        text: Text::new("Plasticity of von Mises with linear isotropic and kinematic hardening.").arguments(&[
+            TAG,
+            J2_PLASTICITY_G,
+            J2_PLASTICITY_K,
+            SIG0,
+            H_KIN,
+            H_ISO,
+        ]),
         make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", simplified_j2(a)?.shared())),
     },
     Kind {
         names: &["PlaneStressSimplifiedJ2"],
         usage: "nDMaterial PlaneStressSimplifiedJ2 $tag $G $K $sig0 $H_kin $H_iso",
-        text: Text::new("Plasticity of von Mises with linear hardening, in plane stress alone."),
+        text: Text::new("Plasticity of von Mises with linear hardening, in plane stress alone.").arguments(&[
+            TAG,
+            J2_PLASTICITY_G,
+            J2_PLASTICITY_K,
+            SIG0,
+            H_KIN,
+            H_ISO,
+        ]),
         make: plane_stress_j2,
     },
     Kind {
         names: &["PlaneStress", "PlaneStressMaterial"],
         usage: "nDMaterial PlaneStress $tag $material",
-        text: Text::new("A law in space, used in plane stress."),
+        text: Text::new("A law in space, used in plane stress.").arguments(&[TAG]),
         make: |interp, a| {
             Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?))
         },
@@ -67,7 +130,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["PlaneStrain", "PlaneStrainMaterial"],
         usage: "nDMaterial PlaneStrain $tag $material",
-        text: Text::new("A law in space, used in plane strain."),
+        text: Text::new("A law in space, used in plane strain.").arguments(&[TAG]),
         make: |interp, a| {
             Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?))
         },
@@ -75,24 +138,36 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["InitStrain", "InitStrainMaterial"],
         usage: "nDMaterial InitStrain $tag $material $eps | $eps11 $eps22 $eps33 $eps12 $eps23 $eps13",
-        text: Text::new("A law in space with strains at rest."),
+        text: Text::new("A law in space with strains at rest.").arguments(&[
+            TAG,
+            EPS,
+            EPS11,
+            Arg::number("eps22", "initial strain 1"),
+            Arg::number("eps33", "initial strain 2"),
+            Arg::number("eps12", "initial strain 3"),
+            Arg::number("eps23", "initial strain 4"),
+            Arg::number("eps13", "initial strain 5"),
+        ]),
         make: initial_strain,
     },
     Kind {
         names: &["Parallel3D"],
         usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
-        text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[Arg::of(
-            "-weights",
-            "w1",
-            "factor of the stresses of each law; 1 without",
-        )]),
+        text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[
+            TAG,
+            Arg::thing("material1", things::ND_MATERIAL),
+            Arg::of("-weights", "w1", "factor of the stresses of each law; 1 without"),
+        ]),
         make: parallel,
     },
     Kind {
         names: &["InitStress", "InitStressND", "InitStressNDMaterial", "InitStressMaterial"],
         usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
-        text: Text::new("A law in space with a pressure at rest.")
-            .arguments(&[Arg::new("dimensions", "a number that is not used")]),
+        text: Text::new("A law in space with a pressure at rest.").arguments(&[
+            TAG,
+            Arg::number("sigma", "initial stress"),
+            Arg::new("dimensions", "a number that is not used"),
+        ]),
         make: nd_wrapper::initial_stress,
     },
     Kind {
@@ -100,36 +175,49 @@ const KINDS: &[Kind] = &[
         usage: "nDMaterial Series3D $tag $material1 $material2 ... <-weights $w1 $w2 ...> <-maxIter $n> <-relTol $tol> <-absTol $tol> \
                 <-verbose>",
         text: Text::new("Laws in space with one stress, whose strains add up.").arguments(&[
+            TAG,
+            Arg::thing("material1", things::ND_MATERIAL),
             Arg::of("-weights", "w1", "factor of the strains of each law; 1 without"),
-            Arg::flag("-verbose", "says nothing more"),
             Arg::of("-maxIter", "n", "most iterations; ten times as many with the initial tangents"),
             Arg::of("-relTol", "tol", "difference of the stresses over their size that counts as none"),
             Arg::of("-absTol", "tol", "difference of the stresses that counts as none"),
+            Arg::flag("-verbose", "says nothing more"),
         ]),
         make: nd_wrapper::series,
     },
     Kind {
         names: &["BeamFiber", "BeamFiberMaterial"],
         usage: "nDMaterial BeamFiber $tag $material",
-        text: Text::new("A law in space for fibres of beams in space: only the stresses 11, 12 and 13 are not zero."),
+        text: Text::new("A law in space for fibres of beams in space: only the stresses 11, 12 and 13 are not zero.")
+            .arguments(&[TAG]),
         make: nd_wrapper::beam_fiber,
     },
     Kind {
         names: &["BeamFiber2d", "BeamFiberMaterial2d"],
         usage: "nDMaterial BeamFiber2d $tag $material",
-        text: Text::new("A law in space for fibres of beams in the plane: only the stresses 11 and 12 are not zero."),
+        text: Text::new("A law in space for fibres of beams in the plane: only the stresses 11 and 12 are not zero.")
+            .arguments(&[TAG]),
         make: nd_wrapper::plane_beam_fiber,
     },
     Kind {
         names: &["BeamFiber2dPS", "BeamFiberMaterial2dPS"],
         usage: "nDMaterial BeamFiber2dPS $tag $material",
-        text: Text::new("A law in plane stress for fibres of beams in the plane: the stress 22 is zero."),
+        text: Text::new("A law in plane stress for fibres of beams in the plane: the stress 22 is zero.")
+            .arguments(&[TAG]),
         make: nd_wrapper::beam_fiber_of_plane_stress,
     },
     Kind {
         names: &["J2BeamFiber"],
         usage: "nDMaterial J2BeamFiber $tag $E $nu $sigmaY $Hiso $Hkin <$rho>",
-        text: Text::new("Plasticity of von Mises with linear hardening for fibres of beams."),
+        text: Text::new("Plasticity of von Mises with linear hardening for fibres of beams.").arguments(&[
+            TAG,
+            ELASTIC_ISOTROPIC_E,
+            NU,
+            Arg::positive("sigmaY", "yield stress sigmaY"),
+            Arg::not_negative("Hiso", "modulus of isotropic hardening Hiso"),
+            Arg::not_negative("Hkin", "modulus of kinematic hardening Hkin"),
+            J2_BEAM_FIBER_RHO,
+        ]),
         make: nd_wrapper::j2_beam_fiber,
     },
     Kind {
@@ -139,6 +227,8 @@ const KINDS: &[Kind] = &[
             "Concrete with plasticity and damage by curves in tension and compression; crack planes are not modelled.",
         )
         .arguments(&[
+            nd_concrete::MODULUS,
+            nd_concrete::NU,
             nd_concrete::TENSION_STRAINS,
             nd_concrete::TENSION_STRESSES,
             nd_concrete::TENSION_DAMAGES,
@@ -165,6 +255,11 @@ const KINDS: &[Kind] = &[
         names: &["FSAM"],
         usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
         text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles.").arguments(&[
+            TAG,
+            ELASTIC_ISOTROPIC_RHO,
+            Arg::thing("steelX", things::MATERIAL),
+            Arg::thing("steelY", things::MATERIAL),
+            Arg::thing("concrete", things::MATERIAL),
             Arg::new("ratioX", "area of bars along x as a share of that of the concrete"),
             Arg::new("ratioY", "area of bars along y as a share of that of the concrete"),
             Arg::new("nu", "coefficient of friction of the interlock in cracks"),
@@ -175,54 +270,59 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["PlateFiber", "PlateFiberMaterial"],
         usage: "nDMaterial PlateFiber $tag $material",
-        text: Text::new("A continuum without stress across a plate."),
+        text: Text::new("A continuum without stress across a plate.").arguments(&[TAG]),
         make: plate_fiber,
     },
     Kind {
         names: &["PlateFromPlaneStress", "PlateFromPlaneStressMaterial"],
         usage: "nDMaterial PlateFromPlaneStress $tag $material $G",
-        text: Text::new("A membrane with a shear modulus across the plate."),
+        text: Text::new("A membrane with a shear modulus across the plate.")
+            .arguments(&[TAG, PLATE_FROM_PLANE_STRESS_G]),
         make: plate_from_plane_stress,
     },
     Kind {
         names: &["PlateRebar", "PlateRebarMaterial"],
         usage: "nDMaterial PlateRebar $tag $uniaxialMaterial $angle",
-        text: Text::new("Bars in one direction, smeared over a layer of a plate."),
+        text: Text::new("Bars in one direction, smeared over a layer of a plate.").arguments(&[
+            TAG,
+            Arg::thing("uniaxialMaterial", things::MATERIAL),
+            ANGLE,
+        ]),
         make: plate_rebar,
     },
 ];
 
 fn elastic_isotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let e = a.positive("modulus of elasticity E")?;
-    let nu = a.float("Poisson's ratio nu")?;
+    let e = a.number(&ELASTIC_ISOTROPIC_E)?;
+    let nu = a.number(&NU)?;
     let sound = nu > -1.0 && nu <= 0.5;
     if !sound {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1, at most 0.5"));
     }
-    let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
+    let rho = if a.left() > 0 { a.number(&ELASTIC_ISOTROPIC_RHO)? } else { 0.0 };
     Ok(Isotropic { e, nu, rho }.family())
 }
 
 fn j2_plasticity(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let law = J2Plasticity {
-        bulk: a.positive("bulk modulus K")?,
-        shear: a.positive("shear modulus G")?,
-        yield_stress: a.positive("yield stress sig0")?,
-        saturated: a.positive("saturated yield stress sigInf")?,
-        delta: a.not_negative("rate of saturation delta")?,
-        hardening: a.float("linear hardening modulus H")?,
-        viscosity: a.optional_float("viscosity eta")?.unwrap_or(0.0),
+        bulk: a.number(&J2_PLASTICITY_K)?,
+        shear: a.number(&J2_PLASTICITY_G)?,
+        yield_stress: a.number(&SIG0)?,
+        saturated: a.number(&SIG_INF)?,
+        delta: a.number(&DELTA)?,
+        hardening: a.number(&J2_PLASTICITY_H)?,
+        viscosity: a.optional_number(&ETA)?.unwrap_or(0.0),
         rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
     };
     Ok(NdMaterial::of_solid("J2Plasticity", law.shared()))
 }
 
 fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let e = [a.positive("modulus Ex")?, a.positive("modulus Ey")?, a.positive("modulus Ez")?];
-    let nu = [a.float("Poisson's ratio nu_xy")?, a.float("Poisson's ratio nu_yz")?, a.float("Poisson's ratio nu_zx")?];
+    let e = [a.number(&EX)?, a.number(&EY)?, a.number(&EZ)?];
+    let nu = [a.number(&NU_XY)?, a.number(&NU_YZ)?, a.number(&NU_ZX)?];
     let last = a.last_span();
-    let shear = [a.positive("shear modulus Gxy")?, a.positive("shear modulus Gyz")?, a.positive("shear modulus Gzx")?];
-    let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
+    let shear = [a.number(&GXY)?, a.number(&GYZ)?, a.number(&GZX)?];
+    let rho = if a.left() > 0 { a.number(&ELASTIC_ISOTROPIC_RHO)? } else { 0.0 };
     match (Orthotropic { e, nu, shear, rho }).solid() {
         Some(law) => Ok(NdMaterial::of_solid("ElasticOrthotropicMaterial", law.shared())),
         None => Err(a.refuse_at(
@@ -235,11 +335,11 @@ fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exce
 
 fn simplified_j2(a: &mut Args<'_>) -> Result<SimplifiedJ2, Exception> {
     Ok(SimplifiedJ2 {
-        shear: a.positive("shear modulus G")?,
-        bulk: a.positive("bulk modulus K")?,
-        yield_stress: a.positive("yield stress sig0")?,
-        kinematic: a.not_negative("modulus of kinematic hardening H_kin")?,
-        isotropic: a.not_negative("modulus of isotropic hardening H_iso")?,
+        shear: a.number(&J2_PLASTICITY_G)?,
+        bulk: a.number(&J2_PLASTICITY_K)?,
+        yield_stress: a.number(&SIG0)?,
+        kinematic: a.number(&H_KIN)?,
+        isotropic: a.number(&H_ISO)?,
     })
 }
 
@@ -261,7 +361,7 @@ pub(super) fn of_solid<T>(
 fn initial_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let law = of_solid(interp, a, Arc::clone)?;
     let mut strain = [0.0; SOLID];
-    let first = a.float("initial strain")?;
+    let first = a.number(&EPS)?;
     if a.left() == 0 {
         strain[..3].fill(first);
     } else {
@@ -287,7 +387,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
 }
 
 fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let rho = a.not_negative("mass per volume rho")?;
+    let rho = a.number(&ELASTIC_ISOTROPIC_RHO)?;
     let materials = &interp.host.builder.definitions.materials;
     let bars = [a.of(materials)?, a.of(materials)?];
     let (concrete, tag) = a.of(materials)?;
@@ -335,14 +435,14 @@ fn plate_fiber(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Excepti
 fn plate_from_plane_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let family = family(interp, a)?;
     let membrane = form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))?;
-    let shear = a.not_negative("shear modulus G across the plate")?;
+    let shear = a.number(&PLATE_FROM_PLANE_STRESS_G)?;
     let law = PlateFromPlaneStress { membrane, shear };
     Ok(NdMaterial::of_layers("PlateFromPlaneStressMaterial", law.shared()))
 }
 
 fn plate_rebar(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let (material, tag) = a.of(&interp.host.builder.definitions.materials)?;
-    let degrees = a.float("angle of the bars in degrees")?;
+    let degrees = a.number(&ANGLE)?;
     Ok(NdMaterial::of_layers("PlateRebarMaterial", PlateRebar::new(material, tag, degrees).shared()))
 }
 
@@ -350,7 +450,7 @@ fn nd_material(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of material", "material of continua", KINDS.iter())?;
     interp.host.note_kind("nDMaterial", kind.names[0]);
-    let tag = a.int("tag of the material")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let material = (kind.make)(interp, &mut a)?;
     finish(interp, &a)?;

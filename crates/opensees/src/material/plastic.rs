@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     BarFatigue, BondSp01, Buckling, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
     ReinforcingSteel, SteelFractureDi, UvcUniaxial,
@@ -15,6 +15,20 @@ use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const REINFORCING_STEEL_FY: Arg = Arg::positive("fy", "yield strength fy");
+const FU: Arg = Arg::positive("fu", "ultimate strength fu");
+const ES: Arg = Arg::positive("Es", "elastic modulus Es");
+const REINFORCING_STEEL_ESH: Arg = Arg::positive("Esh", "tangent of hardening Esh");
+const ESH_2: Arg = Arg::positive("esh", "strain of hardening esh");
+const EULT: Arg = Arg::positive("eult", "ultimate strain eult");
+const UVCUNIAXIAL_E: Arg = Arg::positive("E", "elastic modulus E");
+const UVCUNIAXIAL_FY: Arg = Arg::positive("fy", "initial yield stress fy");
+const QINF: Arg = Arg::number("QInf", "growth QInf of the yield stress");
+const UVCUNIAXIAL_B: Arg = Arg::number("b", "rate b of the growth");
+const DINF: Arg = Arg::number("DInf", "decrease DInf of the yield stress");
+const A: Arg = Arg::number("a", "rate a of the decrease");
+const UVCUNIAXIAL_N: Arg = Arg::whole("N", "number of backstresses N");
 
 const DODD_RESTREPO: [Arg; 7] = [
     Arg::positive("Fy", "yield stress Fy"),
@@ -84,6 +98,12 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Reinforcing bar with yield plateau, strain hardening, buckling and fatigue.")
             .example("uniaxialMaterial ReinforcingSteel 77 60. 90. 29000. 700. 0.008 0.1")
             .arguments(&[
+                REINFORCING_STEEL_FY,
+                FU,
+                ES,
+                REINFORCING_STEEL_ESH,
+                ESH_2,
+                EULT,
                 Arg::of(
                     "-GABuck",
                     "lsr",
@@ -112,18 +132,22 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Hardening"],
         usage: "uniaxialMaterial Hardening $tag $E $sigmaY $Hiso $Hkin <$eta>",
-        text: Text::new("Plastic with linear kinematic and isotropic hardening.").groups(&[&HARDENING, &[VISCOSITY]]),
+        text: Text::new("Plastic with linear kinematic and isotropic hardening.")
+            .example("uniaxialMaterial Hardening 77 1 1 1 1")
+            .groups(&[&HARDENING, &[VISCOSITY]]),
         make: hardening,
     },
     Kind {
         names: &["MultiLinear"],
         usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
-        text: Text::new("Plastic with a multilinear backbone and kinematic hardening.").arguments(&[
-            Arg::new("u2", "strains of more points"),
-            Arg::new("f2", "stresses of more points"),
-            Arg::new("u1", "strain of the first point"),
-            Arg::new("f1", "stress of the first point"),
-        ]),
+        text: Text::new("Plastic with a multilinear backbone and kinematic hardening.")
+            .example("uniaxialMaterial MultiLinear 77 1 1")
+            .arguments(&[
+                Arg::positive("u1", "strain of the first point"),
+                Arg::number("f1", "stress of the first point"),
+                Arg::positive("u2", "strains of more points"),
+                Arg::number("f2", "stresses of more points"),
+            ]),
         make: multi_linear,
     },
     Kind {
@@ -132,6 +156,15 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Structural steel: updated Voce-Chaboche plasticity.")
             .example("uniaxialMaterial UVCuniaxial 77 200. 2. 0.5 10. 0.3 100. 2 20. 40. 4. 5.")
             .arguments(&[
+                UVCUNIAXIAL_E,
+                UVCUNIAXIAL_FY,
+                QINF,
+                UVCUNIAXIAL_B,
+                DINF,
+                A,
+                UVCUNIAXIAL_N,
+                Arg::number("C1", "modulus C1 of a backstress"),
+                Arg::not_negative("gamma1", "rate gamma1 of a backstress"),
                 Arg::new("C2", "modulus of the second backstress"),
                 Arg::new("gamma2", "rate of the second backstress"),
             ]),
@@ -151,13 +184,16 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new(
             "Steel of Giuffrè, Menegotto and Pinto that breaks in tension when a damage index comes to its limit.",
         )
+        .example("uniaxialMaterial SteelFractureDI 77 1 1 1 2 1 1 1 1 1 1 1 1 1 1 1")
         .groups(&[&FRACTURE, &[B], &FRACTURE_TRANSITION, &FRACTURE_ISOTROPIC, &DAMAGE_INDEX]),
         make: steel_fracture_di,
     },
     Kind {
         names: &["GNG"],
         usage: "uniaxialMaterial GNG $tag $E $sigY $P <$eta>",
-        text: Text::new("Grip 'n' grab: a tension device that ratchets.").groups(&[&GRIP, &[GRIP_HARDENING]]),
+        text: Text::new("Grip 'n' grab: a tension device that ratchets.")
+            .example("uniaxialMaterial GNG 77 1 1 1")
+            .groups(&[&GRIP, &[GRIP_HARDENING]]),
         make: gng,
     },
 ];
@@ -222,13 +258,13 @@ fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
 }
 
 fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.positive("elastic modulus E")?;
-    let fy = a.positive("initial yield stress fy")?;
-    let q_inf = a.float("growth QInf of the yield stress")?;
-    let b = a.float("rate b of the growth")?;
-    let d_inf = a.float("decrease DInf of the yield stress")?;
-    let rate = a.float("rate a of the decrease")?;
-    let n = a.int("number of backstresses N")?;
+    let e = a.number(&UVCUNIAXIAL_E)?;
+    let fy = a.number(&UVCUNIAXIAL_FY)?;
+    let q_inf = a.number(&QINF)?;
+    let b = a.number(&UVCUNIAXIAL_B)?;
+    let d_inf = a.number(&DINF)?;
+    let rate = a.number(&A)?;
+    let n = a.int(UVCUNIAXIAL_N.meaning)?;
     if !(0..=MAX_BACKSTRESSES as i32).contains(&n) {
         return Err(a.refuse(format!("there are {n} backstresses"), format!("expected 0 to {MAX_BACKSTRESSES}")));
     }
@@ -289,12 +325,12 @@ fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (fy, fu) = (a.positive("yield strength fy")?, a.positive("ultimate strength fu")?);
+    let (fy, fu) = (a.number(&REINFORCING_STEEL_FY)?, a.number(&FU)?);
     if fu <= fy {
         return Err(a.refuse(format!("the ultimate strength fu is {fu}"), format!("expected more than fy, {fy}")));
     }
-    let (es, esh) = (a.positive("elastic modulus Es")?, a.positive("tangent of hardening Esh")?);
-    let (eps_sh, eps_ult) = (a.positive("strain of hardening esh")?, a.positive("ultimate strain eult")?);
+    let (es, esh) = (a.number(&ES)?, a.number(&REINFORCING_STEEL_ESH)?);
+    let (eps_sh, eps_ult) = (a.number(&ESH_2)?, a.number(&EULT)?);
     if eps_sh <= fy / es || eps_ult <= eps_sh {
         return Err(a.refuse(
             format!("the strains of yield, hardening and ultimate stress are {}, {eps_sh}, {eps_ult}", fy / es),
@@ -329,7 +365,7 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
                 hardening = [rate, a.optional_float("least share of the plateau")?.unwrap_or(0.01)];
             }
             "-MPCurveParams" => curve = [a.float("constant R1")?, a.float("constant R2")?, a.float("constant R3")?],
-            _ => ignore_option(interp, a, &["-GABuck", "-DMBuck", "-CMFatigue", "-IsoHard", "-MPCurveParams"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(ReinforcingSteel { fy, fu, es, esh, eps_sh, eps_ult, buckling, fatigue, curve, hardening }.shared())

@@ -3,13 +3,87 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{Decay, GallardoShear, HdrRheology, Material, Mullins, Softening};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
+
+const COMPOUND_NAME: Arg = Arg::of("-compound", "name", "name of a compound, or of a file with its table");
+const AREA_A: Arg = Arg::of("-area", "A", "area of the bearing").within(Domain::Positive);
+const HEIGHT_H: Arg = Arg::of("-height", "h", "height of the rubber").within(Domain::Positive);
+const LINEAR_C: Arg = Arg::of("-linear", "C", "stiffness C of the linear overstress spring").within(Domain::Positive);
+const HEAT_CAPACITY_C: Arg =
+    Arg::of("-heatCapacity", "c", "heat capacity per volume of rubber").within(Domain::Positive);
+const COOLING_TIME_S: Arg = Arg::of("-coolingTime", "s", "time constant of cooling").within(Domain::Positive);
+const AMBIENT_T: Arg = Arg::of("-ambient", "T", "temperature of the surroundings").within(Domain::Number);
+const PRELOAD_STRAIN: Arg = Arg::of("-preload", "strain", "strain of the preloading").within(Domain::NotNegative);
+const EXCESS: Arg = Arg::not_negative("excess", "excess of stiffness of virgin rubber");
+const STRAIN: Arg = Arg::positive("strain", "strain over which the excess goes");
+const POWER_P: Arg = Arg::of("-power", "p", "exponent of the way back to the virgin path").within(Domain::Positive);
+const A1: Arg = Arg::not_negative("a1", "force a1 of the linear term");
+const A2: Arg = Arg::not_negative("a2", "force a2 of the cubic term");
+const A3: Arg = Arg::not_negative("a3", "force a3 of the fifth-order term");
+const KY: Arg = Arg::positive("ky", "stiffness ky of the hysteretic part per strain");
+const FY: Arg = Arg::positive("fy", "strength fy of the hysteretic part");
+const BETA: Arg = Arg::number("beta", "loop shape beta");
+const ETA: Arg = Arg::positive("eta", "exponent eta of the transition");
+const PHI_MAX: Arg = Arg::not_negative("phiMax", "largest temporary hardening phiMax");
+
+const HEALED: Arg = Arg::of("-heal", "fraction", "fraction that heals").within(Domain::NotNegative);
+const HEALING_TIME: Arg = Arg::of("-heal", "time", "time constant of healing").within(Domain::Positive);
+
+/// Arguments of the rheology, of the law and of the bearing.
+pub(crate) const RHEOLOGY_ARGUMENTS: &[Arg] = &[
+    Arg::new("C1eq", "parameter C1eq"),
+    Arg::number("C2eq", "parameter C2eq"),
+    Arg::number("C3eq", "parameter C3eq"),
+    Arg::number("tauCrEq", "parameter tauCrEq"),
+    Arg::number("m", "parameter m"),
+    Arg::number("C1oe", "parameter C1oe"),
+    Arg::number("C2oe", "parameter C2oe"),
+    Arg::number("tauCrOe", "parameter tauCrOe"),
+    Arg::number("a", "parameter a"),
+    COMPOUND_NAME,
+    LINEAR_C,
+    HEAT_CAPACITY_C,
+    COOLING_TIME_S,
+    AMBIENT_T,
+    EXCESS.after("-mullins"),
+    STRAIN.after("-mullins"),
+    HEALED,
+    HEALING_TIME,
+    PRELOAD_STRAIN,
+];
+
+const LAYERS: Arg = Arg::whole("layers", "number of layers of rubber").after("-conduction");
+const T_RUBBER: Arg = Arg::positive("tRubber", "thickness tRubber of a layer of rubber").after("-conduction");
+const T_STEEL: Arg = Arg::not_negative("tSteel", "thickness tSteel of a steel plate").after("-conduction");
+const T_PLATE: Arg = Arg::not_negative("tPlate", "thickness tPlate of an end plate").after("-conduction");
+const RUBBER_PROPERTIES: [Arg; 2] = [
+    Arg::positive("kRubber", "thermal conductivity kRubber").after("-conduction"),
+    Arg::positive("cRubber", "heat capacity cRubber per volume of rubber").after("-conduction"),
+];
+const STEEL_PROPERTIES: [Arg; 2] = [
+    Arg::positive("kSteel", "thermal conductivity kSteel").after("-conduction"),
+    Arg::positive("cSteel", "heat capacity cSteel per volume of steel").after("-conduction"),
+];
+const FILM: Arg = Arg::not_negative("film", "heat transfer coefficient film of the end plates").after("-conduction");
+
+/// Arguments of a stack of layers that conduct heat.
+pub(crate) const CONDUCTION: [Arg; 9] = [
+    LAYERS,
+    T_RUBBER,
+    T_STEEL,
+    T_PLATE,
+    RUBBER_PROPERTIES[0],
+    RUBBER_PROPERTIES[1],
+    STEEL_PROPERTIES[0],
+    STEEL_PROPERTIES[1],
+    FILM,
+];
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -20,7 +94,9 @@ pub(super) const KINDS: &[Kind] = &[
              rubber](../../explanation/rubber.md).",
         )
         .example("uniaxialMaterial HDRRheology 77 0.4 0.05 0.01 0.2 3. 0.9 0.1 0.4 0.3 0.2")
-        .own(),
+        .own()
+        .arguments(&[Arg::number("n", "parameter n"), AREA_A, HEIGHT_H])
+        .groups(&[RHEOLOGY_ARGUMENTS, &CONDUCTION]),
         make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _, _| Ok(false))?.shared()),
     },
     Kind {
@@ -30,7 +106,9 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new(
             "Softens another law as virgin rubber softens; see [High damping rubber](../../explanation/rubber.md).",
         )
-        .own(),
+        .example("uniaxialMaterial Mullins 77 1 1 1")
+        .own()
+        .arguments(&[EXCESS, STRAIN, POWER_P, HEALED, HEALING_TIME, PRELOAD_STRAIN]),
         make: mullins,
     },
     Kind {
@@ -45,7 +123,26 @@ pub(super) const KINDS: &[Kind] = &[
             "uniaxialMaterial HDR_mat 77 46. 59. 317. 1.04 0.38 30. 0.71 3.4 0.37 0.06 0.57 121. 1.8 0.9 0.32 \
              0.14 0.018 20.4",
         )
-        .arguments(&[Arg::new("Pphi", "rate of the temporary hardening"), Arg::new("h", "thickness of the rubber")])
+        .arguments(&[
+            A1,
+            A2,
+            A3,
+            Arg::not_negative("fs1", "factor fs1 of the softening"),
+            Arg::positive("ps1", "exponent ps1"),
+            Arg::not_negative("fs2", "factor fs2 of the softening of the cubic term"),
+            Arg::positive("ps2", "exponent ps2"),
+            Arg::not_negative("fs3", "factor fs3 of the softening of the fifth-order term"),
+            Arg::positive("ps3", "exponent ps3"),
+            Arg::not_negative("fm", "factor fm of the softening by cycles"),
+            Arg::positive("pm", "exponent pm"),
+            KY,
+            FY,
+            BETA,
+            ETA,
+            PHI_MAX,
+            Arg::new("Pphi", "rate of the temporary hardening"),
+            Arg::new("h", "thickness of the rubber"),
+        ])
         .own(),
         make: gallardo,
     },
@@ -113,12 +210,12 @@ pub(crate) fn rheology(
             }
             "-compound" => o.compound = Some((compound(interp, a)?, a.last_span())),
             "-temperature" => o.temperature = Some((a.float("temperature of the rubber")?, a.last_span())),
-            "-ambient" => o.ambient = Some((a.float("temperature of the surroundings")?, a.last_span())),
-            "-area" => o.area = Some(a.positive("area of the bearing")?),
-            "-height" => o.height = Some(a.positive("height of the rubber")?),
-            "-linear" => o.linear = Some(a.positive("stiffness C of the linear overstress spring")?),
-            "-heatCapacity" => o.capacity = Some(a.positive("heat capacity per volume of rubber")?),
-            "-coolingTime" => o.cooling = Some((a.positive("time constant of cooling")?, a.last_span())),
+            "-ambient" => o.ambient = Some((a.number(&AMBIENT_T)?, a.last_span())),
+            "-area" => o.area = Some(a.number(&AREA_A)?),
+            "-height" => o.height = Some(a.number(&HEIGHT_H)?),
+            "-linear" => o.linear = Some(a.number(&LINEAR_C)?),
+            "-heatCapacity" => o.capacity = Some(a.number(&HEAT_CAPACITY_C)?),
+            "-coolingTime" => o.cooling = Some((a.number(&COOLING_TIME_S)?, a.last_span())),
             "-conduction" => o.stack = Some((stack(a)?, a.last_span())),
             "-beyond" => {
                 o.hold_ends = Some(match a.word("what to do beyond the table: hold or error")?.as_ref() {
@@ -218,7 +315,7 @@ fn explicit(a: &mut Args<'_>) -> Result<Parameters, Exception> {
 
 /// A compound that comes with the program, or from a table in a file.
 fn compound(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Compound, Exception> {
-    let name = a.word("name of a compound, or of a file with its table")?;
+    let name = a.word(COMPOUND_NAME.meaning)?;
     let text = match Compound::built_in(&name) {
         Some(text) => text.to_owned(),
         None if name.contains('.') => read_text(interp, &name)
@@ -230,34 +327,28 @@ fn compound(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Compound, Exception> {
 
 fn stack(a: &mut Args<'_>) -> Result<Stack, Exception> {
     Ok(Stack {
-        layers: a.count("number of layers of rubber")?,
-        rubber: a.positive("thickness tRubber of a layer of rubber")?,
-        steel: a.not_negative("thickness tSteel of a steel plate")?,
-        plate: a.not_negative("thickness tPlate of an end plate")?,
-        rubber_properties: (
-            a.positive("thermal conductivity kRubber")?,
-            a.positive("heat capacity cRubber per volume of rubber")?,
-        ),
-        steel_properties: (
-            a.positive("thermal conductivity kSteel")?,
-            a.positive("heat capacity cSteel per volume of steel")?,
-        ),
-        film: a.not_negative("heat transfer coefficient film of the end plates")?,
+        layers: a.count(LAYERS.meaning)?,
+        rubber: a.number(&T_RUBBER)?,
+        steel: a.number(&T_STEEL)?,
+        plate: a.number(&T_PLATE)?,
+        rubber_properties: (a.number(&RUBBER_PROPERTIES[0])?, a.number(&RUBBER_PROPERTIES[1])?),
+        steel_properties: (a.number(&STEEL_PROPERTIES[0])?, a.number(&STEEL_PROPERTIES[1])?),
+        film: a.number(&FILM)?,
     })
 }
 
 fn softening(a: &mut Args<'_>) -> Result<Softening, Exception> {
-    let excess = a.not_negative("excess of stiffness of virgin rubber")?;
-    let strain = a.positive("strain over which the excess goes")?;
+    let excess = a.number(&EXCESS)?;
+    let strain = a.number(&STRAIN)?;
     Ok(Softening { excess, strain, power: None, healed: 0.0, time: 1.0, preload: 0.0 })
 }
 
 fn heal(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Exception> {
-    let healed = a.not_negative("fraction that heals")?;
+    let healed = a.number(&HEALED)?;
     if healed > 1.0 {
         return Err(a.refuse(format!("the fraction that heals is {healed}"), "expected a fraction, 0 to 1"));
     }
-    let time = a.positive("time constant of healing")?;
+    let time = a.number(&HEALING_TIME)?;
     if let Some(s) = softening {
         (s.healed, s.time) = (healed, time);
     }
@@ -265,7 +356,7 @@ fn heal(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Excep
 }
 
 fn preload(a: &mut Args<'_>, softening: Option<&mut Softening>) -> Result<(), Exception> {
-    let preload = a.not_negative("strain of the preloading")?;
+    let preload = a.number(&PRELOAD_STRAIN)?;
     if let Some(s) = softening {
         s.preload = preload;
     }
@@ -279,7 +370,7 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         match option.as_ref() {
             "-heal" => heal(a, Some(&mut law))?,
             "-preload" => preload(a, Some(&mut law))?,
-            "-power" => law.power = Some(a.positive("exponent of the way back to the virgin path")?),
+            "-power" => law.power = Some(a.number(&POWER_P)?),
             _ => ignore_option(interp, a, &["-heal", "-preload", "-power"])?,
         }
     }
@@ -292,25 +383,21 @@ fn decay(a: &mut Args<'_>, [factor, power]: [&str; 2]) -> Result<Decay, Exceptio
 }
 
 fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let forces = [
-        a.not_negative("force a1 of the linear term")?,
-        a.not_negative("force a2 of the cubic term")?,
-        a.not_negative("force a3 of the fifth-order term")?,
-    ];
+    let forces = [a.number(&A1)?, a.number(&A2)?, a.number(&A3)?];
     let softening = [
         decay(a, ["factor fs1 of the softening", "exponent ps1"])?,
         decay(a, ["factor fs2 of the softening of the cubic term", "exponent ps2"])?,
         decay(a, ["factor fs3 of the softening of the fifth-order term", "exponent ps3"])?,
     ];
     let cycling = decay(a, ["factor fm of the softening by cycles", "exponent pm"])?;
-    let ky = a.positive("stiffness ky of the hysteretic part per strain")?;
-    let fy = a.positive("strength fy of the hysteretic part")?;
-    let beta = a.float("loop shape beta")?;
+    let ky = a.number(&KY)?;
+    let fy = a.number(&FY)?;
+    let beta = a.number(&BETA)?;
     if !(0.5..=1.0).contains(&beta) {
         return Err(a.refuse(format!("beta is {beta}"), "expected a number from 0.5 to 1"));
     }
-    let eta = a.positive("exponent eta of the transition")?;
-    let phi_max = a.not_negative("largest temporary hardening phiMax")?;
+    let eta = a.number(&ETA)?;
+    let phi_max = a.number(&PHI_MAX)?;
     if phi_max >= 0.5 {
         return Err(a.refuse(
             format!("phiMax is {phi_max}"),

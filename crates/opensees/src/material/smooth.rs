@@ -65,24 +65,25 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HystereticSmooth"],
         usage: "uniaxialMaterial HystereticSmooth $tag $ka $kb $fbar $beta <-alpha>",
-        text: Text::new("Smooth hysteresis in closed form, symmetric.").groups(&[&STIFFNESSES, &SYMMETRIC]),
+        text: Text::new("Smooth hysteresis in closed form, symmetric.")
+            .example("uniaxialMaterial HystereticSmooth 77 1 0.5 1 1")
+            .groups(&[&STIFFNESSES, &SYMMETRIC]),
         make: smooth,
     },
     Kind {
         names: &["HystereticAsym"],
         usage: "uniaxialMaterial HystereticAsym $tag $ka $kb $fo $b1 $b2 $gamma <-alpha>",
-        text: Text::new("Smooth hysteresis in closed form, asymmetric.").groups(&[&STIFFNESSES, &ASYMMETRIC]),
+        text: Text::new("Smooth hysteresis in closed form, asymmetric.")
+            .example("uniaxialMaterial HystereticAsym 77 1 0.5 1 1 1 1")
+            .groups(&[&STIFFNESSES, &ASYMMETRIC]),
         make: asym,
     },
     Kind {
         names: &["HystereticPoly"],
         usage: "uniaxialMaterial HystereticPoly $tag $ka $kb $a $b1 $b2 <$tol>",
-        text: Text::new("Smooth hysteresis in closed form, by polynomials.").groups(&[
-            &STIFFNESSES,
-            &[EXPONENT],
-            &SHAPE,
-            &[TOLERANCE],
-        ]),
+        text: Text::new("Smooth hysteresis in closed form, by polynomials.")
+            .example("uniaxialMaterial HystereticPoly 77 1 0.5 2 1 1")
+            .groups(&[&STIFFNESSES, &[EXPONENT], &SHAPE, &[TOLERANCE]]),
         make: poly,
     },
     Kind {

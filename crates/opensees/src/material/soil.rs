@@ -39,34 +39,41 @@ const HYPERBOLA: [Arg; 2] =
 const FULT: Arg = Arg::number("Fult", "ultimate force Fult");
 const GAP: Arg = Arg::number("gap", "gap");
 
-pub(super) const KINDS: &[Kind] = &[
-    Kind {
-        names: &["PySimple1"],
-        usage: "uniaxialMaterial PySimple1 $tag $soilType $pult $Y50 $Cd <$c>",
-        text: Text::new("Lateral spring between pile and soil.").groups(&[&[PY_TYPE], &PY, &[DASHPOT]]),
-        make: py_simple1,
-    },
-    Kind {
-        names: &["TzSimple1"],
-        usage: "uniaxialMaterial TzSimple1 $tag $tzType $tult $z50 <$c>",
-        text: Text::new("Shaft spring between pile and soil.").groups(&[&[TZ_TYPE], &TZ, &[DASHPOT]]),
-        make: tz_simple1,
-    },
-    Kind {
-        names: &["QzSimple1"],
-        usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
-        text: Text::new("Tip spring between pile and soil.").groups(&[&[QZ_TYPE], &QZ, &[SUCTION, DASHPOT]]),
-        make: qz_simple1,
-    },
-    Kind {
-        names: &["HyperbolicGapMaterial"],
-        usage: "uniaxialMaterial HyperbolicGapMaterial $tag $Kmax $Kur $Rf $Fult $gap",
-        text: Text::new("Backfill of an abutment: a hyperbola in compression behind a gap.")
-            .example("uniaxialMaterial HyperbolicGapMaterial 77 200. 180. 0.7 -3. -0.02")
-            .groups(&[&[KMAX], &HYPERBOLA, &[FULT, GAP]]),
-        make: hyperbolic_gap,
-    },
-];
+pub(super) const KINDS: &[Kind] =
+    &[
+        Kind {
+            names: &["PySimple1"],
+            usage: "uniaxialMaterial PySimple1 $tag $soilType $pult $Y50 $Cd <$c>",
+            text: Text::new("Lateral spring between pile and soil.")
+                .example("uniaxialMaterial PySimple1 77 1 1 1 1")
+                .groups(&[&[PY_TYPE], &PY, &[DASHPOT]]),
+            make: py_simple1,
+        },
+        Kind {
+            names: &["TzSimple1"],
+            usage: "uniaxialMaterial TzSimple1 $tag $tzType $tult $z50 <$c>",
+            text: Text::new("Shaft spring between pile and soil.")
+                .example("uniaxialMaterial TzSimple1 77 1 1 1")
+                .groups(&[&[TZ_TYPE], &TZ, &[DASHPOT]]),
+            make: tz_simple1,
+        },
+        Kind {
+            names: &["QzSimple1"],
+            usage: "uniaxialMaterial QzSimple1 $tag $qzType $qult $Z50 <$suction> <$c>",
+            text: Text::new("Tip spring between pile and soil.")
+                .example("uniaxialMaterial QzSimple1 77 1 1 1")
+                .groups(&[&[QZ_TYPE], &QZ, &[SUCTION, DASHPOT]]),
+            make: qz_simple1,
+        },
+        Kind {
+            names: &["HyperbolicGapMaterial"],
+            usage: "uniaxialMaterial HyperbolicGapMaterial $tag $Kmax $Kur $Rf $Fult $gap",
+            text: Text::new("Backfill of an abutment: a hyperbola in compression behind a gap.")
+                .example("uniaxialMaterial HyperbolicGapMaterial 77 200. 180. 0.7 -3. -0.02")
+                .groups(&[&[KMAX], &HYPERBOLA, &[FULT, GAP]]),
+            make: hyperbolic_gap,
+        },
+    ];
 
 /// One of two backbones.
 fn backbone<T>(a: &mut Args<'_>, arg: &Arg, kinds: [(&str, T); 2]) -> Result<T, Exception> {

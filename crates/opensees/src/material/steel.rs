@@ -4,12 +4,26 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{BrbBranch, Cast, Material, Steel01, Steel02, Steel03, SteelBrb, SteelMpf};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const N: Arg = Arg::positive("n", "number of fingers n");
+const BO: Arg = Arg::positive("bo", "width of a finger bo");
+const H: Arg = Arg::positive("h", "thickness of a finger h");
+const FY: Arg = Arg::positive("fy", "yield stress fy");
+const CAST_FUSE_E: Arg = Arg::positive("E", "elastic modulus E");
+const CAST_FUSE_L: Arg = Arg::positive("L", "length of a finger L");
+const CAST_FUSE_B: Arg = Arg::number("b", "hardening ratio b");
+const CAST_FUSE_R0: Arg = Arg::positive("R0", "radius R0");
+const CAST_FUSE_C_R1: Arg = Arg::not_negative("cR1", "coefficient cR1");
+const CAST_FUSE_C_R2: Arg = Arg::positive("cR2", "coefficient cR2");
+const A2: Arg = Arg::positive("a2", "isotropic hardening a2");
+const A3: Arg = Arg::not_negative("a3", "isotropic hardening a3");
+const A4: Arg = Arg::positive("a4", "isotropic hardening a4");
 
 /// Yield strength and modulus of steels for which OpenSees takes any number.
 const USUAL: [Arg; 2] = [
@@ -80,34 +94,46 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
             .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
-            .arguments(&[Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")]),
+            .arguments(&[
+                N,
+                BO,
+                H,
+                FY,
+                CAST_FUSE_E,
+                CAST_FUSE_L,
+                CAST_FUSE_B,
+                CAST_FUSE_R0,
+                CAST_FUSE_C_R1,
+                CAST_FUSE_C_R2,
+                Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")
+                    .within(Domain::NotNegative),
+                A2,
+                A3,
+                A4,
+            ]),
         make: cast_fuse,
     },
     Kind {
         names: &["Steel01"],
         usage: "uniaxialMaterial Steel01 $tag $Fy $E0 $b <$a1 $a2 $a3 $a4>",
-        text: Text::new("Bilinear steel with kinematic and optional isotropic hardening.").groups(&[
-            &USUAL,
-            &[B],
-            &ISOTROPIC,
-        ]),
+        text: Text::new("Bilinear steel with kinematic and optional isotropic hardening.")
+            .example("uniaxialMaterial Steel01 77 1 1 1")
+            .groups(&[&USUAL, &[B], &ISOTROPIC]),
         make: steel01,
     },
     Kind {
         names: &["Steel02"],
         usage: "uniaxialMaterial Steel02 $tag $Fy $E0 $b <$R0 $cR1 $cR2 <$a1 $a2 $a3 $a4 <$sigInit>>>",
-        text: Text::new("Steel of Giuffré, Menegotto and Pinto with curved transitions.").groups(&[
-            &USUAL,
-            &[B, R0, C_R1, C_R2],
-            &ISOTROPIC,
-            &[SIG_INIT],
-        ]),
+        text: Text::new("Steel of Giuffré, Menegotto and Pinto with curved transitions.")
+            .example("uniaxialMaterial Steel02 77 1 1 1")
+            .groups(&[&USUAL, &[B, R0, C_R1, C_R2], &ISOTROPIC, &[SIG_INIT]]),
         make: steel02,
     },
     Kind {
         names: &["Steel03"],
         usage: "uniaxialMaterial Steel03 $tag $fy $E0 $b $r $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         text: Text::new("Steel with a curved transition to hardening and isotropic hardening as of `Steel01`.")
+            .example("uniaxialMaterial Steel03 77 1 1 2 1 1 1")
             .groups(&[&STEEL03, &[B], &STEEL03_TRANSITION, &ISOTROPIC]),
         make: steel03,
     },
@@ -115,18 +141,16 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["SteelBRB"],
         usage: "uniaxialMaterial SteelBRB $tag $E $sigmaY0 $sigmaYT $alphaT $betaT $deltaT $sigmaYC $alphaC $betaC $deltaC \
                 <$tol>",
-        text: Text::new("Steel core of a buckling-restrained brace.").groups(&[
-            &BRB,
-            &BRB_TENSION,
-            &BRB_COMPRESSION,
-            &[TOLERANCE],
-        ]),
+        text: Text::new("Steel core of a buckling-restrained brace.")
+            .example("uniaxialMaterial SteelBRB 77 1 1 1 1 1 1 1 1 1 1")
+            .groups(&[&BRB, &BRB_TENSION, &BRB_COMPRESSION, &[TOLERANCE]]),
         make: steel_brb,
     },
     Kind {
         names: &["SteelMPF"],
         usage: "uniaxialMaterial SteelMPF $tag $fyp $fyn $E0 $bp $bn $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         text: Text::new("Steel of Menegotto and Pinto with its own yield strength and hardening on either side.")
+            .example("uniaxialMaterial SteelMPF 77 1 1 1 0.5 0.5 1 1 1")
             .groups(&[&MPF, &MPF_RATIOS, &MPF_CURVE, &MPF_ISOTROPIC]),
         make: steel_mpf,
     },
@@ -245,23 +269,18 @@ fn steel_mpf(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 }
 
 fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let legs = a.positive("number of fingers n")?;
-    let (width, thickness) = (a.positive("width of a finger bo")?, a.positive("thickness of a finger h")?);
-    let (fy, e) = (a.positive("yield stress fy")?, a.positive("elastic modulus E")?);
-    let length = a.positive("length of a finger L")?;
-    let b = a.float("hardening ratio b")?;
+    let legs = a.number(&N)?;
+    let (width, thickness) = (a.number(&BO)?, a.number(&H)?);
+    let (fy, e) = (a.number(&FY)?, a.number(&CAST_FUSE_E)?);
+    let length = a.number(&CAST_FUSE_L)?;
+    let b = a.number(&CAST_FUSE_B)?;
     if b >= 1.0 {
         return Err(a.refuse(format!("the hardening ratio b is {b}"), "expected less than 1"));
     }
-    let r = [a.positive("radius R0")?, a.not_negative("coefficient cR1")?, a.positive("coefficient cR2")?];
+    let r = [a.number(&CAST_FUSE_R0)?, a.number(&CAST_FUSE_C_R1)?, a.number(&CAST_FUSE_C_R2)?];
     let mut hardening = [0.0, 1.0, 0.0, 1.0];
     if a.left() > 0 {
-        hardening = [
-            a.not_negative("isotropic hardening a1")?,
-            a.positive("isotropic hardening a2")?,
-            a.not_negative("isotropic hardening a3")?,
-            a.positive("isotropic hardening a4")?,
-        ];
+        hardening = [a.not_negative("isotropic hardening a1")?, a.number(&A2)?, a.number(&A3)?, a.number(&A4)?];
     }
     Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
 }

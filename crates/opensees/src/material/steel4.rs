@@ -2,11 +2,16 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{Material, Steel4, Steel4Side};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
+
+const FY: Arg = Arg::positive("fy", "yield stress fy");
+const STEEL4_E0: Arg = Arg::positive("E0", "elastic modulus E0");
+const INIT_SIG0: Arg = Arg::of("-init", "sig0", "initial stress sig0").within(Domain::Number);
+const MEM_CYCLES: Arg = Arg::of("-mem", "cycles", "cycles of the memory").within(Domain::Whole);
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Steel4"],
@@ -15,15 +20,21 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     text: Text::new("Steel with asymmetric hardening, an ultimate strength and a memory of its cycles.")
         .example("uniaxialMaterial Steel4 77 355. 210000. -kin 0.01 20. 0.9 0.15")
         .arguments(&[
+            FY,
+            STEEL4_E0,
             Arg::flag("-asym", "what follows is given for tension, then for compression"),
-            Arg::of("-kin", "bk", "kinematic hardening ratio, and the radius of the curve with its two coefficients"),
+            Arg::of("-kin", "bk", "kinematic hardening ratio, and the radius of the curve with its two coefficients")
+                .within(Domain::Number),
             Arg::of(
                 "-iso",
                 "bi",
                 "isotropic hardening: ratio, position of the turn, ratio of the bound, radius, \
                  length of the yield plateau",
-            ),
-            Arg::of("-ult", "fu", "ultimate strength and the radius of the curve towards it"),
+            )
+            .within(Domain::NotNegative),
+            Arg::of("-ult", "fu", "ultimate strength and the radius of the curve towards it").within(Domain::Positive),
+            INIT_SIG0,
+            MEM_CYCLES,
         ]),
     make: steel4,
 }];
@@ -73,7 +84,7 @@ fn both(
 }
 
 fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (fy, e0) = (a.positive("yield stress fy")?, a.positive("elastic modulus E0")?);
+    let (fy, e0) = (a.number(&FY)?, a.number(&STEEL4_E0)?);
     let virgin = Steel4Side {
         b: 0.0,
         r: [50.0, 0.1, 0.15],
@@ -98,8 +109,8 @@ fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             "-ult" => both(a, &mut sides, asymmetric, ultimate, |t, c| {
                 (c.ultimate, c.ultimate_radius) = (t.ultimate, t.ultimate_radius);
             })?,
-            "-mem" => remembers = a.int("cycles of the memory")? != 0,
-            "-init" => initial = a.float("initial stress sig0")?,
+            "-mem" => remembers = a.int(MEM_CYCLES.meaning)? != 0,
+            "-init" => initial = a.number(&INIT_SIG0)?,
             _ => ignore_option(interp, a, &["-asym", "-kin", "-iso", "-ult", "-mem", "-init"])?,
         }
     }

@@ -2,11 +2,17 @@
 
 use super::Kind;
 use crate::args::Args;
-use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, slips};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_unknown, slips};
 use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, SteelDrc};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
+
+const ES: Arg = Arg::positive("Es", "elastic modulus Es");
+const FY: Arg = Arg::positive("fy", "yield stress fy");
+const EU: Arg = Arg::positive("eu", "strain eu of the strength");
+const FU: Arg = Arg::positive("fu", "strength fu");
+const ESH: Arg = Arg::positive("esh", "strain esh where hardening begins");
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["SteelDRC"],
@@ -16,30 +22,38 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         "Reinforcing bar as of `Dodd_Restrepo`, with curves that rejoin the skeleton and softening before \
          fracture.",
     )
+    .example("uniaxialMaterial SteelDRC 77 1 1 1 1 0.5")
     .arguments(&[
-        Arg::of("-Psh", "Psh", "exponent of the hardening curve"),
-        Arg::of("-shPoint", "esh1", "point of the hardening curve, in place of its exponent: strain and stress"),
-        Arg::of("-omegaFactor", "omegaFac", "factor of the area of Bauschinger curves"),
-        Arg::of("-fractStrain", "efract", "strain of fracture; the stress stays at the strength without it"),
-        Arg::of("-bausch", "type", "Bauschinger curves: 0 power, 1 cubic, 2 rational"),
+        ES,
+        FY,
+        EU,
+        FU,
+        ESH,
+        Arg::of("-Psh", "Psh", "exponent of the hardening curve").within(Domain::Positive),
+        Arg::of("-shPoint", "esh1", "point of the hardening curve, in place of its exponent: strain and stress")
+            .within(Domain::Number),
+        Arg::of("-omegaFactor", "omegaFac", "factor of the area of Bauschinger curves").within(Domain::Positive),
+        Arg::of("-fractStrain", "efract", "strain of fracture; the stress stays at the strength without it")
+            .within(Domain::Number),
+        Arg::of("-bausch", "type", "Bauschinger curves: 0 power, 1 cubic, 2 rational").within(Domain::Whole),
         Arg::of(
             "-stiffOutput",
             "type",
             "stiffness: 0 tangent, 1 secant from the last reversal if that is more, 2 elastic",
-        ),
-        Arg::of("-viscousDamper", "C", "dashpot beside the steel: coefficient and velocity exponent"),
-        Arg::of("-Dfu", "Dfu", "length of the straight line after a reversal over the yield stress"),
+        )
+        .within(Domain::Whole),
+        Arg::of("-viscousDamper", "C", "dashpot beside the steel: coefficient and velocity exponent")
+            .within(Domain::NotNegative),
+        Arg::of("-Dfu", "Dfu", "length of the straight line after a reversal over the yield stress")
+            .within(Domain::Positive),
     ]),
     make: steel_drc,
 }];
 
-const OPTIONS: &[&str] =
-    &["-Psh", "-shPoint", "-omegaFactor", "-fractStrain", "-bausch", "-stiffOutput", "-viscousDamper", "-Dfu"];
-
 fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (e, fy) = (a.positive("elastic modulus Es")?, a.positive("yield stress fy")?);
-    let ultimate = [a.positive("strain eu of the strength")?, a.positive("strength fu")?];
-    let hardening = a.positive("strain esh where hardening begins")?;
+    let (e, fy) = (a.number(&ES)?, a.number(&FY)?);
+    let ultimate = [a.number(&EU)?, a.number(&FU)?];
+    let hardening = a.number(&ESH)?;
     if hardening >= ultimate[0] {
         return Err(
             a.refuse(format!("the strain esh is {hardening}"), format!("expected less than eu, {}", ultimate[0]))
@@ -72,7 +86,7 @@ fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
                 law.viscous = [a.not_negative("damping coefficient C")?, a.positive("velocity exponent alpha")?];
             }
             "-dfu" => law.straight = a.positive("length Dfu of the straight line after a reversal")?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if let Some(fracture) = law.fracture.filter(|x| *x <= ultimate[0]) {

@@ -4,14 +4,23 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Domain, Text};
+use crate::things;
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
     Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const MIN_MIN_STRAIN: Arg = Arg::of("-min", "minStrain", "smallest strain").within(Domain::Number);
+const MAX_MAX_STRAIN: Arg = Arg::of("-max", "maxStrain", "largest strain").within(Domain::Number);
+const E0_STRAIN: Arg = Arg::of("-E0", "strain", "strain range E0 of one cycle to failure").within(Domain::Positive);
+const M_SLOPE: Arg =
+    Arg::of("-m", "slope", "slope m of strain range over cycles, in logarithms").within(Domain::Number);
+const DMAX_DAMAGE: Arg = Arg::of("-Dmax", "damage", "damage at failure Dmax").within(Domain::Number);
+const STRAIN: Arg = Arg::number("strain", "initial strain");
 
 const FACTOR: Arg = Arg::number("factor", "factor of the stress").also(&["multiplier"]);
 const STRESS: Arg = Arg::number("stress", "initial stress").also(&["sig0", "f0", "F0"]);
@@ -20,44 +29,58 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Parallel"],
         usage: "uniaxialMaterial Parallel $tag $material1 $material2 ... <-factors $factor1 $factor2 ...>",
-        text: Text::new("Adds the stresses of other laws."),
+        text: Text::new("Adds the stresses of other laws.")
+            .example("uniaxialMaterial Parallel 77 1 1")
+            .arguments(&[Arg::thing("material1", things::MATERIAL)]),
         make: parallel,
     },
     Kind {
         names: &["Multiplier", "MultiplierMaterial"],
         usage: "uniaxialMaterial Multiplier $tag $material $factor",
-        text: Text::new("A law whose stress is multiplied by a factor.").arguments(&[FACTOR]),
+        text: Text::new("A law whose stress is multiplied by a factor.")
+            .example("uniaxialMaterial Multiplier 77 1 1")
+            .arguments(&[FACTOR]),
         make: multiplier,
     },
     Kind {
         names: &["Series"],
         usage: "uniaxialMaterial Series $tag $material1 $material2 ... <-iter $maxIter $tol>",
-        text: Text::new("Adds the strains of other laws."),
+        text: Text::new("Adds the strains of other laws.")
+            .example("uniaxialMaterial Series 77 1 1")
+            .arguments(&[Arg::thing("material1", things::MATERIAL)]),
         make: series,
     },
     Kind {
         names: &["MinMax", "MinMaxMaterial"],
         usage: "uniaxialMaterial MinMax $tag $material <-min $minStrain> <-max $maxStrain>",
-        text: Text::new("Another law that fails for good beyond a strain."),
+        text: Text::new("Another law that fails for good beyond a strain.")
+            .example("uniaxialMaterial MinMax 77 1")
+            .arguments(&[MIN_MIN_STRAIN, MAX_MAX_STRAIN]),
         make: min_max,
     },
     Kind {
         names: &["Fatigue", "FatigueMaterial"],
         usage: "uniaxialMaterial Fatigue $tag $material <-E0 $strain> <-m $slope> <-min $minStrain> <-max $maxStrain> \
                 <-Dmax $damage>",
-        text: Text::new("Another law that fails by low-cycle fatigue."),
+        text: Text::new("Another law that fails by low-cycle fatigue.")
+            .example("uniaxialMaterial Fatigue 77 1")
+            .arguments(&[E0_STRAIN, M_SLOPE, MIN_MIN_STRAIN, MAX_MAX_STRAIN, DMAX_DAMAGE]),
         make: fatigue,
     },
     Kind {
         names: &["InitStrainMaterial", "InitStrain"],
         usage: "uniaxialMaterial InitStrainMaterial $tag $material $strain",
-        text: Text::new("Another law with an initial strain."),
+        text: Text::new("Another law with an initial strain.")
+            .example("uniaxialMaterial InitStrainMaterial 77 1 1")
+            .arguments(&[STRAIN]),
         make: init_strain,
     },
     Kind {
         names: &["InitStressMaterial", "InitStress"],
         usage: "uniaxialMaterial InitStressMaterial $tag $material $stress",
-        text: Text::new("Another law with an initial stress.").arguments(&[STRESS]),
+        text: Text::new("Another law with an initial stress.")
+            .example("uniaxialMaterial InitStressMaterial 77 1 1")
+            .arguments(&[STRESS]),
         make: init_stress,
     },
 ];
@@ -83,7 +106,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                     return Err(a.refuse(message, "expected a factor for each material"));
                 }
             }
-            _ => ignore_option(interp, a, &["-factors"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(Parallel::new(all, factors).shared())
@@ -104,7 +127,7 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                 rounds = a.count("largest number of iterations maxIter")?;
                 tolerance = a.not_negative("tolerance")?;
             }
-            _ => ignore_option(interp, a, &["-iter"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let compat = interp.host.follows(&[slips::SERIES_ROUND]);
@@ -117,9 +140,9 @@ fn min_max(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (mut min, mut max) = (-1e16, 1e16);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-min" | "-Min" | "-MIN" => min = a.float("smallest strain")?,
-            "-max" | "-Max" | "-MAX" => max = a.float("largest strain")?,
-            _ => ignore_option(interp, a, &["-min", "-max"])?,
+            "-min" | "-Min" | "-MIN" => min = a.number(&MIN_MIN_STRAIN)?,
+            "-max" | "-Max" | "-MAX" => max = a.number(&MAX_MAX_STRAIN)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if min >= max {
@@ -135,17 +158,17 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let mut p = FatigueParameters { d_max: 1.0, e0: 0.191, m: -0.458, limits: (-1e16, 1e16) };
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-E0" => p.e0 = a.positive("strain range E0 of one cycle to failure")?,
+            "-E0" => p.e0 = a.number(&E0_STRAIN)?,
             "-m" => {
-                p.m = a.float("slope m of strain range over cycles, in logarithms")?;
+                p.m = a.number(&M_SLOPE)?;
                 if p.m >= 0.0 {
                     return Err(a.refuse(format!("the slope m is {}", p.m), "expected a negative number"));
                 }
             }
-            "-min" => p.limits.0 = a.float("smallest strain")?,
-            "-max" => p.limits.1 = a.float("largest strain")?,
+            "-min" => p.limits.0 = a.number(&MIN_MIN_STRAIN)?,
+            "-max" => p.limits.1 = a.number(&MAX_MAX_STRAIN)?,
             "-Dmax" => {
-                p.d_max = a.float("damage at failure Dmax")?;
+                p.d_max = a.number(&DMAX_DAMAGE)?;
                 if !(0.0..=1.0).contains(&p.d_max) {
                     let message = format!("Fatigue: the damage at failure is {}, and is taken as 1", p.d_max);
                     warn(
@@ -156,7 +179,7 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
                     p.d_max = 1.0;
                 }
             }
-            _ => ignore_option(interp, a, &["-E0", "-m", "-min", "-max", "-Dmax"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if p.limits.0 >= p.limits.1 {
@@ -168,7 +191,7 @@ fn fatigue(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 
 fn init_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let inner = a.of(&interp.host.builder.definitions.materials)?;
-    let strain = a.float("initial strain")?;
+    let strain = a.number(&STRAIN)?;
     begun(a, InitialState::strain(inner, strain), "expected a strain that the material can have")
 }
 

@@ -6,11 +6,31 @@ use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
+const FIRST_NODE: Arg = Arg::whole("firstNode", "tag of the first node");
+const FIRST_ELEMENT: Arg = Arg::whole("firstElement", "tag of the first element");
+const KIND: Arg = Arg::new("kind", "kind of element");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("block2D", USAGE, block2d)
         .about("Makes a grid of nodes and of elements between them, in the plane.")
-        .arguments(&[Arg::flag("-numEleNodes", "nodes of an element")]),
-    Command::new("block3D", USAGE_3D, block3d).about("Makes a grid of nodes and of bricks between them."),
+        .arguments(&[
+            Arg::whole("nx", "number of elements along 1-2"),
+            Arg::whole("ny", "number of elements along 2-3"),
+            FIRST_NODE,
+            FIRST_ELEMENT,
+            KIND,
+            Arg::flag("-numEleNodes", "nodes of an element"),
+        ]),
+    Command::new("block3D", USAGE_3D, block3d)
+        .arguments(&[
+            Arg::whole("nx", "number of elements along 1-2"),
+            Arg::whole("ny", "number of elements along 2-3"),
+            Arg::whole("nz", "number of elements along 1-5"),
+            FIRST_NODE,
+            FIRST_ELEMENT,
+            KIND,
+        ])
+        .about("Makes a grid of nodes and of bricks between them."),
 ];
 
 const USAGE_3D: &str = "block3D $nx $ny $nz $firstNode $firstElement $kind {arguments} {1 $x1 $y1 $z1 2 $x2 ... 8 ...}";
@@ -80,8 +100,8 @@ fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         return Err(a.refuse_at(call.span(0), "block2D: the model has one dimension", "expected 2 or 3"));
     }
     let [nx, ny] = a.parts(["number of elements along 1-2", "number of elements along 2-3"])?;
-    let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
-    let kind = a.word("kind of element")?.into_owned();
+    let (node, element) = (a.int(FIRST_NODE.meaning)?, a.int(FIRST_ELEMENT.meaning)?);
+    let kind = a.word(KIND.meaning)?.into_owned();
     let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
     if a.flag("-numEleNodes") && a.int("number of nodes of an element")? != 4 {
         return Err(a.refuse("only elements with 4 nodes can be made", "expected 4"));
@@ -156,8 +176,8 @@ fn block3d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let what = ["number of elements along 1-2", "number of elements along 2-3", "number of elements along 1-5"];
     let count = a.parts(what)?;
     let [nx, ny, nz] = count;
-    let (node, element) = (a.int("tag of the first node")?, a.int("tag of the first element")?);
-    let kind = a.word("kind of element")?.into_owned();
+    let (node, element) = (a.int(FIRST_NODE.meaning)?, a.int(FIRST_ELEMENT.meaning)?);
+    let kind = a.word(KIND.meaning)?.into_owned();
     let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
     let corners = corners(&mut a)?;
     finish(interp, &a)?;

@@ -3,32 +3,57 @@
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::node_of;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const NODE: Arg = Arg::whole("node", "tag of the node");
+const COORDINATE: Arg = Arg::number("coordinate", "coordinate");
+const TOL_TOLERANCE: Arg = Arg::of("-tol", "tolerance", "tolerance").within(Domain::NotNegative);
+const RETAINED: Arg = Arg::whole("retained", "tag of the retained node");
+const CONSTRAINED: Arg = Arg::whole("constrained", "tag of the constrained node");
+const DOF1: Arg = Arg::whole("dof1", "degree of freedom");
+const COUNT: Arg = Arg::whole("count", "number of pairs of degrees of freedom");
+const RETAINED_DOF1: Arg = Arg::whole("retainedDof1", "degree of freedom of the retained node");
+const CONSTRAINED_DOF1: Arg = Arg::whole("constrainedDof1", "degree of freedom of the constrained node");
+const PERPENDICULAR: Arg = Arg::whole("perpendicular", "direction perpendicular to the diaphragm");
+const CONSTRAINED1: Arg = Arg::whole("constrained1", "tag of a constrained node");
+
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("fix", FIX, fix).about("Holds degrees of freedom of a node."),
+    Command::new("fix", FIX, fix)
+        .arguments(&[NODE, Arg::whole("flag1", "flag of degree of freedom 1")])
+        .about("Holds degrees of freedom of a node."),
     Command::new("fixX", FIX_LEVEL, |i, c| fix_level(i, c, 0))
+        .arguments(&[COORDINATE, Arg::whole("flag1", "flag of degree of freedom 1"), TOL_TOLERANCE])
         .about("Holds degrees of freedom of all nodes at a coordinate x."),
     Command::new("fixY", FIX_LEVEL, |i, c| fix_level(i, c, 1))
         .about("Holds degrees of freedom of all nodes at a coordinate y."),
     Command::new("fixZ", FIX_LEVEL, |i, c| fix_level(i, c, 2))
         .about("Holds degrees of freedom of all nodes at a coordinate z."),
-    Command::new("equalDOF", EQUAL, equal_dof).about("Gives degrees of freedom of two nodes the same displacement."),
+    Command::new("equalDOF", EQUAL, equal_dof)
+        .arguments(&[RETAINED, CONSTRAINED, DOF1])
+        .about("Gives degrees of freedom of two nodes the same displacement."),
     Command::new("equalDOF_Mixed", EQUAL_MIXED, equal_dof_mixed)
         .about("Gives degrees of freedom of two nodes the same displacement, pair by pair.")
         .arguments(&[
+            RETAINED,
+            CONSTRAINED,
+            COUNT,
+            RETAINED_DOF1,
+            CONSTRAINED_DOF1,
             Arg::new("retainedDof2", "further pairs: degree of freedom of the retained node"),
             Arg::new("constrainedDof2", "further pairs: degree of freedom of the constrained node"),
         ]),
-    Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm).about(
-        "Makes nodes move in a plane like one rigid body. In a plane model 1 and 2 make that displacement \
+    Command::new("rigidDiaphragm", DIAPHRAGM, rigid_diaphragm)
+        .arguments(&[PERPENDICULAR, RETAINED, CONSTRAINED1])
+        .about(
+            "Makes nodes move in a plane like one rigid body. In a plane model 1 and 2 make that displacement \
          equal, and 3 makes a rigid body.",
-    ),
+        ),
     Command::new("rigidLink", LINK, rigid_link)
+        .arguments(&[RETAINED, CONSTRAINED])
         .about("Makes a node follow another: `beam` with its rotation, `bar` without."),
 ];
 
@@ -58,7 +83,7 @@ fn hold(interp: &mut Tcl, node: NodeId, flags: &[bool]) {
 
 fn fix(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIX);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
     let flags = flags(interp, &mut a, ndf)?;
     finish(interp, &a)?;
@@ -69,12 +94,12 @@ fn fix(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 /// `fixX` and its sisters: all nodes at a coordinate.
 fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     let mut a = Args::new(call, FIX_LEVEL);
-    let level = a.float("coordinate")?;
+    let level = a.number(&COORDINATE)?;
     let words = a.ahead().map(|v| v.as_str().into_owned());
     let given = words.take_while(|w| w != "-tol").count();
     // Without a flag nothing would be held.
     let flags = flags(interp, &mut a, given.max(1))?;
-    let tolerance = if a.flag("-tol") { a.not_negative("tolerance")? } else { 1e-10 };
+    let tolerance = if a.flag("-tol") { a.number(&TOL_TOLERANCE)? } else { 1e-10 };
     finish(interp, &a)?;
     let model = interp.host.engine.model();
     let at_level =
@@ -107,8 +132,8 @@ pub(crate) fn add(
 
 /// Retained and constrained node, which must not be the same.
 fn pair(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
-    let retained = node_of(interp, a, "tag of the retained node")?;
-    let constrained = node_of(interp, a, "tag of the constrained node")?;
+    let retained = node_of(interp, a, RETAINED.meaning)?;
+    let constrained = node_of(interp, a, CONSTRAINED.meaning)?;
     if retained == constrained {
         return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
     }
@@ -120,9 +145,9 @@ fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (retained, constrained) = pair(interp, &mut a)?;
     let nodes = &interp.host.engine.model().nodes;
     let limit = nodes[retained.0].ndf.min(nodes[constrained.0].ndf);
-    let mut dofs = vec![a.dof("degree of freedom", limit)?];
+    let mut dofs = vec![a.dof(DOF1.meaning, limit)?];
     while a.left() > 0 {
-        dofs.push(a.dof("degree of freedom", limit)?);
+        dofs.push(a.dof(DOF1.meaning, limit)?);
     }
     let n = dofs.len();
     let mut matrix = vec![0.0; n * n];
@@ -136,11 +161,11 @@ fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (retained, constrained) = pair(interp, &mut a)?;
     let nodes = &interp.host.engine.model().nodes;
     let (of_retained, of_constrained) = (nodes[retained.0].ndf, nodes[constrained.0].ndf);
-    let n = a.count("number of pairs of degrees of freedom")?;
+    let n = a.count(COUNT.meaning)?;
     let (mut leading, mut following) = (vec![], vec![]);
     for _ in 0..n {
-        leading.push(a.dof("degree of freedom of the retained node", of_retained)?);
-        let dof = a.dof("degree of freedom of the constrained node", of_constrained)?;
+        leading.push(a.dof(RETAINED_DOF1.meaning, of_retained)?);
+        let dof = a.dof(CONSTRAINED_DOF1.meaning, of_constrained)?;
         if following.contains(&dof) {
             return Err(a.refuse(format!("degree of freedom {} follows two", dof + 1), "expected another one"));
         }
@@ -156,10 +181,10 @@ fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, DIAPHRAGM);
     let ndm = interp.host.builder.ndm;
-    let normal = a.dof("direction perpendicular to the diaphragm", 3)?;
-    let retained = node_of(interp, &mut a, "tag of the retained node")?;
+    let normal = a.dof(PERPENDICULAR.meaning, 3)?;
+    let retained = node_of(interp, &mut a, RETAINED.meaning)?;
     if a.left() == 0 {
-        node_of(interp, &mut a, "tag of a constrained node")?;
+        node_of(interp, &mut a, CONSTRAINED1.meaning)?;
     }
     let ndf = interp.host.engine.model().nodes[retained.0].ndf;
     if ndm == 2 {
@@ -175,7 +200,7 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     // The two directions in the plane, and the rotation about its normal.
     let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];
     while a.left() > 0 {
-        let node = node_of(interp, &mut a, "tag of a constrained node")?;
+        let node = node_of(interp, &mut a, CONSTRAINED1.meaning)?;
         let nodes = &interp.host.engine.model().nodes;
         let arm = nodes[node.0].place() - nodes[retained.0].place();
         if node == retained {
@@ -202,7 +227,7 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn plane_diaphragm(interp: &mut Tcl, a: &mut Args<'_>, direction: usize, retained: NodeId) -> Outcome {
     let needed = if direction == 2 { 3 } else { direction + 1 };
     while a.left() > 0 {
-        let node = node_of(interp, a, "tag of a constrained node")?;
+        let node = node_of(interp, a, CONSTRAINED1.meaning)?;
         if node == retained {
             return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
         }

@@ -3,17 +3,25 @@
 use crate::args::Args;
 use crate::effect::Effect;
 use crate::host::Mode;
+use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::analysis::SavedState;
 use hysteron_tcl::{Call, Exception, OpenMode, Value};
 use std::io::Write as _;
 
+const FILE_NAME: Arg = Arg::new("name", "name of the database");
+const TAG: Arg = Arg::whole("tag", "tag of the state");
+
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("database", DATABASE, database).about("Names the files of `save` and `restore`."),
+    Command::new("database", DATABASE, database)
+        .arguments(&[FILE_NAME])
+        .about("Names the files of `save` and `restore`."),
     Command::new("save", SAVE, save)
+        .arguments(&[TAG])
         .about("Saves the committed state, exact to the bit. The next step begins anew, as it does after `restore`.")
         .leaving(Effect::Nothing),
     Command::new("restore", RESTORE, restore)
+        .arguments(&[TAG])
         .about("Goes back to a saved state of the same model, in this run or another one.")
         .leaving(Effect::ReadsState),
 ];
@@ -27,7 +35,7 @@ fn database(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if a.word("kind of the database")? != "File" {
         return Err(a.unknown_name("kind of database", ["File"]));
     }
-    let name = a.word("name of the database")?.into_owned();
+    let name = a.word(FILE_NAME.meaning)?.into_owned();
     interp.host.database = Some(name);
     finish(interp, &a)?;
     Ok(Value::EMPTY)
@@ -35,7 +43,7 @@ fn database(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// The path of a state in the database, and its tag.
 fn path(interp: &Tcl, a: &mut Args<'_>) -> Result<String, Exception> {
-    let tag = a.int("tag of the state")?;
+    let tag = a.int(TAG.meaning)?;
     match &interp.host.database {
         Some(name) => Ok(format!("{name}.{tag}.state")),
         None => Err(a.refuse("there is no database yet", "expected \"database File NAME\" before")),

@@ -3,27 +3,59 @@
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
+use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
 use hysteron_engine::model::NodeId;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
+
+const BASIC_BUILDER_NDM: Arg = Arg::of("-ndm", "ndm", "number of dimensions").within(Domain::Whole);
+const BASIC_BUILDER_NDF: Arg = Arg::of("-ndf", "ndf", "number of degrees of freedom of a node").within(Domain::Whole);
+const NAME: Arg = Arg::new("name", "name of the parameter");
+const PSET_VALUE: Arg = Arg::new("value", "value of the parameter");
+const NODE_TAG: Arg = Arg::whole("tag", "tag of the node");
+const NODE_NDF: Arg = Arg::of("-ndf", "ndf", "number of degrees of freedom").within(Domain::Whole);
+const MASS_NODE: Arg = Arg::whole("node", "tag of the node");
+const DIRECTION: Arg = Arg::whole("direction", "direction");
+const SET_NODE_COORD_VALUE: Arg = Arg::number("value", "coordinate");
+const SET_START_NODE_TAG_TAG: Arg = Arg::whole("tag", "first tag of nodes that are made by themselves");
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("wipe", "wipe", wipe)
         .about("Removes the model, the analysis and the recorders.")
         .leaving(Effect::Empties),
     Command::new("model", MODEL, model)
+        .arguments(&[BASIC_BUILDER_NDM, BASIC_BUILDER_NDF])
         .about(
             "Sets the dimensions of the model and the degrees of freedom of its nodes. It comes before all that it \
-             counts for.",
+             counts for. `basic` is another name of the kind.",
         )
         .defining(&[things::MODEL], 0),
-    Command::new("node", NODE, node).about("Makes a node.").defining(&[things::NODE], 1),
-    Command::new("mass", MASS, mass).about("Sets the mass of a node in each of its directions."),
-    Command::new("pset", PSET, pset).about("Sets a variable, unless a study gives it another value.").own(),
-    Command::new("setNodeCoord", SET_COORD, set_node_coord).about("Moves a node that has no displacement."),
+    Command::new("node", NODE, node)
+        .arguments(&[
+            NODE_TAG,
+            Arg::number("x", "x coordinate"),
+            Arg::number("y", "y coordinate"),
+            Arg::number("z", "z coordinate"),
+            NODE_NDF,
+            Arg::of("-disp", "u", "displacement of degree of freedom 1").within(Domain::Number),
+            Arg::of("-vel", "v", "velocity of degree of freedom 1").within(Domain::Number),
+        ])
+        .about("Makes a node.")
+        .defining(&[things::NODE], 1),
+    Command::new("mass", MASS, mass)
+        .arguments(&[MASS_NODE, Arg::not_negative("m1", "mass of degree of freedom 1")])
+        .about("Sets the mass of a node in each of its directions."),
+    Command::new("pset", PSET, pset)
+        .arguments(&[NAME, PSET_VALUE])
+        .about("Sets a variable, unless a study gives it another value.")
+        .own(),
+    Command::new("setNodeCoord", SET_COORD, set_node_coord)
+        .arguments(&[MASS_NODE, DIRECTION, SET_NODE_COORD_VALUE])
+        .about("Moves a node that has no displacement."),
     Command::new("setStartNodeTag", START_TAG, set_start_node_tag)
+        .arguments(&[SET_START_NODE_TAG_TAG])
         .about("Has no effect: the nodes that it counts are those of OpenSees' meshes."),
 ];
 
@@ -48,7 +80,7 @@ pub(crate) fn node_of(interp: &Tcl, args: &mut Args<'_>, what: &str) -> Result<N
 /// The first tag of nodes that OpenSees makes by itself. Only its meshes do, which are not known here.
 fn set_start_node_tag(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, START_TAG);
-    a.int("first tag of nodes that are made by themselves")?;
+    a.int(SET_START_NODE_TAG_TAG.meaning)?;
     finish(interp, &a)?;
     Ok(Value::EMPTY)
 }
@@ -74,9 +106,9 @@ fn model(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (mut ndm, mut ndf) = (None, None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-ndm" | "-NDM" => ndm = Some(a.dof("number of dimensions", 3)? + 1),
-            "-ndf" | "-NDF" => ndf = Some(a.dof("number of degrees of freedom of a node", 6)? + 1),
-            _ => ignore_option(interp, &mut a, &["-ndm", "-ndf"])?,
+            "-ndm" | "-NDM" => ndm = Some(a.dof(BASIC_BUILDER_NDM.meaning, 3)? + 1),
+            "-ndf" | "-NDF" => ndf = Some(a.dof(BASIC_BUILDER_NDF.meaning, 6)? + 1),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let Some(ndm) = ndm else {
@@ -113,7 +145,7 @@ pub(crate) fn need_model(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Except
 fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
     let mut a = Args::new(call, NODE);
-    let tag = a.int("tag of the node")?;
+    let tag = a.int(MASS_NODE.meaning)?;
     if interp.host.engine.model().node(tag).is_some() {
         return Err(a.exists(things::NODE, tag));
     }
@@ -124,11 +156,11 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (mut mass, mut disp, mut vel) = (None, None, None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-ndf" | "-NDF" => ndf = a.dof("number of degrees of freedom", 6)? + 1,
+            "-ndf" | "-NDF" => ndf = a.dof(NODE_NDF.meaning, 6)? + 1,
             "-mass" => mass = Some(masses(&mut a, ndf)?),
             "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement of degree of freedom")?),
             "-vel" => vel = Some(values(&mut a, ndf, "velocity of degree of freedom")?),
-            _ => ignore_option(interp, &mut a, &["-ndf", "-mass", "-disp", "-vel"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let engine = &mut interp.host.engine;
@@ -159,7 +191,7 @@ fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
 
 fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MASS);
-    let id = node_of(interp, &mut a, "tag of the node")?;
+    let id = node_of(interp, &mut a, MASS_NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[id.0].ndf;
     // OpenSees in Python takes fewer values than degrees of freedom: the others are zero.
     let given = if interp.host.called_by_host { a.left().clamp(1, ndf) } else { ndf };
@@ -173,8 +205,8 @@ fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 /// A parameter of a study: sets the variable of that name, to the study's value where it has one.
 fn pset(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PSET);
-    let name = a.word("name of the parameter")?.into_owned();
-    let value = a.value("value of the parameter")?;
+    let name = a.word(NAME.meaning)?.into_owned();
+    let value = a.value(PSET_VALUE.meaning)?;
     let earlier = a.last_span().and_then(|span| interp.host.declared_at.insert(name.clone(), span));
     finish(interp, &a)?;
     warn_of_two_values(interp, &name, &value, earlier)?;
@@ -216,10 +248,10 @@ fn warn_of_two_values(interp: &mut Tcl, name: &str, value: &Value, earlier: Opti
 
 fn set_node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_COORD);
-    let id = node_of(interp, &mut a, "tag of the node")?;
+    let id = node_of(interp, &mut a, MASS_NODE.meaning)?;
     let limit = interp.host.engine.model().nodes[id.0].ndm();
-    let direction = a.dof("direction", limit)?;
-    let x = a.float("coordinate")?;
+    let direction = a.dof(DIRECTION.meaning, limit)?;
+    let x = a.number(&SET_NODE_COORD_VALUE)?;
     finish(interp, &a)?;
     interp.host.engine.change_model(|model| model.nodes[id.0].coords[direction] = x);
     Ok(Value::EMPTY)

@@ -10,11 +10,14 @@ use hysteron_engine::model::Tag;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const LOAD_PATTERN_NODE: Arg = Arg::new("node", "tag of the node");
+
 pub(crate) const COMMANDS: &[Command] =
     &[Command::new("remove", USAGE, remove).about("Removes something from the model.").arguments(&[
+        LOAD_PATTERN_NODE,
         Arg::new("dof", "degree of freedom"),
         Arg::new("pattern", "tag of the pattern"),
-        Arg::new("tag", "tag of what is removed; for `mp` also that of its constrained node"),
+        Arg::whole("tag", "tag of what is removed; for `mp` also that of its constrained node"),
     ])];
 
 const USAGE: &str = "remove loadPattern $tag | recorders | recorder $tag | element $tag | node $tag | \
@@ -65,7 +68,7 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
         "node" => {
-            let tag = a.tag(things::NODE, "tag of the node")?;
+            let tag = a.tag(things::NODE, LOAD_PATTERN_NODE.meaning)?;
             match interp.host.engine.model().node(tag) {
                 Some(node) => {
                     if let Err(element) = interp.host.engine.remove_node(node) {
@@ -139,7 +142,7 @@ fn remove_sp(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
             before - m.fixes.len() - m.patterns.values().map(|p| p.motions.len()).sum::<usize>()
         })
     } else {
-        let node = node_of(interp, a, "tag of the node")?;
+        let node = node_of(interp, a, LOAD_PATTERN_NODE.meaning)?;
         let ndf = interp.host.engine.model().nodes[node.0].ndf;
         let dof = a.dof("degree of freedom", ndf)?;
         let pattern = a.optional_int("tag of the pattern")?.filter(|t| *t != -1);

@@ -4,21 +4,26 @@ use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, kind, warn};
 use hysteron_engine::element::transform::{TransformKind, TransformSpec};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use nalgebra::Vector3;
 
+const TAG: Arg = Arg::whole("tag", "tag of the transformation");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("geomTransf", USAGE, geom_transf)
     .about("Makes a transformation between local and global coordinates, for beams.")
-    .arguments(&[Arg::of(
-        "-jntOffset",
-        "dxi",
-        "rigid ends at i and j, as vectors from the node to the end of the beam",
-    )])
+    .arguments(&[
+        Arg::number("x", "x of the vector in the local x-z plane"),
+        Arg::number("y", "y of the vector in the local x-z plane"),
+        Arg::number("z", "z of the vector in the local x-z plane"),
+        TAG,
+        Arg::of("-jntOffset", "dxi", "rigid ends at i and j, as vectors from the node to the end of the beam")
+            .within(Domain::Number),
+    ])
     .defining(&[things::TRANSFORM], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -29,19 +34,19 @@ const KINDS: &[kind::Kind<TransformKind>] = &[
     kind::Kind {
         names: &["Linear"],
         usage: USAGE_LINEAR,
-        text: Text::new("Displacements are small: equilibrium is formed in the undeformed geometry."),
+        text: Text::new("Displacements are small: equilibrium is formed in the undeformed geometry.").arguments(&[TAG]),
         make: TransformKind::Linear,
     },
     kind::Kind {
         names: &["PDelta", "LinearWithPDelta"],
         usage: USAGE_PDELTA,
-        text: Text::new("Equilibrium of the axial force in the displaced chord; else as `Linear`."),
+        text: Text::new("Equilibrium of the axial force in the displaced chord; else as `Linear`.").arguments(&[TAG]),
         make: TransformKind::PDelta,
     },
     kind::Kind {
         names: &["Corotational", "Corotational2d", "Corotational3d"],
         usage: USAGE_COROTATIONAL,
-        text: Text::new("Large displacements and rotations of the chord, with small deformations."),
+        text: Text::new("Large displacements and rotations of the chord, with small deformations.").arguments(&[TAG]),
         make: TransformKind::Corotational,
     },
 ];
@@ -58,7 +63,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     let kind = kind::take(&mut a, "kind of transformation", "geometric transformation", KINDS.iter())?;
     interp.host.note_kind("geomTransf", kind.names[0]);
-    let tag = a.int("tag of the transformation")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let ndm = interp.host.builder.ndm;
     let mut xz = Vector3::zeros();
@@ -83,7 +88,7 @@ fn geom_transf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-jntOffset" => {
                 offsets = (vector(&mut a, ndm, "offset at node i")?, vector(&mut a, ndm, "offset at node j")?);
             }
-            _ => ignore_option(interp, &mut a, &["-jntOffset"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let ignored = ndm == 3 && kind.make == TransformKind::Corotational && offsets != Default::default();

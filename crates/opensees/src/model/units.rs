@@ -2,13 +2,15 @@
 
 use crate::args::Args;
 use crate::text::Arg;
-use crate::{Command, Outcome, Tcl, finish, ignore_option};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
+const TEMP_UNIT: Arg = Arg::of("-temp", "unit", "unit of temperature");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("defaultUnits", USAGE, default_units)
     .about("Sets variables with the sizes of units: `$kip`, `$in`, `$ksi`, `$g` and others.")
-    .arguments(&[Arg::flag("-force", "unit of force"), Arg::flag("-length", "unit of length")])];
+    .arguments(&[TEMP_UNIT, Arg::flag("-force", "unit of force"), Arg::flag("-length", "unit of length")])];
 
 const USAGE: &str = "defaultUnits -force lb|kip|N|kN|MN|kgf|tonf -length in|ft|mm|cm|m -time sec|msec <-temp $unit>";
 
@@ -59,8 +61,8 @@ fn default_units(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-force" => force = Some(unit(&mut a, "force", FORCES)?),
             "-length" => length = Some(unit(&mut a, "length", LENGTHS)?),
             "-time" => time = Some(unit(&mut a, "time", TIMES)?),
-            "-temp" | "-temperature" => drop(a.word("unit of temperature")?),
-            _ => ignore_option(interp, &mut a, &["-force", "-length", "-time", "-temp"])?,
+            "-temp" | "-temperature" => drop(a.word(TEMP_UNIT.meaning)?),
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let missing = |what: &str| {

@@ -4,17 +4,44 @@ use crate::args::Args;
 use crate::chart::{Curve, Figure, MAX_DRAWN, Mark};
 use crate::effect::Effect;
 use crate::load::motion_file::measured;
+use crate::text::{Arg, Domain};
 use crate::{Command, Outcome, Tcl, ignore_option};
 use hysteron_recordings::Table;
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
 
+const FILE: Arg = Arg::new("file", "name of the file");
+const FILE_SVG: Arg = Arg::new("file.svg", "name of the file");
+const TITLE_TEXT: Arg = Arg::of("-title", "text", "title");
+const X_LABEL: Arg = Arg::of("-x", "label", "label of the horizontal axis");
+const Y_LABEL: Arg = Arg::of("-y", "label", "label of the vertical axis");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("columns", COLUMNS, columns)
+        .arguments(&[FILE])
         .about("Returns the columns of a table of numbers as a list of lists.")
         .own()
         .leaving(Effect::Nothing),
-    Command::new("figure", FIGURE, figure).about("Draws curves into an SVG file.").own().leaving(Effect::Nothing),
+    Command::new("figure", FIGURE, figure)
+        .arguments(&[
+            FILE_SVG,
+            TITLE_TEXT,
+            X_LABEL,
+            Y_LABEL,
+            Arg::of("-xrange", "low", "low end of the axis").within(Domain::Number),
+            Arg::of("-xrange", "high", "high end of the axis").within(Domain::Number),
+            Arg::of("-yrange", "low", "low end of the axis").within(Domain::Number),
+            Arg::of("-yrange", "high", "high end of the axis").within(Domain::Number),
+            Arg::of("-line", "name", "name of the curve"),
+            Arg::of("-line", "xs", "horizontal values"),
+            Arg::of("-line", "ys", "vertical values"),
+            Arg::of("-dots", "name", "name of the curve"),
+            Arg::of("-dots", "xs", "horizontal values"),
+            Arg::of("-dots", "ys", "vertical values"),
+        ])
+        .about("Draws curves into an SVG file.")
+        .own()
+        .leaving(Effect::Nothing),
 ];
 
 const COLUMNS: &str = "columns $file: the columns of a table of numbers, a list of lists";
@@ -23,7 +50,7 @@ const FIGURE: &str = "figure $file.svg -title $text -x $label -y $label <-xrange
 
 fn columns(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, COLUMNS);
-    let name = a.word("name of the file")?.into_owned();
+    let name = a.word(FILE.meaning)?.into_owned();
     let read = measured(interp, &name, |bytes, beside| Table::read_beside(&name, bytes, beside));
     let read = read.map_err(|e| a.unreadable(a.last_span(), &name, &e))?;
     let table = read.map_err(|e| a.refuse(format!("\"{name}\": {e}"), "expected a table of numbers"))?;
@@ -56,14 +83,14 @@ fn range(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
 
 fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIGURE);
-    let name = a.word("name of the file")?.into_owned();
+    let name = a.word(FILE.meaning)?.into_owned();
     let span = a.last_span();
     let mut f = Figure::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-title" => f.title = a.word("title")?.into_owned(),
-            "-x" => f.x_label = a.word("label of the horizontal axis")?.into_owned(),
-            "-y" => f.y_label = a.word("label of the vertical axis")?.into_owned(),
+            "-title" => f.title = a.word(TITLE_TEXT.meaning)?.into_owned(),
+            "-x" => f.x_label = a.word(X_LABEL.meaning)?.into_owned(),
+            "-y" => f.y_label = a.word(Y_LABEL.meaning)?.into_owned(),
             "-equal" => f.equal = true,
             "-xrange" => f.x_range = Some(range(&mut a)?),
             "-yrange" => f.y_range = Some(range(&mut a)?),

@@ -8,6 +8,10 @@ use hysteron_engine::model::{Model, NodeId};
 use hysteron_tcl::{Call, Value};
 use std::collections::BTreeSet;
 
+const NODE: Arg = Arg::whole("node", "tag of the node");
+const DOF: Arg = Arg::whole("dof", "degree of freedom");
+const NODE_RESPONSE_RESPONSE: Arg = Arg::whole("response", "number of the response");
+
 const RETAINED: &[Arg] = &[Arg::new("retained", "tag of the node that leads; all where it is left out")];
 
 const CONSTRAINED: &[Arg] = &[Arg::new("constrained", "tag of the node that follows; all where it is left out")];
@@ -27,20 +31,24 @@ pub(crate) const COMMANDS: &[Command] = &[
     })
     .about("Returns the tags of all nodes with a constraint of their own."),
     Command::asking("getFixedDOFs", "getFixedDOFs $node", fixed_dofs)
+        .arguments(&[NODE])
         .about("Returns the degrees of freedom of a node that are held."),
     Command::asking("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true))
         .about("Returns the tags of the nodes that follow others.")
-        .arguments(RETAINED),
+        .groups(&[RETAINED]),
     Command::asking("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false))
         .about("Returns the tags of the nodes that others follow.")
-        .arguments(CONSTRAINED),
+        .groups(&[CONSTRAINED]),
     Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true))
+        .arguments(&[NODE])
         .about("Returns the degrees of freedom of a node that follow others.")
-        .arguments(RETAINED),
+        .groups(&[RETAINED]),
     Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false))
+        .arguments(&[NODE])
         .about("Returns the degrees of freedom of a node that others follow.")
-        .arguments(CONSTRAINED),
+        .groups(&[CONSTRAINED]),
     Command::asking("nodeResponse", RESPONSE, node_response)
+        .arguments(&[NODE, DOF, NODE_RESPONSE_RESPONSE])
         .about("Returns a displacement, velocity or acceleration of a node by number."),
 ];
 
@@ -66,7 +74,7 @@ fn held(model: &Model) -> impl Iterator<Item = (NodeId, usize)> {
 
 fn fixed_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getFixedDOFs $node");
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     finish(interp, &a)?;
     let model = interp.host.engine.model();
     Ok(dofs(held(model).filter(|(n, _)| *n == node).map(|(_, dof)| dof)))
@@ -88,7 +96,7 @@ fn joined(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
 /// Degrees of freedom of a node that follow others, or that lead.
 fn joined_dofs(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
     let mut a = Args::new(call, "getConstrainedDOFs $node <$other>");
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let other = if a.left() > 0 { Some(node_of(interp, &mut a, "tag of the node on the other side")?) } else { None };
     finish(interp, &a)?;
     let found = interp.host.engine.model().multi_points.iter().filter_map(|m| {
@@ -104,10 +112,10 @@ fn joined_dofs(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
 
 fn node_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RESPONSE);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
-    let dof = a.dof("degree of freedom", ndf)?;
-    let kind = a.int("number of the response")?;
+    let dof = a.dof(DOF.meaning, ndf)?;
+    let kind = a.int(NODE_RESPONSE_RESPONSE.meaning)?;
     let engine = &interp.host.engine;
     let field = match kind {
         1 => &engine.state().disp,

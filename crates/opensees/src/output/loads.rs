@@ -15,6 +15,7 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Returns OpenSees' numbers of the classes of all elements, or of one.")
         .arguments(&[Arg::new("element", "tag of an element")]),
     Command::asking("classType", CLASS_TYPE, class_type)
+        .arguments(&[Arg::thing("tag", things::SECTION)])
         .about("Returns the name of the class of a section or an element."),
     Command::asking("getCrdTransfTags", "getCrdTransfTags", |i, _| {
         Ok(Value::list(i.host.builder.definitions.transforms.tags().map(|t| Value::from(i64::from(t)))))

@@ -3,7 +3,7 @@
 use super::model_file::model_file;
 use crate::args::Args;
 use crate::effect::Effect;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_option, print_error};
 use hysteron_engine::model::{ElementEntry, Model, Tag};
@@ -12,6 +12,9 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
+const FILE: Arg = Arg::of("-file", "file", "name of the file");
+const FLAG_N: Arg = Arg::of("-flag", "n", "flag").within(Domain::Whole);
+
 pub(crate) const COMMANDS: &[Command] = &[telling("print"), telling("printModel")];
 
 const fn telling(name: &'static str) -> Command {
@@ -19,6 +22,8 @@ const fn telling(name: &'static str) -> Command {
 }
 
 const TAGS: &[Arg] = &[
+    FILE,
+    FLAG_N,
     Arg::of("-node", "tag", "tags of nodes; all where there is none"),
     Arg::of("-ele", "tag", "tags of elements; all where there is none"),
 ];
@@ -41,12 +46,12 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut w = PrintRequest::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-file" | "file" => w.file = Some(a.word("name of the file")?.into_owned()),
+            "-file" | "file" => w.file = Some(a.word(FILE.meaning)?.into_owned()),
             "-JSON" | "-json" => w.json = true,
             "-node" | "node" => w.nodes.get_or_insert_default().extend(tags(&mut a, things::NODE)?),
             "-ele" | "ele" | "-element" => w.elements.get_or_insert_default().extend(tags(&mut a, things::ELEMENT)?),
             "-integrator" | "integrator" | "-algorithm" | "algorithm" => {
-                a.optional_int("flag")?;
+                a.optional_int(FLAG_N.meaning)?;
                 w.analysis = true;
             }
             // A word that is no option is the name of a file.
@@ -87,7 +92,7 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 /// Tags after `-node` or `-ele`, with a flag that may come before them.
 fn tags(a: &mut Args<'_>, kind: &'static str) -> Result<Vec<Tag>, Exception> {
     if a.flag("-flag") || a.flag("flag") {
-        a.int("flag")?;
+        a.int(FLAG_N.meaning)?;
     }
     Ok(a.tags(kind).into_iter().map(|(tag, _)| tag).collect())
 }

@@ -6,6 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::files::series::FileSeries;
 use crate::files::vtu::{CellField, PointField, collection, grid};
+use crate::text::{Arg, Domain};
 use crate::{Outcome, Tcl, warn};
 use hysteron_engine::analysis::{Engine, ReactionKind};
 use hysteron_engine::model::Model;
@@ -16,6 +17,11 @@ use hysteron_tcl::Call;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
+
+pub(super) const FILE: Arg = Arg::new("file", "name of the file");
+const D_T_DT: Arg = Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative);
+pub(super) const TOLERANCE: Arg = Arg::of("-rTolDt", "tolerance", "tolerance rTolDt").within(Domain::NotNegative);
+pub(super) const MODES: Arg = Arg::whole("modes", "number of modes");
 
 pub(super) const USAGE: &str = "recorder PVD $file <-dT $dt> <-rTolDt $tolerance> <-precision $digits> <disp> <vel> \
                                 <accel> <incrDisp> <reaction> <unbalancedLoad> <mass> <eigen $modes> \
@@ -197,7 +203,7 @@ impl Output for List {
 /// Make the recorder. The file is named with or without its ending; the folder beside it is made.
 pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome {
     a.usage(USAGE);
-    let given = a.word("name of the file")?.into_owned();
+    let given = a.word(FILE.meaning)?.into_owned();
     let span = a.last_span();
     let name = if given.ends_with(".pvd") { given } else { format!("{given}.pvd") };
     let mut cadence = Cadence { tolerance: 1e-5, ..Cadence::default() };
@@ -211,13 +217,13 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
             "reaction" => Field::Reaction,
             "unbalancedLoad" => Field::Unbalanced,
             "mass" => Field::Mass,
-            "eigen" => Field::Modes(a.count("number of modes")?),
+            "eigen" => Field::Modes(a.count(MODES.meaning)?),
             "-dT" => {
-                cadence.dt = a.not_negative("step of time dT")?;
+                cadence.dt = a.number(&D_T_DT)?;
                 continue;
             }
             "-rTolDt" => {
-                cadence.tolerance = a.not_negative("tolerance rTolDt")?;
+                cadence.tolerance = a.number(&TOLERANCE)?;
                 continue;
             }
             // The arrays have all digits.

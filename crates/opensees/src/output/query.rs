@@ -8,12 +8,22 @@ use crate::session::Session;
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
 use hysteron_engine::analysis::{Failure, ReactionKind, State};
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
+
+const NODE_DISP_NODE: Arg = Arg::whole("node", "tag of the node");
+const NODE_EIGENVECTOR_MODE: Arg = Arg::whole("mode", "number of the mode");
+const SET_NODE_DISP_DOF: Arg = Arg::whole("dof", "degree of freedom");
+const VALUE: Arg = Arg::number("value", "value");
+const MASS: Arg = Arg::not_negative("mass", "mass");
+const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
+const ELE_RESPONSE_RESPONSE: Arg = Arg::new("response", "name of the response");
+const SECTION: Arg = Arg::whole("section", "number of the section");
+const GET_LOAD_FACTOR_PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
 
 const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it is left out")];
 
@@ -26,8 +36,9 @@ const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp))
+        .arguments(&[NODE_DISP_NODE])
         .about("Returns the displacement of a node.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)).about("Returns the velocity of a node."),
     Command::asking("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel))
         .about("Returns the acceleration of a node."),
@@ -36,33 +47,42 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("nodeUnbalance", NODE, node_unbalance).about("Returns the unbalanced load of a node."),
     Command::asking("nodeCoord", "nodeCoord $node <$direction>", node_coord)
         .about("Returns the coordinates of a node.")
-        .arguments(&[Arg::new("direction", "direction from 1; all where it is left out")]),
+        .arguments(&[NODE_DISP_NODE, Arg::new("direction", "direction from 1; all where it is left out")]),
     Command::asking("nodeMass", NODE, node_mass).about("Returns the mass of a node."),
     Command::asking("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector)
+        .arguments(&[NODE_DISP_NODE, NODE_EIGENVECTOR_MODE])
         .about("Returns the mode shape at a node.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions)
         .about("Chooses what `nodeReaction` includes: inertia with `-dynamic`, Rayleigh damping with `-rayleigh`."),
-    Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp)).about("Sets the displacement of a node."),
+    Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp))
+        .arguments(&[NODE_DISP_NODE, SET_NODE_DISP_DOF, VALUE])
+        .about("Sets the displacement of a node."),
     Command::new("setNodeVel", SET, |i, c| set_node(i, c, |s| &mut s.vel)).about("Sets the velocity of a node."),
     Command::new("setNodeAccel", SET, |i, c| set_node(i, c, |s| &mut s.accel))
         .about("Sets the acceleration of a node."),
     Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass)
+        .arguments(&[NODE_DISP_NODE, SET_NODE_DISP_DOF, MASS])
         .about("Sets the mass of a node in one direction."),
     Command::asking("eleResponse", RESPONSE, ele_response)
+        .arguments(&[ELE_RESPONSE_ELEMENT, ELE_RESPONSE_RESPONSE])
         .about("Returns a response of an element, by the names that recorders use."),
     Command::asking("eleForce", "eleForce $element <$dof>", |i, c| named(i, c, "force"))
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the global forces of an element.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("eleDynamicalForce", DYNAMIC, dynamic_force)
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the global forces of an element with those of its damping and its inertia.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("localForce", "localForce $element <$dof>", |i, c| named(i, c, "localForce"))
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the local forces of an element.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force"))
+        .arguments(&[ELE_RESPONSE_ELEMENT, SECTION])
         .about("Returns the resultants of a section of a beam.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation"))
         .about("Returns the deformations of a section of a beam."),
     Command::asking("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness"))
@@ -71,24 +91,35 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Returns the inverse of the tangent of a section of a beam."),
     Command::asking("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints"))
         .about("Returns the places of the sections along a beam.")
-        .arguments(&[Arg::new("section", "number of the section from 1; all where it is left out")]),
+        .arguments(&[
+            ELE_RESPONSE_ELEMENT,
+            Arg::new("section", "number of the section from 1; all where it is left out"),
+        ]),
     Command::asking("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights"))
         .about("Returns the weights of the sections along a beam."),
     Command::asking("sectionTag", ALONG, |i, c| along(i, c, "sectionTags"))
         .about("Returns the tags of the sections along a beam."),
     Command::asking("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce"))
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the basic forces of an element.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("basicDeformation", "basicDeformation $element <$dof>", |i, c| named(i, c, "basicDeformation"))
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the basic deformations of an element.")
-        .arguments(DOF_OR_ALL),
+        .groups(&[DOF_OR_ALL]),
     Command::asking("basicStiffness", "basicStiffness $element", |i, c| named(i, c, "basicStiffness"))
+        .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the basic stiffness of an element."),
-    Command::asking("eleNodes", "eleNodes $element", ele_nodes).about("Returns the tags of the nodes of an element."),
-    Command::asking("eleType", "eleType $element", ele_type).about("Returns the kind of an element."),
+    Command::asking("eleNodes", "eleNodes $element", ele_nodes)
+        .arguments(&[ELE_RESPONSE_ELEMENT])
+        .about("Returns the tags of the nodes of an element."),
+    Command::asking("eleType", "eleType $element", ele_type)
+        .arguments(&[ELE_RESPONSE_ELEMENT])
+        .about("Returns the kind of an element."),
     Command::asking("getTime", "getTime", |i, _| Ok(Value::from(i.host.engine.state().time)))
         .about("Returns the time of the domain."),
     Command::asking("getLoadFactor", "getLoadFactor $pattern", load_factor)
+        .arguments(&[GET_LOAD_FACTOR_PATTERN])
         .about("Returns the load factor of a pattern."),
     Command::asking("getNodeTags", "getNodeTags", node_tags).about("Returns the tags of all nodes."),
     Command::asking("getEleTags", "getEleTags", ele_tags).about("Returns the tags of all elements."),
@@ -115,7 +146,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("getNDF", "getNDF <$node>", ndf)
         .about("Returns the number of degrees of freedom of a node.")
         .arguments(&[Arg::new("node", "tag of a node; the number of the model where it is left out")]),
-    Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs).about("Returns the numbers of the equations of a node."),
+    Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs)
+        .arguments(&[NODE_DISP_NODE])
+        .about("Returns the numbers of the equations of a node."),
     Command::asking("systemSize", "systemSize", system_size).about("Returns the number of equations."),
     Command::asking("testIter", "testIter", iterations).about("Returns the number of iterations of the last step."),
     Command::asking("numIter", "numIter", algorithm_iterations).about(
@@ -163,7 +196,7 @@ fn of_node(interp: &Tcl, node: NodeId, field: &[f64]) -> Vec<f64> {
 
 fn node_field(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>) -> Outcome {
     let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let values = of_node(interp, node, field(interp.host.engine.state()));
     pick(interp, &mut a, &values, DOF)
 }
@@ -174,7 +207,7 @@ fn failed(call: &Call<'_>, f: &Failure) -> Exception {
 
 fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let all = interp.host.reactions().map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
     pick(interp, &mut a, &values, DOF)
@@ -182,7 +215,7 @@ fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let mut all = vec![];
     interp.host.engine.unbalanced(false, &mut all).map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
@@ -199,7 +232,7 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 interp.host.output.reaction_kind = ReactionKind::Dynamic;
             }
             "-rayleigh" | "-Rayleigh" => interp.host.output.reaction_kind = ReactionKind::Rayleigh,
-            _ => ignore_option(interp, &mut a, &["-dynamic", "-rayleigh"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     if interp.host.follows(&[slips::KEPT_REACTIONS]) {
@@ -213,7 +246,7 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeCoord $node <$direction>");
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let coords = interp.host.engine.model().nodes[node.0].coords.clone();
     if let Some(i) = a.peek().and_then(|w| ["X", "Y", "Z"].iter().position(|n| w.eq_ignore_ascii_case(n))) {
         a.option();
@@ -224,16 +257,16 @@ fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn node_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let mass = interp.host.engine.model().nodes[node.0].mass.clone();
     pick(interp, &mut a, &mass, "degree of freedom of the mass")
 }
 
 fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeEigenvector $node $mode <$dof>");
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
-    let mode = a.count("number of the mode")?;
+    let mode = a.count(NODE_EIGENVECTOR_MODE.meaning)?;
     let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
         let label =
             if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };
@@ -246,13 +279,13 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec<f64>) -> Outcome {
     let mut a = Args::new(call, SET);
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let (offset, ndf) = {
         let n = &interp.host.engine.model().nodes[node.0];
         (n.offset, n.ndf)
     };
-    let dof = a.dof("degree of freedom", ndf)?;
-    let value = a.float("value")?;
+    let dof = a.dof(SET_NODE_DISP_DOF.meaning, ndf)?;
+    let value = a.number(&VALUE)?;
     a.flag("-commit");
     finish(interp, &a)?;
     interp.host.engine.change_state(|s, _| field(s)[offset + dof] = value);
@@ -261,16 +294,16 @@ fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec
 
 fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "setNodeMass $node $dof $mass");
-    let node = node_of(interp, &mut a, "tag of the node")?;
-    let dof = a.dof("degree of freedom", interp.host.engine.model().nodes[node.0].ndf)?;
-    let mass = a.not_negative("mass")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let dof = a.dof(SET_NODE_DISP_DOF.meaning, interp.host.engine.model().nodes[node.0].ndf)?;
+    let mass = a.number(&MASS)?;
     finish(interp, &a)?;
     interp.host.engine.change_model(|m| m.nodes[node.0].mass[dof] = mass);
     Ok(Value::EMPTY)
 }
 
 fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
-    let tag = a.tag(things::ELEMENT, "tag of the element")?;
+    let tag = a.tag(things::ELEMENT, ELE_RESPONSE_ELEMENT.meaning)?;
     let id = interp.host.engine.model().element(tag);
     id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))
 }
@@ -283,7 +316,7 @@ fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>>
 fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, RESPONSE);
     let id = element_of(interp, &mut a)?;
-    a.word("name of the response")?;
+    a.word(ELE_RESPONSE_RESPONSE.meaning)?;
     let words: Vec<_> = call.args()[1..].iter().map(Value::as_str).collect();
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     match evaluate(interp, id, &words) {
@@ -302,7 +335,7 @@ const ALONG: &str = "sectionLocation $element <$section>";
 fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let mut a = Args::new(call, OF_SECTION);
     let id = element_of(interp, &mut a)?;
-    let number = a.count("number of the section")?.to_string();
+    let number = a.count(SECTION.meaning)?.to_string();
     let words = ["section", number.as_str(), what];
     let Some(values) = evaluate(interp, id, &words) else {
         let refused = a.refuse(format!("the element has no section {number}"), "expected a number from 1 on");
@@ -362,7 +395,7 @@ fn ele_type(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn load_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "getLoadFactor $pattern");
-    let tag = a.tag(things::PATTERN, "tag of the pattern")?;
+    let tag = a.tag(things::PATTERN, GET_LOAD_FACTOR_PATTERN.meaning)?;
     let engine = &interp.host.engine;
     match engine.model().patterns.get(&tag) {
         Some(p) => Ok(Value::from(p.factor(engine.state().time))),
@@ -398,14 +431,14 @@ fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if a.left() == 0 {
         return Ok(Value::from(interp.host.builder.ndf as i64));
     }
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     Ok(Value::from(interp.host.engine.model().nodes[node.0].ndf as i64))
 }
 
 /// Equation numbers of a node, -1 where it is held.
 fn node_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeDOFs $node");
-    let node = node_of(interp, &mut a, "tag of the node")?;
+    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
     let engine = &interp.host.engine;
     let number = |dof| match engine.prepared().map(|p| p.plan.map.terms(dof)) {
         Some([(e, _)]) => i64::from(*e),

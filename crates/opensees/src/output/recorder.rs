@@ -5,7 +5,7 @@ use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
@@ -14,21 +14,28 @@ use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 
+const PRECISION_N: Arg = Arg::of("-precision", "n", "number of digits").within(Domain::Whole);
+const PERP_DIRN_DIRECTION: Arg = Arg::of("-perpDirn", "direction", "perpendicular direction").within(Domain::Whole);
+const DOF: Arg = Arg::of("-dof", "dof", "degree of freedom").within(Domain::Whole);
+const DIGITS: Arg = Arg::whole("digits", "number of digits");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder)
         .about("Records responses in a file.")
         .arguments(&[
+            Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative),
+            Arg::of("-file", "file", "name of the file"),
             Arg::flag("-file", "text, columns separated by blanks"),
             Arg::flag("-csv", "text, columns separated by commas"),
             Arg::flag("-xml", "XML"),
             Arg::of("-binary", "file", "numbers of eight bytes"),
-            Arg::of("-region", "tag", "tag of a region"),
+            Arg::of("-region", "tag", "tag of a region").within(Domain::Whole),
             Arg::of("-dof", "column", "columns of the response, from 1"),
             Arg::of("-timeSeries", "tag", "tags of series whose values are added"),
             Arg::of("-node", "tag", "tags of nodes"),
-            Arg::of("-nodeRange", "first", "first and last tag of nodes"),
+            Arg::of("-nodeRange", "first", "first and last tag of nodes").within(Domain::Whole),
             Arg::of("-ele", "tag", "tags of elements"),
-            Arg::of("-eleRange", "first", "first and last tag of elements"),
+            Arg::of("-eleRange", "first", "first and last tag of elements").within(Domain::Whole),
             Arg::of("-iNode", "tag", "tags of the lower nodes"),
             Arg::of("-jNode", "tag", "tags of the upper nodes"),
         ])
@@ -36,6 +43,7 @@ pub(crate) const COMMANDS: &[Command] = &[
         .leaving(Effect::Nothing),
     Command::new("record", "record", record).about("Makes all recorders write a row now.").leaving(Effect::Nothing),
     Command::new("setPrecision", "setPrecision $digits", set_precision)
+        .arguments(&[DIGITS])
         .about("Sets the digits of recorders that are made afterwards."),
 ];
 
@@ -47,7 +55,7 @@ const KINDS: &[Kind] = &[
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
-        text: Text::new("Records responses of nodes.").arguments(&[Arg::of(
+        text: Text::new("Records responses of nodes.").arguments(&[PRECISION_N, Arg::of(
             "-dof",
             "dof",
             "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, eigen N, eigen (a \
@@ -81,7 +89,7 @@ const KINDS: &[Kind] = &[
         names: &["Element"],
         usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
-        text: Text::new("Records responses of elements."),
+        text: Text::new("Records responses of elements.").arguments(&[PRECISION_N]),
         make: |interp, call, a| element(interp, call, a, Recorder::history),
     },
     Kind {
@@ -94,18 +102,22 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Drift", "DriftRecorder"],
         usage: "recorder Drift -file $file <-time> -iNode $tag ... -jNode $tag ... <-dof $dof> <-perpDirn $direction>",
-        text: Text::new("Records drifts between pairs of nodes.").arguments(&[Arg::of(
+        text: Text::new("Records drifts between pairs of nodes.").arguments(&[
+Arg::of(
             "-dof",
             "dof",
             "degree of freedom of the drift",
-        )]),
+        ).within(Domain::Whole),
+PERP_DIRN_DIRECTION,
+]),
         make: |interp, call, a| drift(interp, call, a, Recorder::history),
     },
     Kind {
         names: &["EnvelopeDrift"],
         usage: "recorder EnvelopeDrift -file $file <-time> -iNode $tag ... -jNode $tag ... -dof $dof \
                 -perpDirn $direction",
-        text: Text::new("Writes minimum, maximum and largest absolute value of drifts between nodes."),
+        text: Text::new("Writes minimum, maximum and largest absolute value of drifts between nodes.")
+            .arguments(&[DOF, PERP_DIRN_DIRECTION]),
         make: |interp, call, a| drift(interp, call, a, Recorder::envelope),
     },
     Kind {
@@ -132,7 +144,7 @@ const KINDS: &[Kind] = &[
                 "acceleration",
                 "weight per mass, direction and load pattern of the loads that take it off the nodes",
             ),
-            Arg::of("-node", "node", "node that is removed once all of the elements are"),
+            Arg::of("-node", "node", "node that is removed once all of the elements are").within(Domain::Whole),
             Arg::of("-file", "file", "file with a line for each removal: time, Elem or Node, tag"),
             Arg::of("-dT", "dt", "time between two looks at the elements; every step without"),
         ]),
@@ -146,7 +158,10 @@ const KINDS: &[Kind] = &[
              step in the folder `$file`.",
         )
         .arguments(&[
-            Arg::of("-precision", "digits", "accepted and not used: the files have all digits"),
+            pvd::FILE,
+            pvd::TOLERANCE,
+            pvd::MODES,
+            Arg::of("-precision", "digits", "accepted and not used: the files have all digits").within(Domain::Whole),
             Arg::new("response", "words of a response of elements; those that follow belong to it"),
         ]),
         make: pvd::pvd,
@@ -322,8 +337,8 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outc
         match option.as_ref() {
             "-iNode" | "-iNodes" => i = common.take_tags("node", &mut a),
             "-jNode" | "-jNodes" => j = common.take_tags("node", &mut a),
-            "-dof" => dof = Some(a.dof("degree of freedom", 6)?),
-            "-perpDirn" | "-perpDirection" => across = Some(a.dof("perpendicular direction", 3)?),
+            "-dof" => dof = Some(a.dof(DOF.meaning, 6)?),
+            "-perpDirn" | "-perpDirection" => across = Some(a.dof(PERP_DIRN_DIRECTION.meaning, 3)?),
             _ => {
                 let known = [COMMON, &["-iNode", "-jNode", "-dof", "-perpDirn"]].concat();
                 ignore_option(interp, &mut a, &known)?;
@@ -355,6 +370,6 @@ fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn set_precision(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "setPrecision $digits");
-    interp.host.output.style.precision = a.count("number of digits")?;
+    interp.host.output.style.precision = a.count(DIGITS.meaning)?;
     Ok(Value::EMPTY)
 }

@@ -7,6 +7,10 @@ use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const RESULT: Arg = Arg::number("result", "result");
+const REFERENCE: Arg = Arg::number("reference", "reference");
+const VALUE_TOLERANCE: Arg = Arg::number("tolerance", "tolerance");
+
 const USAGE: &str = "verify value|error $result $reference <$tolerance> <$text>";
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("verify", USAGE, verify)
@@ -14,7 +18,7 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("verify", USAGE, verify)
         "Compares a result with a number: `value` by the difference, `error` by its share of the reference. It \
          prints that they agree, or ends the script.",
     )
-    .arguments(&[Arg::new("text", "text that is printed")])];
+    .arguments(&[RESULT, REFERENCE, VALUE_TOLERANCE, Arg::new("text", "text that is printed")])];
 
 /// Tolerance where none is given, as in the OpenSees that has the command.
 const TOLERANCE: f64 = 1e-12;
@@ -28,10 +32,10 @@ fn verify(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         interp.console.out(&format!("  {text}\n"));
         return Ok(Value::EMPTY);
     }
-    let result = a.float("result")?;
+    let result = a.number(&RESULT)?;
     let word = a.last_word();
-    let reference = a.float("reference")?;
-    let given = a.optional_float("tolerance")?;
+    let reference = a.number(&REFERENCE)?;
+    let given = a.optional_number(&VALUE_TOLERANCE)?;
     let text = if a.left() > 0 { a.word("text")?.into_owned() } else { String::new() };
     // In OpenSees the text stands in the place of the tolerance, and a number is less than a text.
     let tolerance = given.unwrap_or(if text.is_empty() { TOLERANCE } else { f64::INFINITY });

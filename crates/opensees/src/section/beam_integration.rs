@@ -8,9 +8,12 @@ use hysteron_engine::element::beam::{Hinge, Rule};
 use hysteron_engine::model::Integration;
 use hysteron_tcl::{Call, Exception, Value};
 
+const TAG: Arg = Arg::whole("tag", "tag of the integration");
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("beamIntegration", USAGE, beam_integration)
     .about("Makes a rule of integration along a beam, with its sections.")
     .arguments(&[
+        TAG,
         Arg::new("section", "tag of the section"),
         Arg::new("n", "number of sections"),
         Arg::new("secI", "tag of the section of the hinge at i"),
@@ -48,37 +51,40 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Lobatto"],
         usage: "beamIntegration Lobatto $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Lobatto points, the ends of the beam among them."),
+        text: Text::new("Gauss-Lobatto points, the ends of the beam among them.").arguments(&[TAG]),
         make: Family::Simple(|| Rule::Lobatto),
     },
     Kind {
         names: &["Legendre"],
         usage: "beamIntegration Legendre $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Legendre points, all inside the beam."),
+        text: Text::new("Gauss-Legendre points, all inside the beam.").arguments(&[TAG]),
         make: Family::Simple(|| Rule::Legendre),
     },
     Kind {
         names: &["Radau"],
         usage: "beamIntegration Radau $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Radau points, one of them at the first end."),
+        text: Text::new("Gauss-Radau points, one of them at the first end.").arguments(&[TAG]),
         make: Family::Simple(|| Rule::Radau),
     },
     Kind {
         names: &["NewtonCotes"],
         usage: "beamIntegration NewtonCotes $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of Newton and Cotes."),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Newton and Cotes.")
+            .arguments(&[TAG]),
         make: Family::Simple(|| Rule::NewtonCotes),
     },
     Kind {
         names: &["Trapezoidal"],
         usage: "beamIntegration Trapezoidal $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of the trapezoidal rule."),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of the trapezoidal rule.")
+            .arguments(&[TAG]),
         make: Family::Simple(|| Rule::Trapezoidal),
     },
     Kind {
         names: &["CompositeSimpson", "Simpson"],
         usage: "beamIntegration CompositeSimpson $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of Simpson's rule."),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Simpson's rule.")
+            .arguments(&[TAG]),
         make: Family::Simple(|| Rule::Simpson),
     },
     Kind {
@@ -87,7 +93,8 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Plastic hinges of given lengths by Gauss-Radau points over four hinge lengths; the beam between them is \
              elastic.",
-        ),
+        )
+        .arguments(&[TAG]),
         make: Family::Hinges(Hinge::Radau),
     },
     Kind {
@@ -95,7 +102,8 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration HingeRadauTwo $tag $secI $lpI $secJ $lpJ $secE",
         text: Text::new(
             "Plastic hinges of given lengths with two Gauss-Radau points each; the beam between them is elastic.",
-        ),
+        )
+        .arguments(&[TAG]),
         make: Family::Hinges(Hinge::RadauTwo),
     },
     Kind {
@@ -103,13 +111,15 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration HingeMidpoint $tag $secI $lpI $secJ $lpJ $secE",
         text: Text::new(
             "Plastic hinges of given lengths with a point in the middle of each; the beam between them is elastic.",
-        ),
+        )
+        .arguments(&[TAG]),
         make: Family::Hinges(Hinge::Midpoint),
     },
     Kind {
         names: &["HingeEndpoint"],
         usage: "beamIntegration HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE",
-        text: Text::new("Plastic hinges of given lengths with a point at each end; the beam between them is elastic."),
+        text: Text::new("Plastic hinges of given lengths with a point at each end; the beam between them is elastic.")
+            .arguments(&[TAG]),
         make: Family::Hinges(Hinge::Endpoint),
     },
     Kind {
@@ -119,19 +129,20 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Points of the hinge at i, then of that at j, at given places with given weights; two Gauss points between \
              the hinges.",
-        ),
+        )
+        .arguments(&[TAG]),
         make: Family::Ends,
     },
     Kind {
         names: &["UserDefined"],
         usage: "beamIntegration UserDefined $tag $n $sections ... $places ... $weights ...",
-        text: Text::new("Points at given places with given weights."),
+        text: Text::new("Points at given places with given weights.").arguments(&[TAG]),
         make: Family::Located(|places, weights, n| (weights.len() == n).then_some(Rule::Given(places, weights))),
     },
     Kind {
         names: &["FixedLocation"],
         usage: "beamIntegration FixedLocation $tag $n $sections ... $places ...",
-        text: Text::new("Points at given places, with weights that are exact for polynomials."),
+        text: Text::new("Points at given places, with weights that are exact for polynomials.").arguments(&[TAG]),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::Located(places, weights))),
     },
     Kind {
@@ -139,13 +150,15 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration LowOrder $tag $n $sections ... $places ... <$weights ...>",
         text: Text::new(
             "Points at given places, some with given weights; the other weights are exact for polynomials.",
-        ),
+        )
+        .arguments(&[TAG]),
         make: Family::Located(|places, weights, n| (weights.len() <= n).then_some(Rule::Located(places, weights))),
     },
     Kind {
         names: &["MidDistance"],
         usage: "beamIntegration MidDistance $tag $n $sections ... $places ...",
-        text: Text::new("Points at given places, each with the length up to the middle between it and its neighbours."),
+        text: Text::new("Points at given places, each with the length up to the middle between it and its neighbours.")
+            .arguments(&[TAG]),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::MidDistance(places))),
     },
 ];
@@ -154,7 +167,7 @@ fn beam_integration(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
     kind::take(&mut a, "kind of integration", "beam integration", KINDS.iter())?;
     let name = a.last_word();
-    let tag = a.int("tag of the integration")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     let numbers = a.floats("number")?;
     finish(interp, &a)?;

@@ -4,8 +4,10 @@ use super::nd_fiber;
 use super::open::OpenSection;
 use crate::args::Args;
 use crate::checks;
+use crate::kind::{Kind, usages};
 use crate::material::nd_material::Family;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
+use crate::things;
 use crate::{Command, ModelBuilder, Outcome, Tcl, finish, slips, warn};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Fiber;
@@ -13,21 +15,61 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
+const FIBER_Y: Arg = Arg::number("y", "y of the fiber");
+const FIBER_Z: Arg = Arg::number("z", "z of the fiber");
+const FIBER_AREA: Arg = Arg::of_domain("area", "area of the fiber", Domain::UsuallyNotNegative);
+const STRAIGHT_AREA: Arg = Arg::of_domain("area", "area of a bar", Domain::UsuallyPositive);
+const RADIUS: Arg = Arg::of_domain("radius", "radius", Domain::UsuallyPositive);
+const ANGLE1: Arg = Arg::number("angle1", "first angle");
+const ANGLE2: Arg = Arg::number("angle2", "last angle");
+
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::new("fiber", FIBER, fiber).about("Adds one fibre to the section."),
-    Command::new("patch", PATCH, patch).about("Adds fibres that fill an area.").arguments(&[
-        Arg::new("nY", "number of fibres along y"),
-        Arg::new("nZ", "number of fibres along z"),
-        Arg::new("nCirc", "number of fibres around the circle"),
-        Arg::new("nRad", "number of fibres along the radius"),
-        Arg::new("y", "centre y"),
-        Arg::new("z", "centre z"),
-        Arg::new("rInner", "inner radius"),
-        Arg::new("rOuter", "outer radius"),
-        Arg::new("angle1", "first angle in degrees"),
-        Arg::new("angle2", "last angle in degrees"),
-    ]),
-    Command::new("layer", LAYER, layer).about("Adds fibres along a line or an arc, as reinforcing bars."),
+    Command::new("fiber", FIBER, fiber)
+        .arguments(&[FIBER_Y, FIBER_Z, FIBER_AREA, Arg::thing("material", things::MATERIAL)])
+        .about("Adds one fibre to the section."),
+    Command::new("patch", PATCH, patch)
+        .about("Adds fibres that fill an area.")
+        .arguments(&[
+            Arg::thing("material", things::MATERIAL),
+            Arg::whole("nIJ", "number of divisions"),
+            Arg::whole("nJK", "number of divisions across"),
+            Arg::number("yI", "y of the corner I"),
+            Arg::number("zI", "z of the corner I"),
+            Arg::number("yJ", "y of the corner J"),
+            Arg::number("zJ", "z of the corner J"),
+            Arg::number("yK", "y of the corner K"),
+            Arg::number("zK", "z of the corner K"),
+            Arg::number("yL", "y of the corner L"),
+            Arg::number("zL", "z of the corner L"),
+            Arg::new("nY", "number of fibres along y"),
+            Arg::new("nZ", "number of fibres along z"),
+            Arg::new("nCirc", "number of fibres around the circle"),
+            Arg::new("nRad", "number of fibres along the radius"),
+            Arg::new("y", "centre y"),
+            Arg::new("z", "centre z"),
+            Arg::new("rInner", "inner radius"),
+            Arg::new("rOuter", "outer radius"),
+            Arg::new("angle1", "first angle in degrees"),
+            Arg::new("angle2", "last angle in degrees"),
+        ])
+        .with_kinds(|| usages(PATCHES)),
+    Command::new("layer", LAYER, layer)
+        .arguments(&[
+            Arg::thing("material", things::MATERIAL),
+            Arg::whole("n", "number of bars"),
+            STRAIGHT_AREA,
+            Arg::number("y1", "y of the first bar"),
+            Arg::number("z1", "z of the first bar"),
+            Arg::number("y2", "y of the last bar"),
+            Arg::number("z2", "z of the last bar"),
+            Arg::number("y", "y of the centre"),
+            Arg::number("z", "z of the centre"),
+            RADIUS,
+            ANGLE1,
+            ANGLE2,
+        ])
+        .about("Adds fibres along a line or an arc, as reinforcing bars.")
+        .with_kinds(|| usages(LAYERS)),
 ];
 
 const FIBER: &str = "fiber $y $z $area $material";
@@ -35,6 +77,37 @@ const PATCH: &str = "patch quad $material $nIJ $nJK $yI $zI $yJ $zJ $yK $zK $yL 
                      circ $material $nCirc $nRad $y $z $rInner $rOuter <$angle1 $angle2>";
 const LAYER: &str =
     "layer straight $material $n $area $y1 $z1 $y2 $z2 | circ $material $n $area $y $z $radius <$angle1 $angle2>";
+
+/// Shape of a patch.
+#[derive(Clone, Copy)]
+enum Patch {
+    Quadrilateral,
+    Rectangle,
+    Circle,
+}
+
+const PATCHES: &[Kind<Patch>] = &[
+    Kind::named(&["quad", "quadr", "quadrilateral"], PATCH, Patch::Quadrilateral),
+    Kind::named(&["rect", "rectangular"], PATCH, Patch::Rectangle),
+    Kind::named(&["circ", "circular"], PATCH, Patch::Circle),
+];
+
+/// Shape of a layer.
+#[derive(Clone, Copy, PartialEq)]
+enum Layer {
+    Line,
+    Arc,
+}
+
+const LAYERS: &[Kind<Layer>] =
+    &[Kind::named(&["straight"], LAYER, Layer::Line), Kind::named(&["circ", "circular"], LAYER, Layer::Arc)];
+
+/// The shape that the next word names.
+fn form<F: Copy>(a: &mut Args<'_>, what: &str, family: &str, kinds: &'static [Kind<F>]) -> Result<F, Exception> {
+    let name = a.word(what)?;
+    let kind = kinds.iter().find(|k| k.names.contains(&name.as_ref()));
+    kind.map(|k| k.make).ok_or_else(|| a.unknown_name(family, kinds.iter().flat_map(|k| k.names.iter().copied())))
+}
 
 /// Material of a fiber with its tag: in the body of `section NDFiber` one of continua.
 enum FiberMaterial {
@@ -100,8 +173,8 @@ fn add(
 
 fn fiber(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, FIBER);
-    let place = [a.float("y of the fiber")?, a.float("z of the fiber")?];
-    let area = a.usually_not_negative(interp, "area of the fiber")?;
+    let place = [a.number(&FIBER_Y)?, a.number(&FIBER_Z)?];
+    let area = a.read(interp, &FIBER_AREA)?;
     let at = a.last_span();
     let material = material(interp, &mut a)?;
     if area == 0.0 {
@@ -123,15 +196,11 @@ fn point(a: &mut Args<'_>, what: &str) -> Result<[f64; 2], Exception> {
 
 fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PATCH);
-    let kind = a.word("kind of patch")?;
-    let known = ["quad", "quadr", "quadrilateral", "rect", "rectangular", "circ", "circular"];
-    if !known.contains(&kind.as_ref()) {
-        return Err(a.unknown_name("patch", known));
-    }
+    let shape = form(&mut a, "kind of patch", "patch", PATCHES)?;
     let material = material(interp, &mut a)?;
     let [n, m] = a.parts(["number of divisions", "number of divisions across"])?;
-    let fibers = match kind.as_ref() {
-        "rect" | "rectangular" => {
+    let fibers = match shape {
+        Patch::Rectangle => {
             let ([y1, mut z1], [y2, mut z2]) = (point(&mut a, "first corner")?, point(&mut a, "opposite corner")?);
             if (y2 - y1) * (z2 - z1) < 0.0 {
                 // As in OpenSees, so that areas are positive.
@@ -139,7 +208,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             quadrilateral([[y1, z1], [y2, z1], [y2, z2], [y1, z2]], n, m)
         }
-        "circ" | "circular" => {
+        Patch::Circle => {
             let centre = point(&mut a, "centre")?;
             let mut inner = a.usually_not_negative(interp, "inner radius")?;
             let mut outer = a.usually_not_negative(interp, "outer radius")?;
@@ -147,8 +216,8 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             if inner == outer {
                 return Err(a.refuse(format!("the outer radius {outer} is not greater than the inner one"), ""));
             }
-            let mut angles = match a.optional_float("first angle")? {
-                Some(first) => [first, a.float("last angle")?],
+            let mut angles = match a.optional_number(&ANGLE1)? {
+                Some(first) => [first, a.number(&ANGLE2)?],
                 None => [0.0, 360.0],
             };
             if inner > outer && angles[0] > angles[1] {
@@ -166,7 +235,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             ring(centre, [inner, outer], angles, n, m)
         }
-        _ => {
+        Patch::Quadrilateral => {
             let mut corners = [[0.0; 2]; 4];
             for (corner, name) in corners.iter_mut().zip(["corner I", "corner J", "corner K", "corner L"]) {
                 *corner = point(&mut a, name)?;
@@ -264,15 +333,11 @@ fn ring(centre: [f64; 2], radii: [f64; 2], angles: [f64; 2], n: usize, m: usize)
 
 fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, LAYER);
-    let kind = a.word("kind of layer")?;
-    let known = ["straight", "circ", "circular"];
-    if !known.contains(&kind.as_ref()) {
-        return Err(a.unknown_name("layer", known));
-    }
+    let shape = form(&mut a, "kind of layer", "layer", LAYERS)?;
     let material = material(interp, &mut a)?;
     let [n] = a.parts(["number of bars"])?;
-    let area = a.usually_positive(interp, "area of a bar")?;
-    let places: Vec<[f64; 2]> = if kind == "straight" {
+    let area = a.read(interp, &STRAIGHT_AREA)?;
+    let places: Vec<[f64; 2]> = if shape == Layer::Line {
         let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);
         if n == 1 {
             vec![[0, 1].map(|k| (first[k] + last[k]) / 2.0)]
@@ -281,9 +346,9 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             (0..n).map(|i| [0, 1].map(|k| first[k] + step[k] * i as f64)).collect()
         }
     } else {
-        let (centre, radius) = (point(&mut a, "centre")?, a.usually_positive(interp, "radius")?);
-        let [first, mut last] = match a.optional_float("first angle")? {
-            Some(first) => [first, a.float("last angle")?],
+        let (centre, radius) = (point(&mut a, "centre")?, a.read(interp, &RADIUS)?);
+        let [first, mut last] = match a.optional_number(&ANGLE1)? {
+            Some(first) => [first, a.number(&ANGLE2)?],
             None => [0.0, 360.0],
         };
         if last - first >= 360.0 {

@@ -40,6 +40,7 @@ pub(super) const BIDIRECTIONAL: Kind = Kind {
     names: &["Bidirectional"],
     usage: "section Bidirectional $tag $E $Fy $Hiso $Hkin <$code1 $code2>",
     text: Text::new("Two resultants that yield together, with isotropic and kinematic hardening.")
+        .example("section Bidirectional 77 1 1 1 1")
         .arguments(&[
             Arg::new("code1", "first resultant: `P`, `Mz`, `Vy`, `My`, `Vz` or `T`"),
             Arg::new("code2", "second resultant"),
@@ -52,6 +53,7 @@ pub(super) const ELLIPTICAL: Kind = Kind {
     names: &["Elliptical", "Elliptical2"],
     usage: "section Elliptical $tag $E1 $E2 $Fy1 $Fy2 $Hiso $Hkin1 $Hkin2 <$code1 $code2>",
     text: Text::new("Two resultants that yield together on an ellipse, each with its own stiffness and strength.")
+        .example("section Elliptical 77 1 1 1 1 1 1 1")
         .arguments(&[
             Arg::new("code1", "first resultant: `P`, `Mz`, `Vy`, `My`, `Vz` or `T`; `Mz` where both are left out"),
             Arg::new("code2", "second resultant; `Vy` where both are left out"),
@@ -64,6 +66,7 @@ pub(super) const TWO_SPRINGS: Kind = Kind {
     names: &["Isolator2spring", "Iso2spring"],
     usage: "section Isolator2spring $tag $tol $k1 $Fyo $k2o $kvo $hb $PE <$Po>",
     text: Text::new("An elastomeric bearing of two springs that buckles, for `zeroLengthSection` in the plane.")
+        .example("section Isolator2spring 77 1 1 1 0.5 1 1 1")
         .groups(&[&SHEAR, &AXIAL, &[REFERENCE]]),
     make: Make::Beam(two_springs),
 };

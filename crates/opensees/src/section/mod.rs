@@ -11,9 +11,9 @@ mod shapes;
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::need_model;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, warn};
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{
@@ -23,7 +23,25 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const TAG: Arg = Arg::whole("tag", "tag of the section");
+const ELASTIC_E: Arg = Arg::of_domain("E", "elastic modulus E", Domain::UsuallyPositive);
+const ELASTIC_A: Arg = Arg::of_domain("A", "cross-sectional area A", Domain::UsuallyPositive);
+const ELASTIC_IZ: Arg = Arg::of_domain("Iz", "second moment of area Iz", Domain::UsuallyPositive);
+const ELASTIC_G: Arg = Arg::number("G", "shear modulus G");
+const ALPHA_Y: Arg = Arg::number("alphaY", "shear factor alphaY");
+const ELASTIC_IY: Arg = Arg::of_domain("Iy", "second moment of area Iy", Domain::UsuallyPositive);
+const ELASTIC_J: Arg = Arg::of_domain("J", "torsion constant J", Domain::UsuallyPositive);
+const ALPHA_Z: Arg = Arg::of_domain("alphaZ", "shear factor alphaZ", Domain::UsuallyPositive);
+const ELASTIC_FRAME_G: Arg = Arg::new("G", "shear modulus G");
+const ELASTIC_FRAME_E: Arg = Arg::of("-E", "E", "elastic modulus E").within(Domain::UsuallyPositive);
+const ELASTIC_FRAME_A: Arg = Arg::of("-A", "A", "cross-sectional area A").within(Domain::UsuallyPositive);
+const IZ: Arg = Arg::of("-Iz", "Iz", "second moment of area Iz").within(Domain::UsuallyPositive);
+const IY: Arg = Arg::of("-Iy", "Iy", "second moment of area Iy").within(Domain::UsuallyPositive);
+const FRAME_G: Arg = Arg::of("-G", "G", "shear modulus G").within(Domain::Number);
+const ELASTIC_FRAME_J: Arg = Arg::of("-J", "J", "torsion constant J").within(Domain::UsuallyPositive);
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
+    .arguments(&[Arg::whole("tag", "tag of the section")])
     .about("Makes a cross-section.")
     .defining(&[things::SECTION, things::PLATE], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -47,7 +65,9 @@ const KINDS: &[Kind] = &[
         names: &["Elastic", "ElasticSection", "elastic"],
         usage: "section Elastic $tag $E $A $Iz <$G $alphaY> (in the plane) or $E $A $Iz $Iy $G $J <$alphaY $alphaZ> \
                 (in space)",
-        text: Text::new("A linear elastic section."),
+        text: Text::new("A linear elastic section.")
+            .example("section Elastic 77 1 1 1")
+            .arguments(&[TAG, ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_G, ALPHA_Y, ELASTIC_IY, ELASTIC_J, ALPHA_Z]),
         make: Make::Beam(elastic),
     },
     Kind {
@@ -57,7 +77,24 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "An elastic section whose properties are given by their names, or in the order of `section Elastic`.",
         )
-        .example("section ElasticFrame 9 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 1e-3 -G 8e7 -J 1e-3"),
+        .example("section ElasticFrame 9 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 1e-3 -G 8e7 -J 1e-3")
+        .arguments(&[
+            TAG,
+            ELASTIC_E,
+            ELASTIC_A,
+            ELASTIC_IZ,
+            ELASTIC_IY,
+            ELASTIC_FRAME_G,
+            ELASTIC_J,
+            ELASTIC_FRAME_E,
+            ELASTIC_FRAME_A,
+            IZ,
+            IY,
+            FRAME_G,
+            ELASTIC_FRAME_J,
+            Arg::of("-Ay", "Avy", "shear area Avy").within(Domain::Number),
+            Arg::of("-Az", "Avz", "shear area Avz").within(Domain::Number),
+        ]),
         make: Make::Beam(elastic_frame),
     },
     Kind {
@@ -66,7 +103,8 @@ const KINDS: &[Kind] = &[
         text: Text::new("A section of fibres, which `fiber`, `patch` and `layer` in its body make.")
             .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
             .arguments(&[
-                Arg::of("-GJ", "GJ", "torsional stiffness"),
+                TAG,
+                Arg::of("-GJ", "GJ", "torsional stiffness").within(Domain::NotNegative),
                 Arg::of("-torsion", "material", "law of torsion"),
             ]),
         make: Make::Beam(fibers),
@@ -75,13 +113,20 @@ const KINDS: &[Kind] = &[
         names: &["Aggregator", "AddDeformation"],
         usage: "section Aggregator $tag $material1 P|Mz|Vy|My|Vz|T <$material2 ...> <-section $section>",
         text: Text::new("A section of uniaxial laws, one for each resultant, optionally added to another section.")
-            .arguments(&[Arg::new("material1", "tags of the laws, each followed by the response that it adds")]),
+            .example("section Aggregator 77 1 P")
+            .arguments(&[
+                TAG,
+                Arg::new("material1", "tags of the laws, each followed by the response that it adds"),
+                Arg::of("-section", "section", "tag of a section").within(Domain::Whole),
+            ]),
         make: Make::Beam(aggregator),
     },
     Kind {
         names: &["Uniaxial", "Generic1D", "Generic1d"],
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
-        text: Text::new("A section with one resultant."),
+        text: Text::new("A section with one resultant.")
+            .example("section Uniaxial 77 1 P")
+            .arguments(&[TAG, Arg::thing("material", things::MATERIAL)]),
         make: Make::Beam(uniaxial),
     },
     nd_fiber::ND_FIBER,
@@ -101,7 +146,7 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SECTION);
     let kind = kind::take(&mut a, "kind of section", "section", KINDS.iter())?;
     interp.host.note_kind("section", kind.names[0]);
-    let tag = a.int("tag of the section")?;
+    let tag = a.int(TAG.meaning)?;
     let span = a.last_span();
     interp.host.builder.open_section = None;
     let continua = kind.names == nd_fiber::ND_FIBER.names;
@@ -127,18 +172,17 @@ fn section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
-    let (e, area) =
-        (a.usually_positive(interp, "elastic modulus E")?, a.usually_positive(interp, "cross-sectional area A")?);
-    let iz = a.usually_positive(interp, "second moment of area Iz")?;
+    let (e, area) = (a.read(interp, &ELASTIC_E)?, a.read(interp, &ELASTIC_A)?);
+    let iz = a.read(interp, &ELASTIC_IZ)?;
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     let plane = interp.host.builder.ndm != 3;
     if !plane {
-        s.iy = a.usually_positive(interp, "second moment of area Iy")?;
+        s.iy = a.read(interp, &ELASTIC_IY)?;
         s.g = a.usually_positive(interp, "shear modulus G")?;
-        s.j = a.usually_positive(interp, "torsion constant J")?;
+        s.j = a.read(interp, &ELASTIC_FRAME_J)?;
         if a.left() > 0 {
             s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
-            s.shear.1 = Some(area * a.usually_positive(interp, "shear factor alphaZ")?);
+            s.shear.1 = Some(area * a.read(interp, &ALPHA_Z)?);
         }
     } else if a.left() > 0 {
         s.g = a.usually_not_negative(interp, "shear modulus G")?;
@@ -218,7 +262,7 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
             }
             "-torsion" => torsion = Some(a.of(&interp.host.builder.definitions.materials)?),
             "-noCentroid" => origin = true,
-            _ => ignore_option(interp, a, &["-GJ", "-torsion", "-noCentroid"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let space = interp.host.builder.ndm == 3;

@@ -4,7 +4,7 @@ use super::fiber::ContinuumFiber;
 use super::{Kind, Make};
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::material::{NdMaterial, SharedMultiaxial};
 use hysteron_engine::section::{NdFiber, NdFiberSection, SharedSection};
@@ -16,7 +16,7 @@ pub(super) const ND_FIBER: Kind = Kind {
     usage: "section NDFiber $tag <-noCentroid> <-alpha $alpha> {fibers}",
     text: Text::new("A section of fibres with shear stresses, of materials of continua.")
         .example("section NDFiber 77 {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
-        .arguments(&[Arg::of("-alpha", "alpha", "shape factor of the shear strains")]),
+        .arguments(&[Arg::of("-alpha", "alpha", "shape factor of the shear strains").within(Domain::NotNegative)]),
     make: Make::Beam(make),
 };
 

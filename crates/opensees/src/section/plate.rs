@@ -5,15 +5,26 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::of_plates;
 use crate::text::{Arg, Text};
+use crate::things;
 use hysteron_engine::section::plate::{ElasticPlate, LayeredPlate, SharedPlateSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
+
+const ELASTIC_MEMBRANE_PLATE_SECTION_E: Arg = Arg::positive("E", "modulus of elasticity E");
+const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
+const ELASTIC_MEMBRANE_PLATE_SECTION_H: Arg = Arg::positive("h", "thickness h");
+const RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
+const BENDING_RATIO: Arg = Arg::not_negative("bendingRatio", "mass per volume rho");
+const H1: Arg = Arg::not_negative("h1", "thickness h of a layer");
+const H2: Arg = Arg::not_negative("h2", "thickness h of a layer");
+const LAYERED_SHELL_MATERIAL: Arg = Arg::not_negative("material", "thickness h of a layer");
 
 pub(super) const ELASTIC: Kind = Kind {
     names: &["ElasticMembranePlateSection", "ElasticPlateSection"],
     usage: "section ElasticMembranePlateSection $tag $E $nu $h <$rho> <$bendingRatio>",
     text: Text::new("An isotropic elastic plate, for shells.")
-        .example("section ElasticMembranePlateSection 77 1. 0.2 0.1"),
+        .example("section ElasticMembranePlateSection 77 1. 0.2 0.1")
+        .arguments(&[ELASTIC_MEMBRANE_PLATE_SECTION_E, NU, ELASTIC_MEMBRANE_PLATE_SECTION_H, RHO, BENDING_RATIO]),
     make: Make::Plate(elastic),
 };
 
@@ -21,34 +32,43 @@ pub(super) const UNIFORM: Kind = Kind {
     names: &["PlateFiber", "platefiber"],
     usage: "section PlateFiber $tag $material $h <Lobatto|Gauss>",
     text: Text::new("A plate of one material with five points across its thickness, for shells.")
-        .example("section PlateFiber 77 1 0.1"),
+        .example("section PlateFiber 77 1 0.1")
+        .arguments(&[Arg::thing("material", things::ND_MATERIAL), ELASTIC_MEMBRANE_PLATE_SECTION_H]),
     make: Make::Plate(uniform),
 };
 
 pub(super) const LAYERED: Kind = Kind {
     names: &["LayeredShell"],
     usage: "section LayeredShell $tag $layers $material1 $h1 $material2 $h2 ... | $layers $material $h",
-    text: Text::new("A plate of layers, for shells.")
-        .example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1")
-        .arguments(&[Arg::new("material2", "tags of the materials and thicknesses of the layers from the bottom up")]),
+    text: Text::new("A plate of layers, for shells.").example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1").arguments(
+        &[
+            Arg::whole("layers", "number of layers"),
+            Arg::thing("material1", things::ND_MATERIAL),
+            H1,
+            H2,
+            LAYERED_SHELL_MATERIAL,
+            Arg::thing("h", things::ND_MATERIAL),
+            Arg::new("material2", "tags of the materials and thicknesses of the layers from the bottom up"),
+        ],
+    ),
     make: Make::Plate(layered),
 };
 
 fn elastic(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
-    let e = a.positive("modulus of elasticity E")?;
-    let nu = a.float("Poisson's ratio nu")?;
+    let e = a.number(&ELASTIC_MEMBRANE_PLATE_SECTION_E)?;
+    let nu = a.number(&NU)?;
     if nu.abs() >= 1.0 {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected between -1 and 1"));
     }
-    let thickness = a.positive("thickness h")?;
-    let rho = if a.left() > 0 { a.not_negative("mass per volume rho")? } else { 0.0 };
+    let thickness = a.number(&ELASTIC_MEMBRANE_PLATE_SECTION_H)?;
+    let rho = if a.left() > 0 { a.number(&BENDING_RATIO)? } else { 0.0 };
     let bending_ratio = if a.left() > 0 { a.positive("ratio of the modulus in bending")? } else { 1.0 };
     Ok(ElasticPlate { e, nu, thickness, rho, bending_ratio }.shared())
 }
 
 fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
     let material = of_plates(interp, a)?;
-    let thickness = a.positive("thickness h")?;
+    let thickness = a.number(&ELASTIC_MEMBRANE_PLATE_SECTION_H)?;
     let gauss = a.flag("Gauss") || a.flag("gauss");
     if !gauss && a.left() > 0 {
         a.word("Lobatto or Gauss")?;
@@ -68,7 +88,7 @@ fn layered(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exc
         layers.resize(count, (material, thickness / count as f64));
     } else {
         for _ in 0..count {
-            layers.push((of_plates(interp, a)?, a.not_negative("thickness h of a layer")?));
+            layers.push((of_plates(interp, a)?, a.number(&H1)?));
         }
     }
     Ok(LayeredPlate::stacked(layers).shared())

@@ -4,16 +4,30 @@ use super::{Kind, Make, warn_of_torsion};
 use crate::Tcl;
 use crate::args::Args;
 use crate::text::{Arg, Text};
+use crate::things;
 use hysteron_engine::material::{Elastic, Material};
 use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::f64::consts::PI;
 
+const WFSECTION2D_D: Arg = Arg::positive("d", "depth d");
+const TW: Arg = Arg::positive("tw", "thickness of the web tw");
+const BF: Arg = Arg::positive("bf", "width of the flanges bf");
+const TF: Arg = Arg::positive("tf", "thickness of the flanges tf");
+const B: Arg = Arg::positive("b", "width b");
+const COVER_DEPTH: Arg = Arg::positive("coverDepth", "depth of the cover");
+const RCCIRCULAR_SECTION_D: Arg = Arg::positive("d", "diameter d");
+
 pub(super) const WIDE_FLANGE: Kind = Kind {
     names: &["WFSection2d", "WSection2d"],
     usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
     text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4").arguments(&[
+        Arg::thing("material", things::MATERIAL),
+        WFSECTION2D_D,
+        TW,
+        BF,
+        TF,
         Arg::new("nfdw", "fibres of the web"),
         Arg::new("nftf", "fibres of a flange across its thickness"),
         Arg::new("nfbf", "fibres of a flange across its width"),
@@ -29,6 +43,12 @@ pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
     text: Text::new("A rectangle of concrete with bars, bent about one axis.")
         .example("section RCSection2d 77 1 2 3 20. 12. 2. 0.5 0.5 0.3 16 4 3")
         .arguments(&[
+            Arg::thing("core", things::MATERIAL),
+            Arg::thing("cover", things::MATERIAL),
+            Arg::thing("steel", things::MATERIAL),
+            WFSECTION2D_D,
+            B,
+            COVER_DEPTH,
             Arg::new("Atop", "area of a bar of the top layer"),
             Arg::new("Abottom", "area of a bar of the bottom layer"),
             Arg::new("Aside", "area of a bar of the sides"),
@@ -46,6 +66,11 @@ pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
     text: Text::new("A circle of concrete with bars.")
         .example("section RCCircularSection 77 1 2 3 20. 2. 0.5 4 2 8 8 -GJ 1.")
         .arguments(&[
+            Arg::thing("core", things::MATERIAL),
+            Arg::thing("cover", things::MATERIAL),
+            Arg::thing("steel", things::MATERIAL),
+            RCCIRCULAR_SECTION_D,
+            COVER_DEPTH,
             Arg::new("As", "area of a bar"),
             Arg::new("nRingsCore", "rings of the core"),
             Arg::new("nRingsCover", "rings of the cover"),
@@ -91,8 +116,8 @@ fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<Sh
 
 fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let steel = material(interp, a)?;
-    let (d, tw) = (a.positive("depth d")?, a.positive("thickness of the web tw")?);
-    let (bf, tf) = (a.positive("width of the flanges bf")?, a.positive("thickness of the flanges tf")?);
+    let (d, tw) = (a.number(&WFSECTION2D_D)?, a.number(&TW)?);
+    let (bf, tf) = (a.number(&BF)?, a.number(&TF)?);
     let dw = d - 2.0 * tf;
     if dw <= 0.0 {
         return Err(a.refuse(format!("the flanges are {tf} thick and the section is {d} deep"), "expected less"));
@@ -121,8 +146,8 @@ fn concrete(interp: &Tcl, a: &mut Args<'_>) -> Result<[Tagged; 3], Exception> {
 
 fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let [core, cover, steel] = concrete(interp, a)?;
-    let (d, b) = (a.positive("depth d")?, a.positive("width b")?);
-    let depth = a.positive("depth of the cover")?;
+    let (d, b) = (a.number(&WFSECTION2D_D)?, a.number(&B)?);
+    let depth = a.number(&COVER_DEPTH)?;
     let (inner, width) = (d - 2.0 * depth, b - 2.0 * depth);
     if inner <= 0.0 || width <= 0.0 {
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
@@ -153,7 +178,7 @@ fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSect
 
 fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let [core, cover, steel] = concrete(interp, a)?;
-    let (d, depth) = (a.positive("diameter d")?, a.positive("depth of the cover")?);
+    let (d, depth) = (a.number(&RCCIRCULAR_SECTION_D)?, a.number(&COVER_DEPTH)?);
     let radius = 0.5 * d - depth;
     if radius <= 0.0 {
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));

@@ -198,6 +198,21 @@ slips! {
 /// Other differences.
 pub(super) const OTHERS: &[Slip] = &[
     differs(
+        "`Steel02`: `updateParameter` of `sig0`",
+        "The strain is shifted by the new initial stress. A reversal in the next step starts from the stress before the change.",
+        "Stress and strain are shifted together.",
+    ),
+    differs(
+        "`Concrete01`: `updateParameter`",
+        "The slope of unloading becomes the initial one.",
+        "The slope of unloading is that of the largest strain so far.",
+    ),
+    differs(
+        "`Hysteretic`: `updateParameter` of a point of the envelope",
+        "Damage by energy is measured by the energy of the envelope that the command made.",
+        "It is measured by the energy of the new envelope.",
+    ),
+    differs(
         "`J2BeamFiber` in the plane with `Hiso`",
         "In an elastic step the accumulated plastic strain is that of the last trial state that yielded.",
         "It is that of the committed state.",

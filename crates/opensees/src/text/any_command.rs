@@ -1,40 +1,45 @@
 //! Arguments that mean the same in every command.
 
-use super::Arg;
+use super::{Arg, Domain};
 
 /// Arguments that mean the same in every command.
 pub(super) const ANY_COMMAND: &[Arg] = &[
     Arg::flag("-doRayleigh", "the element takes part in Rayleigh damping"),
-    Arg::of("-doRayleigh", "flag", "1: the element takes part in Rayleigh damping; 0: it does not"),
+    Arg::of("-doRayleigh", "flag", "1: the element takes part in Rayleigh damping; 0: it does not")
+        .within(Domain::Whole),
     Arg::flag("-cMass", "consistent mass matrix in place of a lumped one"),
-    Arg::of("-cMass", "flag", "1: consistent mass matrix; 0: lumped"),
-    Arg::of("-useInitialDisp", "flag", "1: strain counts from the displacements at hand; 0: from zero"),
+    Arg::of("-cMass", "flag", "1: consistent mass matrix; 0: lumped").within(Domain::Whole),
+    Arg::of("-useInitialDisp", "flag", "1: strain counts from the displacements at hand; 0: from zero")
+        .within(Domain::Whole),
     Arg::of(
         "-orient",
         "x1",
         "local x axis, then a vector in the local x-y plane; in space three numbers alone are the \
          local y axis",
-    ),
-    Arg::of("-shearDist", "sDratio", "distance of the shear force from node i over the length"),
-    Arg::of("-shearDist", "sDy", "distance of the shear forces from node i over the length"),
-    Arg::of("-iter", "maxIter", "most iterations inside the element and their tolerance"),
-    Arg::of("-mass", "m", "mass of the element"),
-    Arg::of("-damp", "damping", "tag of a damping of the element's own"),
-    Arg::of("-mat", "mat1", "tags of the laws, one for each direction"),
-    Arg::of("-dir", "dir1", "directions of the laws: 1 to 3 displacements, 4 to 6 rotations"),
-    Arg::of("-P", "mat", "law of the axial force"),
+    )
+    .within(Domain::Number),
+    Arg::of("-shearDist", "sDratio", "distance of the shear force from node i over the length").within(Domain::Number),
+    Arg::of("-shearDist", "sDy", "distance of the shear forces from node i over the length").within(Domain::Number),
+    Arg::of("-iter", "maxIter", "most iterations inside the element and their tolerance").within(Domain::Whole),
+    Arg::of("-mass", "m", "mass of the element").within(Domain::NotNegative),
+    Arg::of("-damp", "damping", "tag of a damping of the element's own").within(Domain::Whole),
+    Arg::of("-mat", "mat1", "tags of the laws, one for each direction").within(Domain::Whole),
+    Arg::of("-dir", "dir1", "directions of the laws: 1 to 3 displacements, 4 to 6 rotations").within(Domain::Whole),
+    Arg::of("-P", "mat", "law of the axial force").within(Domain::Whole),
     Arg::of("-T", "mat", "law of torsion, in space"),
     Arg::of("-My", "mat", "law of the moment about local y, in space"),
-    Arg::of("-Mz", "mat", "law of the moment about local z"),
-    Arg::of("-Vy", "mat", "law of the shear force along local y"),
+    Arg::of("-Mz", "mat", "law of the moment about local z").within(Domain::Whole),
+    Arg::of("-Vy", "mat", "law of the shear force along local y").within(Domain::Whole),
     Arg::of("-Vz", "mat", "law of the shear force along local z, in space"),
-    Arg::of("-release", "code", "ends without moment: 0 none, 1 end i, 2 end j, 3 both"),
-    Arg::of("-releasez", "code", "ends without moment about local z: 0 none, 1 end i, 2 end j, 3 both"),
-    Arg::of("-releasey", "code", "ends without moment about local y: 0 none, 1 end i, 2 end j, 3 both"),
+    Arg::of("-release", "code", "ends without moment: 0 none, 1 end i, 2 end j, 3 both").within(Domain::Whole),
+    Arg::of("-releasez", "code", "ends without moment about local z: 0 none, 1 end i, 2 end j, 3 both")
+        .within(Domain::Whole),
+    Arg::of("-releasey", "code", "ends without moment about local y: 0 none, 1 end i, 2 end j, 3 both")
+        .within(Domain::Whole),
     Arg::flag("-geomNonlinear", "second-order effect within the element"),
     Arg::flag("-shear", "deflections follow shear strains too"),
     Arg::of("-integration", "rule", "rule of integration, by its name in `beamIntegration`"),
-    Arg::of("-sections", "section1", "tags of the sections, one for each point"),
+    Arg::of("-sections", "section1", "tags of the sections, one for each point").within(Domain::Whole),
     Arg::flag("-shape", "plan of the section: `round` or `square`"),
     Arg::flag("-noPDInput", "without the P-Delta effect on the inner equilibrium"),
     Arg::flag("-noTilt", "without the tilt of the shear springs"),
@@ -44,13 +49,14 @@ pub(super) const ANY_COMMAND: &[Arg] = &[
         "limFo",
         "largest unbalanced external and internal force, and number of corrections; of use \
          under `--compat opensees` only",
-    ),
+    )
+    .within(Domain::Positive),
     Arg::flag("-inclVertDisp", "the pendulum rises as it slides"),
-    Arg::of("-nMat", "mat1", "tags of the laws, one for each spring"),
+    Arg::of("-nMat", "mat1", "tags of the laws, one for each spring").within(Domain::Whole),
     Arg::flag("-axial", "axial law: `kumar` (cavitation and buckling) or `linear`"),
     Arg::flag("-pDelta", "`on` or `off`: moments of the axial force"),
-    Arg::of("-coRS", "cr", "factors on the coefficients of the law"),
-    Arg::of("-dampMats", "mat1", "tags of laws of damping, one for each direction"),
+    Arg::of("-coRS", "cr", "factors on the coefficients of the law").within(Domain::Positive),
+    Arg::of("-dampMats", "mat1", "tags of laws of damping, one for each direction").within(Domain::Whole),
     Arg::flag(
         "-beyond",
         "`hold`: beyond its table rubber keeps the parameters of the end, with a warning; `error`: \

@@ -1,6 +1,6 @@
 //! Explicit integrators of transient analyses.
 
-use super::{IntegratorResult, Kind, alpha_parameters};
+use super::{BETA, HHT, IntegratorResult, Kind, alpha_parameters};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
@@ -9,6 +9,8 @@ use hysteron_engine::analysis::integrator::{
     AlphaParameters, CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference,
     KrAlpha,
 };
+
+const P: Arg = Arg::positive("p", "share p of the first part of a step");
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -38,7 +40,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ExplicitBathe"],
         usage: "integrator ExplicitBathe $p",
-        text: Text::new("The explicit method of Noh and Bathe."),
+        text: Text::new("The explicit method of Noh and Bathe.").arguments(&[P]),
         make: explicit_bathe,
     },
     Kind {
@@ -50,7 +52,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTExplicit"],
         usage: "integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>",
-        text: Text::new("The explicit method of Hilber, Hughes and Taylor."),
+        text: Text::new("The explicit method of Hilber, Hughes and Taylor.").arguments(HHT),
         make: hht_explicit,
     },
     Kind {
@@ -58,8 +60,9 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "integrator HHTGeneralizedExplicit $rhoB $alphaF | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
         text: Text::new("The explicit generalised alpha method.").arguments(&[
             Arg::new("rhoB", "spectral radius at the bifurcation"),
-            Arg::new("alphaF", "weight alphaF of the forces at the end"),
-            Arg::new("alphaI", "weight alphaI of the inertia at the end"),
+            Arg::positive("alphaF", "weight alphaF of the forces at the end"),
+            Arg::not_negative("alphaI", "weight alphaI of the inertia at the end"),
+            BETA,
         ]),
         make: hht_generalized_explicit,
     },
@@ -86,7 +89,7 @@ fn central_difference_alternative(interp: &mut Tcl, a: &mut Args<'_>) -> Integra
 }
 
 fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let p = a.positive("share p of the first part of a step")?;
+    let p = a.number(&P)?;
     if p >= 1.0 {
         return Err(a.refuse(format!("p is {p}"), "expected more than 0 and less than 1"));
     }

@@ -2,8 +2,8 @@
 
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
-use crate::text::Text;
-use crate::{Tcl, ignore_option};
+use crate::text::{Arg, Domain, Text};
+use crate::{Tcl, ignore_option, ignore_unknown};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, Newmark, Restrained,
     Restraint, Trapezoidal,
@@ -28,6 +28,8 @@ enum Increments {
 
 use Increments::{FixedNumber, Limited, Reduced};
 
+const NORM_TYPE_P: Arg = Arg::of("-normType", "p", "p of the norm").within(Domain::Whole);
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["NewmarkHSIncrReduct"],
@@ -40,7 +42,8 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["NewmarkHSIncrLimit"],
         usage: "integrator NewmarkHSIncrLimit $gamma $beta $limit <-normType $p>",
-        text: Text::new("Newmark's method for hybrid simulation, with corrections of limited size."),
+        text: Text::new("Newmark's method for hybrid simulation, with corrections of limited size.")
+            .arguments(&[NORM_TYPE_P]),
         make: |interp, a| implicit(interp, a, "NewmarkHSIncrLimit", Method::Newmark, Limited),
     },
     Kind {
@@ -60,7 +63,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTHSIncrLimit"],
         usage: "integrator HHTHSIncrLimit $rhoInf|{$alphaI $alphaF $beta $gamma} $limit <-normType $p>",
-        text: Text::new("The same with corrections of limited size."),
+        text: Text::new("The same with corrections of limited size.").arguments(&[NORM_TYPE_P]),
         make: |interp, a| implicit(interp, a, "HHTHSIncrLimit", Method::Hht, Limited),
     },
     Kind {
@@ -78,7 +81,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTHSIncrLimit_TP"],
         usage: "integrator HHTHSIncrLimit_TP $rhoInf|{$alphaI $alphaF $beta $gamma} $limit <-normType $p>",
-        text: Text::new("`HHTHSIncrLimit` with trapezoidal weights."),
+        text: Text::new("`HHTHSIncrLimit` with trapezoidal weights.").arguments(&[NORM_TYPE_P]),
         make: |interp, a| implicit(interp, a, "HHTHSIncrLimit_TP", Method::HhtTrapezoidal, Limited),
     },
     Kind {
@@ -96,7 +99,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["CollocationHSIncrLimit"],
         usage: "integrator CollocationHSIncrLimit $theta <$beta $gamma> $limit <-normType $p>",
-        text: Text::new("The same with corrections of limited size."),
+        text: Text::new("The same with corrections of limited size.").arguments(&[NORM_TYPE_P]),
         make: |interp, a| implicit(interp, a, "CollocationHSIncrLimit", Method::Collocation, Limited),
     },
     Kind {
@@ -125,7 +128,7 @@ fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) ->
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-updateElemDisp" => update_elements = true,
-            _ => ignore_option(interp, a, &["-updateElemDisp"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let p = match (name, numbers.as_slice()) {
@@ -153,7 +156,7 @@ fn implicit(
     let (mut norm, mut order) = (2, 2);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-normType" => norm = a.int("p of the norm")?,
+            "-normType" => norm = a.int(NORM_TYPE_P.meaning)?,
             "-polyOrder" => {
                 order = a.count("order of the polynomial")?;
                 if order > 3 {

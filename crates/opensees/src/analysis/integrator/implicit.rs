@@ -1,11 +1,11 @@
 //! Implicit integrators of transient analyses.
 
-use super::{IntegratorResult, Kind, alpha_parameters};
+use super::{BETA, HHT, IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::Text;
-use crate::{Tcl, ignore_option, warn};
+use crate::text::{Arg, Text};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::analysis::Coefficients;
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, Collocation, Form, GeneralizedAlpha, GimmeMck, Hht, Newmark, backward_euler, houbolt, park_lms3,
@@ -14,11 +14,16 @@ use hysteron_engine::analysis::integrator::{
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const GENERALIZED_ALPHA_ALPHA_M: Arg = Arg::positive("alphaM", "alphaM");
+const GIMME_MCK_M: Arg = Arg::number("m", "share of the mass");
+const GIMME_MCK_C: Arg = Arg::number("c", "share of the damping");
+const GIMME_MCK_K: Arg = Arg::number("k", "share of the stiffness");
+
 pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Newmark"],
         usage: "integrator Newmark $gamma $beta <-form D|V|A>",
-        text: Text::new("Newmark's method."),
+        text: Text::new("Newmark's method.").arguments(&[BETA]),
         make: newmark,
     },
     Kind {
@@ -30,7 +35,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHT"],
         usage: "integrator HHT $alpha <$gamma $beta>",
-        text: Text::new("The method of Hilber, Hughes and Taylor."),
+        text: Text::new("The method of Hilber, Hughes and Taylor.").arguments(HHT),
         make: hht,
     },
     Kind {
@@ -42,7 +47,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["GeneralizedAlpha"],
         usage: "integrator GeneralizedAlpha $alphaM $alphaF <$beta $gamma>",
-        text: Text::new("The generalised alpha method."),
+        text: Text::new("The generalised alpha method.").arguments(&[GENERALIZED_ALPHA_ALPHA_M]),
         make: generalized_alpha,
     },
     Kind {
@@ -90,7 +95,11 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["GimmeMCK", "ZZTop"],
         usage: "integrator GimmeMCK $m $c $k",
-        text: Text::new("No motion: the matrix $m M + c C + k K$, for `printA`."),
+        text: Text::new("No motion: the matrix $m M + c C + k K$, for `printA`.").arguments(&[
+            GIMME_MCK_M,
+            GIMME_MCK_C,
+            GIMME_MCK_K,
+        ]),
         make: gimme_mck,
     },
 ];
@@ -121,7 +130,7 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
                     _ => return Err(a.unknown_name("form of Newmark's method", ["D", "V", "A"])),
                 };
             }
-            _ => ignore_option(interp, a, &["-form"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if beta == 0.0 && form != Form::Acceleration {
@@ -164,7 +173,7 @@ fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
 }
 
 fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let (inertia, force) = (a.positive("alphaM")?, a.positive("alphaF")?);
+    let (inertia, force) = (a.number(&GENERALIZED_ALPHA_ALPHA_M)?, a.positive("alphaF")?);
     let p = if a.left() == 0 {
         AlphaParameters::second_order(inertia, force)
     } else {
@@ -204,6 +213,6 @@ fn wilson_theta(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
 }
 
 fn gimme_mck(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let (m, c) = (a.float("share of the mass")?, a.float("share of the damping")?);
-    Ok(Box::new(GimmeMck(Coefficients { k: a.float("share of the stiffness")?, c, m })))
+    let (m, c) = (a.number(&GIMME_MCK_M)?, a.number(&GIMME_MCK_C)?);
+    Ok(Box::new(GimmeMck(Coefficients { k: a.number(&GIMME_MCK_K)?, c, m })))
 }

@@ -17,20 +17,33 @@ use hysteron_tcl::{Call, Exception, Value};
 pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR, integrator)
     .about("Chooses how a step advances time or load.")
     .arguments(&[
+        Arg::number("alphaM", "factor of the mass alphaM"),
+        Arg::number("betaK", "factor of the current stiffness betaK"),
+        Arg::number("betaK0", "factor of the initial stiffness betaK0"),
+        Arg::number("betaKc", "factor of the committed stiffness betaKc"),
+        Arg::new("factor", "a parameter"),
+        Arg::new("{$alphaI $alphaF $beta $gamma}", "a parameter"),
         Arg::new("iterations", "iterations wanted: the step grows where fewer are needed"),
-        Arg::new("rhoInf", "spectral radius at infinite frequency"),
-        Arg::new("theta", "collocation parameter theta"),
+        Arg::not_negative("rhoInf", "spectral radius at infinite frequency"),
+        Arg::positive("theta", "collocation parameter theta"),
         Arg::new("limit", "limit of a correction, for `...HSIncrLimit`"),
         Arg::flag("-polyOrder", "order of the polynomial between steps"),
-        Arg::new("gamma", "Newmark parameter gamma"),
-        Arg::new("beta", "Newmark parameter beta"),
-        Arg::new("alphaI", "weight alphaI of the inertia at the end"),
-        Arg::new("alphaF", "weight alphaF of the forces at the end"),
-        Arg::new("alpha", "weight alpha of the forces at the end"),
+        Arg::positive("gamma", "Newmark parameter gamma"),
+        Arg::positive("beta", "Newmark parameter beta"),
+        Arg::not_negative("alphaI", "weight alphaI of the inertia at the end"),
+        Arg::positive("alphaF", "weight alphaF of the forces at the end"),
+        Arg::number("alpha", "weight alpha of the forces at the end"),
     ])
     .with_kinds(|| FAMILIES.iter().flat_map(|kinds| kind::usages(kinds)).collect())];
 
 const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";
+
+/// The Newmark parameter of methods for which it may be 0.
+const BETA: Arg = Arg::not_negative("beta", "Newmark parameter beta");
+
+/// Arguments of the methods of Hilber, Hughes and Taylor.
+const HHT: &[Arg] =
+    &[Arg::positive("alpha", "weight alpha of the forces at the end"), Arg::number("gamma", "Newmark parameter gamma")];
 
 type IntegratorResult = Result<Box<dyn Integrator>, Exception>;
 

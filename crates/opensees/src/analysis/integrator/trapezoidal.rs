@@ -3,8 +3,8 @@
 use super::{IntegratorResult, Kind, alpha_parameters};
 use crate::args::Args;
 use crate::slips;
-use crate::text::Text;
-use crate::{Tcl, ignore_option};
+use crate::text::{Arg, Text};
+use crate::{Tcl, ignore_option, ignore_unknown};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
 };
@@ -34,7 +34,8 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTGeneralizedExplicit_TP"],
         usage: "integrator HHTGeneralizedExplicit_TP $rhoB $alphaF | $alphaI $alphaF $beta $gamma",
-        text: Text::new("The explicit generalised alpha method with trapezoidal weights."),
+        text: Text::new("The explicit generalised alpha method with trapezoidal weights.")
+            .arguments(&[Arg::new("rhoB", "a parameter")]),
         make: hht_generalized_explicit,
     },
     Kind {
@@ -73,7 +74,7 @@ fn splitting_numbers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<f64>, bo
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-updateElemDisp" => update_elements = true,
-            _ => ignore_option(interp, a, &["-updateElemDisp"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok((numbers, update_elements))
