@@ -105,19 +105,26 @@ pub(crate) fn add(
     });
 }
 
-/// Retained and constrained node, which must not be the same.
-fn pair(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
+/// Retained and constrained node; `None` where they are the same, which constrains nothing.
+fn pair(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Option<(NodeId, NodeId)>, Exception> {
     let retained = node_of(interp, a, "tag of the retained node")?;
-    let constrained = node_of(interp, a, "tag of the constrained node")?;
-    if retained == constrained {
-        return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
+    Ok(follower(interp, a, retained)?.map(|constrained| (retained, constrained)))
+}
+
+/// A node that follows the retained one; `None` where it is that node itself, as in loops over all nodes of a floor.
+fn follower(interp: &mut Tcl, a: &mut Args<'_>, retained: NodeId) -> Result<Option<NodeId>, Exception> {
+    let constrained = node_of(interp, a, "tag of a constrained node")?;
+    if constrained != retained {
+        return Ok(Some(constrained));
     }
-    Ok((retained, constrained))
+    let d = Diagnostic::warning(&checks::model::FOLLOWS_ITSELF, "a node follows itself: nothing is constrained");
+    warn(interp, d.at(a.last_span(), "expected another node than the retained one"))?;
+    Ok(None)
 }
 
 fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EQUAL);
-    let (retained, constrained) = pair(interp, &mut a)?;
+    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
     let nodes = &interp.host.engine.model().nodes;
     let limit = nodes[retained.0].ndf.min(nodes[constrained.0].ndf);
     let mut dofs = vec![a.dof("degree of freedom", limit)?];
@@ -133,7 +140,7 @@ fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EQUAL_MIXED);
-    let (retained, constrained) = pair(interp, &mut a)?;
+    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
     let nodes = &interp.host.engine.model().nodes;
     let (of_retained, of_constrained) = (nodes[retained.0].ndf, nodes[constrained.0].ndf);
     let n = a.count("number of pairs of degrees of freedom")?;
@@ -175,12 +182,9 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     // The two directions in the plane, and the rotation about its normal.
     let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];
     while a.left() > 0 {
-        let node = node_of(interp, &mut a, "tag of a constrained node")?;
+        let Some(node) = follower(interp, &mut a, retained)? else { continue };
         let nodes = &interp.host.engine.model().nodes;
         let arm = nodes[node.0].place() - nodes[retained.0].place();
-        if node == retained {
-            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
-        }
         if nodes[node.0].ndf != 6 {
             return Err(a.refuse("the node has not got 6 degrees of freedom", ""));
         }
@@ -202,10 +206,7 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn plane_diaphragm(interp: &mut Tcl, a: &mut Args<'_>, direction: usize, retained: NodeId) -> Outcome {
     let needed = if direction == 2 { 3 } else { direction + 1 };
     while a.left() > 0 {
-        let node = node_of(interp, a, "tag of a constrained node")?;
-        if node == retained {
-            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
-        }
+        let Some(node) = follower(interp, a, retained)? else { continue };
         let nodes = &interp.host.engine.model().nodes;
         if nodes[node.0].ndf.min(nodes[retained.0].ndf) < needed {
             let message =
@@ -240,7 +241,7 @@ fn rigid_link(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "bar" | "-bar" | "rod" | "-rod" => false,
         _ => return Err(a.unknown_name("kind of rigid link", ["beam", "bar"])),
     };
-    let (retained, constrained) = pair(interp, &mut a)?;
+    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
     finish(interp, &a)?;
     let nodes = &interp.host.engine.model().nodes;
     let (r, c) = (&nodes[retained.0], &nodes[constrained.0]);
