@@ -122,8 +122,10 @@ pub(crate) const COMMANDS: &[Command] = &[
         "Returns the number of iterations of the last step; 0 of an algorithm that searches along lines or has \
          no test.",
     ),
-    Command::asking("testNorm", "testNorm", norms).about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
-    Command::asking("testNorms", "testNorms", norms).about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
+    Command::asking("testNorm", "testNorm", norms)
+        .about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
+    Command::asking("testNorms", "testNorms", norms)
+        .about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
     Command::asking("numFact", "numFact", factorizations)
         .about("Returns the number of factorisations of the last step."),
     Command::asking("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))))
