@@ -90,7 +90,8 @@ fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// Add a constraint: `matrix` times the retained degrees of freedom are the constrained ones, row by row.
+/// Add a constraint: `matrix` times the retained degrees of freedom are the constrained ones, row by row. Of a node with itself
+/// there is none.
 pub(crate) fn add(
     interp: &mut Tcl,
     retained: NodeId,
@@ -98,6 +99,9 @@ pub(crate) fn add(
     dofs: (Vec<usize>, Vec<usize>),
     matrix: Vec<f64>,
 ) {
+    if constrained == retained {
+        return;
+    }
     let tag = interp.host.mp_tag();
     let (constrained_dofs, retained_dofs) = dofs;
     interp.host.engine.change_model(|model| {
@@ -105,10 +109,10 @@ pub(crate) fn add(
     });
 }
 
-/// Retained and constrained node; `None` where they are the same, which constrains nothing.
-fn pair(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Option<(NodeId, NodeId)>, Exception> {
+/// Retained and constrained node.
+fn pair(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
     let retained = node_of(interp, a, "tag of the retained node")?;
-    Ok(follower(interp, a, retained)?.map(|constrained| (retained, constrained)))
+    Ok((retained, follower(interp, a, retained)?.unwrap_or(retained)))
 }
 
 /// A node that follows the retained one; `None` where it is that node itself, as in loops over all nodes of a floor.
@@ -124,7 +128,7 @@ fn follower(interp: &mut Tcl, a: &mut Args<'_>, retained: NodeId) -> Result<Opti
 
 fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EQUAL);
-    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
+    let (retained, constrained) = pair(interp, &mut a)?;
     let nodes = &interp.host.engine.model().nodes;
     let limit = nodes[retained.0].ndf.min(nodes[constrained.0].ndf);
     let mut dofs = vec![a.dof("degree of freedom", limit)?];
@@ -140,7 +144,7 @@ fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, EQUAL_MIXED);
-    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
+    let (retained, constrained) = pair(interp, &mut a)?;
     let nodes = &interp.host.engine.model().nodes;
     let (of_retained, of_constrained) = (nodes[retained.0].ndf, nodes[constrained.0].ndf);
     let n = a.count("number of pairs of degrees of freedom")?;
@@ -241,7 +245,7 @@ fn rigid_link(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         "bar" | "-bar" | "rod" | "-rod" => false,
         _ => return Err(a.unknown_name("kind of rigid link", ["beam", "bar"])),
     };
-    let Some((retained, constrained)) = pair(interp, &mut a)? else { return Ok(Value::EMPTY) };
+    let (retained, constrained) = pair(interp, &mut a)?;
     finish(interp, &a)?;
     let nodes = &interp.host.engine.model().nodes;
     let (r, c) = (&nodes[retained.0], &nodes[constrained.0]);
