@@ -154,3 +154,25 @@ fn a_diaphragm_in_the_plane() {
         }
     }
 }
+
+/// A floor may be given with its retained node among the others: the diaphragm is the same.
+#[test]
+fn a_retained_node_among_those_that_follow_changes_nothing() {
+    let floor = |nodes: &str| {
+        let script = format!(
+            "model basic -ndm 3 -ndf 6
+            foreach {{i x y}} {{1 0 0 2 4 0 3 4 4 4 0 4}} {{
+                node $i $x $y 0; fix $i 1 1 1 1 1 1; node [expr {{$i+10}}] $x $y 3
+            }}
+            geomTransf Linear 1 1 0 0
+            foreach i {{1 2 3 4}} {{ element elasticBeamColumn $i $i [expr {{$i+10}}] 0.1 2e8 8e7 1e-4 1e-4 1e-4 1 }}
+            rigidDiaphragm 3 11 {nodes}
+            timeSeries Linear 1; pattern Plain 1 1 {{ load 11 10 5 0 0 0 0 }}
+            constraints Transformation; numberer RCM; system FullGeneral; algorithm Linear
+            integrator LoadControl 1; analysis Static; analyze 1; puts \"[nodeDisp 11] [nodeDisp 13]\""
+        );
+        run(&script).numbers()
+    };
+    let expected = floor("12 13 14");
+    assert!(expected[6] != 0.0 && floor("11 12 13 14") == expected);
+}

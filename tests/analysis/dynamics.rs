@@ -468,3 +468,21 @@ fn rayleigh_damping_of_elements_and_nodes() {
         assert!(numbers.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{choice}: {numbers:?}");
     }
 }
+
+/// Force-based beams have lumped masses: `-cMass` is no option of theirs, in OpenSees neither.
+#[test]
+fn consistent_masses_are_those_of_beams_by_displacements() {
+    let first = |kind: &str, options: &str| {
+        let script = format!(
+            "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 3; fix 1 1 1 1; geomTransf Linear 1
+            section Elastic 1 2e8 0.04 1.3e-4; beamIntegration Lobatto 1 1 4
+            element {kind} 1 1 2 1 1 -mass 0.3 {options}
+            puts [eigen -fullGenLapack 1]"
+        );
+        run(&script).numbers()[0]
+    };
+    for kind in ["forceBeamColumn", "mixedBeamColumn"] {
+        assert_eq!(first(kind, "-cMass"), first(kind, ""), "{kind}");
+    }
+    assert!(first("dispBeamColumn", "-cMass") > 1.5 * first("dispBeamColumn", ""));
+}

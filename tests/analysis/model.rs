@@ -172,8 +172,9 @@ fn constraints_are_listed() {
         fix 1 1 1 0; fix 4 0 0 1
         rigidLink beam 2 3; equalDOF 3 4 1 2
         puts [getFixedNodes]; puts [getFixedDOFs 1]; puts [getConstrainedNodes]; puts [getConstrainedNodes 3]
-        puts [getRetainedNodes]; puts [getConstrainedDOFs 4]; puts [getRetainedDOFs 2]; puts [getNumElements]");
-    assert_eq!(ran.numbers(), [1., 4., 1., 2., 3., 4., 4., 2., 3., 1., 2., 1., 2., 3., 0.]);
+        puts [getRetainedNodes]; puts [getConstrainedDOFs 4]; puts [getRetainedDOFs 2]; puts [getNumElements]
+        puts [getConstrainedDOFs 3 2 3]; puts [getConstrainedDOFs 4 3 3]; puts [getRetainedDOFs 3 4 2]");
+    assert_eq!(ran.numbers(), [1., 4., 1., 2., 3., 4., 4., 2., 3., 1., 2., 1., 2., 3., 0., 3., 2.]);
 }
 
 /// Loads along members go with their pattern, also with the last one that has any.

@@ -194,8 +194,9 @@ def test_a_branch_that_is_kept_is_a_warning():
         if ops.nodeDisp(2, 1) > 1e9:
             ops.remove("recorders")
 
-    with pytest.warns(OpenSeesWarning, match="keeps the branch"):
+    with pytest.warns(OpenSeesWarning, match="keeps the branch") as said:
         study = Study(model=model, parameters={"k": (1.0, 5.0)}, runs=[recording(MOTION, 1)], observe=OBSERVE)
+    assert [w.filename for w in said] == [__file__]
     assert study.names == ["k"] and hysteron.opensees.getNodeTags() == [1, 2]
 
 

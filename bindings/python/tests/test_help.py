@@ -68,6 +68,8 @@ def test_a_wrong_name_of_a_word_is_told(frame):
         frame.uniaxialMaterial("Steel01", 1, Fy=2.0, E=200.0)
     with pytest.raises(OpenSeesError, match="no argument 'Fyy'(.|\n)*'Fy'(.|\n)*usage: uniaxialMaterial"):
         frame.uniaxialMaterial("Steel01", 1, Fyy=2.0, Fy=2.0, E=200.0, b=0.02)
+    with pytest.raises(OpenSeesError, match="no argument 'bb'(.|\n)*did you mean 'b'"):
+        frame.uniaxialMaterial("Steel01", 1, Fy=2.0, E=200.0, bb=0.02)
     with pytest.raises(OpenSeesError, match="'E0' is given twice"):
         frame.uniaxialMaterial("Steel01", 1, 2.0, 200.0, E=200.0, b=0.02)
 

@@ -72,6 +72,9 @@ class _Form:
     def place(self, given, keywords):
         """Words behind the kind; None and the reason where a name has no place."""
         words, left = list(given), {self._named(name): value for name, value in keywords.items()}
+        unknown = next((n for n in left if n not in self.names), None)
+        if unknown is not None:
+            return None, f"there is no argument {unknown!r}"
         for i, (name, optional) in enumerate(self.places):
             if i < len(given):
                 if name in left:
@@ -85,8 +88,6 @@ class _Form:
             else:
                 break
         for name, value in left.items():
-            if name not in self.options:
-                return None, f"there is no argument {name!r}"
             if value is not False:
                 words += [self.options[name], *([] if value is True else [value])]
         return words, None
@@ -199,11 +200,13 @@ def about(name, kind=None):
     preferred = next((names[0] for names, _ in kinds if kind in names), kind)
     lines = _sections().get(name if kind is None else f"{name} {preferred}", [])
     out = [_hysteron.usage_in_python(_usage(name, kind) if kind else _USAGES[name][0]), ""]
-    inside = False
+    inside = of_kinds = False
     for line in lines:
+        # The kinds stand in a list of their own below.
+        of_kinds = line.startswith("|") and (of_kinds or line.startswith("| kind "))
         if line.startswith("```"):
             inside = not inside
-        elif inside or line.startswith("Known names"):
+        elif inside or of_kinds or line.startswith("Known names"):
             continue
         elif line.startswith("|"):
             cells = _cells(line)

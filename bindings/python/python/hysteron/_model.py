@@ -264,7 +264,7 @@ def _column_names(name, what, count):
     """Names of the columns of a history: by node and degree of freedom where they are given, else by numbers from 1."""
     words = _listed(what)
     if words[0] in _NODE_QUANTITIES and len(words) > 2:
-        nodes, dofs = _listed(words[1]), words[2:]
+        nodes, dofs = _listed(words[1]), [dof for word in words[2:] for dof in _listed(word)]
         names = [f"{name}_{node}_{dof}" for node in nodes for dof in dofs]
         if len(names) == count:
             return names

@@ -912,12 +912,12 @@ class Model:
     def testNorm(self) -> list[float]:
         """testNorm()
 
-        Returns the norms of the last test.
+        Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed.
         """
     def testNorms(self) -> list[float]:
         """testNorms()
 
-        Returns the norms of the last test.
+        Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed.
         """
     def testUniaxialMaterial(self, tag: _Word) -> None:
         """testUniaxialMaterial(tag)

@@ -136,7 +136,7 @@ def write(folder, model, parameters, runs, observe, title, more):
     branches = sorted({place for t in traces for place in t.branches})
     if branches:
         said = "the model compares a number that depends on its parameters or on a result: the script keeps the branch that was taken"
-        warnings.warn(f"{said} ({', '.join(branches)})", OpenSeesWarning, stacklevel=4)
+        warnings.warn(f"{said} ({', '.join(branches)})", OpenSeesWarning, stacklevel=3)
     script = Script(traces, start, [_recorder(channel, what) for channel, what in observe.items()])
     (folder / "model.tcl").write_text(script.text, encoding="utf-8")
     out = [_table("", {"title": title or model.__name__, "model": "model.tcl", **{k: v for k, v in more.items() if not isinstance(v, dict)}})]

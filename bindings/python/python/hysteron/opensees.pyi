@@ -906,12 +906,12 @@ def testIter() -> int:
 def testNorm() -> list[float]:
     """testNorm()
 
-    Returns the norms of the last test.
+    Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed.
     """
 def testNorms() -> list[float]:
     """testNorms()
 
-    Returns the norms of the last test.
+    Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed.
     """
 def testUniaxialMaterial(tag: _Word) -> None:
     """testUniaxialMaterial(tag)

@@ -110,7 +110,7 @@ pub enum TestOutcome {
 
 impl Test {
     /// Norms kept of a step; the last place takes those that come after.
-    const KEPT: usize = 1000;
+    pub const KEPT: usize = 1000;
 
     /// A test with the Euclidean norm.
     pub fn new(measure: Measure, tolerance: f64, max_iterations: usize) -> Self {

@@ -16,6 +16,9 @@ hysteron_tcl::checks! {
     DIAPHRAGM_APART "diaphragm-apart":
         "A node of a diaphragm in the plane lies beside the axis through the retained node.",
         "It moves as far as the retained node, and does not follow its rotation.";
+    FOLLOWS_ITSELF "follows-itself":
+        "A constraint joins a node with itself, which constrains nothing.",
+        "Leave the retained node out. OpenSees leaves out the whole diaphragm, or its equations have no answer.";
     HELD_TWICE "held-twice":
         "A degree of freedom is held by a support and by an imposed displacement, or by two imposed ones.",
         "OpenSees does not define which of them holds. Remove one.";

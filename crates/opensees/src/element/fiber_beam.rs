@@ -248,6 +248,8 @@ fn take(
     deflects: Option<bool>,
 ) -> Result<Words, Exception> {
     check(a, ends)?;
+    // Others have lumped masses alone.
+    let by_displacements = default == Rule::Legendre;
     let second_is_number = a.ahead().nth(1).is_some_and(|v| v.as_f64().is_some());
     let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
         // The number of points and `-sections`, or with one section for all of them.
@@ -313,7 +315,7 @@ fn take(
         match option.as_ref() {
             "-mass" => rho = a.not_negative("mass per length")?,
             "-shear" if deflects.is_some() => shear = true,
-            "-cMass" => consistent = true,
+            "-cMass" if by_displacements => consistent = true,
             "-lMass" => consistent = false,
             "-damp" if deflects.is_none() => damping = Some(of_tag(interp, a)?),
             "-iter" => iterations(interp, a, &mut force_based)?,
@@ -322,22 +324,11 @@ fn take(
                 force_based.parts = a.int("number of subdivisions")?.max(1) as u32;
                 force_based.factor = a.float("factor of a subdivision")?.max(1.0);
             }
-            "-integration" => {
-                let words = a.word("rule of integration")?;
-                let name = words.split_whitespace().next().unwrap_or_default().to_owned();
-                if name.len() < words.trim().len() {
-                    let d = Diagnostic::warning(
-                        &checks::words::WORDS_LEFT_OVER,
-                        format!("-integration takes the name {name} alone"),
-                    );
-                    warn(interp, d.at(a.last_span(), "what follows the name is ignored"))?;
-                }
-                let Some(found) = simple(&name) else {
-                    return Err(a.unknown_name("rule of integration", ["Lobatto", "Legendre", "Radau", "NewtonCotes"]));
-                };
-                rule = found;
+            "-integration" => rule = named_rule(interp, a)?,
+            _ => {
+                let known = ["-mass", "-iter", "-integration", "-damp", "-cMass"];
+                ignore_option(interp, a, &known[..if by_displacements { 5 } else { 4 }])?;
             }
-            _ => ignore_option(interp, a, &["-mass", "-cMass", "-iter", "-integration", "-damp"])?,
         }
     }
     if rule.points(sections.len(), 1.0).is_none() && !matches!(rule, Rule::Hinges(..)) {
@@ -346,6 +337,18 @@ fn take(
     }
     let integration = Integration { rule, sections };
     Ok(Words { transform, transform_at, integration, rho, consistent, force_based, shear, damping })
+}
+
+/// The rule of integration of the option, a name alone.
+fn named_rule(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Rule, Exception> {
+    let words = a.word("rule of integration")?;
+    let name = words.split_whitespace().next().unwrap_or_default().to_owned();
+    if name.len() < words.trim().len() {
+        let message = format!("-integration takes the name {name} alone");
+        let d = Diagnostic::warning(&checks::words::WORDS_LEFT_OVER, message);
+        warn(interp, d.at(a.last_span(), "what follows the name is ignored"))?;
+    }
+    simple(&name).ok_or_else(|| a.unknown_name("rule of integration", ["Lobatto", "Legendre", "Radau", "NewtonCotes"]))
 }
 
 /// A force-based beam as the run wants it.

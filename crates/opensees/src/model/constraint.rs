@@ -115,7 +115,8 @@ fn fix_level(interp: &mut Tcl, call: &Call<'_>, direction: usize) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-/// Add a constraint: `matrix` times the retained degrees of freedom are the constrained ones, row by row.
+/// Add a constraint: `matrix` times the retained degrees of freedom are the constrained ones, row by row. Of a node with itself
+/// there is none.
 pub(crate) fn add(
     interp: &mut Tcl,
     retained: NodeId,
@@ -123,6 +124,9 @@ pub(crate) fn add(
     dofs: (Vec<usize>, Vec<usize>),
     matrix: Vec<f64>,
 ) {
+    if constrained == retained {
+        return;
+    }
     let tag = interp.host.mp_tag();
     let (constrained_dofs, retained_dofs) = dofs;
     interp.host.engine.change_model(|model| {
@@ -130,14 +134,21 @@ pub(crate) fn add(
     });
 }
 
-/// Retained and constrained node, which must not be the same.
-fn pair(interp: &Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
+/// Retained and constrained node.
+fn pair(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(NodeId, NodeId), Exception> {
     let retained = node_of(interp, a, RETAINED.meaning)?;
+    Ok((retained, follower(interp, a, retained)?.unwrap_or(retained)))
+}
+
+/// A node that follows the retained one; `None` where it is that node itself, as in loops over all nodes of a floor.
+fn follower(interp: &mut Tcl, a: &mut Args<'_>, retained: NodeId) -> Result<Option<NodeId>, Exception> {
     let constrained = node_of(interp, a, CONSTRAINED.meaning)?;
-    if retained == constrained {
-        return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
+    if constrained != retained {
+        return Ok(Some(constrained));
     }
-    Ok((retained, constrained))
+    let d = Diagnostic::warning(&checks::model::FOLLOWS_ITSELF, "a node follows itself: nothing is constrained");
+    warn(interp, d.at(a.last_span(), "expected another node than the retained one"))?;
+    Ok(None)
 }
 
 fn equal_dof(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -200,12 +211,9 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     // The two directions in the plane, and the rotation about its normal.
     let (p, q) = [(1, 2), (2, 0), (0, 1)][normal];
     while a.left() > 0 {
-        let node = node_of(interp, &mut a, CONSTRAINED1.meaning)?;
+        let Some(node) = follower(interp, &mut a, retained)? else { continue };
         let nodes = &interp.host.engine.model().nodes;
         let arm = nodes[node.0].place() - nodes[retained.0].place();
-        if node == retained {
-            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
-        }
         if nodes[node.0].ndf != 6 {
             return Err(a.refuse("the node has not got 6 degrees of freedom", ""));
         }
@@ -227,10 +235,7 @@ fn rigid_diaphragm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn plane_diaphragm(interp: &mut Tcl, a: &mut Args<'_>, direction: usize, retained: NodeId) -> Outcome {
     let needed = if direction == 2 { 3 } else { direction + 1 };
     while a.left() > 0 {
-        let node = node_of(interp, a, CONSTRAINED1.meaning)?;
-        if node == retained {
-            return Err(a.refuse("a node cannot follow itself", "expected another node than the retained one"));
-        }
+        let Some(node) = follower(interp, a, retained)? else { continue };
         let nodes = &interp.host.engine.model().nodes;
         if nodes[node.0].ndf.min(nodes[retained.0].ndf) < needed {
             let message =

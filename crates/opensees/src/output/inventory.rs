@@ -12,9 +12,11 @@ const NODE: Arg = Arg::whole("node", "tag of the node");
 const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const NODE_RESPONSE_RESPONSE: Arg = Arg::whole("response", "number of the response");
 
-const RETAINED: &[Arg] = &[Arg::new("retained", "tag of the node that leads; all where it is left out")];
+const LEADS: Arg = Arg::new("retained", "tag of the node that leads; all where it is left out");
 
-const CONSTRAINED: &[Arg] = &[Arg::new("constrained", "tag of the node that follows; all where it is left out")];
+const FOLLOWS: Arg = Arg::new("constrained", "tag of the node that follows; all where it is left out");
+
+const AT_OTHER: Arg = Arg::new("dof", "degree of freedom of that node; all where it is left out");
 
 const RESPONSE: &str = "nodeResponse $node $dof $response (1 displacement, 2 velocity, 3 acceleration)";
 
@@ -35,18 +37,18 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Returns the degrees of freedom of a node that are held."),
     Command::asking("getConstrainedNodes", "getConstrainedNodes <$retained>", |i, c| joined(i, c, true))
         .about("Returns the tags of the nodes that follow others.")
-        .groups(&[RETAINED]),
+        .arguments(&[LEADS]),
     Command::asking("getRetainedNodes", "getRetainedNodes <$constrained>", |i, c| joined(i, c, false))
         .about("Returns the tags of the nodes that others follow.")
-        .groups(&[CONSTRAINED]),
-    Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained>", |i, c| joined_dofs(i, c, true))
-        .arguments(&[NODE])
-        .about("Returns the degrees of freedom of a node that follow others.")
-        .groups(&[RETAINED]),
-    Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained>", |i, c| joined_dofs(i, c, false))
-        .arguments(&[NODE])
+        .arguments(&[FOLLOWS]),
+    Command::asking("getConstrainedDOFs", "getConstrainedDOFs $node <$retained> <$dof>", |i, c| {
+        joined_dofs(i, c, true)
+    })
+    .about("Returns the degrees of freedom of a node that follow others.")
+    .arguments(&[NODE, LEADS, AT_OTHER]),
+    Command::asking("getRetainedDOFs", "getRetainedDOFs $node <$constrained> <$dof>", |i, c| joined_dofs(i, c, false))
         .about("Returns the degrees of freedom of a node that others follow.")
-        .groups(&[CONSTRAINED]),
+        .arguments(&[NODE, FOLLOWS, AT_OTHER]),
     Command::asking("nodeResponse", RESPONSE, node_response)
         .arguments(&[NODE, DOF, NODE_RESPONSE_RESPONSE])
         .about("Returns a displacement, velocity or acceleration of a node by number."),
@@ -95,19 +97,29 @@ fn joined(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
 
 /// Degrees of freedom of a node that follow others, or that lead.
 fn joined_dofs(interp: &mut Tcl, call: &Call<'_>, following: bool) -> Outcome {
-    let mut a = Args::new(call, "getConstrainedDOFs $node <$other>");
+    let mut a = Args::new(call, "getConstrainedDOFs $node <$other> <$dof>");
     let node = node_of(interp, &mut a, NODE.meaning)?;
     let other = if a.left() > 0 { Some(node_of(interp, &mut a, "tag of the node on the other side")?) } else { None };
+    let at_other = match other {
+        Some(other) if a.left() > 0 => {
+            Some(a.dof("degree of freedom on the other side", interp.host.engine.model().nodes[other.0].ndf)?)
+        }
+        _ => None,
+    };
     finish(interp, &a)?;
-    let found = interp.host.engine.model().multi_points.iter().filter_map(|m| {
-        let (own, across, dofs) = if following {
-            (m.constrained, m.retained, &m.constrained_dofs)
+    let found = interp.host.engine.model().multi_points.iter().flat_map(|m| {
+        let (own, across, dofs, others) = if following {
+            (m.constrained, m.retained, &m.constrained_dofs, &m.retained_dofs)
         } else {
-            (m.retained, m.constrained, &m.retained_dofs)
+            (m.retained, m.constrained, &m.retained_dofs, &m.constrained_dofs)
         };
-        (own == node && other.is_none_or(|other| across == other)).then_some(dofs)
+        // Pair by pair, as the constraint names them.
+        let joined = own == node && other.is_none_or(|other| across == other);
+        let pairs =
+            dofs.iter().zip(others).filter(move |(_, other)| joined && at_other.is_none_or(|dof| dof == **other));
+        pairs.map(|(dof, _)| *dof)
     });
-    Ok(dofs(found.flatten().copied()))
+    Ok(dofs(found))
 }
 
 fn node_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {

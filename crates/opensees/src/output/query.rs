@@ -9,7 +9,7 @@ use crate::slips;
 use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
-use hysteron_engine::analysis::{Failure, ReactionKind, State};
+use hysteron_engine::analysis::{Failure, ReactionKind, State, Test};
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -155,8 +155,10 @@ pub(crate) const COMMANDS: &[Command] = &[
         "Returns the number of iterations of the last step; 0 of an algorithm that searches along lines or has \
          no test.",
     ),
-    Command::asking("testNorm", "testNorm", norms).about("Returns the norms of the last test."),
-    Command::asking("testNorms", "testNorms", norms).about("Returns the norms of the last test."),
+    Command::asking("testNorm", "testNorm", norms)
+        .about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
+    Command::asking("testNorms", "testNorms", norms)
+        .about("Returns the norms of the last test: one of each iteration, and zeros up to the iterations allowed."),
     Command::asking("numFact", "numFact", factorizations)
         .about("Returns the number of factorisations of the last step."),
     Command::asking("version", "version", |_, _| Ok(Value::from(env!("CARGO_PKG_VERSION"))))
@@ -466,7 +468,13 @@ fn algorithm_iterations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
 }
 
 fn norms(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
-    Ok(interp.host.engine.setup().map_or(Value::EMPTY, |s| list(&s.test.norms)))
+    // As long as the iterations that are allowed, with zeros for those that were not made.
+    let padded = |test: &Test| {
+        let mut norms = test.norms.clone();
+        norms.resize(test.max_iterations.min(Test::KEPT).max(norms.len()), 0.0);
+        list(&norms)
+    };
+    Ok(interp.host.engine.setup().map_or(Value::EMPTY, |s| padded(&s.test)))
 }
 
 fn factorizations(interp: &mut Tcl, _: &Call<'_>) -> Outcome {
