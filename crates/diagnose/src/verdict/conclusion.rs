@@ -175,8 +175,9 @@ impl VerdictJudge<'_, '_> {
         let (cause, probabilities) = loop {
             let probabilities = cause_probabilities(evidence);
             let cause = probabilities[0].0;
-            // Even for `unknown` the nearest repair is written.
-            if repairs.iter().any(|(known, _)| *known == cause) || cause == "unknown" && !repairs.is_empty() {
+            // Even for `unknown` the nearest repair is written and judged. That of a complete model is none.
+            let is_judged = |(known, _): &(&str, Repair)| *known == cause || cause == "unknown" && *known != "none";
+            if repairs.iter().any(is_judged) {
                 break (cause, probabilities);
             }
             let repair = self.best_repair(cause, evidence)?;
