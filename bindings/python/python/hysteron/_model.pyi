@@ -231,8 +231,8 @@ class Model:
         Makes a transformation between local and global coordinates, for beams.
         """
     def getCDF(self, *args: Any) -> NoReturn: ...
-    def getConstrainedDOFs(self, node: _Word, retained: _Word = ...) -> list[int]:
-        """getConstrainedDOFs(node, <retained>)
+    def getConstrainedDOFs(self, node: _Word, retained: _Word = ..., dof: _Word = ...) -> list[int]:
+        """getConstrainedDOFs(node, <retained>, <dof>)
 
         Returns the degrees of freedom of a node that follow others.
         """
@@ -352,8 +352,8 @@ class Model:
 
         Returns 0: there is one process.
         """
-    def getRetainedDOFs(self, node: _Word, constrained: _Word = ...) -> list[int]:
-        """getRetainedDOFs(node, <constrained>)
+    def getRetainedDOFs(self, node: _Word, constrained: _Word = ..., dof: _Word = ...) -> list[int]:
+        """getRetainedDOFs(node, <constrained>, <dof>)
 
         Returns the degrees of freedom of a node that others follow.
         """
