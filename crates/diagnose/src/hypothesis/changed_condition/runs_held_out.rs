@@ -48,7 +48,7 @@ mod tests {
         let both = held_in_too(&proposal, &study, &[further]).expect("a proposal");
         let told = format!("\nif {{$::motion eq {{0.dat}} || $::motion eq {{{last}.dat}}}} {{set k 2}}");
         assert_eq!(both.option_edits[0].text, told);
-        assert_eq!(both.condition.expect("a condition").also_in, [further.name.clone()]);
+        assert_eq!(both.condition.expect("a condition").also_in, std::slice::from_ref(&further.name));
         // Values that hold from a time on have a time of each run.
         let in_part = ChangedCondition { from: Some("hy_from".into()), ..condition };
         let proposal = Proposal { condition: Some(in_part), ..proposal };
