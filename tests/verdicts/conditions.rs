@@ -43,6 +43,13 @@ pub fn loosened(part: f64) -> Concealed {
     pad(tests, |t| lopsided(t, |t, _| if ["again", "loose"].contains(&t.name) { part * FY } else { FY }))
 }
 
+/// The same device tested twice under one motion, the second time with another strength.
+pub fn repeated(factor: f64) -> Concealed {
+    let mut tests = two_tests();
+    tests.insert(1, test("repeated", growing(), false));
+    pad(tests, |t| lopsided(t, |t, _| if t.name == "repeated" { factor * FY } else { FY }))
+}
+
 /// The same device in a steady motion, tightened for a time.
 pub fn tightened_in_steady_motion(factor: f64) -> Concealed {
     pad(vec![test("steady", steady(), false)], |t| {

@@ -73,8 +73,9 @@ prior! {
     MIN_CYCLE_SAMPLES: usize = 20, "count";
     /// Largest share of the square of a steady motion that its mean cycle leaves. Machines repeat a cycle within a few per cent.
     MAX_UNSTEADY_SHARE: f64 = 0.02, "share";
-    /// Log odds over every other cause, on what differs between cycles, from which a change in time has that evidence. A choice.
-    BETWEEN_CYCLES_LOG_ODDS: f64 = 5.0, "nats";
+    /// Log odds over every other cause, on what differs where a motion repeats, from which a changed condition has that evidence. A
+    /// choice.
+    REPEATED_MOTION_LOG_ODDS: f64 = 5.0, "nats";
     /// Order of the autoregressive noise that whitens residuals. A choice.
     LIKELIHOOD_NOISE_ORDER: usize = 2, "count";
     /// Largest root of that noise, of as many points. Its correlation falls to a third within a fortieth of the record. A choice.

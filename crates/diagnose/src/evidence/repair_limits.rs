@@ -49,8 +49,9 @@ impl VerdictEvidence {
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));
         }
-        // A fault that the recording shows by itself may be short.
-        let Some(taken) = self.taken_share(h, repair).filter(|_| !is_visible(h)) else { return out };
+        // A fault that the recording shows by itself may be short, and a condition is what differs where a motion repeats.
+        let is_part = is_visible(h) || h.told_by_repetition;
+        let Some(taken) = self.taken_share(h, repair).filter(|_| !is_part) else { return out };
         let percent = |x: f64| format!("{:.0} %", 100.0 * x.max(0.0));
         let least = if is_sensor_fault(&repair.cause) { MIN_TAKEN_SHARE_OF_SENSOR } else { MIN_TAKEN_SHARE };
         if taken.mean() < least {

@@ -330,6 +330,7 @@ pub(crate) mod tests {
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
             range_fault_in_one_run: false,
+            told_by_repetition: false,
             same_model: None,
             held_back: None,
             unpredicted: None,

@@ -28,14 +28,14 @@ pub(crate) struct FittedHypothesis {
     pub(crate) held_out: Option<ChannelResiduals>,
     /// Log evidence with prior odds, nats; -∞ before it is ranked.
     pub(crate) log_evidence: f64,
-    /// True if it takes most of what differs between the cycles of a steady motion, and no other cause does.
-    pub(crate) told_between_cycles: bool,
+    /// True if it takes most of what differs where a motion repeats, and no other cause does.
+    pub(crate) told_by_repetition: bool,
 }
 
 impl FittedHypothesis {
     /// Not ranked yet.
     pub(crate) fn new(variant: Arc<Variant>, fitted: FittedModel) -> Self {
-        Self { variant, fitted, held_out: None, log_evidence: f64::NEG_INFINITY, told_between_cycles: false }
+        Self { variant, fitted, held_out: None, log_evidence: f64::NEG_INFINITY, told_by_repetition: false }
     }
 
     /// Its cause; `none` for the user's model.

@@ -316,7 +316,7 @@ impl VerdictJudge<'_, '_> {
             judged: &repair,
             responses: c.responses,
             motions: &self.motions,
-            told_between_cycles: hypothesis.told_between_cycles,
+            told_by_repetition: hypothesis.told_by_repetition,
             extent: c.inventory.extent,
             noise: c.recorded.noise,
             left: fitted.objective,

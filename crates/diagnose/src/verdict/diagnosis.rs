@@ -8,9 +8,9 @@ use super::repair::RefutedEffect;
 use super::result_file::Outcome;
 use super::structure_drawing::StructureDrawing;
 use crate::candidate::proposal::Proposal;
-use crate::evidence::between_cycles::{SteadyMotion, compare_cycles};
 use crate::evidence::memory_evidence::ModelRuns;
 use crate::evidence::ranking::{bootstrap_ranking, rank};
+use crate::evidence::repeated_motion::{RepeatedMotions, compare_repeated};
 use crate::fit::baseline::{fit_baseline, is_poor, refit_baseline};
 use crate::fit::checkpoint::CheckpointEntry;
 use crate::fit::evaluator_pool::EvaluatorPool;
@@ -25,7 +25,7 @@ use crate::fit::two_effect_search::two_effect_search;
 use crate::fit::unmoved_channels::unmoved_channels;
 use crate::fit::unread_parameters::with_unread_parameters;
 use crate::hypothesis::{
-    self,
+    self, changed_condition,
     context::{ProposalContext, Sensitivities},
 };
 use crate::inspect::conditions::lacks_clock;
@@ -225,9 +225,10 @@ pub fn diagnose(
     search.until_not_refuted(&mut scheduler, singles)
 }
 
-/// Steady parts of the motions of all runs.
-fn steady_motions(c: &ConclusionContext<'_>, values: &[f64]) -> Vec<Option<SteadyMotion>> {
-    displacements(c, values).into_iter().map(|motion| SteadyMotion::of(&motion?.1)).collect()
+/// Motions of all runs that repeat.
+fn repeated_motions(c: &ConclusionContext<'_>, values: &[f64]) -> RepeatedMotions {
+    let motions: Vec<Option<Vec<f64>>> = displacements(c, values).into_iter().map(|motion| Some(motion?.1)).collect();
+    RepeatedMotions::of(&motions)
 }
 
 /// From fitted single effects to the verdict.
@@ -279,9 +280,10 @@ impl SecondSearch<'_> {
         ranked.retain(|e| drift_is_significant(c.study, e));
         scheduler.hold_out("what it predicts", &mut ranked)?;
         rank(&mut ranked)?;
-        let has_change = ranked.iter().any(|e| !e.variant.change_point_coordinates().is_empty());
-        let motions = if has_change { steady_motions(c, &self.baseline_of_script.fitted.values) } else { vec![] };
-        compare_cycles(c.study, &mut ranked, &motions);
+        let has_condition = ranked.iter().any(|e| e.cause() == changed_condition::CAUSE);
+        let motions = has_condition.then(|| repeated_motions(c, &self.baseline_of_script.fitted.values));
+        let motions = motions.unwrap_or_default();
+        compare_repeated(c.study, &mut ranked, &motions);
         // A complete model lacks no two effects. Where no single effect gains anything, two together may.
         let left = || unmodelled_structure(c.study, c.responses, &ranked[0].fitted.fits, true).share;
         if ranked[0].cause() != "none" || left() > MIN_STRUCTURE_FOR_PAIRS {
@@ -290,7 +292,7 @@ impl SecondSearch<'_> {
             if !pairs.is_empty() {
                 ranked.extend(pairs);
                 rank(&mut ranked)?;
-                compare_cycles(c.study, &mut ranked, &motions);
+                compare_repeated(c.study, &mut ranked, &motions);
             }
         }
         let bootstrap = bootstrap_ranking(scheduler, &ranked, &finalists)?;

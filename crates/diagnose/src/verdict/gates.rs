@@ -39,8 +39,8 @@ pub(super) struct GatedRepair<'a> {
     pub(super) responses: &'a ResponseRanges,
     /// Motions of the fitted runs.
     pub(super) motions: &'a RunMotions,
-    /// True if it takes most of what differs between the cycles of a steady motion, and no other cause does.
-    pub(super) told_between_cycles: bool,
+    /// True if it takes most of what differs where a motion repeats, and no other cause does.
+    pub(super) told_by_repetition: bool,
     /// Diagonal of the box around all nodes.
     pub(super) extent: f64,
     /// NMSE of the noise in the fitted recordings; none if they do not show it.
@@ -217,9 +217,10 @@ impl GatedRepair<'_> {
         if self.variant.cause() != changed_condition::CAUSE {
             return String::new();
         }
-        if self.told_between_cycles {
-            return " It takes most of what differs between the cycles of a steady motion, and no other cause does."
-                .into();
+        if self.told_by_repetition {
+            let is_in_time = !self.variant.change_point_coordinates().is_empty();
+            let what = if is_in_time { "the cycles of a steady motion" } else { "runs of one motion" };
+            return format!(" It takes most of what differs between {what}, and no other cause does.");
         }
         self.runs_of_like_motion().map_or_else(String::new, |[changed, other]| {
             format!(" The runs {changed} and {other} move alike, so that neither amplitude nor rate tells them apart.")
@@ -244,7 +245,7 @@ impl GatedRepair<'_> {
 
     /// Returns true for another value of a parameter that neither a run nor cycles of like motion tell.
     fn is_condition_alone(&self) -> bool {
-        let is_told = self.told_between_cycles || self.runs_of_like_motion().is_some();
+        let is_told = self.told_by_repetition || self.runs_of_like_motion().is_some();
         self.variant.cause() == changed_condition::CAUSE && !is_told
     }
 

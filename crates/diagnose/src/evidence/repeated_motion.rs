@@ -1,15 +1,17 @@
-//! Evidence of what differs between the cycles of a steady motion.
+//! Evidence of what differs where a motion repeats: between the cycles of a steady motion, and between runs of one motion.
 //!
 //! An error that every cycle repeats says nothing of a parameter that changed on the way: the model lacks as much before the
 //! change as after it. The mean over cycles is therefore taken out of the residual of each run whose motion is steady, and
-//! hypotheses are compared by the rest. Other values of a parameter for a part of a run take the log evidence of this comparison
-//! where no other cause explains the differences as well.
+//! hypotheses are compared by the rest. Of runs whose motions are one, sample by sample, the differences of the residuals are
+//! compared. Other values of a parameter take the log evidence of this comparison where no other cause explains the differences
+//! as well.
 
 use super::likelihood::NoiseModel;
 use super::ranking::prior_log_odds;
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::job::ChannelResiduals;
-use crate::prior::{BETWEEN_CYCLES_LOG_ODDS, MAX_UNSTEADY_SHARE, MIN_CYCLE_SAMPLES, MIN_CYCLES, MIN_TAKEN_SHARE};
+use crate::hypothesis::changed_condition;
+use crate::prior::{MAX_UNSTEADY_SHARE, MIN_CYCLE_SAMPLES, MIN_CYCLES, MIN_TAKEN_SHARE, REPEATED_MOTION_LOG_ODDS};
 use crate::series::power;
 use hysteron_identify::study::{ObservedChannel, Role, Study};
 use std::ops::Range;
@@ -88,56 +90,113 @@ fn steady_samples(u: &[f64], cycle: usize) -> Range<usize> {
     longest.start * cycle..longest.end * cycle
 }
 
-/// Raises other values of a parameter for a part of a run to their evidence from what differs between cycles, over the user's
-/// model, and sorts the hypotheses again. `motions` are those of the runs of the study.
-pub(crate) fn compare_cycles(study: &Study, all: &mut [FittedHypothesis], motions: &[Option<SteadyMotion>]) {
-    all.iter_mut().for_each(|e| e.told_between_cycles = false);
-    let between: Vec<Option<ChannelResiduals>> =
-        all.iter().map(|e| between_cycles(study, e.held_out.as_ref()?, motions)).collect();
-    let square = |r: &ChannelResiduals| r.iter().map(|x| power(x)).sum::<f64>();
-    let Some(least) = between.iter().flatten().min_by(|a, b| square(a).total_cmp(&square(b))) else { return };
-    let noise = NoiseModel::of(least);
-    let evidence = |(e, r): (&FittedHypothesis, &Option<ChannelResiduals>)| {
-        r.as_ref()
-            .map_or(f64::NEG_INFINITY, |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.counted_parameters()))
-    };
-    let evidence: Vec<f64> = all.iter().zip(&between).map(evidence).collect();
-    let Some(none) = all.iter().position(|e| e.cause() == "none") else { return };
+/// Motions of the runs of a study that repeat: in cycles, or from run to run.
+#[derive(Default)]
+pub(crate) struct RepeatedMotions {
+    steady: Vec<Option<SteadyMotion>>,
+    /// First run with the motion of each run, sample by sample.
+    first_alike: Vec<usize>,
+}
+
+impl RepeatedMotions {
+    /// From a displacement of each run.
+    pub(crate) fn of(displacements: &[Option<Vec<f64>>]) -> Self {
+        let is_alike = |a: &Option<Vec<f64>>, b: &Option<Vec<f64>>| match (a, b) {
+            (Some(a), Some(b)) if a.len() == b.len() => {
+                let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+                power(&difference) <= MAX_UNSTEADY_SHARE * power(a)
+            }
+            _ => false,
+        };
+        let first = |i: usize| (0..i).find(|k| is_alike(&displacements[*k], &displacements[i])).unwrap_or(i);
+        Self {
+            steady: displacements.iter().map(|u| SteadyMotion::of(u.as_ref()?)).collect(),
+            first_alike: (0..displacements.len()).map(first).collect(),
+        }
+    }
+
+    /// Residuals of the channels in runs of steady motion, without what every cycle repeats; `None` without such a run.
+    fn between_cycles(&self, study: &Study, residuals: &ChannelResiduals) -> Option<ChannelResiduals> {
+        let of = |((i, o), r): ((usize, &ObservedChannel), &Vec<f64>)| {
+            let motion = self.steady.get(i)?.as_ref().filter(|_| r.len() == o.values.len())?;
+            Some(motion.differences(r))
+        };
+        some(fitted_channels(study).zip(residuals).filter_map(of).collect())
+    }
+
+    /// Differences of the residuals of a channel in fitted runs of one motion from those in the first of them; `None` without
+    /// two such runs.
+    fn between_runs(&self, study: &Study, residuals: &ChannelResiduals) -> Option<ChannelResiduals> {
+        let all: Vec<((usize, &ObservedChannel), &Vec<f64>)> = fitted_channels(study).zip(residuals).collect();
+        let of = |((i, o), r): &((usize, &ObservedChannel), &Vec<f64>)| {
+            let group = self.first_alike.get(*i)?;
+            let is_first = |((k, other), x): &&((usize, &ObservedChannel), &Vec<f64>)| {
+                self.first_alike.get(*k) == Some(group) && other.channel == o.channel && x.len() == r.len()
+            };
+            let ((first, _), x) = all.iter().find(is_first)?;
+            let whole = first != i && r.len() == o.values.len();
+            whole.then(|| r.iter().zip(*x).map(|(a, b)| a - b).collect())
+        };
+        some(all.iter().filter_map(of).collect())
+    }
+}
+
+fn fitted_channels(study: &Study) -> impl Iterator<Item = (usize, &ObservedChannel)> {
+    study.runs_of(Role::Fit).flat_map(|(i, run)| run.observe.iter().map(move |o| (i, o)))
+}
+
+fn some(residuals: ChannelResiduals) -> Option<ChannelResiduals> {
+    (!residuals.is_empty()).then_some(residuals)
+}
+
+/// Raises a changed condition to its evidence from what differs where a motion repeats, over the user's model, and sorts the
+/// hypotheses again. Cycles tell one for a part of a run, and runs of one motion tell one of a run.
+pub(crate) fn compare_repeated(study: &Study, all: &mut [FittedHypothesis], motions: &RepeatedMotions) {
+    all.iter_mut().for_each(|e| e.told_by_repetition = false);
     let is_in_time = |e: &FittedHypothesis| !e.variant.change_point_coordinates().is_empty();
-    let most = |of_time: bool| {
-        let of = all.iter().zip(&evidence).filter(|(e, _)| is_in_time(e) == of_time && e.second_cause().is_none());
-        of.map(|(_, x)| *x).fold(f64::NEG_INFINITY, f64::max)
-    };
-    if most(true) < most(false) + BETWEEN_CYCLES_LOG_ODDS {
-        return;
-    }
-    let of_none = all[none].log_evidence;
-    let Some(before) = between[none].as_ref().map(square) else { return };
-    for ((e, own), after) in all.iter_mut().zip(&evidence).zip(&between).filter(|((e, _), _)| is_in_time(e)) {
-        e.log_evidence = e.log_evidence.max(of_none + own - evidence[none]);
-        e.told_between_cycles = after.as_ref().is_some_and(|r| square(r) <= (1.0 - MIN_TAKEN_SHARE) * before);
-    }
+    let is_condition = |e: &FittedHypothesis| e.cause() == changed_condition::CAUSE;
+    raise(all, |e| is_condition(e) && is_in_time(e), |r| motions.between_cycles(study, r));
+    let is_of_run = |e: &FittedHypothesis| is_condition(e) && e.variant.is_condition_of_one_run() && !is_in_time(e);
+    raise(all, is_of_run, |r| motions.between_runs(study, r));
     all.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
 }
 
-/// Residuals of the channels in runs of steady motion, without what every cycle repeats; `None` without such a run.
-fn between_cycles(
-    study: &Study,
-    residuals: &ChannelResiduals,
-    motions: &[Option<SteadyMotion>],
-) -> Option<ChannelResiduals> {
-    let channels = study.runs_of(Role::Fit).flat_map(|(i, run)| run.observe.iter().map(move |o| (i, o)));
-    let of = |((i, o), r): ((usize, &ObservedChannel), &Vec<f64>)| {
-        let motion = motions.get(i)?.as_ref().filter(|_| r.len() == o.values.len())?;
-        Some(motion.differences(r))
+/// Raises conditions to their evidence from a part of the residuals, if that leads every other cause there. A wrong range in one
+/// run is another value of a parameter, if that explains as much.
+fn raise(
+    all: &mut [FittedHypothesis],
+    is_raised: impl Fn(&FittedHypothesis) -> bool,
+    part: impl Fn(&ChannelResiduals) -> Option<ChannelResiduals>,
+) {
+    let parts: Vec<Option<ChannelResiduals>> = all.iter().map(|e| part(e.held_out.as_ref()?)).collect();
+    let square = |r: &ChannelResiduals| r.iter().map(|x| power(x)).sum::<f64>();
+    let Some(least) = parts.iter().flatten().min_by(|a, b| square(a).total_cmp(&square(b))) else { return };
+    let noise = NoiseModel::of(least);
+    let evidence = |(e, r): (&FittedHypothesis, &Option<ChannelResiduals>)| {
+        let of = |r| prior_log_odds(e) + noise.log_evidence(r, e.variant.counted_parameters());
+        r.as_ref().map_or(f64::NEG_INFINITY, of)
     };
-    let out: ChannelResiduals = channels.zip(residuals).filter_map(of).collect();
-    (!out.is_empty()).then_some(out)
+    let evidence: Vec<f64> = all.iter().zip(&parts).map(evidence).collect();
+    let Some(none) = all.iter().position(|e| e.cause() == "none") else { return };
+    let most = |raised: bool| {
+        let is_single = |e: &FittedHypothesis| e.second_cause().is_none() && !e.variant.has_range_fault_in_one_run();
+        let of = all.iter().zip(&evidence).filter(|(e, _)| is_raised(e) == raised && is_single(e));
+        of.map(|(_, x)| *x).fold(f64::NEG_INFINITY, f64::max)
+    };
+    if most(true) < most(false) + REPEATED_MOTION_LOG_ODDS {
+        return;
+    }
+    let of_none = all[none].log_evidence;
+    let Some(before) = parts[none].as_ref().map(square) else { return };
+    for ((e, own), after) in all.iter_mut().zip(&evidence).zip(&parts).filter(|((e, _), _)| is_raised(e)) {
+        e.log_evidence = e.log_evidence.max(of_none + own - evidence[none]);
+        e.told_by_repetition = after.as_ref().is_some_and(|r| square(r) <= (1.0 - MIN_TAKEN_SHARE) * before);
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{SteadyMotion, compare_cycles};
+    use super::{RepeatedMotions, SteadyMotion, compare_repeated};
     use crate::candidate::proposal::{ChangedCondition, Proposal};
     use crate::fit::fitted::FittedHypothesis;
     use crate::inspect::insertion::InsertionPoint;
@@ -173,8 +232,9 @@ mod tests {
         let lengths: Vec<usize> =
             study.runs_of(Role::Fit).flat_map(|(_, r)| r.observe.iter().map(|o| o.values.len())).collect();
         let motion = SteadyMotion { length: 40.0, samples: 0..lengths[0] / 40 * 40 };
-        let mut motions = vec![None; study.runs.len()];
-        motions[run] = Some(motion);
+        let mut steady = vec![None; study.runs.len()];
+        steady[run] = Some(motion);
+        let motions = RepeatedMotions { steady, first_alike: (0..study.runs.len()).collect() };
         let residuals = |changed: f64, seed: u64| -> Option<Vec<Vec<f64>>> {
             let of = |n: &usize| {
                 let noise = white_noise(seed, *n);
@@ -198,11 +258,31 @@ mod tests {
             for (k, (e, changed)) in all.iter_mut().zip(left).enumerate() {
                 (e.held_out, e.log_evidence) = (residuals(changed, k as u64), 10.0 - k as f64);
             }
-            compare_cycles(&study, &mut all, &motions);
-            (all[0].cause(), all.iter().any(|e| e.told_between_cycles))
+            compare_repeated(&study, &mut all, &motions);
+            (all[0].cause(), all.iter().any(|e| e.told_by_repetition))
         };
         assert_eq!(told(1.0), ("changed_condition", true));
         assert_eq!(told(0.0), ("none", false));
+    }
+
+    /// Of three runs two have one motion. What both lack is no difference between them.
+    #[test]
+    fn runs_of_one_motion_differ_by_what_changed() {
+        let wave = |phase: f64| Some(series(400, |i| (TAU * i / 50.0 + phase).sin()));
+        let motions = RepeatedMotions::of(&[wave(0.0), wave(1.0), wave(0.01), None]);
+        assert_eq!(motions.first_alike, [0, 1, 0, 3]);
+        let mut study = (*baseline().variant.study).clone();
+        let first = study.runs.iter().find(|r| r.role == Role::Fit).expect("a fitted run").clone();
+        study.runs = vec![first; 3];
+        let (n, channels) = (study.runs[0].observe[0].values.len(), study.runs[0].observe.len());
+        let lacked = series(n, |i| (TAU * i / 25.0).sin());
+        let of_run = |more: f64| vec![lacked.iter().map(|x| x + more).collect::<Vec<f64>>(); channels];
+        let residuals = [of_run(0.0), of_run(5.0), of_run(2.0)].concat();
+        let found = motions.between_runs(&study, &residuals).expect("two runs of one motion");
+        assert_eq!(found.len(), channels);
+        assert!(found.iter().flatten().all(|x| (x - 2.0).abs() < 1e-12));
+        let apart = RepeatedMotions::of(&[wave(0.0), wave(1.0), wave(2.0)]);
+        assert!(apart.between_runs(&study, &residuals).is_none());
     }
 
     #[test]
