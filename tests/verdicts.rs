@@ -97,7 +97,7 @@ const TABLE: &[Row] = &[
     ("loosened by nothing", "unknown", "unknown", 65),
     ("repeated", "changed_condition", "changed_condition", 80),
     ("repeated by nothing", "unknown", "unknown", 60),
-    ("tightened in steady motion", "changed_condition", "unknown", 45),
+    ("tightened in steady motion", "changed_condition", "changed_condition", 70),
     ("steady motion", "unknown", "unknown", 55),
     ("aging", "changed_condition", "changed_condition", 75),
     ("loud for a time", "none", "none", 90),

@@ -49,10 +49,17 @@ impl VerdictEvidence {
         if let Some(f) = better {
             out.push(memory_limit(f, h, repair));
         }
-        // A fault that the recording shows by itself may be short, and a condition is what differs where a motion repeats.
-        let is_part = is_visible(h) || h.told_by_repetition;
-        let Some(taken) = self.taken_share(h, repair).filter(|_| !is_part) else { return out };
         let percent = |x: f64| format!("{:.0} %", 100.0 * x.max(0.0));
+        let unknown_beside = |share: f64| (UNKNOWN_PER_SHARE_LEFT * (1.0 - share)).clamp(LAPSE_SHARE, 1.0);
+        // A condition is what differs where a motion repeats, whatever the model lacks beside it.
+        if let Some(share) = h.repeated_share {
+            let reason =
+                format!("{} takes away {} of what differs where a motion repeats", repair.cause, percent(share));
+            out.push(limit("unknown", unknown_beside(share), reason));
+            return out;
+        }
+        // A fault that the recording shows by itself may be short.
+        let Some(taken) = self.taken_share(h, repair).filter(|_| !is_visible(h)) else { return out };
         let least = if is_sensor_fault(&repair.cause) { MIN_TAKEN_SHARE_OF_SENSOR } else { MIN_TAKEN_SHARE };
         if taken.mean() < least {
             let most = taken.mean().clamp(0.0, 1.0);
@@ -60,9 +67,8 @@ impl VerdictEvidence {
             let reason = format!("it takes away {} of the error above the noise", percent(taken.mean()));
             out.push(limit(&repair.cause, most, reason));
         } else if better.is_none() && taken.least() >= MIN_TAKEN_SHARE {
-            let most = (UNKNOWN_PER_SHARE_LEFT * (1.0 - taken.least())).clamp(LAPSE_SHARE, 1.0);
             let reason = format!("{} takes away {} of the error above the noise", repair.cause, percent(taken.least()));
-            out.push(limit("unknown", most, reason));
+            out.push(limit("unknown", unknown_beside(taken.least()), reason));
         }
         out
     }
@@ -346,6 +352,16 @@ mod tests {
         noise.0.recorded.noise = Some(0.09);
         noise.0.hypotheses.retain(|h| h.cause == "none");
         assert!(limits(&noise).is_empty());
+    }
+
+    /// A condition that takes what differs where a motion repeats is none the worse for what the model lacks beside it.
+    #[test]
+    fn what_differs_where_a_motion_repeats_leaves_little_for_unknown() {
+        let mut told = case("changed_condition", 0.0802, vec![]);
+        assert_eq!(limits(&told)[0].0, "changed_condition");
+        told.0.hypotheses.iter_mut().filter(|h| h.cause != "none").for_each(|h| h.repeated_share = Some(0.8));
+        let most = limits(&told);
+        assert!(most.len() == 1 && most[0].0 == "unknown" && (most[0].1 - 0.3).abs() < 1e-9, "{most:?}");
     }
 
     /// Another kind of memory that leaves a tenth of the error refuses a cause; its own kind does not.

@@ -152,7 +152,7 @@ fn some(residuals: ChannelResiduals) -> Option<ChannelResiduals> {
 /// Raises a changed condition to its evidence from what differs where a motion repeats, over the user's model, and sorts the
 /// hypotheses again. Cycles tell one for a part of a run, and runs of one motion tell one of a run.
 pub(crate) fn compare_repeated(study: &Study, all: &mut [FittedHypothesis], motions: &RepeatedMotions) {
-    all.iter_mut().for_each(|e| e.told_by_repetition = false);
+    all.iter_mut().for_each(|e| e.repeated_share = None);
     let is_in_time = |e: &FittedHypothesis| !e.variant.change_point_coordinates().is_empty();
     let is_condition = |e: &FittedHypothesis| e.cause() == changed_condition::CAUSE;
     raise(all, |e| is_condition(e) && is_in_time(e), |r| motions.between_cycles(study, r));
@@ -190,7 +190,8 @@ fn raise(
     let Some(before) = parts[none].as_ref().map(square) else { return };
     for ((e, own), after) in all.iter_mut().zip(&evidence).zip(&parts).filter(|((e, _), _)| is_raised(e)) {
         e.log_evidence = e.log_evidence.max(of_none + own - evidence[none]);
-        e.told_by_repetition = after.as_ref().is_some_and(|r| square(r) <= (1.0 - MIN_TAKEN_SHARE) * before);
+        let share = after.as_ref().map(|r| 1.0 - square(r) / before);
+        e.repeated_share = share.filter(|share| *share >= MIN_TAKEN_SHARE);
     }
 }
 
@@ -259,7 +260,7 @@ mod tests {
                 (e.held_out, e.log_evidence) = (residuals(changed, k as u64), 10.0 - k as f64);
             }
             compare_repeated(&study, &mut all, &motions);
-            (all[0].cause(), all.iter().any(|e| e.told_by_repetition))
+            (all[0].cause(), all.iter().any(|e| e.repeated_share.is_some()))
         };
         assert_eq!(told(1.0), ("changed_condition", true));
         assert_eq!(told(0.0), ("none", false));

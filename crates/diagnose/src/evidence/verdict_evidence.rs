@@ -105,9 +105,10 @@ pub struct HypothesisEvidence {
     /// True if a channel has another factor or limit in one of several fitted runs.
     #[serde(default)]
     pub range_fault_in_one_run: bool,
-    /// True if it takes most of what differs where a motion repeats, and no other cause does.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub told_by_repetition: bool,
+    /// Share that it takes of what differs where a motion repeats; none where that is less than half, or another cause takes as
+    /// much.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repeated_share: Option<f64>,
     /// Cause of which a form at the same place is the same model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub same_model: Option<String>,
@@ -246,7 +247,7 @@ fn hypotheses(of: &RankedStudy<'_>) -> Vec<HypothesisEvidence> {
             looks_like_first: hypothesis::look_alike(ranked[0].cause(), cause),
             channel_fault: e.variant.is_channel_fault(),
             range_fault_in_one_run: e.variant.has_range_fault_in_one_run(),
-            told_by_repetition: e.told_by_repetition,
+            repeated_share: e.repeated_share,
             same_model: e.variant.proposal.as_ref().and_then(|p| p.same_model).filter(|_| !rests).map(Into::into),
             held_back: held_back(e),
             unpredicted: e.held_out.as_ref().and_then(unpredicted),

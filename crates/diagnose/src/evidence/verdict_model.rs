@@ -330,7 +330,7 @@ pub(crate) mod tests {
             looks_like_first: false,
             channel_fault: cause.starts_with("sensor_"),
             range_fault_in_one_run: false,
-            told_by_repetition: false,
+            repeated_share: None,
             same_model: None,
             held_back: None,
             unpredicted: None,

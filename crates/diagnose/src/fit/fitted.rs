@@ -28,14 +28,15 @@ pub(crate) struct FittedHypothesis {
     pub(crate) held_out: Option<ChannelResiduals>,
     /// Log evidence with prior odds, nats; -∞ before it is ranked.
     pub(crate) log_evidence: f64,
-    /// True if it takes most of what differs where a motion repeats, and no other cause does.
-    pub(crate) told_by_repetition: bool,
+    /// Share that it takes of what differs where a motion repeats; none where that is less than half, or another cause takes as
+    /// much.
+    pub(crate) repeated_share: Option<f64>,
 }
 
 impl FittedHypothesis {
     /// Not ranked yet.
     pub(crate) fn new(variant: Arc<Variant>, fitted: FittedModel) -> Self {
-        Self { variant, fitted, held_out: None, log_evidence: f64::NEG_INFINITY, told_by_repetition: false }
+        Self { variant, fitted, held_out: None, log_evidence: f64::NEG_INFINITY, repeated_share: None }
     }
 
     /// Its cause; `none` for the user's model.

@@ -316,7 +316,7 @@ impl VerdictJudge<'_, '_> {
             judged: &repair,
             responses: c.responses,
             motions: &self.motions,
-            told_by_repetition: hypothesis.told_by_repetition,
+            told_by_repetition: hypothesis.repeated_share.is_some(),
             extent: c.inventory.extent,
             noise: c.recorded.noise,
             left: fitted.objective,
