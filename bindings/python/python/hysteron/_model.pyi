@@ -231,7 +231,7 @@ class Model:
         Makes a transformation between local and global coordinates, for beams.
         """
     def getCDF(self, *args: Any) -> NoReturn: ...
-    def getConstrainedDOFs(self, node: _Word, retained: _Word = ..., dof: _Word = ...) -> list[int]:
+    def getConstrainedDOFs(self, *args: _Word, **options: _Word) -> list[int]:
         """getConstrainedDOFs(node, <retained>, <dof>)
 
         Returns the degrees of freedom of a node that follow others.
@@ -352,7 +352,7 @@ class Model:
 
         Returns 0: there is one process.
         """
-    def getRetainedDOFs(self, node: _Word, constrained: _Word = ..., dof: _Word = ...) -> list[int]:
+    def getRetainedDOFs(self, *args: _Word, **options: _Word) -> list[int]:
         """getRetainedDOFs(node, <constrained>, <dof>)
 
         Returns the degrees of freedom of a node that others follow.

@@ -225,7 +225,7 @@ def geomTransf(*args: _Word, **options: _Word) -> None:
     Makes a transformation between local and global coordinates, for beams.
     """
 def getCDF(*args: Any) -> NoReturn: ...
-def getConstrainedDOFs(node: _Word, retained: _Word = ..., dof: _Word = ...) -> list[int]:
+def getConstrainedDOFs(*args: _Word, **options: _Word) -> list[int]:
     """getConstrainedDOFs(node, <retained>, <dof>)
 
     Returns the degrees of freedom of a node that follow others.
@@ -346,7 +346,7 @@ def getPID() -> int:
 
     Returns 0: there is one process.
     """
-def getRetainedDOFs(node: _Word, constrained: _Word = ..., dof: _Word = ...) -> list[int]:
+def getRetainedDOFs(*args: _Word, **options: _Word) -> list[int]:
     """getRetainedDOFs(node, <constrained>, <dof>)
 
     Returns the degrees of freedom of a node that others follow.
