@@ -29,7 +29,7 @@ class Model:
         Chooses the solution algorithm of a step.
         """
     def amend(self, *args: _Word, **options: _Word) -> None:
-        """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'element', tag, <tag, ...>, 'ends', '-from', old, '-to', new | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'node', tag, 'late', '-by', delay | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-reached', t2>, <'-to', t3>)
+        """amend('element', tag, <tag, ...>, kind, '-option', value, ..., <'-dir', dir1, <dir2>>, <'-axial', dir | '-axialSeries', ts>, <'-share', k, elastic, <rest> | '-strengthBeside', k> | 'amend', 'element', tag, <tag, ...>, 'learned', '-range', U, V, T, '-hysteresis', form, level, strength, <'-spring', k>, <'-piece', side, at, k, ...>, <'-moving', k>, <'-curve', slope, ...>, <'-unequal', strength>, <'-stop', level, strength, ...>, <'-maxwell', time, k, ...>, <'-dashpot', power, c, ...>, <'-viscous', width, force, ...>, <'-work', D>, <'-factor', part, variable, ...>, <'-channel', name, mean, deviation, ...>, <'-force', name, a, low, high, ...>, <'-series', ts, ...>, <'-beyond', 'clamp'|'continue'>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'learned', '-file', file, <'-series', ts, ...>, <'-dir', dir1, <dir2>> | 'amend', 'element', tag, <tag, ...>, 'hinges', '-mat', mat, <'-end', 'i'|'j'> | 'amend', 'element', tag, <tag, ...>, 'ends', '-from', old, '-to', new | 'amend', 'node', tag, 'dampedAs', other | 'amend', 'node', tag, 'late', '-by', delay | 'amend', 'parameter', name, '-factor', f, <'-from', t1>, <'-reached', t2>, <'-to', t3>, <'-recovered', t4>)
 
         Adds physics to an element that exists; see Amendments.
         """
@@ -489,7 +489,7 @@ class Model:
     def model(self, *args: _Word, **options: _Word) -> None:
         """model('BasicBuilder', '-ndm', ndm, <'-ndf', ndf>)
 
-        Sets the dimensions of the model and the degrees of freedom of its nodes. It comes before all that it counts for.
+        Sets the dimensions of the model and the degrees of freedom of its nodes. It comes before all that it counts for. basic is another name of the kind.
         """
     def modulatingFunction(self, *args: Any) -> NoReturn: ...
     def motionFile(self, *args: _Word, **options: _Word) -> list[float]:
