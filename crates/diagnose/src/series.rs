@@ -29,6 +29,12 @@ pub(crate) fn power(x: &[f64]) -> f64 {
     if x.is_empty() { 0.0 } else { x.iter().map(|v| v * v).sum::<f64>() / x.len() as f64 }
 }
 
+/// A series without its mean.
+pub(crate) fn centred(x: Vec<f64>) -> Vec<f64> {
+    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
+    x.into_iter().map(|x| x - mean).collect()
+}
+
 /// Median; 0 for an empty series.
 pub(crate) fn median(mut x: Vec<f64>) -> f64 {
     let middle = x.len() / 2;

@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
 use crate::element::{domain_of, set_parameter as set_parameter_of, with_parameter};
-use crate::model::nodes::node_of;
+use crate::model::nodes::{DOF, NODE, node_of};
 use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
@@ -15,8 +15,6 @@ use hysteron_tcl::{Call, Exception, Value};
 
 const TAG: Arg = Arg::whole("tag", "tag of the parameter");
 const PARAMETER_VALUE: Arg = Arg::number("value", "value");
-const NODE: Arg = Arg::whole("node", "tag of the node");
-const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const PARAMETER_PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
 const NAME: Arg = Arg::new("name", "name of the parameter");
 

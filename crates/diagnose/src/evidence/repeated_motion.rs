@@ -12,7 +12,7 @@ use crate::fit::fitted::FittedHypothesis;
 use crate::fit::job::ChannelResiduals;
 use crate::hypothesis::changed_condition;
 use crate::prior::{MAX_UNSTEADY_SHARE, MIN_CYCLE_SAMPLES, MIN_CYCLES, MIN_TAKEN_SHARE, REPEATED_MOTION_LOG_ODDS};
-use crate::series::power;
+use crate::series::{centred, power};
 use hysteron_identify::study::{ObservedChannel, Role, Study};
 use std::ops::Range;
 
@@ -30,8 +30,7 @@ impl SteadyMotion {
     /// with other cycles.
     pub(crate) fn of(displacement: &[f64]) -> Option<Self> {
         let n = displacement.len();
-        let mean = displacement.iter().sum::<f64>() / n.max(1) as f64;
-        let u: Vec<f64> = displacement.iter().map(|x| x - mean).collect();
+        let u = centred(displacement.to_vec());
         let longest = n / MIN_CYCLES;
         let correlation = |lag: usize| -> f64 {
             let products = u.iter().zip(&u[lag..]).map(|(a, b)| a * b).sum::<f64>();

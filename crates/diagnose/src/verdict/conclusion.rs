@@ -25,7 +25,7 @@ use crate::fit::phenomena::{PhenomenonShares, phenomenon_shares};
 use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
-use crate::hypothesis::is_sensor_fault;
+use crate::hypothesis::{changed_condition, is_sensor_fault};
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
@@ -132,6 +132,7 @@ fn decide(scheduler: &mut Scheduler<'_>, c: &ConclusionContext<'_>, ranking: &Ra
     let baseline_fits = fits_of_all_runs(c, &baseline.variant, &baseline.fitted.values);
     // The repaired model keeps the steps of the script.
     scheduler.set_step_parts(1);
+    let has_condition = ranked.iter().any(|e| e.cause() == changed_condition::CAUSE);
     let mut verdict_judge = VerdictJudge {
         scheduler,
         c,
@@ -139,7 +140,7 @@ fn decide(scheduler: &mut Scheduler<'_>, c: &ConclusionContext<'_>, ranking: &Ra
         ranked,
         baseline_fits: &baseline_fits,
         structured_share: structure.share,
-        motions: RunMotions::of(c, &baseline.fitted.values),
+        motions: has_condition.then(|| RunMotions::of(c, &baseline.fitted.values)).unwrap_or_default(),
     };
     let mut verdict = verdict_judge.verdict(&mut evidence)?;
     let (cause, probabilities) = (verdict.cause, &verdict.probabilities);

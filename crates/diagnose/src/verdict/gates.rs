@@ -21,6 +21,7 @@ use crate::prior::{
     MAX_STRUCTURE_OF_CONDITION, MIN_BOUND_EFFECT, MIN_TAKEN_ERROR, PARAMETERS_IN_ONE_RUN_RATIO,
     SINGLE_SENSOR_PROBABILITY, TABLE_PROBABILITY, WORSENED_RATIO,
 };
+use crate::series::centred;
 use hysteron_identify::study::{ObservedChannel, Role, Run, Score, ScoredRun, Study, objective};
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -212,7 +213,7 @@ impl GatedRepair<'_> {
         Some([&own.name, &other.name])
     }
 
-    /// What tells a changed condition although the model lacks more, in words; empty for other causes, or where nothing does.
+    /// The reason for a changed condition although the model lacks more, in words; empty for other causes, or without one.
     pub(super) fn like_motion_in_words(&self) -> String {
         if self.variant.cause() != changed_condition::CAUSE {
             return String::new();
@@ -339,11 +340,6 @@ fn are_same(a: &[f64], b: &[f64]) -> bool {
     let (a, b) = (centred(a), centred(b));
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
     dot(&a, &b).powi(2) > SAME_QUANTITY * dot(&a, &a) * dot(&b, &b)
-}
-
-fn centred(x: Vec<f64>) -> Vec<f64> {
-    let mean = x.iter().sum::<f64>() / x.len().max(1) as f64;
-    x.into_iter().map(|x| x - mean).collect()
 }
 
 /// What a motion leaves behind at each sample: the middle of its extremes so far, their size, and its mean so far.

@@ -3,6 +3,7 @@
 use super::all_runs::displacements;
 use super::conclusion::ConclusionContext;
 use crate::prior::{LIKE_MOTION, LIKE_MOTION_DEVICE};
+use crate::series::{centred, power};
 use std::collections::BTreeMap;
 
 /// Sizes of the motions of each run by tag and direction: of the devices in translation, or of one displacement where no device
@@ -40,7 +41,7 @@ impl RunMotions {
 
     /// Returns true if two runs have motions of one size. They need not begin at one time.
     pub(super) fn are_alike(&self, a: usize, b: usize) -> bool {
-        let (a, b) = (&self.0[a], &self.0[b]);
+        let (Some(a), Some(b)) = (self.0.get(a), self.0.get(b)) else { return false };
         let largest = a.values().chain(b.values()).map(|m| m.deformation).fold(0.0, f64::max);
         let pairs = a.iter().filter_map(|(key, own)| Some((own, b.get(key)?)));
         let moves = |m: &MotionSize| m.deformation > LIKE_MOTION_DEVICE * largest;
@@ -63,10 +64,7 @@ impl MotionSize {
 
 /// Standard deviation of the finite values.
 fn deviation(values: impl Iterator<Item = f64>) -> f64 {
-    let finite: Vec<f64> = values.filter(|x| x.is_finite()).collect();
-    let n = finite.len().max(1) as f64;
-    let mean = finite.iter().sum::<f64>() / n;
-    (finite.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt()
+    power(&centred(values.filter(|x| x.is_finite()).collect())).sqrt()
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub(super) struct Repair {
     pub(super) limits: Vec<ProbabilityLimit>,
     /// Times at which a parameter of the user's changed.
     pub(super) times: Vec<TimeOfChange>,
-    /// What tells a changed condition although the model lacks more, in words.
+    /// The reason for a changed condition although the model lacks more, in words; empty without one.
     pub(super) told_by: String,
     /// True if its second effect has no sure name.
     pub(super) open_second: bool,
@@ -122,10 +122,27 @@ pub(super) fn is_pair_of_repaired(best: &FittedHypothesis, repaired: &FittedHypo
 
 #[cfg(test)]
 mod tests {
-    use super::{RefutedEffect, is_pair_of_repaired, predicts_clearly_better};
+    use super::{RefutedEffect, Repair, is_pair_of_repaired, predicts_clearly_better};
     use crate::candidate::proposal::Proposal;
     use crate::inspect::insertion::InsertionPoint;
     use crate::test_support::{baseline, fitted_at, script_edit};
+
+    /// A second effect whose name is open stays in the repair, and out of the causes.
+    #[test]
+    fn an_open_second_effect_is_said_and_not_named() {
+        let both = script_edit("friction", &["x"]).combined_with(&script_edit("damping", &["y"]));
+        let variant = baseline().variant.with_proposal(&InsertionPoint::At(0), &both).expect("a variant");
+        let pair = fitted_at(variant, &[0.5, 0.5]);
+        let mut repair = Repair::accepted(pair.clone(), pair.fitted, vec![]);
+        assert_eq!(
+            (repair.named_second_cause("friction"), repair.open_second_in_words()),
+            (Some("damping"), "".into())
+        );
+        assert_eq!(repair.named_second_cause("unknown"), None);
+        repair.open_second = true;
+        assert_eq!(repair.named_second_cause("friction"), None);
+        assert!(repair.open_second_in_words().contains("has damping beside it"));
+    }
 
     #[test]
     fn a_second_effect_without_a_name_predicts_clearly_better() {

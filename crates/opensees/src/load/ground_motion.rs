@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::load::series::series_of;
-use crate::model::nodes::node_of;
+use crate::model::nodes::{DOF, NODE, node_of};
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
@@ -13,8 +13,6 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 
 const TAG: Arg = Arg::whole("tag", "tag of the ground motion");
-const NODE: Arg = Arg::whole("node", "tag of the node");
-const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const IMPOSED_MOTION_GROUND_MOTION: Arg = Arg::whole("groundMotion", "tag of a ground motion");
 
 pub(crate) const COMMANDS: &[Command] = &[

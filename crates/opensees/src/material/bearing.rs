@@ -12,6 +12,8 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const STIFFNESS_FACTOR: Arg = Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative);
+const FORCE_FACTOR: Arg = Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative);
 const SCE: Arg = Arg::positive("sce", "stiffness sce in compression");
 const FTY: Arg = Arg::not_negative("fty", "stress fty at cavitation");
 const FCY: Arg = Arg::number("fcy", "stress fcy at yield in compression");
@@ -73,8 +75,8 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::of("-coGHU", "cg", "factor cg of the shear modulus").within(Domain::NotNegative),
                 Arg::of("-coGHU", "ch", "factor ch of the damping").within(Domain::NotNegative),
                 Arg::of("-coGHU", "cu", "factor cu of u").within(Domain::NotNegative),
-                Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative),
-                Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative),
+                STIFFNESS_FACTOR,
+                FORCE_FACTOR,
             ]),
         make: kikuchi_aiken_hdr,
     },
@@ -96,8 +98,8 @@ pub(super) const KINDS: &[Kind] = &[
                 T_TEMP,
                 Arg::of("-coKQ", "rk", "factor rk of the stiffness").within(Domain::NotNegative),
                 Arg::of("-coKQ", "rq", "factor rq of the strength").within(Domain::NotNegative),
-                Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative),
-                Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative),
+                STIFFNESS_FACTOR,
+                FORCE_FACTOR,
             ]),
         make: kikuchi_aiken_lrb,
     },

@@ -2,14 +2,13 @@
 
 use crate::args::Args;
 use crate::checks;
-use crate::model::nodes::node_of;
+use crate::model::nodes::{NODE, node_of};
 use crate::text::{Arg, Domain};
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{Fix, MultiPoint, NodeId};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-const NODE: Arg = Arg::whole("node", "tag of the node");
 const COORDINATE: Arg = Arg::number("coordinate", "coordinate");
 const TOL_TOLERANCE: Arg = Arg::of("-tol", "tolerance", "tolerance").within(Domain::NotNegative);
 const RETAINED: Arg = Arg::whole("retained", "tag of the retained node");

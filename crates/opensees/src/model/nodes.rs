@@ -16,7 +16,10 @@ const NAME: Arg = Arg::new("name", "name of the parameter");
 const PSET_VALUE: Arg = Arg::new("value", "value of the parameter");
 const NODE_TAG: Arg = Arg::whole("tag", "tag of the node");
 const NODE_NDF: Arg = Arg::of("-ndf", "ndf", "number of degrees of freedom").within(Domain::Whole);
-const MASS_NODE: Arg = Arg::whole("node", "tag of the node");
+/// Tag of a node that is there.
+pub(crate) const NODE: Arg = Arg::whole("node", "tag of the node");
+/// Degree of freedom of a node, from 1.
+pub(crate) const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const DIRECTION: Arg = Arg::whole("direction", "direction");
 const SET_NODE_COORD_VALUE: Arg = Arg::number("value", "coordinate");
 const SET_START_NODE_TAG_TAG: Arg = Arg::whole("tag", "first tag of nodes that are made by themselves");
@@ -32,7 +35,7 @@ pub(crate) const COMMANDS: &[Command] = &[
              counts for. `basic` is another name of the kind.",
         )
         .defining(&[things::MODEL], 0),
-    Command::new("node", NODE, node)
+    Command::new("node", NODE_USAGE, node)
         .arguments(&[
             NODE_TAG,
             Arg::number("x", "x coordinate"),
@@ -45,14 +48,14 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Makes a node.")
         .defining(&[things::NODE], 1),
     Command::new("mass", MASS, mass)
-        .arguments(&[MASS_NODE, Arg::not_negative("m1", "mass of degree of freedom 1")])
+        .arguments(&[NODE, Arg::not_negative("m1", "mass of degree of freedom 1")])
         .about("Sets the mass of a node in each of its directions."),
     Command::new("pset", PSET, pset)
         .arguments(&[NAME, PSET_VALUE])
         .about("Sets a variable, unless a study gives it another value.")
         .own(),
     Command::new("setNodeCoord", SET_COORD, set_node_coord)
-        .arguments(&[MASS_NODE, DIRECTION, SET_NODE_COORD_VALUE])
+        .arguments(&[NODE, DIRECTION, SET_NODE_COORD_VALUE])
         .about("Moves a node that has no displacement."),
     Command::new("setStartNodeTag", START_TAG, set_start_node_tag)
         .arguments(&[SET_START_NODE_TAG_TAG])
@@ -60,7 +63,7 @@ pub(crate) const COMMANDS: &[Command] = &[
 ];
 
 const MODEL: &str = "model BasicBuilder -ndm $ndm <-ndf $ndf>";
-const NODE: &str = "node $tag $x <$y <$z>> <-ndf $ndf> <-mass $m ...> <-disp $u ...> <-vel $v ...>";
+const NODE_USAGE: &str = "node $tag $x <$y <$z>> <-ndf $ndf> <-mass $m ...> <-disp $u ...> <-vel $v ...>";
 const MASS: &str = "mass $node $m1 <$m2 ...>";
 const PSET: &str = "pset $name $value";
 const START_TAG: &str = "setStartNodeTag $tag";
@@ -144,8 +147,8 @@ pub(crate) fn need_model(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Except
 
 fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     need_model(interp, call)?;
-    let mut a = Args::new(call, NODE);
-    let tag = a.int(MASS_NODE.meaning)?;
+    let mut a = Args::new(call, NODE_USAGE);
+    let tag = a.int(NODE.meaning)?;
     if interp.host.engine.model().node(tag).is_some() {
         return Err(a.exists(things::NODE, tag));
     }
@@ -191,7 +194,7 @@ fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
 
 fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, MASS);
-    let id = node_of(interp, &mut a, MASS_NODE.meaning)?;
+    let id = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[id.0].ndf;
     // OpenSees in Python takes fewer values than degrees of freedom: the others are zero.
     let given = if interp.host.called_by_host { a.left().clamp(1, ndf) } else { ndf };
@@ -248,7 +251,7 @@ fn warn_of_two_values(interp: &mut Tcl, name: &str, value: &Value, earlier: Opti
 
 fn set_node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, SET_COORD);
-    let id = node_of(interp, &mut a, MASS_NODE.meaning)?;
+    let id = node_of(interp, &mut a, NODE.meaning)?;
     let limit = interp.host.engine.model().nodes[id.0].ndm();
     let direction = a.dof(DIRECTION.meaning, limit)?;
     let x = a.number(&SET_NODE_COORD_VALUE)?;

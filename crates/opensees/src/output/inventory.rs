@@ -1,15 +1,13 @@
 //! Queries of what a model consists of: patterns, constraints and the responses of nodes by number.
 
 use crate::args::Args;
-use crate::model::nodes::node_of;
+use crate::model::nodes::{DOF, NODE, node_of};
 use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::model::{Model, NodeId};
 use hysteron_tcl::{Call, Value};
 use std::collections::BTreeSet;
 
-const NODE: Arg = Arg::whole("node", "tag of the node");
-const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const NODE_RESPONSE_RESPONSE: Arg = Arg::whole("response", "number of the response");
 
 const LEADS: Arg = Arg::new("retained", "tag of the node that leads; all where it is left out");

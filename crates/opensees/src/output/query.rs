@@ -3,7 +3,7 @@
 use super::recorder::unknown_response;
 use crate::args::Args;
 use crate::checks;
-use crate::model::nodes::node_of;
+use crate::model::nodes::{DOF, NODE, node_of};
 use crate::session::Session;
 use crate::slips;
 use crate::text::Arg;
@@ -15,9 +15,7 @@ use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-const NODE_DISP_NODE: Arg = Arg::whole("node", "tag of the node");
 const NODE_EIGENVECTOR_MODE: Arg = Arg::whole("mode", "number of the mode");
-const SET_NODE_DISP_DOF: Arg = Arg::whole("dof", "degree of freedom");
 const VALUE: Arg = Arg::number("value", "value");
 const MASS: Arg = Arg::not_negative("mass", "mass");
 const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
@@ -29,40 +27,39 @@ const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it
 
 const PROCESS: &[Arg] = &[Arg::of("-pid", "process", "number of the other process")];
 
-const NODE: &str = "nodeDisp $node <$dof>";
+const FIELD: &str = "nodeDisp $node <$dof>";
 const SET: &str = "setNodeDisp $node $dof $value <-commit>";
-const DOF: &str = "degree of freedom";
 const RESPONSE: &str = "eleResponse $element $response ...";
 
 pub(crate) const COMMANDS: &[Command] = &[
-    Command::asking("nodeDisp", NODE, |i, c| node_field(i, c, |s| &s.disp))
-        .arguments(&[NODE_DISP_NODE])
+    Command::asking("nodeDisp", FIELD, |i, c| node_field(i, c, |s| &s.disp))
+        .arguments(&[NODE])
         .about("Returns the displacement of a node.")
         .groups(&[DOF_OR_ALL]),
-    Command::asking("nodeVel", NODE, |i, c| node_field(i, c, |s| &s.vel)).about("Returns the velocity of a node."),
-    Command::asking("nodeAccel", NODE, |i, c| node_field(i, c, |s| &s.accel))
+    Command::asking("nodeVel", FIELD, |i, c| node_field(i, c, |s| &s.vel)).about("Returns the velocity of a node."),
+    Command::asking("nodeAccel", FIELD, |i, c| node_field(i, c, |s| &s.accel))
         .about("Returns the acceleration of a node."),
-    Command::asking("nodeReaction", NODE, node_reaction)
+    Command::asking("nodeReaction", FIELD, node_reaction)
         .about("Returns the reaction of a node in the present state; `reactions` chooses what it includes."),
-    Command::asking("nodeUnbalance", NODE, node_unbalance).about("Returns the unbalanced load of a node."),
+    Command::asking("nodeUnbalance", FIELD, node_unbalance).about("Returns the unbalanced load of a node."),
     Command::asking("nodeCoord", "nodeCoord $node <$direction>", node_coord)
         .about("Returns the coordinates of a node.")
-        .arguments(&[NODE_DISP_NODE, Arg::new("direction", "direction from 1; all where it is left out")]),
-    Command::asking("nodeMass", NODE, node_mass).about("Returns the mass of a node."),
+        .arguments(&[NODE, Arg::new("direction", "direction from 1; all where it is left out")]),
+    Command::asking("nodeMass", FIELD, node_mass).about("Returns the mass of a node."),
     Command::asking("nodeEigenvector", "nodeEigenvector $node $mode <$dof>", node_eigenvector)
-        .arguments(&[NODE_DISP_NODE, NODE_EIGENVECTOR_MODE])
+        .arguments(&[NODE, NODE_EIGENVECTOR_MODE])
         .about("Returns the mode shape at a node.")
         .groups(&[DOF_OR_ALL]),
     Command::new("reactions", "reactions <-dynamic> <-rayleigh>", reactions)
         .about("Chooses what `nodeReaction` includes: inertia with `-dynamic`, Rayleigh damping with `-rayleigh`."),
     Command::new("setNodeDisp", SET, |i, c| set_node(i, c, |s| &mut s.disp))
-        .arguments(&[NODE_DISP_NODE, SET_NODE_DISP_DOF, VALUE])
+        .arguments(&[NODE, DOF, VALUE])
         .about("Sets the displacement of a node."),
     Command::new("setNodeVel", SET, |i, c| set_node(i, c, |s| &mut s.vel)).about("Sets the velocity of a node."),
     Command::new("setNodeAccel", SET, |i, c| set_node(i, c, |s| &mut s.accel))
         .about("Sets the acceleration of a node."),
     Command::new("setNodeMass", "setNodeMass $node $dof $mass", set_mass)
-        .arguments(&[NODE_DISP_NODE, SET_NODE_DISP_DOF, MASS])
+        .arguments(&[NODE, DOF, MASS])
         .about("Sets the mass of a node in one direction."),
     Command::asking("eleResponse", RESPONSE, ele_response)
         .arguments(&[ELE_RESPONSE_ELEMENT, ELE_RESPONSE_RESPONSE])
@@ -147,7 +144,7 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Returns the number of degrees of freedom of a node.")
         .arguments(&[Arg::new("node", "tag of a node; the number of the model where it is left out")]),
     Command::asking("nodeDOFs", "nodeDOFs $node", node_dofs)
-        .arguments(&[NODE_DISP_NODE])
+        .arguments(&[NODE])
         .about("Returns the numbers of the equations of a node."),
     Command::asking("systemSize", "systemSize", system_size).about("Returns the number of equations."),
     Command::asking("testIter", "testIter", iterations).about("Returns the number of iterations of the last step."),
@@ -180,7 +177,7 @@ fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outco
         return Ok(list(values));
     }
     // OpenSees gives all values for 0, which scripts with one degree of freedom at a node rely on.
-    if what == DOF && a.peek().is_some_and(|w| w == "0") {
+    if what == DOF.meaning && a.peek().is_some_and(|w| w == "0") {
         a.option();
         let d = Diagnostic::warning(&checks::output::ALL_VALUES, "the degree of freedom is 0: all values are given");
         warn(interp, d.at(a.last_span(), format!("expected the degree of freedom, 1 to {}", values.len())))?;
@@ -197,10 +194,10 @@ fn of_node(interp: &Tcl, node: NodeId, field: &[f64]) -> Vec<f64> {
 }
 
 fn node_field(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>) -> Outcome {
-    let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let mut a = Args::new(call, FIELD);
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let values = of_node(interp, node, field(interp.host.engine.state()));
-    pick(interp, &mut a, &values, DOF)
+    pick(interp, &mut a, &values, DOF.meaning)
 }
 
 fn failed(call: &Call<'_>, f: &Failure) -> Exception {
@@ -208,20 +205,20 @@ fn failed(call: &Call<'_>, f: &Failure) -> Exception {
 }
 
 fn node_reaction(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let mut a = Args::new(call, FIELD);
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let all = interp.host.reactions().map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
-    pick(interp, &mut a, &values, DOF)
+    pick(interp, &mut a, &values, DOF.meaning)
 }
 
 fn node_unbalance(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let mut a = Args::new(call, FIELD);
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let mut all = vec![];
     interp.host.engine.unbalanced(false, &mut all).map_err(|f| failed(call, &f))?;
     let values = of_node(interp, node, &all);
-    pick(interp, &mut a, &values, DOF)
+    pick(interp, &mut a, &values, DOF.meaning)
 }
 
 /// Set the kind of reactions that `nodeReaction` gives. They belong to the present state, and in OpenSees to that of this command.
@@ -248,7 +245,7 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeCoord $node <$direction>");
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let coords = interp.host.engine.model().nodes[node.0].coords.clone();
     if let Some(i) = a.peek().and_then(|w| ["X", "Y", "Z"].iter().position(|n| w.eq_ignore_ascii_case(n))) {
         a.option();
@@ -258,15 +255,15 @@ fn node_coord(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn node_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    let mut a = Args::new(call, NODE);
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let mut a = Args::new(call, FIELD);
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let mass = interp.host.engine.model().nodes[node.0].mass.clone();
     pick(interp, &mut a, &mass, "degree of freedom of the mass")
 }
 
 fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeEigenvector $node $mode <$dof>");
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
     let mode = a.count(NODE_EIGENVECTOR_MODE.meaning)?;
     let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
@@ -276,17 +273,17 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     };
     let dofs = interp.host.engine.model().nodes[node.0].dofs();
     let values = shape.get(dofs).map(<[f64]>::to_vec).unwrap_or_default();
-    pick(interp, &mut a, &values, DOF)
+    pick(interp, &mut a, &values, DOF.meaning)
 }
 
 fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec<f64>) -> Outcome {
     let mut a = Args::new(call, SET);
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let (offset, ndf) = {
         let n = &interp.host.engine.model().nodes[node.0];
         (n.offset, n.ndf)
     };
-    let dof = a.dof(SET_NODE_DISP_DOF.meaning, ndf)?;
+    let dof = a.dof(DOF.meaning, ndf)?;
     let value = a.number(&VALUE)?;
     a.flag("-commit");
     finish(interp, &a)?;
@@ -296,8 +293,8 @@ fn set_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&mut State) -> &mut Vec
 
 fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "setNodeMass $node $dof $mass");
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
-    let dof = a.dof(SET_NODE_DISP_DOF.meaning, interp.host.engine.model().nodes[node.0].ndf)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
+    let dof = a.dof(DOF.meaning, interp.host.engine.model().nodes[node.0].ndf)?;
     let mass = a.number(&MASS)?;
     finish(interp, &a)?;
     interp.host.engine.change_model(|m| m.nodes[node.0].mass[dof] = mass);
@@ -433,14 +430,14 @@ fn ndf(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if a.left() == 0 {
         return Ok(Value::from(interp.host.builder.ndf as i64));
     }
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     Ok(Value::from(interp.host.engine.model().nodes[node.0].ndf as i64))
 }
 
 /// Equation numbers of a node, -1 where it is held.
 fn node_dofs(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeDOFs $node");
-    let node = node_of(interp, &mut a, NODE_DISP_NODE.meaning)?;
+    let node = node_of(interp, &mut a, NODE.meaning)?;
     let engine = &interp.host.engine;
     let number = |dof| match engine.prepared().map(|p| p.plan.map.terms(dof)) {
         Some([(e, _)]) => i64::from(*e),

@@ -3,7 +3,7 @@
 use super::{IntegratorResult, Kind};
 use crate::Tcl;
 use crate::args::Args;
-use crate::model::nodes::node_of;
+use crate::model::nodes::{DOF, NODE, node_of};
 use crate::text::{Arg, Text};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::integrator::{
@@ -14,8 +14,6 @@ use hysteron_tcl::Exception;
 const LOAD_CONTROL_INCREMENT: Arg = Arg::number("increment", "increment of the load factor");
 const MIN: Arg = Arg::number("min", "smallest step");
 const MAX: Arg = Arg::number("max", "largest step");
-const NODE: Arg = Arg::whole("node", "tag of the node");
-const DOF: Arg = Arg::whole("dof", "degree of freedom");
 const DISPLACEMENT_CONTROL_INCREMENT: Arg = Arg::number("increment", "increment of the displacement");
 const LENGTH: Arg = Arg::positive("length", "arc length");
 const PSI_U: Arg = Arg::positive("psiU", "weight psiU of the displacements");
