@@ -140,7 +140,7 @@ fn decide(scheduler: &mut Scheduler<'_>, c: &ConclusionContext<'_>, ranking: &Ra
         ranked,
         baseline_fits: &baseline_fits,
         structured_share: structure.share,
-        motions: has_condition.then(|| RunMotions::of(c, &baseline.fitted.values)).unwrap_or_default(),
+        motions: if has_condition { RunMotions::of(c, &baseline.fitted.values) } else { RunMotions::default() },
     };
     let mut verdict = verdict_judge.verdict(&mut evidence)?;
     let (cause, probabilities) = (verdict.cause, &verdict.probabilities);
