@@ -58,6 +58,8 @@ mod sections;
 mod side_by_side;
 #[path = "analysis/statics.rs"]
 mod statics;
+#[path = "analysis/threads.rs"]
+mod threads;
 #[path = "analysis/transformed_nodes.rs"]
 mod transformed_nodes;
 #[path = "analysis/trapezoidal.rs"]

@@ -136,6 +136,9 @@ pub(super) struct StepArgs {
     /// Make each step in N parts, to a hundredth of its tolerance: what changes is the error of the steps
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub(super) refine: u32,
+    /// Threads that work on a large model; all of the machine if it is not given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1024))]
+    pub(super) threads: Option<u64>,
 }
 
 /// Checkpoints of a run.

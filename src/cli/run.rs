@@ -17,7 +17,7 @@ use super::review::{self, Ended, Observed};
 use super::script_check::{self, print_summary};
 use super::signals::on_interrupt;
 use clap::FromArgMatches as _;
-use hysteron::analysis::{Options, RecoveryStrategy};
+use hysteron::analysis::{Options, RecoveryStrategy, Threads};
 use hysteron::design::batch::is_plan;
 use hysteron::design::isolate::is_isolation_study;
 use hysteron::diagnostic::Severity;
@@ -244,6 +244,7 @@ pub(super) fn settings(script: &ScriptArgs, steps: &StepArgs, mode: Mode) -> Set
         ladder: steps.ladder.then(RecoveryStrategy::default),
         dense: None,
         refine: steps.refine,
+        threads: steps.threads.map_or_else(Threads::of_machine, |n| Threads::new(n as usize)),
     };
     Settings { mode, strict: script.strict, options }
 }

@@ -205,8 +205,8 @@ pub fn run_commands(usages: &[&str], choices: &mut impl Choices) {
     let options = Options {
         compat: choices.below(3) == 0,
         ladder: (choices.below(3) == 0).then(Default::default),
-        dense: None,
         refine: [1, 1, 2, 3][choices.below(4)],
+        ..Options::default()
     };
     let mode = if choices.below(4) == 0 { Mode::Check } else { Mode::Run };
     run(&text, &[], mode, options, choices.below(5) == 0);

@@ -6,7 +6,7 @@ use crate::methods::Entry;
 use crate::outputs::{self, Files, MEMORY, Shared, Signals, Text, hold};
 use crate::owned::Owned;
 use crate::words::words;
-use hysteron_engine::analysis::{Options, RecoveryStrategy};
+use hysteron_engine::analysis::{Options, RecoveryStrategy, Threads};
 use hysteron_opensees::checks::output::NO_RESPONSE;
 use hysteron_opensees::run::{Run, Settings};
 use hysteron_opensees::{Again, Mode, Session};
@@ -242,8 +242,8 @@ impl Domain {
         let options = Options {
             compat,
             ladder: ladder.then(RecoveryStrategy::default),
-            dense: None,
-            refine: Options::default().refine,
+            threads: Threads::of_machine(),
+            ..Options::default()
         };
         let (text, files) = (Text::default(), Files::at_once());
         let settings = Settings { mode: Mode::Run, strict, options };

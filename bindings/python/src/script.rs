@@ -146,7 +146,7 @@ fn execute(
 ) -> PyResult<ScriptResult> {
     let raised: Shared<Option<PyErr>> = Shared::default();
     let ladder = ladder.then(RecoveryStrategy::default);
-    let options = Options { compat, ladder, dense: None, refine: Options::default().refine };
+    let options = Options { compat, ladder, dense: None, ..Options::default() };
     let result = py.detach(|| {
         let text = Text::default();
         let settings = Settings { mode, strict, options };

@@ -18,6 +18,7 @@ use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, OutsideRange, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
+use crate::solve::Threads;
 pub use matrix_terms::MatrixTerms;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -60,6 +61,8 @@ pub struct Options {
     /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
     /// to be passed with a hundredth of their tolerance too. 0 is 1.
     pub refine: u32,
+    /// Threads that work on a large model.
+    pub threads: Threads,
 }
 
 /// Receiver of committed steps.
@@ -449,7 +452,8 @@ impl Engine {
     #[cold]
     fn prepare_anew(&mut self, options: PrepareOptions) -> Result<(), Failure> {
         let time = self.committed.time;
-        let mut prepared = Workspace::new(&self.model, &options).map_err(|cause| Failure::new(cause, time, -1))?;
+        let mut prepared = Workspace::new(&self.model, &options, &self.options.threads)
+            .map_err(|cause| Failure::new(cause, time, -1))?;
         prepared.interrupt.clone_from(&self.interrupt);
         let multipliers = prepared.plan.multipliers;
         self.committed.multipliers.resize(multipliers, 0.0);

@@ -29,6 +29,7 @@ mod two_end_residual;
 mod work_counts;
 mod workspace;
 
+pub use crate::solve::Threads;
 pub use bounds::Excess;
 pub use convergence::{Measure, Norm, Test, TestOutcome};
 pub use energy::{ClassEnergy, Energies, EnergyBalance};

@@ -100,7 +100,7 @@ impl Pencil for ElementWorkspace<'_> {
         self.work.plan.equations()
     }
     fn solve(&mut self, x: &mut [f64]) {
-        self.work.solver.back_substitute(x);
+        self.work.solver.back_substitute_all(self.work.plan.equations(), x);
     }
     fn mass(&self, x: &[f64], y: &mut [f64]) {
         match &self.mass {

@@ -1,10 +1,13 @@
 //! The equations of a step: unbalance, tangent, correction, for a trial state.
 
+mod element_call;
 mod end_of_step;
 mod evaluation;
 mod plateau;
+mod side_by_side;
 
 pub(super) use evaluation::ROUND_OFF;
+pub(super) use side_by_side::are_worth_threads;
 
 use super::failure::{Cause, Failure};
 use super::loads::Loads;

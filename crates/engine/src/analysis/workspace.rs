@@ -11,12 +11,12 @@ use super::loads::Loads;
 use super::modal_damping::DampedModes;
 use super::opensees::{Stage, TransformedNodes, UpdateCounts};
 use super::small_beams::SmallBeams;
-use super::system::Coefficients;
+use super::system::{Coefficients, are_worth_threads};
 use super::two_end_residual::TwoEndResidual;
 use crate::assembly::{DofError, Handler, MpScope, Plan};
 use crate::element::{Mass, MatrixMask, OpenSeesTraits, Rows};
 use crate::model::{Model, Rayleigh};
-use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver};
+use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver, Threads};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use steady::SteadyMatrices;
@@ -223,6 +223,9 @@ pub struct Workspace {
     /// Damping and inertia that never change, once they are needed and found.
     steady: Option<Box<SteadyMatrices>>,
     looked_for_steady: bool,
+    /// Threads that work on the elements, and whether these are worth it.
+    pub(super) threads: Threads,
+    many: bool,
 }
 
 /// Options of a [`Workspace`].
@@ -342,10 +345,10 @@ impl Workspace {
     ///
     /// # Errors
     /// Constraints that make no sense, or too little memory.
-    pub fn new(model: &Model, options: &PrepareOptions) -> Result<Self, Cause> {
+    pub fn new(model: &Model, options: &PrepareOptions, threads: &Threads) -> Result<Self, Cause> {
         let plan = Plan::new(model, options.handler, options.scope, options.homogeneous, options.dense)
             .map_err(|e: DofError| Cause::Model(e.message(model)))?;
-        let solver = Solver::new(&plan.pattern, plan.multipliers > 0).map_err(|e| match e {
+        let solver = Solver::new(&plan.pattern, plan.multipliers > 0, threads).map_err(|e| match e {
             SolveError::OutOfMemory => Cause::OutOfMemory,
             SolveError::Singular { .. } => Cause::Singular,
         })?;
@@ -354,6 +357,7 @@ impl Workspace {
         let (mut elements, motions) = ElementMatrices::new(model, &plan, options.compat);
         let small_beams = SmallBeams::new(model, &plan, |i| elements.entries[i].at);
         elements.axial = vec![0.0; small_beams.p_delta().count()];
+        let many = are_worth_threads(model, &small_beams.others);
         let nodal = model.nodes.iter().flat_map(|node| {
             node.dofs().zip(&node.mass).filter(|(_, m)| **m != 0.0).map(|(d, &m)| (d, m, node.alpha_m))
         });
@@ -382,6 +386,8 @@ impl Workspace {
             bounds: Bounds::new(model),
             steady: None,
             looked_for_steady: false,
+            threads: threads.clone(),
+            many,
             plan,
             solver,
         };
@@ -439,10 +445,16 @@ impl Workspace {
         self.opensees.as_ref().is_some_and(|counts| !counts.elements.is_empty())
     }
 
+    /// Returns true if the elements are evaluated on several threads.
+    #[inline]
+    pub(super) fn side_by_side(&self) -> bool {
+        self.many && self.threads.are_several()
+    }
+
     /// Rows and columns that are read of the matrices of an element.
     #[inline]
     pub(super) fn part(&self, m: &ElementWorkspace) -> MatrixMask {
-        MatrixMask { rows: m.rows, columns: if self.elements.multiplies { Rows::ALL } else { m.rows } }
+        MatrixMask::read_of(m.rows, self.elements.multiplies)
     }
 
     /// Clear `spread` of imposed motions and of what followed them.

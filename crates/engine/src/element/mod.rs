@@ -127,6 +127,12 @@ impl MatrixMask {
     /// The whole matrix.
     pub const ALL: Self = Self { rows: Rows::ALL, columns: Rows::ALL };
 
+    /// Some rows, and of these the columns of the same numbers, or all.
+    #[inline]
+    pub(crate) fn read_of(rows: Rows, all_columns: bool) -> Self {
+        Self { rows, columns: if all_columns { Rows::ALL } else { rows } }
+    }
+
     /// Set the rows of an n x n matrix to zero.
     #[inline]
     pub fn clear(self, matrix: &mut [f64], n: usize) {

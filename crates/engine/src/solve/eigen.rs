@@ -14,7 +14,7 @@ pub trait Pencil {
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
-    /// x = (K - σM)⁻¹ x.
+    /// x = (K - σM)⁻¹ x, for one or more vectors that follow each other.
     fn solve(&mut self, x: &mut [f64]);
     /// y = M x.
     fn mass(&self, x: &[f64], y: &mut [f64]);
@@ -103,11 +103,9 @@ pub fn nearest(pencil: &mut impl Pencil, count: usize) -> Result<Vec<Pair>, NotF
         // Operator times the vectors that are new.
         let known = av.len();
         let full = basis.v.len();
-        for mv in &basis.mv[known..full] {
-            let mut w = mv.clone();
-            pencil.solve(&mut w);
-            av.push(w);
-        }
+        let mut products = basis.mv[known..full].concat();
+        pencil.solve(&mut products);
+        av.extend(products.chunks_exact(n).map(<[f64]>::to_vec));
         operator.extend(&basis, &av);
         if full >= next {
             next = full + block.max(full / PARTS_OF_BASIS);
@@ -145,13 +143,15 @@ fn length(pencil: &impl Pencil, w: &[f64]) -> f64 {
 /// Add vectors in the range of the operator, where the length in M is a length.
 fn start(pencil: &mut impl Pencil, basis: &mut Basis, random: &mut Random, count: usize) {
     let n = pencil.len();
-    for _ in 0..count {
+    let mut all = vec![0.0; n * count];
+    for mw in all.chunks_exact_mut(n) {
         let w: Vec<f64> = (0..n).map(|_| random.next()).collect();
-        let mut mw = vec![0.0; n];
-        pencil.mass(&w, &mut mw);
-        pencil.solve(&mut mw);
-        let scale = length(pencil, &mw);
-        basis.add(pencil, mw, scale);
+        pencil.mass(&w, mw);
+    }
+    pencil.solve(&mut all);
+    for w in all.chunks_exact(n) {
+        let scale = length(pencil, w);
+        basis.add(pencil, w.to_vec(), scale);
     }
 }
 
@@ -238,30 +238,26 @@ impl Ritz {
 fn pairs(pencil: &mut impl Pencil, basis: &Basis, ritz: &Ritz, count: usize) -> Vec<Pair> {
     let n = pencil.len();
     let mut mw = vec![0.0; n];
-    let mut out: Vec<Pair> = ritz
-        .theta
-        .iter()
-        .enumerate()
-        .take(count)
-        .filter(|(_, theta)| **theta != 0.0)
-        .map(|(i, theta)| {
-            let mut w = vec![0.0; n];
-            for (v, c) in basis.v.iter().zip(ritz.vectors[i].iter()) {
-                w.iter_mut().zip(v).for_each(|(w, v)| *w += c * v);
-            }
-            // One more product cleans the vector of what the mass does not see.
-            pencil.mass(&w, &mut mw);
-            w.copy_from_slice(&mw);
-            pencil.solve(&mut w);
-            pencil.mass(&w, &mut mw);
-            let length = dot(&w, &mw).max(0.0).sqrt();
-            // The largest entry is positive, so that the sign is always the same.
-            let largest = w.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() * (1.0 + 1e-9) { *x } else { m });
-            let factor = largest.signum() / length;
-            w.iter_mut().for_each(|x| *x *= factor);
-            Pair { lambda: 1.0 / theta, vector: w }
-        })
-        .collect();
+    let found: Vec<usize> = (0..count.min(ritz.theta.len())).filter(|i| ritz.theta[*i] != 0.0).collect();
+    let mut vectors = vec![0.0; n * found.len()];
+    for (i, out) in found.iter().zip(vectors.chunks_exact_mut(n)) {
+        let mut w = vec![0.0; n];
+        for (v, c) in basis.v.iter().zip(ritz.vectors[*i].iter()) {
+            w.iter_mut().zip(v).for_each(|(w, v)| *w += c * v);
+        }
+        // One more product cleans the vector of what the mass does not see.
+        pencil.mass(&w, out);
+    }
+    pencil.solve(&mut vectors);
+    let pair = |(i, w): (&usize, &[f64])| {
+        pencil.mass(w, &mut mw);
+        let length = dot(w, &mw).max(0.0).sqrt();
+        // The largest entry is positive, so that the sign is always the same.
+        let largest = w.iter().fold(0.0f64, |m, x| if x.abs() > m.abs() * (1.0 + 1e-9) { *x } else { m });
+        let factor = largest.signum() / length;
+        Pair { lambda: 1.0 / ritz.theta[*i], vector: w.iter().map(|x| x * factor).collect() }
+    };
+    let mut out: Vec<Pair> = found.iter().zip(vectors.chunks_exact(n)).map(pair).collect();
     out.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     out
 }

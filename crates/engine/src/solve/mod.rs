@@ -3,26 +3,32 @@
 
 mod dense;
 pub mod eigen;
-mod ldlt;
+mod exchanges;
+mod fronts;
 mod lu;
 mod ordering;
 mod pivoted;
 mod refine;
+mod threads;
 
 use crate::assembly::{Pattern, Storage};
 pub(crate) use dense::DenseLu;
-use ldlt::Ldlt;
+use exchanges::Exchanges;
+use fronts::Fronts;
 use lu::Lu;
 use pivoted::PivotedLu;
 use refine::Gmres;
+pub use threads::Threads;
 
 /// A pivot of this fraction of the diagonal it came from means that the equations are singular to round-off.
 pub const SINGULAR: f64 = 1e-14;
 /// A pivot of this fraction means that few digits of the solution are left.
 pub const NEARLY_SINGULAR: f64 = 1e-11;
 
-/// Multiplications of a symmetric factorisation from which on supernodes are quicker than panels of columns.
-const SUPERNODAL: f64 = 1e7;
+/// Multiplications of a factorisation from which on fronts are quicker than panels of columns.
+const LARGE: f64 = 1e7;
+/// So many equations and fewer take fewer multiplications, whatever their pattern.
+const FEW: usize = 300;
 
 /// Result of a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,8 +99,8 @@ pub struct Solver {
 #[derive(Debug)]
 enum Kind {
     Dense(DenseLu),
-    Ldlt(Box<Ldlt>),
-    Lu(Box<Lu>),
+    Fronts(Box<Fronts>, Exchanges),
+    Lu(Box<Lu>, Exchanges),
     Pivoted(Box<PivotedLu>),
 }
 
@@ -103,26 +109,24 @@ impl Solver {
     ///
     /// # Errors
     /// Not enough memory.
-    pub fn new(pattern: &Pattern, indefinite: bool) -> Result<Self, SolveError> {
+    pub fn new(pattern: &Pattern, indefinite: bool, threads: &Threads) -> Result<Self, SolveError> {
         let kind = match pattern.storage {
             Storage::Dense => Kind::Dense(DenseLu::new(pattern.n)),
-            Storage::Upper => {
-                let ldlt = Ldlt::new(pattern)?;
-                if ldlt.work().0 > SUPERNODAL {
-                    Kind::Ldlt(Box::new(ldlt))
-                } else {
-                    Kind::Lu(Box::new(Lu::new(pattern)?))
+            Storage::Full if indefinite => Kind::Pivoted(Box::new(PivotedLu::new(pattern)?)),
+            Storage::Upper | Storage::Full => {
+                let large = if pattern.n > FEW { Fronts::new(pattern, LARGE, threads)? } else { None };
+                match large {
+                    Some(fronts) => Kind::Fronts(Box::new(fronts), Exchanges::default()),
+                    None => Kind::Lu(Box::new(Lu::new(pattern)?), Exchanges::default()),
                 }
             }
-            Storage::Full if indefinite => Kind::Pivoted(Box::new(PivotedLu::new(pattern)?)),
-            Storage::Full => Kind::Lu(Box::new(Lu::new(pattern)?)),
         };
         // Half of the work of factors at most, since they may be needed after all.
         let step = |solve: f64| solve + 2.0 * pattern.len() as f64;
         let patience = match &kind {
             Kind::Dense(_) | Kind::Pivoted(_) => 0,
-            Kind::Ldlt(s) => (0.5 * s.work().0 / step(s.work().1)) as usize,
-            Kind::Lu(s) => (0.5 * s.work().0 / step(s.work().1)) as usize,
+            Kind::Fronts(s, _) => (0.5 * s.work().0 / step(s.work().1)) as usize,
+            Kind::Lu(s, _) => (0.5 * s.work().0 / step(s.work().1)) as usize,
         };
         let patience = patience.min(8);
         let mut gmres = Gmres::default();
@@ -151,8 +155,8 @@ impl Solver {
         self.factors = Factors::None;
         let pivots = match &mut self.kind {
             Kind::Dense(s) => s.factor(values),
-            Kind::Ldlt(s) => s.factor(pattern, values),
-            Kind::Lu(s) => s.factor(pattern, values),
+            Kind::Fronts(s, exchanges) => exchanges.where_lost(s.factor(values), pattern, values),
+            Kind::Lu(s, exchanges) => exchanges.where_lost(s.factor(values), pattern, values),
             Kind::Pivoted(s) => s.factor(pattern, values),
         }?;
         if pivots.ratio == 0.0 {
@@ -205,13 +209,21 @@ impl Solver {
     pub fn back_substitute(&mut self, x: &mut [f64]) {
         back_substitute(&mut self.kind, x);
     }
+
+    /// The same for right-hand sides of length n that follow each other: large factors are read once for all of them.
+    pub fn back_substitute_all(&mut self, n: usize, x: &mut [f64]) {
+        match &mut self.kind {
+            Kind::Fronts(s, exchanges) if !exchanges.are_in_use() => s.solve(x),
+            kind => x.chunks_exact_mut(n.max(1)).for_each(|x| back_substitute(kind, x)),
+        }
+    }
 }
 
 fn back_substitute(kind: &mut Kind, x: &mut [f64]) {
     match kind {
         Kind::Dense(s) => s.solve(x),
-        Kind::Ldlt(s) => s.solve(x),
-        Kind::Lu(s) => s.solve(x),
+        Kind::Fronts(s, exchanges) => exchanges.solve_or(x, |x| s.solve(x)),
+        Kind::Lu(s, exchanges) => exchanges.solve_or(x, |x| s.solve(x)),
         Kind::Pivoted(s) => s.solve(x),
     }
 }

@@ -1,19 +1,37 @@
 //! Evaluation of the elements: none is evaluated twice at the same motion.
 
+use super::element_call::{Call, Nodes, Places};
 use super::{Cause, Failure, System};
 use crate::analysis::opensees::{CountedElement, Updates};
-use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, OpenSeesCall};
+use crate::analysis::workspace::ElementWorkspace;
+use crate::element::{ElementError, OpenSeesCall};
 use std::cell::Cell;
 use std::sync::atomic::Ordering;
-
-/// Velocities where nothing moves.
-static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
 
 /// Displacements that differ by no more than this fraction differ by the round-off of a correction.
 pub(in crate::analysis) const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 
 /// Displacements that are compared at once.
 const SIDE_BY_SIDE: usize = 6;
+
+/// An evaluation of the elements.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    /// Tangents are asked for.
+    pub(super) tangent: bool,
+    /// All elements are meant; else those whose forces depend on rates.
+    pub(super) all: bool,
+    /// There was an evaluation at this time: an element that has not moved since is not evaluated again.
+    pub(super) evaluated_before: bool,
+}
+
+impl Asked {
+    /// Returns true for an element that is meant, but for those that count their calls.
+    #[inline]
+    pub(super) fn concerns(self, m: &ElementWorkspace) -> bool {
+        (self.all || m.rates) && !m.counts_calls
+    }
+}
 
 impl System<'_> {
     /// Evaluate the forces of all elements, and their tangents with `want_tangent`.
@@ -52,14 +70,11 @@ impl System<'_> {
             work.evaluated.calls += work.small_beams.count;
             evaluated = true;
         }
-        for at in 0..self.work.small_beams.others.len() {
-            let i = self.work.small_beams.others[at];
-            let m = &self.work.elements.entries[i];
-            if (all || m.rates) && !m.counts_calls && !(evaluated_before && self.has_not_moved(i)) {
-                self.respond_one(i, want_tangent, dt, None)?;
-                evaluated = true;
-            }
-        }
+        let asked = Asked { tangent: want_tangent, all, evaluated_before };
+        evaluated |= match self.work.side_by_side() {
+            true => self.respond_side_by_side(asked, dt)?,
+            false => self.respond_in_turn(asked, dt)?,
+        };
         if self.work.counts_updates() {
             self.respond_counted(dt)?;
         }
@@ -71,6 +86,20 @@ impl System<'_> {
             work.evaluated.disp.copy_from_slice(&self.new.disp);
         }
         Ok(())
+    }
+
+    /// Evaluate the elements one after the other; `true` if there was one to be evaluated.
+    fn respond_in_turn(&mut self, asked: Asked, dt: f64) -> Result<bool, Failure> {
+        let mut evaluated = false;
+        for at in 0..self.work.small_beams.others.len() {
+            let i = self.work.small_beams.others[at];
+            let m = &self.work.elements.entries[i];
+            if asked.concerns(m) && !(asked.evaluated_before && self.has_not_moved(i)) {
+                self.respond_one(i, asked.tangent, dt, None)?;
+                evaluated = true;
+            }
+        }
+        Ok(evaluated)
     }
 
     /// Returns true if no node has moved since the last evaluation and no element has loads of its own. It is the common end
@@ -91,18 +120,10 @@ impl System<'_> {
 
     /// Returns true if an element has no loads of its own and has not moved since its last evaluation.
     fn has_not_moved(&self, i: usize) -> bool {
-        let (e, at) = (&self.model.elements[i], self.work.elements.entries[i].motion);
-        let (disp, vel) = self.work.evaluated.elements[at..at + 2 * e.dofs.len()].split_at(e.dofs.len());
-        let slack = if self.settled { ROUND_OFF } else { 0.0 };
-        let same = |new: &[f64], old: &[f64]| {
-            let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
-            e.dofs.iter().zip(old).all(near)
-        };
-        let inertance = self.work.elements.entries[i].inertance;
-        e.load.is_empty()
-            && inertance.is_none()
-            && same(&self.new.disp, disp)
-            && (self.still || same(&self.new.vel, vel))
+        let (e, m) = (&self.model.elements[i], &self.work.elements.entries[i]);
+        let last = &self.work.evaluated.elements[m.motion..m.motion + 2 * e.dofs.len()];
+        let new = &*self.new;
+        Nodes { disp: &new.disp, vel: &new.vel, accel: &[], still: self.still }.have_not_moved(e, m, last, self.settled)
     }
 
     /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.
@@ -169,51 +190,27 @@ impl System<'_> {
         let m = &work.elements.entries[i];
         let part = work.part(m);
         let n = e.dofs.len();
-        let (disp, vel) = work.evaluated.elements[m.motion..m.motion + 2 * n].split_at_mut(n);
-        e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = self.new.disp[d as usize]);
-        if !self.still {
-            e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = self.new.vel[d as usize]);
-        }
-        let mut accelerations;
-        let accel: &[f64] = if m.inertance.is_some() {
-            accelerations = [0.0; MAX_DOFS];
-            e.dofs.iter().zip(&mut accelerations).for_each(|(&d, a)| *a = self.new.accel[d as usize]);
-            &accelerations[..n]
-        } else {
-            &[]
-        };
-        let force = &mut self.new.force[e.force.clone()];
-        force.fill(0.0);
-        let tangent = if want_tangent && !m.linear {
-            let k = &mut work.elements.tangent[m.at..m.at + n * n];
-            part.clear(k, n);
-            Some(k)
-        } else {
-            None
-        };
-        let damping = m.damping.map(|at| {
-            let c = &mut work.elements.damping[at..at + n * n];
-            c.fill(0.0);
-            c
-        });
-        let load = &self.new.element_load[e.load.clone()];
-        let vel = if self.still { &AT_REST[..n] } else { &*vel };
         let time = self.passed.map_or(self.new.time, |passed| self.old.time + passed);
-        let shared = &mut self.new.shared;
+        let new = &mut *self.new;
         let opensees = counted.map(|(repeated, last_of_class)| {
-            let shared = Cell::from_mut(&mut shared[e.shared.clone()]).as_slice_of_cells();
+            let shared = Cell::from_mut(&mut new.shared[e.shared.clone()]).as_slice_of_cells();
             OpenSeesCall { repeated, last_of_class, shared }
         });
-        let motion =
-            ElementInput { disp, vel, accel, load, still: self.still, opensees, dt, time, dynamic: self.dynamic };
-        let answer = ElementOutput { force, tangent, damping, part };
-        let committed = &self.old.history[e.state.clone()];
-        let trial = &mut self.new.history[e.state.clone()];
-        e.element.respond(&motion, committed, trial, answer).map_err(|error| self.element_failed(i, error))
+        let nodes = Nodes { disp: &new.disp, vel: &new.vel, accel: &new.accel, still: self.still };
+        let call = Call { nodes, load: &new.element_load[e.load.clone()], dt, time, dynamic: self.dynamic, part };
+        let places = Places {
+            motion: &mut work.evaluated.elements[m.motion..m.motion + 2 * n],
+            force: &mut new.force[e.force.clone()],
+            tangent: (want_tangent && !m.linear).then(|| &mut work.elements.tangent[m.at..m.at + n * n]),
+            damping: m.damping.map(|at| &mut work.elements.damping[at..at + n * n]),
+            trial: &mut new.history[e.state.clone()],
+        };
+        call.make(e, m, &self.old.history[e.state.clone()], opensees, places)
+            .map_err(|error| self.element_failed(i, error))
     }
 
     #[cold]
-    fn element_failed(&self, i: usize, error: ElementError) -> Failure {
+    pub(super) fn element_failed(&self, i: usize, error: ElementError) -> Failure {
         let e = &self.model.elements[i];
         let element = format!("{} {}", e.element.class().name, e.tag);
         self.failure(Cause::Element { element, message: error.0.into() })

@@ -3,14 +3,12 @@
 //! The tangents of coupled bearings are unsymmetric, but as strongly diagonal as those of other structures: the order
 //! that faer finds for a symmetric matrix serves, the pattern of L is that of Uᵀ, and the factors are worked out in
 //! place with no bookkeeping. Neighbouring columns with the same rows below them, as those of a node, are taken
-//! together (Ng and Peyton, 1993): their products are summed by vector instructions before they are spread. Where a
-//! pivot of an unsymmetric matrix is lost after all, the equations are factored again with row exchanges.
+//! together (Ng and Peyton, 1993): their products are summed by vector instructions before they are spread.
 
 mod kernels;
 mod structure;
 
-use super::pivoted::PivotedLu;
-use super::{Pivots, SINGULAR, SolveError};
+use super::{Pivots, SolveError};
 use crate::assembly::{Pattern, Storage};
 use crate::numeric::lanes::{BLOCK, Lanes, in_lanes};
 use kernels::{backward, forward, subtract, sums_of};
@@ -30,9 +28,6 @@ pub(super) struct Lu {
     /// Sums over the columns of an update, with a block behind them.
     sums: [[Vec<f64>; WIDTH]; 2],
     x: Vec<f64>,
-    /// Takes over where a pivot is lost.
-    fallback: Option<Box<PivotedLu>>,
-    fallen: bool,
 }
 
 impl Lu {
@@ -48,8 +43,6 @@ impl Lu {
             work: std::array::from_fn(|_| vec![[0.0; 2]; n]),
             sums: std::array::from_fn(|_| std::array::from_fn(|_| vec![0.0; n + BLOCK])),
             x: vec![0.0; n],
-            fallback: None,
-            fallen: false,
         })
     }
 
@@ -60,29 +53,10 @@ impl Lu {
         (share * lengths.map(|l| l * l).sum::<f64>(), 2.0 * self.structure.idx.len() as f64)
     }
 
-    pub(super) fn factor(&mut self, pattern: &Pattern, values: &[f64]) -> Result<Pivots, SolveError> {
+    pub(super) fn factor(&mut self, values: &[f64]) -> Pivots {
         let mut factoring = Factoring { lu: self, values, pivots: Pivots::GOOD };
         in_lanes(&mut factoring);
-        let pivots = factoring.pivots;
-        self.fallen = pivots.ratio <= SINGULAR && !self.symmetric;
-        if !self.fallen {
-            return Ok(pivots);
-        }
-        let fallback = match &mut self.fallback {
-            Some(f) => f,
-            none => none.insert(Box::new(PivotedLu::new(pattern)?)),
-        };
-        fallback.factor(pattern, values)?;
-        // Row exchanges hide the pivots. A regular matrix gives back a vector of ones from its row sums.
-        self.x.fill(0.0);
-        for col in 0..pattern.n {
-            for (row, value) in pattern.column(values, col) {
-                self.x[row] += value;
-            }
-        }
-        fallback.solve(&mut self.x);
-        let regular = self.x.iter().all(|x| (x - 1.0).abs() < 1e-3);
-        Ok(if regular { Pivots::GOOD } else { pivots })
+        factoring.pivots
     }
 
     /// Factors panel by panel, each from those before.
@@ -133,12 +107,6 @@ impl Lu {
     }
 
     pub(super) fn solve(&mut self, x: &mut [f64]) {
-        if self.fallen {
-            if let Some(f) = &mut self.fallback {
-                f.solve(x);
-            }
-            return;
-        }
         for (y, &o) in self.x.iter_mut().zip(&self.structure.original) {
             *y = x[o];
         }

@@ -1,0 +1,108 @@
+//! One evaluation of one element.
+
+use super::evaluation::ROUND_OFF;
+use crate::analysis::workspace::ElementWorkspace;
+use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, MatrixMask, OpenSeesCall};
+use crate::model::ElementEntry;
+
+/// Velocities where nothing moves.
+static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
+
+/// Trial motion of all nodes, by degrees of freedom.
+#[derive(Clone, Copy)]
+pub(super) struct Nodes<'a> {
+    pub(super) disp: &'a [f64],
+    pub(super) vel: &'a [f64],
+    pub(super) accel: &'a [f64],
+    /// Nothing has a velocity.
+    pub(super) still: bool,
+}
+
+impl Nodes<'_> {
+    /// Returns true if an element has no loads of its own and has not moved since its last evaluation, whose displacements
+    /// and velocities are given. In a `settled` step round-off is no motion.
+    #[inline]
+    pub(super) fn have_not_moved(&self, e: &ElementEntry, m: &ElementWorkspace, last: &[f64], settled: bool) -> bool {
+        let (disp, vel) = last.split_at(e.dofs.len());
+        let slack = if settled { ROUND_OFF } else { 0.0 };
+        let same = |new: &[f64], old: &[f64]| {
+            let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
+            e.dofs.iter().zip(old).all(near)
+        };
+        e.load.is_empty() && m.inertance.is_none() && same(self.disp, disp) && (self.still || same(self.vel, vel))
+    }
+}
+
+/// What an element is called with.
+pub(super) struct Call<'a> {
+    pub(super) nodes: Nodes<'a>,
+    /// Its load variables.
+    pub(super) load: &'a [f64],
+    pub(super) dt: f64,
+    pub(super) time: f64,
+    pub(super) dynamic: bool,
+    /// Part of its matrices that is read.
+    pub(super) part: MatrixMask,
+}
+
+/// Places of its answer.
+pub(super) struct Places<'a> {
+    /// Displacements and velocities that it was called with.
+    pub(super) motion: &'a mut [f64],
+    pub(super) force: &'a mut [f64],
+    pub(super) tangent: Option<&'a mut [f64]>,
+    pub(super) damping: Option<&'a mut [f64]>,
+    /// Its trial history.
+    pub(super) trial: &'a mut [f64],
+}
+
+impl Call<'_> {
+    /// Call an element.
+    ///
+    /// # Errors
+    /// The element has no answer.
+    #[inline(always)]
+    pub(super) fn make(
+        &self,
+        e: &ElementEntry,
+        m: &ElementWorkspace,
+        committed: &[f64],
+        opensees: Option<OpenSeesCall<'_>>,
+        places: Places<'_>,
+    ) -> Result<(), ElementError> {
+        let (n, nodes, part) = (e.dofs.len(), self.nodes, self.part);
+        let Places { motion, force, mut tangent, mut damping, trial } = places;
+        let (disp, vel) = motion.split_at_mut(n);
+        e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = nodes.disp[d as usize]);
+        if !nodes.still {
+            e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = nodes.vel[d as usize]);
+        }
+        let mut accelerations;
+        let accel: &[f64] = if m.inertance.is_some() {
+            accelerations = [0.0; MAX_DOFS];
+            e.dofs.iter().zip(&mut accelerations).for_each(|(&d, a)| *a = nodes.accel[d as usize]);
+            &accelerations[..n]
+        } else {
+            &[]
+        };
+        force.fill(0.0);
+        if let Some(k) = &mut tangent {
+            part.clear(k, n);
+        }
+        if let Some(c) = &mut damping {
+            c.fill(0.0);
+        }
+        let input = ElementInput {
+            disp,
+            vel: if nodes.still { &AT_REST[..n] } else { vel },
+            accel,
+            load: self.load,
+            still: nodes.still,
+            opensees,
+            dt: self.dt,
+            time: self.time,
+            dynamic: self.dynamic,
+        };
+        e.element.respond(&input, committed, trial, ElementOutput { force, tangent, damping, part })
+    }
+}
