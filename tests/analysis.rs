@@ -6,6 +6,8 @@
 mod algorithms;
 #[path = "analysis/amended.rs"]
 mod amended;
+#[path = "analysis/beam_deflection.rs"]
+mod beam_deflection;
 #[path = "analysis/bounds.rs"]
 mod bounds;
 #[path = "analysis/calls.rs"]

@@ -55,6 +55,8 @@ mod plates;
 mod python_cases;
 #[path = "laws/quad.rs"]
 mod quad;
+#[path = "laws/reference_stresses.rs"]
+mod reference_stresses;
 #[path = "laws/roles.rs"]
 mod roles;
 #[path = "laws/rubber.rs"]

@@ -1,6 +1,6 @@
 //! Materials through their commands: tests of one material, recorders, refusals.
 
-use super::script::{Script, run};
+use super::script::{Ran, Script, run};
 
 #[test]
 fn material_is_tested_by_itself() {
@@ -218,4 +218,27 @@ fn limit_curve_ends_the_envelope() {
         assert!((got - force).abs() < 1e-4, "{steps} mm: {got}, not {force}");
     }
     assert!(Script::default().run(&limited(7, 1)).error().message.contains("cannot watch element 7"));
+}
+
+/// A stage is told to have no effect, as in openseespy; a command without one is refused, and one without stages says nothing.
+#[test]
+fn stages_of_materials_have_no_effect() {
+    let spring = |more: &str| {
+        Script::default().run(&format!(
+            "model basic -ndm 1 -ndf 1
+            node 1 0; node 2 0; fix 1 1; uniaxialMaterial Elastic 3 200.; element zeroLength 1 1 2 -mat 3 -dir 1
+            {more}
+            timeSeries Linear 1; pattern Plain 1 1 {{ load 2 1. }}
+            constraints Plain; numberer Plain; system FullGeneral; algorithm Linear; integrator LoadControl 1; analysis Static
+            analyze 1; puts [nodeDisp 2 1]"
+        ))
+    };
+    let codes = |ran: &Ran| ran.warnings().iter().filter_map(|d| d.check.map(|c| c.code)).collect::<Vec<_>>();
+    let staged = spring("updateMaterialStage -material 3 -stage 1 -parameter 7").done();
+    assert_eq!((staged.numbers(), codes(&staged)), (vec![0.005], vec!["no-stages"]));
+    let plain = spring("").done();
+    assert_eq!((plain.numbers(), codes(&plain)), (vec![0.005], vec![]));
+    for words in ["-material 3", "-stage 1", "-material 3 -stage one"] {
+        spring(&format!("updateMaterialStage {words}")).error();
+    }
 }

@@ -1,5 +1,6 @@
 //! State variables that exist under `--compat opensees` only.
 
+use crate::close;
 use crate::script::{Script, run};
 use hysteron::analysis::Quiet;
 
@@ -84,6 +85,51 @@ fn fibers_of_negative_area() {
     let [stretched] = stretch(Script::compat()).done().numbers()[..] else { panic!("one number") };
     assert!((1.0 / stretched - 94.0).abs() < 1e-9, "{stretched}");
     assert!(stretch(Script::default()).error().message.contains("area"));
+}
+
+/// Masses of elements count in damping by modes, and shapes by LAPACK are scaled by row sums of a consistent mass: displacements of
+/// openseespy 3.7.1.
+#[test]
+fn modal_damping_of_the_masses_of_elements() {
+    let shaken = |script: Script, option: &str| {
+        let ran = script.run(&format!(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 3; node 3 0 6; fix 1 1 1 1; geomTransf Linear 1
+            foreach i {{1 2}} {{
+                element elasticBeamColumn $i $i [expr {{$i + 1}}] 0.08 2e8 1e-3 1 -mass 3. {option}
+                mass [expr {{$i + 1}}] 10. 10. 0.1
+            }}
+            timeSeries Trig 1 0. 10. 0.5; pattern Plain 1 1 {{ load 3 50. 0. 0. }}
+            constraints Plain; numberer Plain; system FullGeneral; test NormDispIncr 1e-10 30; algorithm Newton
+            integrator Newmark 0.5 0.25; analysis Transient
+            eigen -fullGenLapack 2; modalDamping 0.05 0.1
+            analyze 60 0.02; puts [nodeDisp 3 1]"
+        ));
+        ran.done().numbers()[0]
+    };
+    let (lumped, consistent) = (0.0893236918829225, 0.09790465118113276);
+    assert!(close(shaken(Script::compat(), ""), lumped, 1e-9));
+    assert!(close(shaken(Script::default(), ""), lumped, 1e-9));
+    assert!(close(shaken(Script::compat(), "-cMass"), consistent, 1e-9));
+    assert!(!close(shaken(Script::default(), "-cMass"), consistent, 1e-3));
+}
+
+/// y, z and area of a fiber, as openseespy 3.7.1 gives them.
+#[test]
+fn fibers_in_the_plane_lie_at_z_0() {
+    let asked = |script: Script| {
+        let ran = script.run(
+            "model basic -ndm 2 -ndf 3
+            node 1 0 0; node 2 0 0; fix 1 1 1 1
+            uniaxialMaterial Elastic 1 1.
+            section Fiber 1 { fiber 0.1 0.3 2. 1; fiber -0.1 -0.3 2. 1 }
+            element zeroLengthSection 1 1 2 1
+            puts [eleResponse 1 section fiberData]",
+        );
+        ran.done().numbers()[..3].to_vec()
+    };
+    assert_eq!(asked(Script::compat()), [0.1, 0.0, 2.0]);
+    assert_eq!(asked(Script::default()), [0.1, 0.3, 2.0]);
 }
 
 #[test]

@@ -214,3 +214,63 @@ fn sections_by_dimensions() {
     let inertia = 10.0 * core_2 + 7.0 * (all_2 - core_2) + 200.0 * 4.0 * 64.0 / 2.0;
     assert!(close(u[0], 1.0 / area, 1e-9) && close(u[5], 1.0 / inertia, 2e-3) && close(u[4], u[5], 1e-9), "{u:?}");
 }
+
+/// Resultants, deformations and tangent of openseespy 3.7.1: moments of one section meet those of another.
+#[test]
+fn sections_side_by_side() {
+    let ran = run("model basic -ndm 3 -ndf 6
+        node 1 0 0 0; node 2 0 0 0; fix 1 1 1 1 1 1 1
+        uniaxialMaterial Steel01 1 2. 200. 0.02; uniaxialMaterial Elastic 2 3.
+        section Fiber 11 -GJ 50. { patch rect 1 6 4 -0.15 -0.1 0.15 0.1; fiber 0.1 0.05 0.01 1 }
+        section Aggregator 12 2 Vy 2 Mz; section Uniaxial 13 1 P
+        section Parallel 1 12 11 13
+        element zeroLengthSection 1 1 2 1
+        timeSeries Linear 1; pattern Plain 1 1 {
+            sp 2 1 0.02; sp 2 2 0.01; sp 2 3 0.; sp 2 4 0.03; sp 2 5 -0.05; sp 2 6 0.08
+        }
+        constraints Penalty 1e12 1e12; numberer Plain; system FullGeneral; test NormDispIncr 1e-10 20; algorithm Newton
+        integrator LoadControl 0.5; analysis Static
+        puts [analyze 2]
+        puts \"[eleResponse 1 section force] [eleResponse 1 section deformation] [sectionStiffness 1 1]\"
+        puts \"[eleResponse 1 section section 3 force] [eleResponse 1 section section 1 force]\"");
+    let expected: [&[f64]; 3] = [
+        &[2.1816974999792125, 0.24029806249879107, 0.029999999999819997, -0.00013031250014323157, 1.4999999998499998],
+        &[0.01999999999563661, 0.07999999999951941, 0.00999999999994, -0.04999999999999974, 0.029999999996999996],
+        &[
+            4.77,
+            -0.05425,
+            0.0,
+            0.03325,
+            0.0,
+            -0.05425,
+            3.0080991071428573,
+            0.0,
+            -0.003852678571428572,
+            0.0,
+            0.0,
+            0.0,
+            3.0,
+            0.0,
+            0.0,
+            0.03325,
+            -0.003852678571428572,
+            0.0,
+            0.003091964285714287,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            50.0,
+        ],
+    ];
+    let n = ran.numbers();
+    assert_eq!(n.len(), 1 + 35 + 3);
+    for (got, expected) in n[1..].iter().zip(expected.concat()) {
+        assert!((got - expected).abs() < 1e-9, "{n:?}");
+    }
+    // 2 + 0.02 200 (0.02 - 0.01) of the bar, and 3 times the shear strain and the curvature.
+    for (got, expected) in n[36..].iter().zip([2.04, 0.03, 0.24]) {
+        assert!(close(*got, expected, 1e-8), "{n:?}");
+    }
+}

@@ -5,7 +5,8 @@ use super::materials::{check_purity, check_tangent};
 use hysteron::material::{
     BrbBranch, Concrete01, Concrete02, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, Envelope,
     Fatigue, FatigueParameters, Hardening, Hysteretic, InitialState, IntegrationMethod, Iteration, Material, Maxwell,
-    MinMax, MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01, Steel02, SteelBrb, ViscousDamper,
+    MinMax, MultiLinear, NoTension, Parallel, SelfCentering, Series, Steel01, Steel02, SteelBrb, SteelMpf,
+    ViscousDamper,
 };
 use hysteron::rules::{Consistent, OpenSees};
 use std::sync::Arc;
@@ -131,6 +132,34 @@ fn hardening_of_opensees_keeps_the_plastic_strain_of_a_trial() {
     // Δε_p = (E ε - σ_y) / (E + H) = 0.01 in the yielding trial.
     assert!((after(true) - 200.0 * (0.005 - 0.01)).abs() < 1e-12, "{}", after(true));
     assert!((after(false) - 200.0 * 0.005).abs() < 1e-12, "{}", after(false));
+}
+
+/// Stresses of openseespy 3.7.1 with and without a first strain of zero, which later versions take no notice of.
+#[test]
+fn a_first_strain_of_zero_is_no_curve_of_steel_mpf() {
+    let stresses = |compat: bool, strains: &[f64]| -> Vec<f64> {
+        let law = SteelMpf {
+            fy: [2.0, 1.8],
+            e: 200.0,
+            b: [0.02, 0.03],
+            r0: 18.0,
+            cr1: 0.925,
+            cr2: 0.15,
+            shift: [(0.0, 1.0); 2],
+            least_strain: if compat { 0.0 } else { SteelMpf::LEAST_STRAIN },
+        };
+        let mut p = MaterialPoint::new(Material::new(law));
+        strains.iter().map(|e| p.advance(*e).value).collect()
+    };
+    let strains = [0.0, 0.005, 0.01, 0.02, 0.03, 0.01, -0.01, -0.03, -0.01, 0.02, 0.04];
+    let counted = [1.0, 1.92596, 2.04, 2.08, -0.85198, -1.58168, -1.83521, 0.8946, 1.78379, 1.9796];
+    let uncounted = [1.0, 1.92596, 2.04, 2.08, -1.62923, -1.806, -1.926, 1.05486, 1.90532, 2.05925];
+    for (compat, from, expected) in [(true, 1, counted), (false, 1, counted), (false, 0, counted), (true, 0, uncounted)]
+    {
+        let all = stresses(compat, &strains[from..]);
+        let got = &all[1 - from..];
+        assert!(got.iter().zip(expected).all(|(s, e)| (s - e).abs() < 6e-6), "{compat} {from}: {got:?}");
+    }
 }
 
 #[test]

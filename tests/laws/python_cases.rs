@@ -24,6 +24,7 @@ const SECTIONS: &[(usize, usize, &str)] = &[
     ),
     (2, 3, "Aggregator 1 11 P 13 Mz 13 Vy"),
     (2, 3, "Aggregator 1 13 Vy -section 22"),
+    (2, 3, "Parallel 1 22 23"),
     (2, 3, "Uniaxial 1 11 Mz"),
     (2, 3, "NDFiber 1 { patch rect 56 6 1 -0.15 -0.1 0.15 0.1 }"),
     (3, 6, "NDFiber 1 { patch rect 56 4 3 -0.15 -0.1 0.15 0.1 }"),

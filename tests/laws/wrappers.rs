@@ -5,12 +5,14 @@ use super::parts::{PARTS, parts};
 use super::script::Script;
 use hysteron::material::{
     Fatigue, FatigueParameters, InitialState, InitialStrain, Iteration, LimitCurve, Material, MinMax, Mullins,
-    Multiaxial, ObservedColumns, PLANE, Parallel, ParallelSolids, SOLID, Series, SeriesSolids, SeriesTolerance,
-    SharedMultiaxial, Slot, Softening, WatchesColumns, WeightedLaws,
+    Multiaxial, ObservedColumns, PLANE, Parallel, ParallelSolids, PathIndependent, SOLID, Series, SeriesSolids,
+    SeriesTolerance, SharedMultiaxial, Slot, Softening, WatchesColumns, WeightedLaws,
 };
 use hysteron::model::Definitions;
 use hysteron::section::plate::{LayeredPlate, PlateFromPlaneStress, PlateRebar};
-use hysteron::section::{Aggregator, Axial, Fiber, FiberBending, FiberSection, Resultant, SectionSlot};
+use hysteron::section::{
+    Aggregator, Axial, Fiber, FiberBending, FiberSection, ParallelSections, Resultant, SectionSlot,
+};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -191,6 +193,10 @@ pub fn wrappers(law: &Material) -> Vec<(&'static str, Material, &'static [&'stat
         ("Series", Material::new(Series::new(vec![one()], Iteration::Converged)), &["material", "1"]),
         ("Axial", Material::new(Axial::new(Arc::new(section), 1).unwrap()), &["fiber", "0"]),
     ];
+    // A law without its history does not fail at a limit.
+    if law.limit_curves().is_empty() {
+        all.push(("PathIndependent", Material::new(PathIndependent::new(one())), &["material"]));
+    }
     if let Ok(shifted) = InitialState::strain(one(), 0.0) {
         all.push(("InitStrainMaterial", Material::new(shifted), &["material"]));
     }
@@ -223,7 +229,7 @@ fn every_law_is_whole_inside_wrappers_and_as_a_fiber() {
 }
 
 #[test]
-fn every_section_is_whole_inside_an_aggregator() {
+fn every_section_is_whole_inside_another() {
     let words = quoted("crates/engine/src/section");
     let watching = "section Fiber 71 { fiber 0. 0. 1. 70\nfiber 0.1 0. 1. 11 }
         section Aggregator 72 13 Vy -section 71\nsection Uniaxial 73 70 P\nsection Elastic 74 200. 0.1 0.2\n";
@@ -236,6 +242,9 @@ fn every_section_is_whole_inside_an_aggregator() {
         let (bare, around) = (SectionSlot::new(base.clone(), tag, 0), SectionSlot::new(Arc::new(aggregated), 9, 0));
         let own: BTreeSet<String> = words.iter().filter(|w| base.probe(&[w.as_str()]).is_some()).cloned().collect();
         compare(&format!("section {tag}"), &own, (&bare, &around), (&[], &[], false), &mut lost);
+        let beside = ParallelSections::new(vec![(base.clone(), tag)]);
+        let beside = SectionSlot::new(Arc::new(beside), 9, 0);
+        compare(&format!("parallel {tag}"), &own, (&bare, &beside), (&["section", "1"], &[], false), &mut lost);
         for words in [["fiber", "0", "strain"], ["fiber", "0.1", "0"], ["addition", "Vy", "stress"]] {
             if base.probe(&words).is_some() && Owned::response(&bare, &words) != Owned::response(&around, &words) {
                 lost.push(format!("section {tag}: {words:?}"));

@@ -6,7 +6,7 @@ use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
 use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
 use crate::host::Mode;
-use crate::output::{display, figure, print, query, recorder};
+use crate::output::{display, figure, print, query, recorder, section_query};
 use crate::session::Session;
 use crate::{Command, Outcome, Tcl, calls, commands, report, things, warn};
 use hysteron_tcl::diagnostic::{Absent, COMMAND, Diagnostic, VARIABLE, nearest};
@@ -14,8 +14,14 @@ use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeSet;
 
 /// Commands that only look at the model and its results.
-pub(crate) const LOOKING: [&[Command]; 5] =
-    [recorder::COMMANDS, query::COMMANDS, print::COMMANDS, display::COMMANDS, figure::COMMANDS];
+pub(crate) const LOOKING: [&[Command]; 6] = [
+    recorder::COMMANDS,
+    query::COMMANDS,
+    section_query::COMMANDS,
+    print::COMMANDS,
+    display::COMMANDS,
+    figure::COMMANDS,
+];
 
 /// Mistakes that a check has found, and their consequences.
 #[derive(Debug, Default)]

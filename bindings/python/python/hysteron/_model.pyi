@@ -85,7 +85,11 @@ class Model:
         Makes a grid of nodes and of bricks between them.
         """
     def build(self) -> None: ...
-    def cbdiDisplacement(self, *args: Any) -> NoReturn: ...
+    def cbdiDisplacement(self, element: _Word, x: _Word) -> list[float]:
+        """cbdiDisplacement(element, x)
+
+        Returns the global displacements along x, y and z of a place of a force-based beam.
+        """
     def classType(self, *args: _Word, **options: _Word) -> str:
         """classType('section'|'element', tag)
 
@@ -644,7 +648,11 @@ class Model:
 
         Prints nodes and elements.
         """
-    def printX(self, *args: Any) -> NoReturn: ...
+    def printX(self, *args: _Word, **options: _Word) -> list[float] | None:
+        """printX(<'-file', file>, <'-ret'>)
+
+        Prints the solution of the equations that the last iteration has found.
+        """
     def probabilityTransformation(self, *args: Any) -> NoReturn: ...
     def projection(self, mode: _Word) -> None:
         """projection(mode)
@@ -753,7 +761,11 @@ class Model:
 
         Returns the deformations of a section of a beam.
         """
-    def sectionDisplacement(self, *args: Any) -> NoReturn: ...
+    def sectionDisplacement(self, *args: _Word, **options: _Word) -> list[float]:
+        """sectionDisplacement(element, section, <'-local'>)
+
+        Returns the displacements along x, y and z of a section of a force-based beam. Its deflection is the double integral of the polynomial through the curvatures of the sections.
+        """
     def sectionFlexibility(self, element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
         """sectionFlexibility(element, section, <dof>)
 
@@ -938,7 +950,11 @@ class Model:
         """
     def unloadingRule(self, *args: Any) -> NoReturn: ...
     def updateElementDomain(self, *args: Any) -> NoReturn: ...
-    def updateMaterialStage(self, *args: Any) -> NoReturn: ...
+    def updateMaterialStage(self, *args: _Word, **options: _Word) -> None:
+        """updateMaterialStage('-material', material, '-stage', stage, <'-parameter', parameter>)
+
+        Has no effect and warns: no law here has stages. In OpenSees it switches soils from elastic to plastic.
+        """
     def updateParameter(self, tag: _Word, value: _Word) -> int:
         """updateParameter(tag, value)
 

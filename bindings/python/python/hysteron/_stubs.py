@@ -17,7 +17,7 @@ _RETURNS = {
         _NODE,
     ),
     **dict.fromkeys(
-        "eigen motionFile eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility testNorm testNorms nodeBounds getEleLoadData "
+        "eigen motionFile eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility sectionDisplacement cbdiDisplacement testNorm testNorms nodeBounds getEleLoadData "
         "getNodeLoadData".split(),
         "list[float]",
     ),
@@ -36,6 +36,7 @@ _RETURNS = {
     "modalProperties": "dict[str, list[float]] | None",
     "printA": "list[float] | None",
     "printB": "list[float] | None",
+    "printX": "list[float] | None",
 }
 #: Queries of many nodes or elements at once.
 _MANY = "nodeDisp nodeVel nodeAccel nodeCoord nodeReaction eleForce basicForce basicDeformation localForce".split()

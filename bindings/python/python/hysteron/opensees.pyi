@@ -80,7 +80,11 @@ def block3D(nx: _Word, ny: _Word, nz: _Word, firstNode: _Word, firstElement: _Wo
     Makes a grid of nodes and of bricks between them.
     """
 def build() -> None: ...
-def cbdiDisplacement(*args: Any) -> NoReturn: ...
+def cbdiDisplacement(element: _Word, x: _Word) -> list[float]:
+    """cbdiDisplacement(element, x)
+
+    Returns the global displacements along x, y and z of a place of a force-based beam.
+    """
 def classType(*args: _Word, **options: _Word) -> str:
     """classType('section'|'element', tag)
 
@@ -638,7 +642,11 @@ def printModel(*args: _Word, **options: _Word) -> None:
 
     Prints nodes and elements.
     """
-def printX(*args: Any) -> NoReturn: ...
+def printX(*args: _Word, **options: _Word) -> list[float] | None:
+    """printX(<'-file', file>, <'-ret'>)
+
+    Prints the solution of the equations that the last iteration has found.
+    """
 def probabilityTransformation(*args: Any) -> NoReturn: ...
 def projection(mode: _Word) -> None:
     """projection(mode)
@@ -747,7 +755,11 @@ def sectionDeformation(element: _Word, section: _Word, dof: _Word = ...) -> list
 
     Returns the deformations of a section of a beam.
     """
-def sectionDisplacement(*args: Any) -> NoReturn: ...
+def sectionDisplacement(*args: _Word, **options: _Word) -> list[float]:
+    """sectionDisplacement(element, section, <'-local'>)
+
+    Returns the displacements along x, y and z of a section of a force-based beam. Its deflection is the double integral of the polynomial through the curvatures of the sections.
+    """
 def sectionFlexibility(element: _Word, section: _Word, dof: _Word = ...) -> list[float]:
     """sectionFlexibility(element, section, <dof>)
 
@@ -932,7 +944,11 @@ def uniaxialMaterial(*args: _Word, **options: _Word) -> None:
     """
 def unloadingRule(*args: Any) -> NoReturn: ...
 def updateElementDomain(*args: Any) -> NoReturn: ...
-def updateMaterialStage(*args: Any) -> NoReturn: ...
+def updateMaterialStage(*args: _Word, **options: _Word) -> None:
+    """updateMaterialStage('-material', material, '-stage', stage, <'-parameter', parameter>)
+
+    Has no effect and warns: no law here has stages. In OpenSees it switches soils from elastic to plastic.
+    """
 def updateParameter(tag: _Word, value: _Word) -> int:
     """updateParameter(tag, value)
 

@@ -13,7 +13,7 @@ WORDS = (
     "localDisplacement localDispJump forcescalars forcescalar slip "
     # Further words of OpenSees' own recorders.
     "globalForce globalForces stressesAtNodes strainsAtNodes integrationWeights basicStiffness stiffness sectionTags energy "
-    "Energy defoANDforce deformationsANDforces relVel dampingForces damage"
+    "Energy defoANDforce deformationsANDforces relVel dampingForces damage inflectionPoint tangentDrift sectionDisplacements"
 ).split()
 #: Responses of a material within an element.
 OF_MATERIAL = "stress strain stresses strains tangent stressStrain stressStrainTangent energy".split()
@@ -25,7 +25,7 @@ OF_ELEMENT = (
     "sectionWeight sectionTag getNumElements"
 ).split()
 #: Commands that ask of section 1 or 2 of element 1.
-OF_ONE_SECTION = "sectionLocation sectionWeight sectionTag sectionStiffness sectionFlexibility".split()
+OF_ONE_SECTION = "sectionLocation sectionWeight sectionTag sectionStiffness sectionFlexibility sectionDisplacement".split()
 #: Commands that ask of the model or a node.
 OF_MODEL = "getNodeTags getEleTags getNDM getNDF getFixedNodes getEleClassTags getCrdTransfTags getPatterns getNumElements".split()
 OF_NODE = "nodeCoord nodeDisp nodeReaction nodeUnbalance nodeDOFs getNDF getFixedDOFs nodeMass".split()
@@ -44,6 +44,7 @@ def questions():
     out += [(c, 1) for c in OF_ELEMENT]
     out += [(c, 1, i) for i in (1, 2) for c in OF_ONE_SECTION]
     out += [(c, 1, 1, dof) for c in ("sectionForce", "sectionDeformation") for dof in (1, 2)]
+    out += [("cbdiDisplacement", 1, 0.3), ("sectionDisplacement", 1, 2, "-local")]
     out += [(c,) for c in OF_MODEL] + [(c, n) for n in (1, 2) for c in OF_NODE]
     return out
 

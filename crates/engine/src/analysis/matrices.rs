@@ -44,6 +44,12 @@ impl Engine {
         Ok(Equations { matrix, unbalance: order.iter().map(|i| work.b[*i]).collect() })
     }
 
+    /// Correction that the equations were last solved for, by rising tag of the nodes; empty before the first analysis.
+    pub fn last_correction(&self) -> Vec<f64> {
+        let Some(work) = self.prepared() else { return vec![] };
+        self.equations_by_tag().into_iter().filter_map(|i| work.x.get(i).copied()).collect()
+    }
+
     /// Numbers of the equations by rising tag of their nodes.
     fn equations_by_tag(&self) -> Vec<usize> {
         let Some(work) = self.prepared() else { return vec![] };

@@ -21,7 +21,7 @@ impl DampedModes {
         let modes = d.modes.iter().map(|(factor, shape)| {
             let mut shape = shape.clone();
             shape.resize(model.dofs(), 0.0);
-            let full = mass_times(model, &shape, d.nodes_only);
+            let full = mass_times(model, &shape, false);
             let mut own = vec![0.0; equations];
             condense(&full, &mut own);
             (*factor, full, own)

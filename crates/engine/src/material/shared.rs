@@ -14,7 +14,7 @@ impl<const N: usize> Role for dyn Multiaxial<N> {
 
 shared!(dyn Uniaxial:
     AsdConcrete1d, AxialSp, AxialSp<OpenSees>, AxialSpHD, AxialSpHD<OpenSees>, BackboneElastic, Bilin, Bilin<OpenSees>,
-    BilinearOilDamper, BondSp01, BondSp01<OpenSees>, BoucWen, Bwbn, Cast, Concrete01, Concrete01Sitc, Concrete02,
+    BilinearOilDamper, BondSp01, BondSp01<OpenSees>, BoucWen, BoucWenOriginal, Bwbn, Cable, Cable<OpenSees>, Cast, Concrete01, Concrete01Sitc, Concrete02,
     Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD, ConcreteWBeta, ConfinedConcrete01,
     CoulombDamper, DoddRestrepo, Ecc01, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPower, ElasticPP,
     ElasticPPGap, Fatigue, FrpConfinedConcrete02, GallardoShear, Gng, Hardening, HdrRheology, HertzDamp, HookGap, HyperbolicGap,
@@ -24,6 +24,7 @@ shared!(dyn Uniaxial:
     KikuchiAiken<HighDampingRubber>, KikuchiAiken<HighDampingRubber, ElasticRange>, KikuchiAiken<LeadRubber>,
     KikuchiAiken<LeadRubber, ElasticRange>, LimitState, Masonry, Maxwell, MinMax, ModImkPeakOriented,
     ModImkPeakOriented<OpenSees>, ModImkPinching, ModImkPinching<OpenSees>, Mullins, MultiLinear, NoTension, Parallel,
+    PathIndependent,
     Pinching4, Pinching4<OpenSees>, Ratchet, ReinforcingSteel, Saws, Saws<OpenSees>, SelfCentering,
     SelfCentering<OpenSees>, Series, Sma, Sma3k, SoilSpring<PySimple1>, SoilSpring<QzSimple1>, SoilSpring<TzSimple1>,
     Steel01, Steel02, Steel03, Steel4, SteelBrb, SteelDrc, SteelFractureDi, SteelMpf, UvcUniaxial,

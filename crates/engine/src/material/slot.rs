@@ -113,6 +113,11 @@ impl Slot {
         self.at + HEADER..self.at + self.len
     }
 
+    /// Takes the variables of the law back to those of the committed state, and leaves strain, stress and tangent of the trial.
+    pub(super) fn keep_history(&self, committed: &[f64], trial: &mut [f64]) {
+        trial[self.own()].copy_from_slice(&committed[self.own()]);
+    }
+
     /// Copies to the committed state the variables that a trial changes without a commit.
     pub(super) fn leave_trace(&self, tried: &[f64], committed: &mut [f64]) {
         if let Some(law) = self.material.roles().trace {

@@ -7,6 +7,4 @@ pub struct ModalDamping {
     pub modes: Vec<(f64, Vec<f64>)>,
     /// It counts in the tangent too, and not in the forces alone.
     pub in_tangent: bool,
-    /// Only lumped masses of nodes count, as in OpenSees.
-    pub nodes_only: bool,
 }

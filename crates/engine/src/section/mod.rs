@@ -12,6 +12,7 @@ mod elliptical;
 mod fiber;
 mod nd_fiber;
 mod nearest;
+mod parallel;
 mod plain_methods;
 pub mod plate;
 mod shared;
@@ -31,6 +32,7 @@ pub use elastic::{Elastic, ElasticSection};
 pub use elliptical::Elliptical;
 pub use fiber::{Fiber, FiberBending, FiberSection};
 pub use nd_fiber::{NdFiber, NdFiberSection};
+pub use parallel::ParallelSections;
 pub use slot::SectionSlot;
 pub use two_spring_isolator::TwoSpringIsolator;
 

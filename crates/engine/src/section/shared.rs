@@ -2,7 +2,8 @@
 
 use super::plate::{ElasticPlate, LayeredPlate, PlateFromPlaneStress, PlateRebar, PlateSection};
 use super::{
-    Aggregator, Axial, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection, Section, TwoSpringIsolator,
+    Aggregator, Axial, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection, ParallelSections, Section,
+    TwoSpringIsolator,
 };
 use crate::material::{LAYER, Multiaxial, Uniaxial};
 use crate::shared::{Role, shared};
@@ -17,7 +18,7 @@ impl Role for dyn PlateSection {
 
 shared!(dyn Section:
     Aggregator, Bidirectional, Elastic, Elliptical, FiberSection, NdFiberSection<2>, NdFiberSection<3>,
-    TwoSpringIsolator,
+    ParallelSections, TwoSpringIsolator,
 );
 shared!(dyn PlateSection: ElasticPlate, LayeredPlate);
 shared!(dyn Multiaxial<LAYER>: PlateFromPlaneStress, PlateRebar);

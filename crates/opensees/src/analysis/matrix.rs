@@ -1,10 +1,10 @@
-//! `printA` and `printB`: matrix and right-hand side of the equations.
+//! `printA`, `printB` and `printX`: matrix, right-hand side and solution of the equations.
 
 use crate::args::Args;
 use crate::effect::Effect;
 use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
-use hysteron_engine::analysis::Equations;
+use hysteron_engine::analysis::{Equations, Failure};
 use hysteron_engine::number_format::Style;
 use hysteron_tcl::{Call, OpenMode, Value};
 use std::io::Write as _;
@@ -20,32 +20,54 @@ pub(crate) const COMMANDS: &[Command] = &[
         .arguments(&[FILE])
         .about("Prints the right-hand side of the equations.")
         .leaving(Effect::Nothing),
+    Command::new("printX", PRINT_X, print_x)
+        .arguments(&[FILE])
+        .about("Prints the solution of the equations that the last iteration has found.")
+        .leaving(Effect::Nothing),
 ];
 
 const PRINT_A: &str = "printA <-file $file> <-ret>";
 const PRINT_B: &str = "printB <-file $file> <-ret>";
+const PRINT_X: &str = "printX <-file $file> <-ret>";
 
 /// Numbers to print, and how many of them stand in a row.
 type Rows = (Vec<f64>, usize);
 
 /// Matrix of the equations, or its diagonal as a column where the system holds no more.
 fn print_a(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    print(interp, call, PRINT_A, |e| {
+    print(interp, call, PRINT_A, |i| {
+        let e = equations(i)?;
         let n = e.unbalance.len();
         let columns = if e.matrix.len() == n { 1 } else { n };
-        (e.matrix, columns)
+        Ok((e.matrix, columns))
     })
 }
 
 fn print_b(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    print(interp, call, PRINT_B, |e| {
-        let n = e.unbalance.len();
-        (e.unbalance, n)
-    })
+    print(interp, call, PRINT_B, |i| Ok(one_row(equations(i)?.unbalance)))
+}
+
+fn print_x(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
+    print(interp, call, PRINT_X, |i| Ok(one_row(i.host.engine.last_correction())))
+}
+
+fn one_row(numbers: Vec<f64>) -> Rows {
+    let columns = numbers.len();
+    (numbers, columns)
+}
+
+fn equations(interp: &mut Tcl) -> Result<Equations, Failure> {
+    let terms = interp.host.parts.matrix_terms.unwrap_or_default();
+    interp.host.engine.equations(terms)
 }
 
 /// Write numbers in rows, or give them back.
-fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equations) -> Rows) -> Outcome {
+fn print(
+    interp: &mut Tcl,
+    call: &Call<'_>,
+    usage: &'static str,
+    what: fn(&mut Tcl) -> Result<Rows, Failure>,
+) -> Outcome {
     let mut a = Args::new(call, usage);
     let (mut file, mut give_back) = (None, false);
     while let Some(option) = a.option() {
@@ -55,12 +77,8 @@ fn print(interp: &mut Tcl, call: &Call<'_>, usage: &'static str, what: fn(Equati
             _ => ignore_unknown(interp, &mut a)?,
         }
     }
-    let terms = interp.host.parts.matrix_terms.unwrap_or_default();
-    let equations = match interp.host.engine.equations(terms) {
-        Ok(e) => e,
-        Err(failure) => return Err(a.refuse_at(call.whole_span(), failure.to_string(), "")),
-    };
-    let (numbers, columns) = what(equations);
+    let rows = what(interp);
+    let (numbers, columns) = rows.map_err(|failure| a.refuse_at(call.whole_span(), failure.to_string(), ""))?;
     if give_back {
         return Ok(Value::list(numbers.into_iter().map(Value::from)));
     }

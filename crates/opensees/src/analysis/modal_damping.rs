@@ -2,7 +2,6 @@
 
 use crate::args::Args;
 use crate::checks;
-use crate::slips;
 use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, warn};
@@ -41,9 +40,8 @@ fn modal_damping(interp: &mut Tcl, call: &Call<'_>, in_tangent: bool) -> Outcome
         let label = if ratios.len() < count { "the other modes are not damped" } else { "the others are left out" };
         warn(interp, Diagnostic::warning(&checks::analysis::DAMPING_OF_MODES, message).at(a.last_span(), label))?;
     }
-    let nodes_only = interp.host.follows(&[slips::MODAL_DAMPING_MASSES]);
     let damped = ratios.iter().zip(modes.lambda.iter().zip(modes.shapes));
     let modes = damped.map(|(ratio, (lambda, shape))| (2.0 * ratio * lambda.max(0.0).sqrt(), shape)).collect();
-    interp.host.engine.change_model(|m| m.modal_damping = ModalDamping { modes, in_tangent, nodes_only });
+    interp.host.engine.change_model(|m| m.modal_damping = ModalDamping { modes, in_tangent });
     Ok(Value::EMPTY)
 }

@@ -10,6 +10,9 @@ hysteron_tcl::checks! {
     FIXED_UNITS "fixed-units":
         "A law holds in certain units, and its numbers are of other ones.",
         "The message names the units. Convert the model or choose another law.";
+    NO_STAGES "no-stages":
+        "A material is given a stage, and its law has none.",
+        "Stages belong to laws of soils that hysteron does not have. Leave the command out, or keep it for OpenSees.";
     UNFINISHED_ITERATION "unfinished-iteration":
         "An iteration inside a law has not converged where its curve is made.",
         "More iterations or a larger tolerance may help. The curve holds up to the strain of the message.";

@@ -4,10 +4,12 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Text};
-use crate::{Tcl, warn};
+use crate::{Tcl, slips, warn};
 use hysteron_engine::material::{
-    Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material, NoTension,
+    Cable, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material,
+    NoTension,
 };
+use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -43,7 +45,22 @@ const BILINEAR_N: [Arg; 3] = [
     Arg::number("epsN2", "strain in compression epsN2").also(&["eps2n", "-eps2"]),
 ];
 
+const CABLE: [Arg; 4] = [
+    Arg::positive("prestress", "prestress"),
+    Arg::positive("E", "elastic modulus E"),
+    Arg::not_negative("weight", "weight per volume"),
+    Arg::not_negative("length", "length of the cable"),
+];
+
 pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        names: &["Cable", "CableMaterial"],
+        usage: "uniaxialMaterial Cable $tag $prestress $E $weight $length",
+        text: Text::new("Elastic cable that sags under its weight.")
+            .example("uniaxialMaterial Cable 77 200. 2e5 0.08 5000.")
+            .groups(&[&CABLE]),
+        make: cable,
+    },
     Kind {
         names: &["Elastic"],
         usage: "uniaxialMaterial Elastic $tag $E <$eta> <$Eneg>",
@@ -155,6 +172,14 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg, x: f64, sign: f64
         )?;
     }
     Ok(())
+}
+
+fn cable(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [prestress, e, weight, length] = a.read_all(interp, &CABLE)?;
+    if interp.host.follows(&[slips::CABLE_SAG]) {
+        return Ok(Cable { prestress, e, weight, length, rules: OpenSees }.shared());
+    }
+    Ok(Cable { prestress, e, weight, length, rules: Consistent }.shared())
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -24,6 +24,7 @@ mod recipe;
 mod rubber;
 mod smooth;
 mod soil;
+pub(crate) mod stage;
 mod steel;
 mod steel4;
 mod steel_drc;

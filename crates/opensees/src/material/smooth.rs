@@ -5,7 +5,9 @@ use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, slips, warn};
-use hysteron_engine::material::{Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k};
+use hysteron_engine::material::{
+    BoucWenOriginal, Bwbn, HystereticAsym, HystereticPoly, HystereticSmooth, Material, Sma, Sma3k,
+};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -43,6 +45,19 @@ const PINCHING: [Arg; 8] = [
     Arg::positive("tol", "tolerance"),
 ];
 const ITERATIONS: Arg = Arg::of_domain("maxIter", "largest number of iterations maxIter", Domain::Whole);
+
+const ORIGINAL: [Arg; 3] = [
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("fy", "yield strength fy"),
+    Arg::number("alphaL", "ratio alphaL of the linear stiffness to E"),
+];
+const ORIGINAL_SHAPE: [Arg; 5] = [
+    Arg::number("alphaNL", "ratio alphaNL of the hardening part to E; 0 where it is left out"),
+    Arg::positive("mu", "exponent mu of the hardening part; 2 where it is left out"),
+    Arg::positive("eta", "exponent eta of the yielding; 1 where it is left out"),
+    Arg::number("beta", "shape beta of the loop; 0.5 where it is left out"),
+    Arg::number("gamma", "shape gamma of the loop; 0.5 where it is left out"),
+];
 
 const ALLOY: [Arg; 3] = [
     Arg::positive("k1", "elastic stiffness k1"),
@@ -96,6 +111,14 @@ pub(super) const KINDS: &[Kind] = &[
         make: bwbn,
     },
     Kind {
+        names: &["BoucWenOriginal"],
+        usage: "uniaxialMaterial BoucWenOriginal $tag $E $fy $alphaL <$alphaNL> <$mu> <$eta> <$beta> <$gamma> <$tol> <$maxIter>",
+        text: Text::new("Bouc-Wen hysteresis by its yield strength, with an elastic part that hardens.")
+            .example("uniaxialMaterial BoucWenOriginal 77 200. 2. 0.05")
+            .groups(&[&ORIGINAL, &ORIGINAL_SHAPE, &[TOLERANCE, ITERATIONS]]),
+        make: bouc_wen_original,
+    },
+    Kind {
         names: &["ASD_SMA_3K"],
         usage: "uniaxialMaterial ASD_SMA_3K $tag $k1 $k2 $k3 $sigAct $beta",
         text: Text::new("Shape-memory alloy with three stiffnesses.")
@@ -112,6 +135,25 @@ pub(super) const KINDS: &[Kind] = &[
         make: sma,
     },
 ];
+
+fn bouc_wen_original(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let [e, fy, alpha_l] = a.read_all(interp, &ORIGINAL)?;
+    let mut shape = [0.0, 2.0, 1.0, 0.5, 0.5];
+    for (value, arg) in shape.iter_mut().zip(&ORIGINAL_SHAPE) {
+        *value = a.read_or(interp, arg, *value)?;
+    }
+    let [alpha_nl, mu, eta, beta, gamma] = shape;
+    if alpha_nl != 0.0 && mu < 1.0 {
+        return Err(a.refuse(
+            format!("the exponent mu is {mu}"),
+            "expected at least 1: the stiffness at rest would be infinite",
+        ));
+    }
+    // Found to round-off here.
+    a.read_optional(interp, &TOLERANCE)?;
+    a.optional_int(ITERATIONS.meaning)?;
+    Ok(BoucWenOriginal::new([e, fy], [alpha_l, alpha_nl, mu], [eta, beta, gamma]).shared())
+}
 
 /// ka and kb, which is less.
 fn stiffnesses(interp: &mut Tcl, a: &mut Args<'_>) -> Result<[f64; 2], Exception> {

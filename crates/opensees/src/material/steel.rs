@@ -265,7 +265,8 @@ fn steel_mpf(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
         // The first two numbers are those of compression.
         shift = [(a3, a4), (a1, a2)];
     }
-    Ok(SteelMpf { fy: [fyp, fyn], e, b, r0, cr1, cr2, shift }.shared())
+    let least_strain = if interp.host.follows(&[slips::STEEL_MPF_START]) { 0.0 } else { SteelMpf::LEAST_STRAIN };
+    Ok(SteelMpf { fy: [fyp, fyn], e, b, r0, cr1, cr2, shift, least_strain }.shared())
 }
 
 fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

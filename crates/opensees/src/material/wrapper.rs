@@ -8,7 +8,8 @@ use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
-    Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, Series,
+    Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, PathIndependent,
+    Series,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -41,6 +42,13 @@ pub(super) const KINDS: &[Kind] = &[
             .example("uniaxialMaterial Multiplier 77 1 1")
             .arguments(&[FACTOR]),
         make: multiplier,
+    },
+    Kind {
+        names: &["PathIndependent"],
+        usage: "uniaxialMaterial PathIndependent $tag $material",
+        text: Text::new("Another law without its history: unloading follows the backbone.")
+            .example("uniaxialMaterial PathIndependent 77 1"),
+        make: path_independent,
     },
     Kind {
         names: &["Series"],
@@ -116,6 +124,11 @@ fn multiplier(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     let inner = a.of(&interp.host.builder.definitions.materials)?;
     let factor = a.read(interp, &FACTOR)?;
     Ok(Parallel::new(vec![inner], vec![factor]).shared())
+}
+
+fn path_independent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
+    let inner = a.of(&interp.host.builder.definitions.materials)?;
+    Ok(PathIndependent::new(inner).shared())
 }
 
 fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -14,6 +14,7 @@ pub(crate) mod recorder;
 mod recorder_file;
 mod recorder_options;
 pub(crate) mod recorders;
+pub(crate) mod section_query;
 pub(crate) mod verify;
 
 pub use balance::{AnalysedModel, Balances, ModelSize};

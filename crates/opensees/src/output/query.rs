@@ -18,12 +18,11 @@ use hysteron_tcl::{Call, Exception, Value};
 const NODE_EIGENVECTOR_MODE: Arg = Arg::whole("mode", "number of the mode");
 const VALUE: Arg = Arg::number("value", "value");
 const MASS: Arg = Arg::not_negative("mass", "mass");
-const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
+pub(super) const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
 const ELE_RESPONSE_RESPONSE: Arg = Arg::new("response", "name of the response");
-const SECTION: Arg = Arg::whole("section", "number of the section");
 const GET_LOAD_FACTOR_PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
 
-const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it is left out")];
+pub(super) const DOF_OR_ALL: &[Arg] = &[Arg::new("dof", "number from 1; all values where it is left out")];
 
 const PROCESS: &[Arg] = &[Arg::of("-pid", "process", "number of the other process")];
 
@@ -76,26 +75,6 @@ pub(crate) const COMMANDS: &[Command] = &[
         .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the local forces of an element.")
         .groups(&[DOF_OR_ALL]),
-    Command::asking("sectionForce", OF_SECTION, |i, c| of_section(i, c, "force"))
-        .arguments(&[ELE_RESPONSE_ELEMENT, SECTION])
-        .about("Returns the resultants of a section of a beam.")
-        .groups(&[DOF_OR_ALL]),
-    Command::asking("sectionDeformation", OF_SECTION, |i, c| of_section(i, c, "deformation"))
-        .about("Returns the deformations of a section of a beam."),
-    Command::asking("sectionStiffness", OF_SECTION, |i, c| of_section(i, c, "stiffness"))
-        .about("Returns the tangent of a section of a beam."),
-    Command::asking("sectionFlexibility", OF_SECTION, |i, c| of_section(i, c, "flexibility"))
-        .about("Returns the inverse of the tangent of a section of a beam."),
-    Command::asking("sectionLocation", ALONG, |i, c| along(i, c, "integrationPoints"))
-        .about("Returns the places of the sections along a beam.")
-        .arguments(&[
-            ELE_RESPONSE_ELEMENT,
-            Arg::new("section", "number of the section from 1; all where it is left out"),
-        ]),
-    Command::asking("sectionWeight", ALONG, |i, c| along(i, c, "integrationWeights"))
-        .about("Returns the weights of the sections along a beam."),
-    Command::asking("sectionTag", ALONG, |i, c| along(i, c, "sectionTags"))
-        .about("Returns the tags of the sections along a beam."),
     Command::asking("basicForce", "basicForce $element <$dof>", |i, c| named(i, c, "basicForce"))
         .arguments(&[ELE_RESPONSE_ELEMENT])
         .about("Returns the basic forces of an element.")
@@ -167,12 +146,12 @@ fn alone(_: &mut Tcl, _: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn list(values: &[f64]) -> Value {
+pub(super) fn list(values: &[f64]) -> Value {
     Value::list(values.iter().map(|x| Value::from(*x)))
 }
 
 /// All values of a node, or the one of a degree of freedom.
-fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
+pub(super) fn pick(interp: &mut Tcl, a: &mut Args<'_>, values: &[f64], what: &str) -> Outcome {
     if a.left() == 0 {
         return Ok(list(values));
     }
@@ -301,13 +280,13 @@ fn set_mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
+pub(super) fn element_of(interp: &Tcl, a: &mut Args<'_>) -> Result<ElementId, Exception> {
     let tag = a.tag(things::ELEMENT, ELE_RESPONSE_ELEMENT.meaning)?;
     let id = interp.host.engine.model().element(tag);
     id.ok_or_else(|| a.absent(things::ELEMENT, tag, "expected the tag of an element"))
 }
 
-fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
+pub(super) fn evaluate(interp: &mut Tcl, id: ElementId, words: &[&str]) -> Option<Vec<f64>> {
     let session = &mut interp.host;
     ElementResponse::evaluate(&session.engine, id, words, &mut session.output.known)
 }
@@ -325,33 +304,6 @@ fn ele_response(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             Err(Exception::diagnosed(d.at(call.span(index + 2), "not known here").by(&checks::output::NO_RESPONSE)))
         }
     }
-}
-
-const OF_SECTION: &str = "sectionForce $element $section <$dof>";
-const ALONG: &str = "sectionLocation $element <$section>";
-
-/// A response of a section of a beam, or one of its values.
-fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
-    let mut a = Args::new(call, OF_SECTION);
-    let id = element_of(interp, &mut a)?;
-    let number = a.count(SECTION.meaning)?.to_string();
-    let words = ["section", number.as_str(), what];
-    let Some(values) = evaluate(interp, id, &words) else {
-        let refused = a.refuse(format!("the element has no section {number}"), "expected a number from 1 on");
-        return Err(refused.by(&checks::output::NO_RESPONSE));
-    };
-    pick(interp, &mut a, &values, "number of the value")
-}
-
-/// Response of a beam's sections, or of one of them.
-fn along(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
-    let mut a = Args::new(call, ALONG);
-    let id = element_of(interp, &mut a)?;
-    let Some(values) = evaluate(interp, id, &[what]) else {
-        let refused = a.refuse("the element has no sections along its length", "expected a beam with sections");
-        return Err(refused.by(&checks::output::NO_RESPONSE));
-    };
-    pick(interp, &mut a, &values, "number of the section")
 }
 
 /// A response with a command of its own: all of it, or one column.

@@ -142,6 +142,7 @@ fn add(
 ) -> Result<(), Exception> {
     finish(interp, a)?;
     let keeps_negative = interp.host.follows(&[slips::NEGATIVE_AREAS]);
+    let is_flat = interp.host.builder.ndm == 2 && interp.host.follows(&[slips::FLAT_FIBERS]);
     let ModelBuilder { fibers, continuum_fibers, open_section, .. } = &mut interp.host.builder;
     let mut push: Box<dyn FnMut([f64; 2], f64)> = match (material, fibers, continuum_fibers, open_section) {
         (FiberMaterial::Continuum(material), _, Some(fibers), _) => {
@@ -166,7 +167,7 @@ fn add(
             let message = format!("a fiber at y = {y:.6}, z = {z:.6} has an area of {area:.6e}");
             return Err(a.refuse(message, "expected corners in the sense that goes from y to z"));
         }
-        push([y, z], area);
+        push([y, if is_flat { 0.0 } else { z }], area);
     }
     Ok(())
 }

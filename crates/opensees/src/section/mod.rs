@@ -17,7 +17,7 @@ use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, 
 use hysteron_engine::material::Elastic as ElasticMaterial;
 use hysteron_engine::section::plate::SharedPlateSection;
 use hysteron_engine::section::{
-    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, Resultant, SharedSection,
+    Aggregator, Elastic, ElasticSection, Fiber, FiberBending, FiberSection, ParallelSections, Resultant, SharedSection,
 };
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -120,6 +120,14 @@ const KINDS: &[Kind] = &[
                 Arg::of("-section", "section", "tag of a section").within(Domain::Whole),
             ]),
         make: Make::Beam(aggregator),
+    },
+    Kind {
+        names: &["Parallel", "ParallelSection"],
+        usage: "section Parallel $tag $section1 <$section2 ...>",
+        text: Text::new("Other sections with the same deformations, whose resultants are added.")
+            .example("section Parallel 77 1 1")
+            .arguments(&[TAG, Arg::thing("section1", things::SECTION)]),
+        make: Make::Beam(parallel),
     },
     Kind {
         names: &["Uniaxial", "Generic1D", "Generic1d"],
@@ -321,6 +329,14 @@ fn aggregator(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Excep
     }
     let made = Aggregator::new(base, additions).map_err(|e| a.refuse_at(span, e.0, ""))?;
     Ok(made.shared())
+}
+
+fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
+    let mut sections = vec![a.of(&interp.host.builder.definitions.sections)?];
+    while a.left() > 0 {
+        sections.push(a.of(&interp.host.builder.definitions.sections)?);
+    }
+    Ok(ParallelSections::new(sections).shared())
 }
 
 fn uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {

@@ -90,7 +90,7 @@ slips! {
     "All degrees of freedom of the retained node count.",
     "The constraint would not hold.";
 
-    EIGEN_LAPACK, Command, Nowhere,
+    EIGEN_LAPACK, Command, Test("tests/analysis/opensees.rs", "modal_damping_of_the_masses_of_elements"),
     "`eigen -fullGenLapack`",
     "The values are the smallest ones whatever `-findLargest` says. They are infinite where the mass has no more modes. Shapes are scaled \
      by row sums of the mass matrix.",
@@ -155,12 +155,6 @@ slips! {
     "Elements are at the end of the step.",
     "Recorders would show forces of another time.";
 
-    MODAL_DAMPING_MASSES, Command, Nowhere,
-    "`modalDamping`",
-    "Only the masses of nodes count.",
-    "All masses count.",
-    "Modes have the mass of elements too.";
-
     GROUND_MOTION_RATES, Command, Case("multisupport_rates"),
     "`groundMotion Plain` with `-disp` without `-vel`, or `-vel` without `-accel`",
     "Velocity and acceleration that are not given are zero.",
@@ -212,6 +206,11 @@ pub(super) const OTHERS: &[Slip] = &[
         "It makes a transient analysis of the parts that have been given, and of `constraints Transformation`, Newmark's method and Newton's \
          algorithm. In Python that is gone after the command.",
         "`analyze` has nothing to carry out.",
+    ),
+    differs(
+        "`integrator ParkLMS3`",
+        "openseespy 3.7.1 does not know it, and Newmark's method acts in its place. The Tcl interpreter has it.",
+        "It is Park's method, with the numbers of the Tcl interpreter.",
     ),
     differs("`constraints Lagrange` with multi-point constraints", "openseespy 3.7.1 stops.", "They hold."),
     differs(

@@ -26,6 +26,12 @@ slips! {
     "The command is refused.",
     "The section would lose what it was meant to gain.";
 
+    FLAT_FIBERS, Command, Test("tests/analysis/opensees.rs", "fibers_in_the_plane_lie_at_z_0"),
+    "Responses `fiberData`, `fiberData2` and `centroid` of `section Fiber` and `NDFiber` in the plane",
+    "z is 0.",
+    "z is that of the fiber.",
+    "A picture of the section needs it.";
+
     PLANE_DEFORMATIONS, Analysis, Test("tests/analysis/opensees.rs", "deformations_of_an_elastic_beam_in_the_plane"),
     "Response `deformations` of `elasticBeamColumn` in the plane",
     "There is none of that name; it is `basicDeformation`.",

@@ -16,6 +16,19 @@ slips! {
     "It takes the parameters of its sign.",
     "A brace may be compressed first.";
 
+    STEEL_MPF_START, Command, Test("tests/laws/frame_materials.rs", "a_first_strain_of_zero_is_no_curve_of_steel_mpf"),
+    "`SteelMPF` whose first committed strain is 0",
+    "openseespy 3.7.1 loads it in tension and does not count its first curve: the curve after the first reversal is as sharp as the \
+     first one.",
+    "The bar stays virgin, as in later versions.",
+    "An analysis that begins at rest would change the answer.";
+
+    CABLE_SAG, Command, Test("tests/laws/reference_stresses.rs", "a_cable_sags_by_its_weight"),
+    "`Cable`",
+    "A whole division leaves the change of the sag out of the stress, and not out of the tangent. A term of the tangent has another sign.",
+    "The sag counts, and the tangent is the derivative of the stress.",
+    "The cable would be as stiff as a bar.";
+
     BILIN_DETERIORATION, Command, Case("bilin_hinges"),
     "`Bilin`, `Bilin02`",
     "A step that crosses zero force and ends beyond the cap of the other side loses all strength. The force jumps to the residual \
@@ -230,6 +243,21 @@ pub(super) const OTHERS: &[Slip] = &[
     differs(
         "`BWBN`: tangent",
         "A part of the derivative lacks the increment of the strain. Stresses are the same.",
+        "It is the derivative of the stress.",
+    ),
+    differs(
+        "`ReinforcingSteel` with `-GABuck` or `-DMBuck`: tangent",
+        "It is that of the bar that does not buckle, with a difference of the reduction at one stress. Stresses are the same.",
+        "It is the derivative of the stress.",
+    ),
+    differs(
+        "`BoucWenOriginal`: tangent",
+        "It is that at the end of the step, as if the step were short. Stresses are the same.",
+        "It is the derivative of the stress, by the implicit rule of the step.",
+    ),
+    differs(
+        "`ECC01`: tangent",
+        "In compression before the peak it is the secant of the peak. Stresses are the same.",
         "It is the derivative of the stress.",
     ),
     differs(

@@ -54,7 +54,7 @@ pub(super) const OTHERS: &[Slip] = &[
         "Rows stand at the multiples of the interval.",
     ),
     differs(
-        "`printA`, `printB`",
+        "`printA`, `printB`, `printX`",
         "They depend on the numberer and on the system.",
         "Equations have the order of rising tags of the nodes, as by `numberer Plain`. The matrix is there whatever the system; under `system Diagonal` it is the diagonal, as in OpenSees.",
     ),

@@ -3,6 +3,7 @@
 mod opensees;
 
 use super::basic::Basic;
+use super::curvature_interpolation::{CurvatureInterpolation, polynomials};
 use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::point::SUPPORT;
@@ -76,23 +77,6 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
 
 impl Rules for Consistent {}
 
-/// Legendre polynomials of 2x - 1 up to degree `n`, and their first and second integrals from 0.
-fn polynomials(x: f64, n: usize) -> [Vec<f64>; 3] {
-    let t = 2.0 * x - 1.0;
-    let mut p = vec![1.0, t];
-    for k in 1..n + 2 {
-        let k1 = k as f64;
-        p.push(((2.0 * k1 + 1.0) * t * p[k] - k1 * p[k - 1]) / (k1 + 1.0));
-    }
-    let integral = |of: &[f64], first: f64| -> Vec<f64> {
-        let rest = (1..of.len() - 1).map(|k| 0.5 * (of[k + 1] - of[k - 1]) / (2 * k + 1) as f64);
-        std::iter::once(first).chain(rest).collect()
-    };
-    let once = integral(&p, x);
-    let twice = integral(&once, 0.5 * x * x);
-    [p, once, twice]
-}
-
 impl CurvatureBased {
     /// Makes the formulation for sections at distinct `places` (fractions of the length); `shear` adds the deflections
     /// from shear strains. `None` if two places coincide.
@@ -112,23 +96,12 @@ impl<R: Rules> CurvatureBased<R> {
     fn of(iteration: ForceBased, places: &[f64], shear: bool, plane: bool) -> Option<Self> {
         let n = places.len();
         let at: Vec<_> = places.iter().map(|x| polynomials(*x, n)).collect();
-        let (start, end) = (polynomials(0.0, n), polynomials(1.0, n));
-        // Values of the polynomials at the places; the inverse gives the coefficients.
-        let mut values = vec![[0.0; COLUMNS]; n];
-        for (row, p) in values.iter_mut().zip(&at) {
-            row[..n].copy_from_slice(&p[0][..n]);
-        }
-        for (i, row) in values.iter_mut().enumerate() {
-            row[n + i] = 1.0;
-        }
-        if n + n > COLUMNS || !eliminate(&mut values, n, 2 * n) {
-            return None;
-        }
+        let interpolation = CurvatureInterpolation::new(places)?;
+        let [start, end] = &interpolation.ends;
         let influence = |of: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-            let entry = |i: usize, j: usize| (0..n).map(|k| of(i, k) * values[k][n + j]).sum::<f64>();
-            (0..n * n).map(|ij| entry(ij / n, ij % n)).collect()
+            (0..n).flat_map(|i| interpolation.influence(|k| of(i, k))).collect()
         };
-        let deflection = influence(&|i, k| at[i][2][k] - places[i] * end[2][k]);
+        let deflection = places.iter().flat_map(|x| interpolation.deflection(*x)).collect();
         let datum = R::datum(&start[0], &end[1]);
         let shear = shear.then(|| {
             [
@@ -427,6 +400,7 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
     const SYMMETRIC: bool = false;
     const DEFLECTS: bool = true;
     const LACKING: Lacking = Lacking::Refused;
+    const SHOWS_DEFLECTION: bool = true;
     const STATE_LEN: usize = if R::CALL_DEPENDENT { Trace::<N, B>::LEN } else { 0 };
 
     fn continues_from_last_trial(&self) -> bool {

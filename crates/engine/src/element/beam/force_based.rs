@@ -354,6 +354,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
     type Loads = Self;
     const CLASS: [Class; 2] = [Class::new("ForceBeamColumn2d", 73), Class::new("ForceBeamColumn3d", 74)];
     const LACKING: Lacking = Lacking::Rigid;
+    const SHOWS_DEFLECTION: bool = true;
     const LOCALISES: bool = true;
     const DAMPABLE: bool = true;
     const STATE_LEN: usize = Trace::<N, B>::LEN;

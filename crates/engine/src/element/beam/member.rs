@@ -16,6 +16,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::basic::{BASIC_DEFORMATIONS, Basic, basic_force_names};
+use super::deflection;
 use super::elastic::{consistent_mass, euler_load, lumped_mass, rigidities};
 use super::per_section::PerSection;
 use super::shortfall::exhausted;
@@ -55,6 +56,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
     const LOCALISES: bool = false;
     /// Effect of a resultant that a section lacks.
     const LACKING: Lacking;
+    /// Responses are displacements between the ends, from the section curvatures.
+    const SHOWS_DEFLECTION: bool = false;
     /// OpenSees' element takes a damping of its own.
     const DAMPABLE: bool = false;
     /// Number of state variables of the formulation, after those of the sections.
@@ -239,6 +242,10 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
     }
 }
 
+/// Names of the responses of every formulation.
+const NAMES: [&str; 7] =
+    ["localForce", "basicForce", "basicDeformation", "chordRotation", "plasticRotation", "section", "basicStiffness"];
+
 const LOCAL_FORCE: u32 = 3;
 const BASIC_FORCE: u32 = 4;
 const DEFORMATION: u32 = 5;
@@ -379,20 +386,16 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
                 let probe = self.member.sections[i].probe(&words[2..])?;
                 return Some(probe.inside(&[SECTION, i as u32]));
             }
-            word => return axis_probe(word),
+            word => {
+                return axis_probe(word)
+                    .or_else(|| self.member.deflection_probe(words).filter(|_| F::SHOWS_DEFLECTION));
+            }
         })
     }
 
     fn probe_names(&self) -> Vec<&'static str> {
-        vec![
-            "localForce",
-            "basicForce",
-            "basicDeformation",
-            "chordRotation",
-            "plasticRotation",
-            "section",
-            "basicStiffness",
-        ]
+        let deflection = if F::SHOWS_DEFLECTION { &deflection::NAMES[..] } else { &[] };
+        [&NAMES[..], deflection].concat()
     }
 
     fn read(&self, path: &[u32], s: &Snapshot<'_>, out: &mut [f64]) {
@@ -414,6 +417,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             WEIGHTS => out.iter_mut().zip(&m.points.1).for_each(|(o, w)| *o = w * length),
             ENERGY => out[0] = m.energy(s.state),
             TAGS => out.iter_mut().zip(&m.sections).for_each(|(o, s)| *o = f64::from(s.tag)),
+            id if deflection::PATHS.contains(&id) => m.read_deflection(path, &basic.q, s, out),
             SECTION => m.sections[path[1] as usize].read(&path[2..], s.state, out),
             _ => m.read_all_sections(&path[1..], s.state, out),
         }

@@ -5,6 +5,8 @@ mod basic;
 mod basic_forces;
 mod component;
 mod curvature_based;
+mod curvature_interpolation;
+mod deflection;
 mod displacement_based;
 mod elastic;
 mod force_based;

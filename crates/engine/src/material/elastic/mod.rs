@@ -1,5 +1,6 @@
 //! Elastic and piecewise linear laws.
 
+mod cable;
 #[allow(clippy::module_inception)]
 mod elastic;
 mod elastic_multi_linear;
@@ -8,6 +9,7 @@ mod elastic_pp;
 mod multi_linear;
 mod no_tension;
 
+pub use cable::Cable;
 pub use elastic::Elastic;
 pub use elastic_multi_linear::{ElasticBilin, ElasticMultiLinear};
 pub use elastic_power::ElasticPower;

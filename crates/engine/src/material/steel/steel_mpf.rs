@@ -3,9 +3,6 @@
 
 use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
 
-/// Smallest strain that loads a virgin bar.
-const LEAST_STRAIN: f64 = 1e-14;
-
 /// Steel with its own yield strength and hardening on either side: tension, compression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteelMpf {
@@ -24,6 +21,8 @@ pub struct SteelMpf {
     /// Shift of the asymptote by strains on the other side: share of the yield strength per yield strain, and the first
     /// strain that counts, in yield strains of the other side.
     pub shift: [(f64, f64); 2],
+    /// Smallest strain that loads a virgin bar. By OpenSees 3.7.1 it is 0, and the first curve of a bar loaded so is not counted.
+    pub least_strain: f64,
 }
 
 /// A curve towards a side, with strains and stresses positive there: strain and stress where it begins, those where its
@@ -58,6 +57,9 @@ fn sign(side: usize) -> f64 {
 }
 
 impl SteelMpf {
+    /// Usual smallest strain that loads a virgin bar: round-off.
+    pub const LEAST_STRAIN: f64 = 1e-14;
+
     /// Stress and slope on a curve towards a side at a strain that is positive there.
     fn on(&self, side: usize, &[x0, y0, x1, y1, r]: &Curve, x: f64) -> (f64, f64) {
         let (b, part) = (self.b[side], (x - x0) / (x1 - x0));
@@ -104,10 +106,10 @@ impl UniaxialLaw for SteelMpf {
         let mut t = *c;
         let d = e - c.strain;
         if c.direction == 0.0 {
-            if e.abs() <= LEAST_STRAIN {
+            if e.abs() < self.least_strain {
                 return Ok((Stress { value: 0.0, tangent: self.e, damping: 0.0 }, t));
             }
-            (t.direction, t.count) = (e.signum(), 1.0);
+            (t.direction, t.count) = (if e < 0.0 { -1.0 } else { 1.0 }, f64::from(e != 0.0));
             t.curve = [0, 1].map(|side| [0.0, 0.0, self.fy[side] / self.e, self.fy[side], self.r0]);
             t.before = t.curve;
         } else if d * c.direction < 0.0 {

@@ -2,6 +2,7 @@
 
 mod fatigue;
 mod parallel;
+mod path_independent;
 mod series;
 pub(super) mod softening;
 mod wrapped;
@@ -10,6 +11,7 @@ mod wrapper;
 
 pub use fatigue::{Fatigue, FatigueCount, FatigueParameters};
 pub use parallel::{Parallel, WeightedSum};
+pub use path_independent::{PathIndependent, Virgin};
 pub use series::{CommonStress, Iteration, Series};
 pub use softening::{Mullins, Peak, Softening, SofteningFactor};
 pub use wrapped::{InitialState, MinMax, StrainLimits};
