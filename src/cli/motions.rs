@@ -4,7 +4,9 @@ use super::files::{make_folder, write_atomically};
 use super::recording::ToldArgs;
 use clap::Args;
 use hysteron::design::codes::Code;
+use hysteron::design::inelastic::{InelasticSpectra, LawText, Level};
 use hysteron::design::motion::{ReadOptions, read};
+use hysteron::design::spectrum::default_periods;
 use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
 use hysteron::design::target::Target;
 use hysteron::study::unit::{self, Quantity};
@@ -60,9 +62,60 @@ pub(super) struct MotionsArgs {
     /// Unit of the series that are written
     #[arg(long, value_name = "UNIT", default_value = "g")]
     out_unit: String,
+    /// Inelastic spectra too, of the law that these words of a uniaxialMaterial make, such as "Steel01 $tag $Fy $k 0.05"
+    #[arg(long, value_name = "LAW", requires = "levels")]
+    inelastic: Option<String>,
+    #[command(flatten)]
+    levels: LevelArgs,
+    /// Threads for inelastic spectra; all of the machine if it is not given
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
     /// Print the results as JSON
     #[arg(long)]
     json: bool,
+}
+
+/// Levels of inelastic spectra.
+#[derive(Args, Debug)]
+#[group(id = "levels", multiple = true)]
+struct LevelArgs {
+    /// Yield strengths of inelastic spectra, as parts of the weight
+    #[arg(long, value_name = "CY", num_args = 1.., value_delimiter = ',', requires = "inelastic")]
+    strength: Vec<f64>,
+    /// Reductions of inelastic spectra: elastic force over yield strength
+    #[arg(long, value_name = "R", num_args = 1.., value_delimiter = ',', requires = "inelastic")]
+    reduction: Vec<f64>,
+    /// Ductilities of inelastic spectra: largest displacement over yield displacement
+    #[arg(long, value_name = "MU", num_args = 1.., value_delimiter = ',', requires = "inelastic")]
+    ductility: Vec<f64>,
+}
+
+impl LevelArgs {
+    fn levels(&self) -> Vec<Level> {
+        let of = |values: &[f64], level: fn(f64) -> Level| values.iter().map(|x| level(*x)).collect::<Vec<_>>();
+        [
+            of(&self.strength, Level::Strength),
+            of(&self.reduction, Level::Reduction),
+            of(&self.ductility, Level::Ductility),
+        ]
+        .concat()
+    }
+}
+
+/// Inelastic spectra of the motions of a suite, if they are asked for.
+fn inelastic(a: &MotionsArgs, suite: &Suite) -> Result<Option<InelasticSpectra>, String> {
+    let Some(words) = &a.inelastic else { return Ok(None) };
+    let law = LawText::new(words)?;
+    let periods = if a.periods.is_empty() { default_periods() } else { a.periods.clone() };
+    let levels = a.levels.levels();
+    let motions = suite.scaled_motions();
+    let threads = a.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let [damping] = a.damping[..] else { return Err("inelastic spectra have one damping".into()) };
+    let start = std::time::Instant::now();
+    let spectra = InelasticSpectra::new(&motions, &law, (damping / 100.0, &periods, &levels), threads, &|| ())?;
+    let (n, seconds) = (spectra.analyses, start.elapsed().as_secs_f64());
+    eprintln!("note: {n} analyses, {:.0} a second", n as f64 / seconds.max(1e-9));
+    Ok(Some(spectra))
 }
 
 /// Run the command; the text for standard output.
@@ -116,11 +169,16 @@ pub(super) fn motions(a: &MotionsArgs) -> Result<String, String> {
     if let Some(name) = &a.code {
         eprintln!("note: {}", Code::named(name)?.remark());
     }
+    let spectra = inelastic(a, &suite)?;
     if let Some(folder) = &a.out {
         make_folder(folder)?;
         for (name, text) in suite.files(&out_unit)? {
             write_atomically(&folder.join(name), &text)?;
         }
+        if let Some(spectra) = &spectra {
+            write_atomically(&folder.join("inelastic.csv"), &spectra.table().csv())?;
+        }
     }
-    Ok(if a.json { suite.json() } else { suite.summary().text() })
+    let medians = spectra.as_ref().map(InelasticSpectra::medians);
+    Ok(if a.json { suite.json(medians.as_ref()) } else { medians.map_or(suite.summary(), |m| m).text() })
 }

@@ -9,6 +9,7 @@ pub mod check;
 pub mod codes;
 pub mod fragility;
 pub mod incremental;
+pub mod inelastic;
 pub mod isolate;
 pub mod lateral_force;
 pub mod mistake;

@@ -288,7 +288,8 @@ impl Suite {
     /// # Errors
     /// There is nothing to draw.
     pub fn files(&self, unit: &Unit) -> Result<Vec<(String, String)>, String> {
-        let mut out = vec![("motions.csv".to_owned(), self.summary().csv()), ("motions.json".to_owned(), self.json())];
+        let mut out =
+            vec![("motions.csv".to_owned(), self.summary().csv()), ("motions.json".to_owned(), self.json(None))];
         for (k, damping) in self.damping.iter().enumerate() {
             let name = if self.damping.len() == 1 { String::new() } else { format!("_{}", 100.0 * damping) };
             out.push((format!("spectra{name}.csv"), self.spectra_table(k).csv()));
@@ -306,8 +307,8 @@ impl Suite {
         Ok(out)
     }
 
-    /// The results as JSON: motions with factors and measures, the scaling, and spectra.
-    pub fn json(&self) -> String {
+    /// The results as JSON: motions with factors and measures, the scaling, spectra, and medians of inelastic ones.
+    pub fn json(&self, inelastic: Option<&Table>) -> String {
         let parsed = |text: String| serde_json::from_str::<Value>(&text).unwrap_or_default();
         let spectrum = |(k, d)| json!({"damping": d, "rows": parsed(self.spectra_table(k).json())});
         let spectra: Vec<Value> = self.damping.iter().enumerate().map(spectrum).collect();
@@ -315,7 +316,10 @@ impl Suite {
             let lowest = s.ratios.iter().copied().fold(f64::INFINITY, f64::min);
             json!({"range_s": self.range, "common_factor": s.common, "least_ratio_of_mean": lowest})
         });
-        let all = json!({"motions": parsed(self.summary().json()), "scaling": scaling, "spectra": spectra});
+        let mut all = json!({"motions": parsed(self.summary().json()), "scaling": scaling, "spectra": spectra});
+        if let Some(medians) = inelastic {
+            all["inelastic"] = parsed(medians.json());
+        }
         format!("{all:#}\n")
     }
 }

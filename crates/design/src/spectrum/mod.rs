@@ -4,6 +4,7 @@ mod oscillator;
 mod pair;
 
 pub use oscillator::{Oscillator, Peaks};
+pub(crate) use pair::median;
 pub use pair::{Combination, PairSpectrum, gm_rot_i};
 
 use crate::motion::Motion;

@@ -33,7 +33,7 @@ impl Nodes<'_> {
     }
 }
 
-/// What an element is called with.
+/// Arguments of a call of an element.
 pub(super) struct Call<'a> {
     pub(super) nodes: Nodes<'a>,
     /// Its load variables.

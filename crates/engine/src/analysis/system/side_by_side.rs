@@ -30,7 +30,7 @@ impl<'a> Part<'a> {
         Self { values, start: 0 }
     }
 
-    /// What lies before a place, and from there on.
+    /// The parts before a place and from there on.
     fn split(self, at: usize) -> (Self, Self) {
         let (before, after) = self.values.split_at_mut(at - self.start);
         (Self { values: before, start: self.start }, Self { values: after, start: at })
@@ -50,7 +50,7 @@ struct Span<'a> {
     trial: Part<'a>,
 }
 
-/// What the elements are called with.
+/// Arguments of the calls of all elements.
 struct Calls<'a> {
     model: &'a Model,
     entries: &'a [ElementWorkspace],

@@ -21,26 +21,27 @@ pub(super) struct Elimination<'a> {
     pub(super) symmetric: bool,
 }
 
-/// What a front leaves for its parent: a square matrix over its rows below, by columns; of a symmetric one the lower triangle.
-type Rest = Vec<f64>;
+/// Contribution of a front to its parent: a square matrix over its rows below, by columns; of a symmetric one the lower triangle.
+type Contribution = Vec<f64>;
 
 impl Elimination<'_> {
     /// Factor all fronts.
     pub(super) fn run(&self, parallel: bool, mut factors: Factors<'_>) {
-        let mut rests: Vec<Option<Rest>> = vec![None; self.tree.fronts.len()];
+        let mut contributions: Vec<Option<Contribution>> = vec![None; self.tree.fronts.len()];
         let roots = &self.tree.side_by_side;
         let parts = self.parts(&mut factors);
         let eliminate = |(range, mut own): (Range<usize>, Factors<'_>)| self.subtree(range, &mut own);
-        let found: Vec<Rest> = if parallel {
+        let found: Vec<Contribution> = if parallel {
             parts.into_par_iter().map(eliminate).collect()
         } else {
             parts.into_iter().map(eliminate).collect()
         };
-        roots.iter().zip(found).for_each(|(root, rest)| rests[*root] = Some(rest));
+        roots.iter().zip(found).for_each(|(root, contribution)| contributions[*root] = Some(contribution));
         for front in self.tree.above() {
             let children = self.tree.children(front);
-            let of_children = children.iter().rev().map(|c| (*c, rests[*c].take().unwrap_or_default())).collect();
-            rests[front] = Some(self.front(parallel, front, of_children, &mut factors));
+            let of_children =
+                children.iter().rev().map(|c| (*c, contributions[*c].take().unwrap_or_default())).collect();
+            contributions[front] = Some(self.front(parallel, front, of_children, &mut factors));
         }
     }
 
@@ -67,17 +68,23 @@ impl Elimination<'_> {
     }
 
     /// Factor the fronts of a subtree.
-    fn subtree(&self, range: Range<usize>, factors: &mut Factors<'_>) -> Rest {
-        let mut rests: Vec<(usize, Rest)> = vec![];
+    fn subtree(&self, range: Range<usize>, factors: &mut Factors<'_>) -> Contribution {
+        let mut contributions: Vec<(usize, Contribution)> = vec![];
         for front in range {
-            let of_children = rests.split_off(rests.len() - self.tree.fronts[front].children);
-            rests.push((front, self.front(false, front, of_children, factors)));
+            let of_children = contributions.split_off(contributions.len() - self.tree.fronts[front].children);
+            contributions.push((front, self.front(false, front, of_children, factors)));
         }
-        rests.pop().map_or_else(Vec::new, |(_, rest)| rest)
+        contributions.pop().map_or_else(Vec::new, |(_, contribution)| contribution)
     }
 
     /// Factor a front.
-    fn front(&self, parallel: bool, front: usize, children: Vec<(usize, Rest)>, factors: &mut Factors<'_>) -> Rest {
+    fn front(
+        &self,
+        parallel: bool,
+        front: usize,
+        children: Vec<(usize, Contribution)>,
+        factors: &mut Factors<'_>,
+    ) -> Contribution {
         let f = &self.tree.fronts[front];
         let (width, reach) = f.size();
         let height = width + reach;
@@ -90,10 +97,10 @@ impl Elimination<'_> {
         } else {
             &mut factors.upper[f.upper - factors.start[1]..][..width * reach]
         };
-        let mut rest = vec![0.0; reach * reach];
+        let mut contribution = vec![0.0; reach * reach];
         self.assemble(f, lower, upper);
         for (child, of_child) in children {
-            self.add_child(f, &self.tree.fronts[child], &of_child, [&mut *lower, &mut *upper, &mut rest]);
+            self.add_child(f, &self.tree.fronts[child], &of_child, [&mut *lower, &mut *upper, &mut contribution]);
         }
         if self.symmetric {
             mirror(lower, width, height);
@@ -108,9 +115,9 @@ impl Elimination<'_> {
         } else {
             left_of_transposed(parallel, square.as_ref(), upper)
         };
-        let rest_matrix = MatMut::from_column_major_slice_mut(&mut rest, reach, reach);
-        subtract(parallel, self.symmetric, rest_matrix, left.as_ref(), upper.as_ref().transpose());
-        rest
+        let square = MatMut::from_column_major_slice_mut(&mut contribution, reach, reach);
+        subtract(parallel, self.symmetric, square, left.as_ref(), upper.as_ref().transpose());
+        contribution
     }
 
     /// Write the entries of the matrix into a front.
@@ -122,15 +129,15 @@ impl Elimination<'_> {
         self.tree.entries[middle..end].iter().for_each(|&(from, to)| upper[to] += self.values[from]);
     }
 
-    /// Add to a front the parts of its child's rest: to the columns of L, the rows of U, and its own rest.
-    fn add_child(&self, f: &Front, child: &Front, rest: &[f64], [lower, upper, own]: [&mut [f64]; 3]) {
+    /// Add to a front the parts of its child's contribution: to the columns of L, the rows of U, and its own contribution.
+    fn add_child(&self, f: &Front, child: &Front, contribution: &[f64], [lower, upper, own]: [&mut [f64]; 3]) {
         let (width, reach) = f.size();
         let height = width + reach;
         let places = &self.tree.in_parent[child.below.clone()];
         let n = places.len();
         let of_columns = places.partition_point(|p| *p < width);
         for (b, &column) in places.iter().enumerate() {
-            let values = &rest[b * n..(b + 1) * n];
+            let values = &contribution[b * n..(b + 1) * n];
             let from = if self.symmetric { b } else { 0 };
             if b < of_columns {
                 let to = &mut lower[column * height..(column + 1) * height];

@@ -1,0 +1,10 @@
+//! Inelastic response spectra: an oscillator with any law of a `uniaxialMaterial` command, of constant strength, constant
+//! reduction or constant ductility (Chopra, Dynamics of Structures, chapter 7).
+
+mod law;
+mod oscillator;
+mod spectrum;
+
+pub use law::LawText;
+pub use oscillator::InelasticOscillator;
+pub use spectrum::{InelasticPoint, InelasticSpectra, Level};
