@@ -8,6 +8,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::print_stderr, unreachable_pub)]
 
+#[path = "verdicts/bearings.rs"]
+mod bearings;
 #[path = "verdicts/conditions.rs"]
 mod conditions;
 #[path = "verdicts/imposed.rs"]
@@ -63,6 +65,9 @@ const TABLE: &[Row] = &[
     ("cavitation", "cavitation", "cavitation", 95),
     ("orbit", "bidirectional_coupling", "bidirectional_coupling", 95),
     ("friction", "friction", "friction", 95),
+    ("sticking", "friction", "friction", 80),
+    ("relaxing at rest", "rate_dependence", "rate_dependence", 90),
+    ("rested", "none", "none", 85),
     ("wall", "gap_impact", "gap_impact", 95),
     ("wall above", "gap_impact", "gap_impact", 95),
     ("neighbour", "gap_impact", "gap_impact", 95),
@@ -125,6 +130,9 @@ const STUDIES: &[Named] = &[
     ("cavitation", imposed::cavitation),
     ("orbit", imposed::orbit),
     ("friction", || imposed::friction(3.0)),
+    ("sticking", || bearings::sticking(3.0)),
+    ("relaxing at rest", bearings::relaxing_at_rest),
+    ("rested", bearings::rested),
     ("wall", || shaken::wall(1500.0)),
     ("wall above", shaken::wall_above),
     ("neighbour", || structures::neighbour(0.07)),
