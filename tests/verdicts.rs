@@ -70,7 +70,7 @@ const TABLE: &[Row] = &[
     ("rested", "none", "none", 85),
     ("one-sided stop", "gap_impact", "gap_impact", 95),
     ("residual offset", "unknown", "unknown", 90),
-    ("uplift", "unknown", "cavitation", 95),
+    ("uplift", "gap_impact", "gap_impact", 95),
     ("lead core", "self_heating", "self_heating", 75),
     ("cold lead", "none", "none", 85),
     ("warm pendulum", "self_heating", "self_heating", 60),
