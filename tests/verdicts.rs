@@ -8,6 +8,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::print_stderr, unreachable_pub)]
 
+#[path = "verdicts/bearings.rs"]
+mod bearings;
 #[path = "verdicts/conditions.rs"]
 mod conditions;
 #[path = "verdicts/imposed.rs"]
@@ -63,6 +65,21 @@ const TABLE: &[Row] = &[
     ("cavitation", "cavitation", "cavitation", 95),
     ("orbit", "bidirectional_coupling", "bidirectional_coupling", 95),
     ("friction", "friction", "friction", 95),
+    ("sticking", "friction", "friction", 80),
+    ("relaxing at rest", "rate_dependence", "rate_dependence", 90),
+    ("rested", "none", "none", 85),
+    ("one-sided stop", "gap_impact", "gap_impact", 95),
+    ("residual offset", "unknown", "unknown", 90),
+    ("uplift", "gap_impact", "gap_impact", 95),
+    ("lead core", "self_heating", "self_heating", 75),
+    ("cold lead", "none", "none", 85),
+    ("warm pendulum", "self_heating", "self_heating", 60),
+    ("fast pendulum", "rate_dependence", "rate_dependence", 95),
+    ("warm fast pendulum", "self_heating + rate_dependence", "rate_dependence", 95),
+    ("plain pendulum", "none", "none", 85),
+    ("incoherent piers", "unknown", "unknown", 40),
+    ("rocking ground", "unknown", "unknown", 60),
+    ("turning floor", "unknown", "unknown", 90),
     ("wall", "gap_impact", "gap_impact", 95),
     ("wall above", "gap_impact", "gap_impact", 95),
     ("neighbour", "gap_impact", "gap_impact", 95),
@@ -125,6 +142,21 @@ const STUDIES: &[Named] = &[
     ("cavitation", imposed::cavitation),
     ("orbit", imposed::orbit),
     ("friction", || imposed::friction(3.0)),
+    ("sticking", || bearings::sticking(3.0)),
+    ("relaxing at rest", bearings::relaxing_at_rest),
+    ("rested", bearings::rested),
+    ("one-sided stop", bearings::one_sided_stop),
+    ("residual offset", || bearings::residual_offset(0.01)),
+    ("uplift", bearings::uplift),
+    ("lead core", || bearings::lead_core(true)),
+    ("cold lead", || bearings::lead_core(false)),
+    ("warm pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: false })),
+    ("fast pendulum", || bearings::pendulum(bearings::Dependences { heat: false, speed: true })),
+    ("warm fast pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: true })),
+    ("plain pendulum", || bearings::pendulum(bearings::Dependences::default())),
+    ("incoherent piers", || structures::incoherent_piers(0.5)),
+    ("rocking ground", || structures::rocking_ground(0.4)),
+    ("turning floor", structures::turning_floor),
     ("wall", || shaken::wall(1500.0)),
     ("wall above", shaken::wall_above),
     ("neighbour", || structures::neighbour(0.07)),

@@ -72,7 +72,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(PeakOriented { force: 30.0, stiffness: 8000.0, hardening: 0.05, unloading: 0.4 }),
         Arc::new(Pressure { reference: 150.0, power: 0.8, lever: 900.0, load: None, share }),
         Arc::new(Friction { force: 15.0, stiffness: 4e4 }),
-        Arc::new(Bristles { force: 15.0, stiffness: 4e3, breakaway: 10.0, speed: 0.8 }),
+        Arc::new(Bristles { force: 15.0, stiffness: 4e3, breakaway: 10.0, speed: 0.8, slip: 0.02, rest: 0.03 }),
         Arc::new(Sliding { force: 15.0, speed: 0.3 }),
         Arc::new(Relaxation { strength: 0.6, time: 0.02, decades: 2.4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
@@ -248,15 +248,51 @@ fn brace_modifier_yields_like_a_yielding_material() {
     assert!(largest > 0.6 * strength * area);
 }
 
+const BRISTLES: Bristles = Bristles {
+    force: 20.0,
+    stiffness: 2e4,
+    breakaway: 0.0,
+    speed: f64::INFINITY,
+    slip: f64::INFINITY,
+    rest: f64::INFINITY,
+};
+
+/// Force of bristles along a path in steps of 0.01 s.
+fn added_by_bristles(law: Bristles, path: &dyn Fn(usize) -> f64) -> Vec<f64> {
+    let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
+    let plain = force(Arc::new(plain), (0..400).map(path));
+    force(Arc::new(law), (0..400).map(path)).into_iter().zip(plain).map(|(a, p)| a - p).collect()
+}
+
+/// At a steady speed v the breakaway force is F_b / (1 + v τ/L). After a rest of time T from there its lost part is e^(-T/τ) of
+/// what it was.
+#[test]
+fn bristles_stick_at_rest() {
+    let (slip, rest) = (0.05, 0.4);
+    let law = Bristles { stiffness: 1e7, breakaway: 8.0, slip, rest, ..BRISTLES };
+    for speed in [0.02, 0.4] {
+        let moved = |i: usize| 0.01 * speed * if i <= 300 { i as f64 } else { (i as f64 - 70.0).max(300.0) };
+        let f = added_by_bristles(law, &moved);
+        let steady = 8.0 / (1.0 + speed * rest / slip);
+        // The distance to 99 % of the steady state is some slips long.
+        assert!((f[300] - 20.0 - steady).abs() < 0.02 * steady, "{speed}: {} {steady}", f[300]);
+        let stuck = 8.0 - (8.0 - (f[300] - 20.0)) * (-0.7f64 / rest).exp();
+        // One increment from rest wears a part of it off.
+        let worn = 8.0 * 0.01 * speed / slip;
+        assert!((f[371] - 20.0 - stuck).abs() < worn, "{speed}: {} {stuck}", f[371]);
+        assert!(f[371] > f[300] + 1.0 || speed < 0.1);
+    }
+    // Without a time to come back the force breaks away once.
+    let once = Bristles { rest: f64::INFINITY, ..law };
+    let f = added_by_bristles(once, &|i| 0.004 * if i <= 200 { i as f64 } else { (i as f64 - 100.0).max(200.0) });
+    assert!((f[1] - 28.0).abs() < 0.7 && (f[200] - 20.0).abs() < 1e-4 && (f[320] - 20.0).abs() < 1e-4);
+}
+
 /// The time step is 0.01 s.
 #[test]
 fn bristles_bend_and_slip() {
-    let bristles = |breakaway, speed| Arc::new(Bristles { force: 20.0, stiffness: 2e4, breakaway, speed });
-    let amended = |law: Arc<Bristles>, path: &dyn Fn(usize) -> f64| {
-        let plain = Temperature { softening: 0.0, at: 0.0, reference: 0.0, share: Share::default() };
-        let plain = force(Arc::new(plain), (0..400).map(path));
-        force(law, (0..400).map(path)).into_iter().zip(plain).map(|(a, p)| a - p).collect::<Vec<_>>()
-    };
+    let bristles = |breakaway, speed| Bristles { breakaway, speed, ..BRISTLES };
+    let amended = added_by_bristles;
     // Constant speed, then reversal: the force is -F + 2 F exp(-k w / F) after the distance w.
     let there_and_back = |i: usize| 1e-3 * if i <= 200 { i as f64 } else { 400.0 - i as f64 };
     let f = amended(bristles(0.0, 1.0), &there_and_back);

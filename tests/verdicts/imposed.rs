@@ -10,7 +10,7 @@ pub const K0: f64 = 2000.0;
 pub const K: f64 = 260.0;
 
 /// Standard deviation of the load cell's noise: about 3 % of the force's.
-const NOISE: f64 = 0.3;
+pub const NOISE: f64 = 0.3;
 
 /// An elastic-plastic spring.
 #[derive(Default)]
@@ -90,7 +90,7 @@ pub fn pad(tests: Vec<Test>, force: impl Fn(&Test) -> Vec<f64>) -> Concealed {
 }
 
 /// Force along a path from the displacement and the plastic part of the force.
-fn along(path: &[f64], mut law: impl FnMut(f64, f64) -> f64) -> Vec<f64> {
+pub fn along(path: &[f64], mut law: impl FnMut(f64, f64) -> f64) -> Vec<f64> {
     let mut spring = Plastic::default();
     path.iter().map(|&u| law(u, spring.force(u, K0, FY))).collect()
 }
@@ -116,8 +116,12 @@ pub fn ridges() -> Concealed {
 
 /// A spring of a stiffness, and a dashpot in series with it, beside the pad.
 pub fn maxwell(stiffness: f64) -> Concealed {
-    let relaxation = 0.1f64;
-    pad(two_tests(), |t| {
+    relaxing(two_tests(), stiffness, 0.1)
+}
+
+/// The same in some tests, with a relaxation time.
+pub fn relaxing(tests: Vec<Test>, stiffness: f64, relaxation: f64) -> Concealed {
+    pad(tests, |t| {
         let (mut before, mut over) = (0.0, 0.0);
         let decay = (-DT / relaxation).exp();
         along(&t.path, |u, q| {

@@ -266,15 +266,19 @@ pub fn drag() -> Concealed {
     })
 }
 
-/// A floor in plan on springs, shaken along one axis, whose mass stands beside the springs' centre.
-pub fn eccentric() -> Concealed {
+/// A floor in plan on springs, shaken along one axis.
+pub fn floor_in_plan() -> String {
     let model = "wipe\nmodel basic -ndm 2 -ndf 3\npset k 110.0\npset turn 900.0\nnode 1 0. 0.\n\
         node 2 0. 0. -mass 1.0 1.0 4.0\nfix 1 1 1 1\nuniaxialMaterial Elastic 1 $k\nuniaxialMaterial Elastic 2 $turn\n\
         element zeroLength 1 1 2 -mat 1 1 2 -dir 1 2 6\nrayleigh 0.8 0. 0. 0.\n";
-    let shake = SHAKE.replace("-node 2 3 -dof 1 disp", "-node 2 -dof 1 3 disp");
+    format!("{model}{}", SHAKE.replace("-node 2 3 -dof 1 disp", "-node 2 -dof 1 3 disp"))
+}
+
+/// A floor in plan whose mass stands beside the springs' centre.
+pub fn eccentric() -> Concealed {
     let (k, turn, off, radius) = (100.0, 800.0, 0.3, 2.0f64);
     let channels = [disp("along", 1), disp("turn", 2)];
-    study(format!("{model}{shake}"), vec![("k", 50.0, 250.0), ("turn", 300.0, 2000.0)], channels, |ground| {
+    study(floor_in_plan(), vec![("k", 50.0, 250.0), ("turn", 300.0, 2000.0)], channels, |ground| {
         let states = moved(ground, |&[u, v, turned, spin], a| {
             // The mass moves by u - off * turned; both equations of a unit mass solved for the accelerations.
             let (force, moment) = (-k * u, -turn * turned);

@@ -1,6 +1,8 @@
 //! Structures on footings and beside neighbours: motions by Runge's and Kutta's method.
 
-use super::shaken::{SHAKE, bouc_wen, damped_storeys, disp, displacements, moved, storeys, study, study_of_tones};
+use super::shaken::{
+    SHAKE, bouc_wen, damped_storeys, disp, displacements, floor_in_plan, moved, storeys, study, study_of_tones,
+};
 use super::studies::Concealed;
 
 /// Two masses on a column that the model fixes at its foot.
@@ -92,14 +94,17 @@ fn ground_displacement(tones: [f64; 3], t: f64) -> f64 {
 
 /// The ground moves below each pier later by a time.
 fn bridge(delays: [f64; 3], scales: [f64; 3]) -> Concealed {
+    bridge_on(move |tones, t, pier| scales[pier] * ground_displacement(tones, t - delays[pier]))
+}
+
+/// The ground below each pier has a displacement at a time, which depends on the tones.
+fn bridge_on(displacement: impl Fn([f64; 3], f64, usize) -> f64) -> Concealed {
     let model = format!("{BRIDGE}{}", SHAKE.replace("-node 2 3 -dof 1 disp", "-node 11 12 13 -dof 1 disp"));
     let channels = [disp("first", 1), disp("second", 2), disp("third", 3)];
     study_of_tones(model, vec![("k", 40.0, 250.0), ("alpha", 0.05, 3.0)], channels, move |tones, ground| {
         let states = moved(ground, |&[u1, v1, u2, v2, u3, v3, t]: &[f64; 7], a| {
             let now = ground_displacement(tones, t);
-            let pier = |u: f64, v: f64, i: usize| {
-                -110.0 * (u - scales[i] * ground_displacement(tones, t - delays[i]) + now) - 0.6 * v - a
-            };
+            let pier = |u: f64, v: f64, i: usize| -110.0 * (u - displacement(tones, t, i) + now) - 0.6 * v - a;
             let (one, two) = (400.0 * (u2 - u1), 400.0 * (u3 - u2));
             let [first, second, third] = [pier(u1, v1, 0), pier(u2, v2, 1), pier(u3, v3, 2)];
             [v1, first + one, v2, second + two - one, v3, third - two, 1.0]
@@ -126,4 +131,47 @@ pub fn bridge_at_one_time() -> Concealed {
 /// Soft soil below the last pier shakes it more than the others.
 pub fn louder_pier() -> Concealed {
     bridge([0.0; 3], [1.0, 1.0, 1.4])
+}
+
+/// The ground loses coherence along the bridge: a share of the motion below each pier is its own.
+pub fn incoherent_piers(own: f64) -> Concealed {
+    bridge_on(move |tones, t, pier| {
+        let [a, b, c] = tones;
+        let shift = pier as f64;
+        let other = ground_displacement([a + 0.7 * shift, b - 1.1 * shift, c + 1.3 * shift], t);
+        match pier {
+            0 => ground_displacement(tones, t),
+            _ => (1.0 - own * own).sqrt() * ground_displacement(tones, t) + own * other,
+        }
+    })
+}
+
+/// Acceleration of a ground that turns, with tones of its own: of three, the last two.
+fn turning_ground([_, b, c]: [f64; 3], t: f64) -> f64 {
+    ((0.8 * b * t + 1.0).sin() + (1.1 * c * t).sin()) * (-0.1 * t).exp()
+}
+
+/// Two storeys, one and two heights above a ground that rocks by itself, beside its translation.
+pub fn rocking_ground(acceleration: f64) -> Concealed {
+    let channels = [disp("lower", 1), disp("upper", 2)];
+    study_of_tones(damped_storeys(), vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], channels, move |tones, ground| {
+        let states = moved(ground, |&[u, v, w, s, t]: &[f64; 5], a| {
+            let (lower, upper) = (150.0 * u + 2.0 * v, 150.0 * (w - u) + 2.0 * (s - v));
+            let turn = acceleration * turning_ground(tones, t);
+            [v, upper - lower - a - turn, s, -upper - a - 2.0 * turn, 1.0]
+        });
+        displacements(&states, [0, 2])
+    })
+}
+
+/// A floor in plan on springs whose ground turns about the vertical by itself, beside its translation.
+pub fn turning_floor() -> Concealed {
+    let channels = [disp("along", 1), disp("turn", 2)];
+    study_of_tones(floor_in_plan(), vec![("k", 50.0, 250.0), ("turn", 300.0, 2000.0)], channels, |tones, ground| {
+        let states = moved(ground, |&[u, v, turned, spin, t]: &[f64; 5], a| {
+            let twist = 0.5 * turning_ground(tones, t);
+            [v, -100.0 * u - a - 0.8 * v, spin, -200.0 * turned - 0.8 * spin - twist, 1.0]
+        });
+        displacements(&states, [0, 2])
+    })
 }

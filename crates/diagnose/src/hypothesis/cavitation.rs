@@ -35,7 +35,24 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 /// Relative difference of axial stiffnesses below which devices can share the parameters of a form.
 const EQUAL_STIFFNESS: f64 = 1e-6;
 
+/// Devices that are pulled in their axis.
+pub(super) struct PulledDevices<'a> {
+    pub(super) devices: Vec<&'a Device>,
+    /// Direction of the axis, and the sign of its deformation that is tension.
+    pub(super) direction: usize,
+    pub(super) sign: f64,
+    /// Stiffness along the axis.
+    pub(super) stiffness: f64,
+    /// Largest extension.
+    pub(super) extension: f64,
+}
+
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
+    pulled_devices(s).iter().flat_map(forms).collect()
+}
+
+/// Each device that is pulled, and all that are alike together; twice where tension may be either sign.
+pub(super) fn pulled_devices<'a>(s: &ProposalContext<'a>) -> Vec<PulledDevices<'a>> {
     let axis = |d: &Device| device_axes(&[d], s.inventory, s.responses).axial;
     let stiffness = |d: &Device, number: usize| d.directions.iter().find(|x| x.number == number).map(|x| x.stiffness);
     let alike = |a: &&Device, b: &&Device| {
@@ -44,7 +61,6 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         first == second && stiffnesses.is_some_and(|(a, b)| (a - b).abs() <= EQUAL_STIFFNESS * a.abs())
     };
     let mut out = vec![];
-    // Each device alone, and all that are alike together.
     let mut groups: Vec<Vec<&Device>> = vec![];
     for kind in s.inventory.groups_of_one_kind() {
         let together = grouped(&kind, alike).into_iter().map(|g| g.into_iter().copied().collect::<Vec<_>>());
@@ -60,32 +76,34 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
         for sign in tension.as_ref().map_or(&[1.0, -1.0][..], std::slice::from_ref) {
             let extension = if *sign > 0.0 { x.deformation_bounds[1] } else { -x.deformation_bounds[0] };
             if extension > MIN_EXTENSION * x.deformation {
-                out.extend(forms(&group, (number, *sign), (k, extension)));
+                let devices = group.clone();
+                out.push(PulledDevices { devices, direction: number, sign: *sign, stiffness: k, extension });
             }
         }
     }
     out
 }
 
-/// Least extension over the largest deformation of a device that may cavitate. A choice.
+/// Least extension over the largest deformation of a device that counts as pulled. A choice.
 const MIN_EXTENSION: f64 = 0.05;
 
-/// Forms for devices with a direction and its sign of tension, an axial stiffness and a largest extension.
-fn forms(group: &[&Device], (direction, sign): (usize, f64), (k, extension): (f64, f64)) -> Vec<Proposal> {
+/// Forms for devices that are pulled.
+fn forms(pulled: &PulledDevices<'_>) -> Vec<Proposal> {
+    let &PulledDevices { ref devices, direction, sign, stiffness: k, extension } = pulled;
     let mut out = vec![];
     let force = k * extension;
     let mut form = |form: &str, tension_stiffness: &str, rise: &str, more: &[AddedParameter]| {
         let line = format!(
             "amend element {} cavitation -strength $hy_strength -extension [expr {{$hy_strength/{tension_stiffness}}}] \
              -damage $hy_damage{rise} -sign {sign} -dir {direction}",
-            element_tags(group)
+            element_tags(devices)
         );
         let mut added = vec![
             AddedParameter::log("strength", 0.02 * force, force, 0.4 * force),
             AddedParameter::linear("damage", 0.0, 0.99, 0.5),
         ];
         added.extend_from_slice(more);
-        out.push(Proposal::script_edit("cavitation", form, element_names(group), vec![line], added));
+        out.push(Proposal::script_edit("cavitation", form, element_names(devices), vec![line], added));
     };
     let own = format!("{k:.6e}");
     form("limit of tension", &own, "", &[]);

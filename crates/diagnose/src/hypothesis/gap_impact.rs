@@ -1,5 +1,6 @@
-//! Closing gaps: pounding, a moat wall, a stopper.
+//! Gaps that close or open: pounding, a moat wall, a stopper, uplift.
 
+use super::cavitation::{PulledDevices, pulled_devices};
 use super::declaration::{Dimension, Measurement, Quantity};
 use super::free_masses::{FreeMass, MovingDirection, free_masses};
 use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext, element_names, element_tags};
@@ -11,13 +12,13 @@ use crate::memory::family::Family;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "gap_impact",
-    statement: "a gap closes: pounding, a moat wall, a stopper",
+    statement: "a gap closes or opens: pounding, a moat wall, a stopper, uplift",
     refuted_by: "the deformation passes the gap without a peak of force or acceleration",
-    look_alikes: &["strain_stiffening"],
-    shows: "peaks of force or acceleration at one deformation; a displacement that is cut off on one side",
-    parted_by: "below that deformation the model is right",
-    place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours; each of 6 masses that are not on a device on the ground",
-    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours; a wall on the ground on either side of a mass, or a neighbour there that is one mass on a spring",
+    look_alikes: &["strain_stiffening", "cavitation"],
+    shows: "peaks of force or acceleration at one deformation; a displacement that is cut off on one side; no force of a bearing that lifts off",
+    parted_by: "below that deformation the model is right; `cavitation` holds a tension",
+    place: "nonlinear groups, and linear ones on the ground; each device of a group of 2 to 6; at most 8 pairs of neighbours; each of 6 masses that are not on a device on the ground; devices that are pulled in their axis",
+    forms: "`gap` on both sides or one, linear or Hertzian, across one axis; a joint between neighbours; a wall on the ground on either side of a mass, or a neighbour there that is one mass on a spring; `cavitation` at no force",
     needs_clock: false,
     memory: &[Family::Shape, Family::Side],
     materials: &[],
@@ -68,10 +69,27 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     if s.inventory.base_excited {
         out.extend(free_masses(s).iter().flat_map(|m| contacts_beside_mass(s, m)));
     }
+    out.extend(pulled_devices(s).iter().map(uplift));
     for (n, pair) in s.inventory.adjacent.iter().enumerate() {
         out.extend(joint_contact(s, n, pair));
     }
     out
+}
+
+/// Tension that lifts a bearing off, over that of its stiffness: as good as none.
+const NO_TENSION: f64 = 1e-4;
+
+/// A bearing that is not held down loses the stiffness of its contact in tension.
+fn uplift(pulled: &PulledDevices<'_>) -> Proposal {
+    let &PulledDevices { ref devices, direction, sign, stiffness: k, extension } = pulled;
+    let line = format!(
+        "amend element {} cavitation -strength {:.6e} -extension {:.6e} -damage 0.0 -share $hy_k 0 -sign {sign} -dir {direction}",
+        element_tags(devices),
+        NO_TENSION * k * extension,
+        NO_TENSION * extension,
+    );
+    let added = vec![AddedParameter::linear("k", 0.3 * k, 2.0 * k, k)];
+    Proposal::script_edit("gap_impact", "uplift", element_names(devices), vec![line], added)
 }
 
 /// Directions that a wall blocks.

@@ -258,10 +258,18 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             needed("-stiffness", "stiffness before it slips", Positive),
             optional("-breakaway", "what the friction of a slow motion has more", NotNegative, 0.0),
             optional("-speed", "speed by which that has gone", Positive, f64::INFINITY),
+            optional("-slip", "slip by which that has gone", Positive, f64::INFINITY),
+            optional("-rest", "time at rest in which it comes back", Positive, f64::INFINITY),
         ],
         make: Law(|n, _, _| {
-            let (force, stiffness) = (n.get("-force"), n.get("-stiffness"));
-            Arc::new(Bristles { force, stiffness, breakaway: n.get("-breakaway"), speed: n.get("-speed") })
+            Arc::new(Bristles {
+                force: n.get("-force"),
+                stiffness: n.get("-stiffness"),
+                breakaway: n.get("-breakaway"),
+                speed: n.get("-speed"),
+                slip: n.get("-slip"),
+                rest: n.get("-rest"),
+            })
         }),
     },
     AmendmentKind {

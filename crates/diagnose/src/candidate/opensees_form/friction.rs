@@ -26,7 +26,7 @@ fn friction(input: &FormInput<'_>) -> Result<Vec<StandardForm>, String> {
 fn bristles(input: &FormInput<'_>) -> Result<Vec<StandardForm>, String> {
     let a = input.amendment;
     if a.has("-breakaway") {
-        return Err("friction that falls with speed has no standard command in OpenSees".into());
+        return Err("friction that breaks away has no standard command in OpenSees".into());
     }
     let direction = a.one_direction("friction")?;
     let (force, stiffness) = (a.text("-force", ""), a.text("-stiffness", ""));
