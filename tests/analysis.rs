@@ -30,6 +30,8 @@ mod energy;
 mod fiber_order;
 #[path = "analysis/imposed_rates.rs"]
 mod imposed_rates;
+#[path = "analysis/inelastic.rs"]
+mod inelastic;
 #[path = "analysis/late_support.rs"]
 mod late_support;
 #[path = "analysis/lockstep.rs"]

@@ -206,6 +206,7 @@ pub const LAYERS: &[Layers] = &[
             "check",
             "motion",
             "spectrum",
+            "inelastic",
             "target",
             "scaling",
             "suite",

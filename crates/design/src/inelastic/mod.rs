@@ -2,9 +2,7 @@
 //! reduction or constant ductility (Chopra, Dynamics of Structures, chapter 7).
 
 mod law;
-mod oscillator;
 mod spectrum;
 
 pub use law::LawText;
-pub use oscillator::InelasticOscillator;
 pub use spectrum::{InelasticPoint, InelasticSpectra, Level};

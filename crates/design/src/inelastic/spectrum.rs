@@ -1,9 +1,9 @@
 //! Spectra over periods, and levels of strength, reduction or ductility.
 
 use super::law::{LawMaker, LawText};
-use super::oscillator::InelasticOscillator;
 use crate::motion::{G, Motion};
 use crate::spectrum::{Oscillator, median};
+use hysteron_engine::analysis::InelasticOscillator;
 use hysteron_identify::report::{Cell, Table};
 use hysteron_identify::study::WorkerPool;
 
@@ -194,7 +194,7 @@ impl InelasticSpectra {
         });
         let mut out = Self { motions: motions.iter().map(|m| m.name.clone()).collect(), points: vec![], analyses: 0 };
         for case in found {
-            let (points, analyses) = case.unwrap_or_else(|| Err("a case came to no end".into()))?;
+            let (points, analyses) = case.unwrap_or_else(|| Err("a case panicked".into()))?;
             out.points.extend(points);
             out.analyses += analyses;
         }
@@ -267,5 +267,86 @@ impl InelasticSpectra {
             ]);
         }
         table
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{InelasticPoint, InelasticSpectra, LawText, Level};
+    use crate::motion::Motion;
+    use std::f64::consts::TAU;
+
+    /// A motion that grows and dies away.
+    fn motion(scale: f64) -> Motion {
+        let at = |i: i32| {
+            let t = 0.01 * f64::from(i);
+            scale * (-((t - 4.0) / 2.0).powi(2)).exp() * ((TAU * 1.1 * t).sin() + 0.6 * (TAU * 2.7 * t + 1.0).sin())
+        };
+        let acceleration = (0..1200).map(at).collect();
+        Motion { name: "pulse".into(), title: String::new(), azimuth: None, dt: 0.01, acceleration }
+    }
+
+    fn points(law: &str, motion: Motion, periods: &[f64], levels: &[Level]) -> Vec<InelasticPoint> {
+        let law = LawText::new(law).expect("a law");
+        InelasticSpectra::new(&[motion], &law, (0.05, periods, levels), 2, &|| ()).expect("spectra").points
+    }
+
+    /// Without yielding, the displacement is that of the exact linear oscillator.
+    #[test]
+    fn an_oscillator_that_does_not_yield_is_the_linear_one() {
+        for p in points("Steel01 $tag $Fy $k 0.0", motion(2.0), &[0.1, 0.4, 1.5], &[Level::Reduction(0.5)]) {
+            assert!((p.displacement / p.elastic - 1.0).abs() < 2e-3, "{p:?}");
+            assert!((p.ductility - 0.5).abs() < 1e-3, "{p:?}");
+        }
+    }
+
+    /// A period far above those of the motion keeps the displacement whatever the strength (Chopra, section 7.5), and the
+    /// ductility is the reduction.
+    #[test]
+    fn long_periods_keep_their_displacement() {
+        for p in
+            points("Steel01 $tag $Fy $k 0.0", motion(2.0), &[40.0], &[Level::Reduction(2.0), Level::Ductility(4.0)])
+        {
+            assert!((p.ductility / p.reduction - 1.0).abs() < 0.05, "{p:?}");
+        }
+    }
+
+    /// A spectrum of constant ductility has that ductility, and no larger strength has it.
+    #[test]
+    fn a_ductility_is_met_at_the_largest_strength_that_has_it() {
+        let law = "Steel01 $tag $Fy $k 0.02";
+        let levels = [Level::Ductility(6.0), Level::Ductility(2.0)];
+        for p in points(law, motion(3.0), &[0.3, 0.8], &levels) {
+            let Level::Ductility(aim) = p.level else { panic!("{p:?}") };
+            assert!((p.ductility / aim - 1.0).abs() < 2e-3, "{p:?}");
+            let stronger: Vec<Level> =
+                (1..20).map(|i| Level::Strength(p.strength * (1.0 + 0.02 * f64::from(i)))).collect();
+            let larger = points(law, motion(3.0), &[p.period], &stronger);
+            assert!(larger.iter().all(|q| q.ductility < aim), "{p:?}");
+        }
+    }
+
+    /// The same system in units of its yield displacement: response follows the strength over the motion alone.
+    #[test]
+    fn a_motion_twice_as_strong_needs_twice_the_strength() {
+        let law = "Bilin02 $tag $k 0.02 0.02 $Fy [expr {-$Fy}] 0 0 0 0 1 1 1 1 [expr {9*$Dy}] [expr {9*$Dy}] [expr {20*$Dy}] [expr {20*$Dy}] 0 0 [expr {90*$Dy}] [expr {90*$Dy}] 1 1";
+        let one = points(law, motion(1.5), &[0.6], &[Level::Reduction(3.0)]);
+        let two = points(law, motion(3.0), &[0.6], &[Level::Reduction(3.0)]);
+        assert!((two[0].strength / one[0].strength - 2.0).abs() < 1e-9);
+        assert!((two[0].displacement / one[0].displacement - 2.0).abs() < 1e-6, "{one:?} {two:?}");
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        assert!(LawText::new("Steel01 1 $Fy $k 0.0").is_err_and(|e| e.contains("has no $tag")));
+        let law = LawText::new("Steel0 $tag $Fy $k 0.0").expect("words");
+        let spectra = |levels: &[Level], periods: &[f64]| {
+            InelasticSpectra::new(&[motion(1.0)], &law, (0.05, periods, levels), 1, &|| ()).map(|_| ())
+        };
+        let says = |found: Result<(), String>, what: &str| found.is_err_and(|e| e.contains(what));
+        assert!(says(spectra(&[Level::Reduction(2.0)], &[0.5]), "unknown uniaxial material \"Steel0\""));
+        assert!(says(spectra(&[Level::Ductility(1.0)], &[0.5]), "a ductility of 1: expected more than 1"));
+        assert!(says(spectra(&[Level::Strength(0.0)], &[0.5]), "a strength of 0"));
+        assert!(says(spectra(&[Level::Reduction(2.0)], &[-1.0]), "a period of -1 s"));
     }
 }

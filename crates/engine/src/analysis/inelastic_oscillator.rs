@@ -1,6 +1,6 @@
 //! Oscillator of unit mass on a nonlinear spring, by the average acceleration (Newmark, 1959).
 
-use hysteron_engine::material::{Slot, Strain};
+use crate::material::{Slot, Strain};
 use std::f64::consts::TAU;
 
 /// Steps of a period, at least.
