@@ -6,9 +6,8 @@ use faer::{Accum, MatMut, MatRef, Par};
 
 /// Up to so many columns are eliminated one by one.
 const FEW: usize = 16;
-/// Rows or columns that one thread takes at once: of a product of matrices, and of one with few vectors.
+/// Rows or columns that one thread takes at once.
 const BLOCK: usize = 128;
-const LONG: usize = 512;
 
 /// Both, side by side where there are threads for it.
 fn both(parallel: bool, a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
@@ -20,39 +19,26 @@ fn both(parallel: bool, a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     }
 }
 
-/// Calls `each` with blocks of the rows of a matrix, and the first row of each.
-fn by_rows<const N: usize>(
-    parallel: bool,
-    first: usize,
-    m: MatMut<'_, f64>,
-    each: &(impl Fn(usize, MatMut<'_, f64>) + Sync),
-) {
+/// Calls `each` with blocks of the rows of a matrix and the first row of each.
+fn by_rows(parallel: bool, first: usize, m: MatMut<'_, f64>, each: &(impl Fn(usize, MatMut<'_, f64>) + Sync)) {
     let n = m.nrows();
-    if n <= N {
+    if n <= BLOCK {
         return each(first, m);
     }
-    let half = (n / 2).next_multiple_of(N).min(n - 1);
+    let half = (n / 2).next_multiple_of(BLOCK).min(n - 1);
     let (top, bottom) = m.split_at_row_mut(half);
-    both(parallel, || by_rows::<N>(parallel, first, top, each), || by_rows::<N>(parallel, first + half, bottom, each));
+    both(parallel, || by_rows(parallel, first, top, each), || by_rows(parallel, first + half, bottom, each));
 }
 
 /// c -= a b, of a symmetric c the lower triangle alone.
 pub(super) fn subtract(parallel: bool, lower_only: bool, c: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
     // Blocks of columns are blocks of rows of the transposed matrix.
-    by_rows::<BLOCK>(parallel, 0, c.transpose_mut(), &|first, rows| {
+    by_rows(parallel, 0, c.transpose_mut(), &|first, rows| {
         let (count, columns) = (rows.nrows(), rows.transpose_mut());
         let b = b.subcols(first, count);
         let top = if lower_only { first } else { 0 };
         let (_, columns) = columns.split_at_row_mut(top);
         matmul(columns, Accum::Add, a.subrows(top, a.nrows() - top), b, -1.0, Par::Seq);
-    });
-}
-
-/// c -= a b for a few columns.
-pub(super) fn subtract_few(parallel: bool, c: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
-    by_rows::<LONG>(parallel, 0, c, &|first, rows| {
-        let a = a.subrows(first, rows.nrows());
-        matmul(rows, Accum::Add, a, b, -1.0, Par::Seq);
     });
 }
 
@@ -92,7 +78,7 @@ pub(super) fn left_of_transposed<'a>(
     factors: MatRef<'_, f64>,
     mut b: MatMut<'a, f64>,
 ) -> MatMut<'a, f64> {
-    by_rows::<BLOCK>(parallel, 0, b.as_mut(), &|_, rows| {
+    by_rows(parallel, 0, b.as_mut(), &|_, rows| {
         solve_unit_lower_triangular_in_place(factors, rows.transpose_mut(), Par::Seq);
     });
     b
@@ -100,7 +86,7 @@ pub(super) fn left_of_transposed<'a>(
 
 /// b U⁻¹ of the factors of a square matrix, in the place of b.
 pub(super) fn left_of<'a>(parallel: bool, factors: MatRef<'_, f64>, mut b: MatMut<'a, f64>) -> MatMut<'a, f64> {
-    by_rows::<BLOCK>(parallel, 0, b.as_mut(), &|_, rows| {
+    by_rows(parallel, 0, b.as_mut(), &|_, rows| {
         solve_lower_triangular_in_place(factors.transpose(), rows.transpose_mut(), Par::Seq);
     });
     b

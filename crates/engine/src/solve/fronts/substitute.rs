@@ -1,9 +1,9 @@
 //! Solution with the factors of all fronts, for one or more right-hand sides.
 
-use super::dense::subtract_few;
 use super::tree::{Front, Tree};
+use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{MatMut, MatRef, Par};
+use faer::{Accum, MatMut, MatRef, Par};
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ impl Substitution<'_> {
             let mut sums: Vec<(usize, Vec<f64>)> = vec![];
             for front in fronts {
                 let of_children = sums.split_off(sums.len() - self.tree.fronts[front].children);
-                sums.push((front, self.forward_front(false, front, of_children, own, rows.start)));
+                sums.push((front, self.forward_front(front, of_children, own, rows.start)));
             }
             sums.pop().map_or_else(Vec::new, |(_, sums)| sums)
         };
@@ -39,7 +39,7 @@ impl Substitution<'_> {
         for front in self.tree.above() {
             let children = self.tree.children(front);
             let of_children = children.iter().rev().map(|c| (*c, sums[*c].take().unwrap_or_default())).collect();
-            sums[front] = Some(self.forward_front(parallel, front, of_children, x, 0));
+            sums[front] = Some(self.forward_front(front, of_children, x, 0));
         }
     }
 
@@ -50,7 +50,7 @@ impl Substitution<'_> {
             let f = &self.tree.fronts[front];
             room.clear();
             self.tree.below(f).iter().for_each(|row| room.extend_from_slice(self.row(x, *row)));
-            self.backward_front(parallel, f, &room, self.columns(f, x, 0));
+            self.backward_front(f, &room, self.columns(f, x, 0));
         }
         // Rows of the fronts above the subtrees are known by now.
         known.clear();
@@ -65,7 +65,7 @@ impl Substitution<'_> {
                     let within = row < rows.end;
                     room.extend_from_slice(if within { self.row(own, row - rows.start) } else { self.row(known, row) });
                 }
-                self.backward_front(false, f, &room, self.columns(f, own, rows.start));
+                self.backward_front(f, &room, self.columns(f, own, rows.start));
             }
         };
         let parts = self.parts(x);
@@ -109,14 +109,7 @@ impl Substitution<'_> {
     }
 
     /// Solves for the columns of a front; what they add to its rows below, with the sums of its children.
-    fn forward_front(
-        &self,
-        parallel: bool,
-        front: usize,
-        children: Vec<(usize, Vec<f64>)>,
-        x: &mut [f64],
-        start: usize,
-    ) -> Vec<f64> {
+    fn forward_front(&self, front: usize, children: Vec<(usize, Vec<f64>)>, x: &mut [f64], start: usize) -> Vec<f64> {
         let f = &self.tree.fronts[front];
         let (width, reach) = f.size();
         let sides = self.sides;
@@ -134,26 +127,27 @@ impl Substitution<'_> {
         let mut own = self.columns(f, x, start);
         let (square, left) = self.lower(f);
         solve_unit_lower_triangular_in_place(square, own.as_mut(), Par::Seq);
-        subtract_few(parallel, MatMut::from_row_major_slice_mut(&mut sums, reach, sides), left, own.as_ref());
+        let to = MatMut::from_row_major_slice_mut(&mut sums, reach, sides);
+        matmul(to, Accum::Add, left, own.as_ref(), -1.0, Par::Seq);
         sums
     }
 
     /// Solves for the columns of a front from its rows below.
-    fn backward_front(&self, parallel: bool, f: &Front, below: &[f64], mut own: MatMut<'_, f64>) {
+    fn backward_front(&self, f: &Front, below: &[f64], mut own: MatMut<'_, f64>) {
         let (width, reach) = f.size();
         let (square, left) = self.lower(f);
         let below = MatRef::from_row_major_slice(below, reach, self.sides);
         if self.symmetric {
             let mut product = vec![0.0; width * self.sides];
             let mut product = MatMut::from_row_major_slice_mut(&mut product, width, self.sides);
-            subtract_few(parallel, product.as_mut(), left.transpose(), below);
+            matmul(product.as_mut(), Accum::Replace, left.transpose(), below, 1.0, Par::Seq);
             for k in 0..width {
                 let pivot = square[(k, k)];
-                (0..self.sides).for_each(|s| own[(k, s)] += pivot * product[(k, s)]);
+                (0..self.sides).for_each(|s| own[(k, s)] -= pivot * product[(k, s)]);
             }
         } else {
             let upper = MatRef::from_column_major_slice(&self.upper[f.upper..][..width * reach], reach, width);
-            subtract_few(parallel, own.as_mut(), upper.transpose(), below);
+            matmul(own.as_mut(), Accum::Add, upper.transpose(), below, -1.0, Par::Seq);
         }
         solve_upper_triangular_in_place(square, own, Par::Seq);
     }
