@@ -1,6 +1,5 @@
 //! Elimination of all fronts: subtrees side by side, the fronts above them one after the other with blocks side by side.
 
-use super::buffers::Buffers;
 use super::dense::{left_of, left_of_transposed, lu, subtract};
 use super::tree::{Front, Tree};
 use faer::{MatMut, MatRef};
@@ -20,7 +19,6 @@ pub(super) struct Elimination<'a> {
     pub(super) tree: &'a Tree,
     pub(super) values: &'a [f64],
     pub(super) symmetric: bool,
-    pub(super) buffers: &'a Buffers,
 }
 
 /// Contribution of a front to its parent: a square matrix over its rows below, by columns; of a symmetric one the lower triangle.
@@ -92,17 +90,17 @@ impl Elimination<'_> {
         let height = width + reach;
         let lower = &mut factors.lower[f.lower - factors.start[0]..][..width * height];
         // The rows of U of a symmetric matrix follow from the columns of L.
-        let mut own = self.buffers.zeros(if self.symmetric { width * reach } else { 0 });
+        let mut own = vec![];
         let upper = if self.symmetric {
+            own.resize(width * reach, 0.0);
             &mut own[..]
         } else {
             &mut factors.upper[f.upper - factors.start[1]..][..width * reach]
         };
-        let mut contribution = self.buffers.zeros(reach * reach);
+        let mut contribution = vec![0.0; reach * reach];
         self.assemble(f, lower, upper);
         for (child, of_child) in children {
             self.add_child(f, &self.tree.fronts[child], &of_child, [&mut *lower, &mut *upper, &mut contribution]);
-            self.buffers.give(of_child);
         }
         if self.symmetric {
             mirror(lower, width, height);
@@ -119,7 +117,6 @@ impl Elimination<'_> {
         };
         let square = MatMut::from_column_major_slice_mut(&mut contribution, reach, reach);
         subtract(parallel, self.symmetric, square, left.as_ref(), upper.as_ref().transpose());
-        self.buffers.give(own);
         contribution
     }
 

@@ -5,7 +5,6 @@
 //! that they reach, and the sums of its children there. Subtrees go side by side on several threads, and above them the blocks
 //! of each front. The sums are the same for any number of threads, to the last bit.
 
-mod buffers;
 mod dense;
 mod factor;
 mod substitute;
@@ -14,7 +13,6 @@ mod tree;
 use super::threads::Threads;
 use super::{Pivots, SolveError};
 use crate::assembly::{Pattern, Storage};
-use buffers::Buffers;
 use factor::{Elimination, Factors};
 use substitute::Substitution;
 use tree::Tree;
@@ -31,7 +29,6 @@ pub(super) struct Fronts {
     /// Right-hand sides by rows, and room for their copy.
     x: [Vec<f64>; 2],
     threads: Threads,
-    buffers: Buffers,
 }
 
 /// An entry that is read from memory for one product takes as long as so many multiplications of a factorisation.
@@ -56,7 +53,6 @@ impl Fronts {
             upper: zeros(upper)?,
             x: [vec![], vec![]],
             threads: threads.clone(),
-            buffers: Buffers::default(),
             tree,
         }))
     }
@@ -69,8 +65,7 @@ impl Fronts {
 
     /// Factors of the values of a matrix.
     pub(super) fn factor(&mut self, values: &[f64]) -> Pivots {
-        let elimination =
-            Elimination { tree: &self.tree, values, symmetric: self.storage == Storage::Upper, buffers: &self.buffers };
+        let elimination = Elimination { tree: &self.tree, values, symmetric: self.storage == Storage::Upper };
         let factors = Factors { lower: &mut self.lower, upper: &mut self.upper, start: [0; 2] };
         self.threads.run(|parallel| elimination.run(parallel, factors));
         let mut pivots = Pivots::GOOD;
