@@ -394,7 +394,7 @@ fn finding_has_a_place() {
 fn calibration_of_changed_files_is_not_resumed() {
     let place = place();
     // Slow enough to be killed before it ends.
-    edit(&place, "model.tcl", "if {[analyze 20]", "for {set i 0} {$i < 200000} {incr i} {}\nif {[analyze 20]");
+    edit(&place, "model.tcl", "if {[analyze 20]", "for {set i 0} {$i < 2000000} {incr i} {}\nif {[analyze 20]");
     edit(&place, "study.toml", "[[parameter]]", "[calibration]\nmethod = \"l-shade\"\n\n[[parameter]]");
     let checkpoint = place.0.join("results/checkpoint.json");
     // There is nothing to go on from yet.
