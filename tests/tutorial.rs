@@ -63,7 +63,7 @@ fn missing<'a>(shown: &'a str, text: &str) -> Option<&'a str> {
 /// Words of a command line, as a shell would have them.
 fn words(line: &str) -> Vec<String> {
     let mut out = vec![];
-    for (i, part) in line.split('"').enumerate() {
+    for (i, part) in line.split(['"', '\'']).enumerate() {
         if i % 2 == 1 {
             out.push(part.to_owned());
         } else {
