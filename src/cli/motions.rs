@@ -112,7 +112,7 @@ fn inelastic(a: &MotionsArgs, suite: &Suite) -> Result<Option<InelasticSpectra>,
     let threads = a.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let [damping] = a.damping[..] else { return Err("inelastic spectra have one damping".into()) };
     let start = std::time::Instant::now();
-    let spectra = InelasticSpectra::new(&motions, &law, (damping / 100.0, &periods, &levels), threads, &|| ())?;
+    let spectra = InelasticSpectra::new(&motions, &law, (damping / 100.0, &periods, &levels), threads)?;
     let (n, seconds) = (spectra.analyses, start.elapsed().as_secs_f64());
     eprintln!("note: {n} analyses, {:.0} a second", n as f64 / seconds.max(1e-9));
     Ok(Some(spectra))

@@ -30,7 +30,7 @@ impl LawText {
         Ok(Self(words.to_owned()))
     }
 
-    /// Where its laws are made. It does not leave its thread.
+    /// Maker of its laws. It does not leave its thread.
     pub(super) fn maker(&self) -> LawMaker<'_> {
         let files = MemoryFiles::default();
         let text = format!(

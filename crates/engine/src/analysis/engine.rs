@@ -1,6 +1,7 @@
 //! A model, its state, and the steps that advance it.
 
 mod matrix_terms;
+mod options;
 mod rates;
 mod stepping;
 
@@ -10,7 +11,6 @@ use super::convergence::Test;
 use super::failure::Failure;
 use super::integrator::Integrator;
 use super::opensees::Stage;
-use super::recovery::RecoveryStrategy;
 use super::state::{State, StepStart};
 use super::system::System;
 use super::work_counts::WorkCounts;
@@ -18,8 +18,8 @@ use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, OutsideRange, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
-use crate::solve::Threads;
 pub use matrix_terms::MatrixTerms;
+pub use options::Options;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -47,22 +47,6 @@ pub struct Setup {
     pub test: Test,
     /// Terms of the matrix that OpenSees' system of equations holds.
     pub matrix_terms: MatrixTerms,
-}
-
-/// Settings that hold for all analyses of an engine.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Reproduce the known errors of OpenSees.
-    pub compat: bool,
-    /// Strategy for a step that fails.
-    pub ladder: Option<RecoveryStrategy>,
-    /// Force a dense matrix, or a sparse one.
-    pub dense: Option<bool>,
-    /// Parts that each step of an analysis is made in, for the error of its steps to be seen. With more than one, tests are
-    /// to be passed with a hundredth of their tolerance too. 0 is 1.
-    pub refine: u32,
-    /// Threads that work on a large model.
-    pub threads: Threads,
 }
 
 /// Receiver of committed steps.

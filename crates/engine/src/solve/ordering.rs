@@ -21,3 +21,11 @@ pub(super) fn cholesky(
     cholesky::factorize_symbolic_cholesky(symbolic(pattern), faer::Side::Upper, SymmetricOrdering::Amd, params)
         .map_err(|_| SolveError::OutOfMemory)
 }
+
+/// Equation of each row of the factors, and row of each equation.
+pub(super) fn permutation(symbolic: &SymbolicCholesky<usize>, n: usize) -> (Vec<usize>, Vec<usize>) {
+    match symbolic.perm() {
+        Some(p) => (p.arrays().0.to_vec(), p.arrays().1.to_vec()),
+        None => ((0..n).collect(), (0..n).collect()),
+    }
+}

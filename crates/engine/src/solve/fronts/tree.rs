@@ -3,8 +3,8 @@
 use super::super::{SolveError, ordering};
 use crate::assembly::{Pattern, Storage};
 use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::SymbolicCholeskyRaw;
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
-use faer::sparse::linalg::cholesky::{SymbolicCholesky, SymbolicCholeskyRaw};
 use std::ops::Range;
 
 /// Subtrees that are eliminated side by side have at most one part in so many of all multiplications, where the tree allows it.
@@ -71,7 +71,7 @@ impl Tree {
         if work(&fronts, pattern.storage) < least {
             return Ok(None);
         }
-        let (original, row_of) = permutation(&symbolic, pattern.n);
+        let (original, row_of) = ordering::permutation(&symbolic, pattern.n);
         let mut tree = Self {
             in_parent: vec![0; rows.len()],
             side_by_side: vec![],
@@ -240,12 +240,4 @@ fn fronts(s: &SymbolicSupernodalCholesky<usize>, full: bool) -> (Vec<Front>, Vec
         lengths[1] += if full { width * reach } else { 0 };
     }
     (fronts, rows, lengths)
-}
-
-/// Equation of each row of the factors, and row of each equation.
-fn permutation(symbolic: &SymbolicCholesky<usize>, n: usize) -> (Vec<usize>, Vec<usize>) {
-    match symbolic.perm() {
-        Some(p) => (p.arrays().0.to_vec(), p.arrays().1.to_vec()),
-        None => ((0..n).collect(), (0..n).collect()),
-    }
 }

@@ -60,10 +60,7 @@ impl Structure {
     pub(super) fn new(pattern: &Pattern) -> Result<Self, SolveError> {
         let n = pattern.n;
         let symbolic = ordering::cholesky(pattern, SupernodalThreshold::FORCE_SIMPLICIAL)?;
-        let (original, row_of) = match symbolic.perm() {
-            Some(p) => (p.arrays().0.to_vec(), p.arrays().1.to_vec()),
-            None => ((0..n).collect(), (0..n).collect()),
-        };
+        let (original, row_of) = ordering::permutation(&symbolic, n);
         let SymbolicCholeskyRaw::Simplicial(s) = symbolic.raw() else { unreachable!("asked for a simplicial factor") };
         let (ptr, mut idx) = (s.col_ptr()[..=n].to_vec(), s.row_idx().to_vec());
         for j in 0..n {
