@@ -1,6 +1,8 @@
 //! `hysteron motions`: spectra, intensities, rotation and scaling of ground motions.
 
 use super::files::{make_folder, write_atomically};
+use super::pace::Pace;
+use super::progress::count_bar;
 use super::recording::ToldArgs;
 use clap::Args;
 use hysteron::design::codes::Code;
@@ -10,6 +12,7 @@ use hysteron::design::spectrum::default_periods;
 use hysteron::design::suite::{Grouping, Suite, SuiteOptions};
 use hysteron::design::target::Target;
 use hysteron::study::unit::{self, Quantity};
+use indicatif::ProgressBar;
 use std::path::PathBuf;
 
 /// Files, and what is done with their motions.
@@ -111,10 +114,13 @@ fn inelastic(a: &MotionsArgs, suite: &Suite) -> Result<Option<InelasticSpectra>,
     let motions = suite.scaled_motions();
     let threads = a.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let [damping] = a.damping[..] else { return Err("inelastic spectra have one damping".into()) };
-    let start = std::time::Instant::now();
-    let spectra = InelasticSpectra::new(&motions, &law, (damping / 100.0, &periods, &levels), threads)?;
-    let (n, seconds) = (spectra.analyses, start.elapsed().as_secs_f64());
-    eprintln!("note: {n} analyses, {:.0} a second", n as f64 / seconds.max(1e-9));
+    let (pace, bar) = (Pace::begin(threads), count_bar("oscillators"));
+    bar.iter().for_each(|bar| bar.set_length((motions.len() * periods.len()) as u64));
+    let done = || bar.iter().for_each(|bar| bar.inc(1));
+    let spectra = InelasticSpectra::new(&motions, &law, (damping / 100.0, &periods, &levels), threads, &done);
+    bar.iter().for_each(ProgressBar::finish_and_clear);
+    let spectra = spectra?;
+    pace.report(spectra.analyses, 0, "analyses");
     Ok(Some(spectra))
 }
 

@@ -9,6 +9,16 @@ use std::io::IsTerminal;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
+/// A bar that counts `what` on a terminal; `None` where nobody looks.
+pub(super) fn count_bar(what: &str) -> Option<ProgressBar> {
+    std::io::stderr().is_terminal().then(|| {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        let template = format!("{{elapsed_precise}} [{{bar:30}}] {{pos}} of {{len}} {what}, left {{eta}}");
+        let style = ProgressStyle::with_template(&template);
+        style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
+    })
+}
+
 /// The progress line at the bottom of the terminal. Clones share it.
 #[derive(Clone)]
 pub(super) struct ProgressLine {

@@ -4,6 +4,7 @@ use super::calibrate::print_diagnostic;
 use super::files::{lock_folder, make_inner_folder, write_atomically};
 use super::limits::LimitArgs;
 use super::pace::Pace;
+use super::progress::count_bar;
 use super::signals::{on_interrupt, stopped_status};
 use clap::Args;
 use hysteron::design::isolate::{self, Job, JobOutcome, Study, is_current, run_job};
@@ -12,9 +13,8 @@ use hysteron::design::review::{self, Periods};
 use hysteron::diagnostic::{Diagnostic, SourceMap};
 use hysteron::study::WorkerPool;
 use hysteron_files::FolderLock;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use std::collections::BTreeMap;
-use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -120,12 +120,7 @@ impl<'a> StudyJobs<'a> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let threads = a.threads.unwrap_or(cores).max(1);
         let pool = WorkerPool::new(threads).map_err(|e| e.to_string())?;
-        let bar = std::io::stderr().is_terminal().then(|| {
-            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-            let style =
-                ProgressStyle::with_template("{elapsed_precise} [{bar:30}] {pos} of {len} analyses, left {eta}");
-            style.map_or(bar.clone(), |s| bar.with_style(s.progress_chars("=> ")))
-        });
+        let bar = count_bar("analyses");
         let (made, kept) = (AtomicUsize::new(0), AtomicUsize::new(0));
         Ok(Self {
             study,

@@ -5,7 +5,7 @@ use super::every_kind::{ELEMENTS, element};
 use super::script::run;
 use hysteron::element::amendment::{Amended, Damping, Hinged};
 use hysteron::element::damping::{Damped, DampingLaw, ElementDamping};
-use hysteron::element::{Element, ElementLoad, Roles};
+use hysteron::element::{Element, ElementInput, ElementLoad, ElementOutput, MatrixMask, Roles};
 use hysteron::material::{Elastic, Material};
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -29,6 +29,7 @@ fn names(e: &dyn Element) -> BTreeSet<&'static str> {
         outside_range,
         euler_load,
         small_beam,
+        kept_tangent,
         lockstep,
         renews_tangent,
         force_labels: _,
@@ -50,6 +51,7 @@ fn names(e: &dyn Element) -> BTreeSet<&'static str> {
         ("outside_range", outside_range.is_some()),
         ("euler_load", euler_load.is_some()),
         ("small_beam", small_beam.is_some()),
+        ("kept_tangent", kept_tangent.is_some()),
         ("lockstep", lockstep.is_some()),
         ("renews_tangent", renews_tangent),
         ("calls", opensees.calls.is_some()),
@@ -58,7 +60,7 @@ fn names(e: &dyn Element) -> BTreeSet<&'static str> {
 }
 
 /// Roles that would go past the wrapper.
-const OF_THE_INNER_ELEMENT_ALONE: [&str; 4] = ["basic_forces", "small_beam", "lockstep", "calls"];
+const OF_THE_INNER_ELEMENT_ALONE: [&str; 5] = ["basic_forces", "small_beam", "kept_tangent", "lockstep", "calls"];
 
 /// The element in each wrapper that takes it, with the wrapper's name.
 fn wrapped(inner: &Arc<dyn Element>) -> Vec<(&'static str, Arc<dyn Element>)> {
@@ -161,5 +163,38 @@ fn wrappers_keep_every_role() {
         ("hinged", "euler_load"),
     ] {
         assert!(seen.contains(&pair), "no element with {pair:?}");
+    }
+}
+
+/// The tangent from the history is that of the evaluation which wrote it, to the bit.
+#[test]
+fn tangents_in_a_history_are_those_of_the_evaluation() {
+    let mut seen = BTreeSet::new();
+    for e in every_element().into_iter().filter(|e| e.roles().kept_tangent.is_some()) {
+        let (n, committed) = (e.dofs(), virgin(e.as_ref()));
+        let disp: Vec<f64> = (0..n).map(|i| 1e-4 * (1.0 + i as f64).sin()).collect();
+        let (mut next, load) = (committed.clone(), vec![0.0; e.load_len()]);
+        let (mut force, mut tangent, mut kept) = (vec![0.0; n], vec![0.0; n * n], vec![0.0; n * n]);
+        let motion = ElementInput {
+            disp: &disp,
+            vel: &vec![0.0; n],
+            accel: &[],
+            load: &load,
+            still: true,
+            opensees: None,
+            dt: 0.0,
+            time: 0.0,
+            dynamic: false,
+        };
+        let output =
+            ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
+        e.respond(&motion, &committed, &mut next, output).expect("a response");
+        e.roles().kept_tangent.expect("asked above").add_kept_tangent(&disp, &next, &mut kept);
+        assert_eq!(kept, tangent, "{}", e.class().name);
+        assert!(kept.iter().any(|k| *k != 0.0));
+        seen.insert(e.class().name);
+    }
+    for class in ["ForceBeamColumn2d", "DispBeamColumn2d"] {
+        assert!(seen.contains(class), "{class} is not among {seen:?}");
     }
 }

@@ -303,3 +303,57 @@ fn tangent_of_an_elliptical_yield_surface() {
     }
     assert!(yielded > 30, "{yielded} steps yield");
 }
+
+/// A section of concrete at ten heights, with two bars of one steel and one of another, in the plane or in space.
+fn with_bars(space: bool) -> SharedSection {
+    let concrete = Concrete02 { fc: -3.0, epsc0: -0.002, fcu: -0.6, epscu: -0.006, ratio: 0.1, ft: 0.3, ets: 200.0 };
+    let (concrete, bars) = (Material::new(concrete), steel());
+    let mut fibers: Vec<Fiber> = (0..10)
+        .map(|i| Fiber {
+            y: -0.18 + 0.04 * f64::from(i),
+            z: 0.05 * f64::from(i % 3 - 1),
+            area: 0.02,
+            material: (concrete.clone(), 1),
+        })
+        .collect();
+    let places = [(-0.15, 0.04, (bars.clone(), 2)), (0.01, -0.04, (bars, 2)), (0.16, 0.04, (steel(), 4))];
+    fibers.extend(places.map(|(y, z, material)| Fiber { y, z, area: 0.001, material }));
+    let torsion = (Material::new(ElasticMaterial::new(5.0)), 3);
+    Arc::new(FiberSection::new(
+        fibers,
+        if space { FiberBending::Space(Some(torsion)) } else { FiberBending::Plane },
+        false,
+    ))
+}
+
+/// Forces and tangents of a beam on a path, with one section object at all places or one for each.
+fn forces_on_a_path<F: Formulation<12, 6>>(formulation: F, n: usize, shared: bool) -> Vec<f64> {
+    let transform = spec(TransformKind::Linear).space(&Ends { place: LINE, disp: &[0.0; 12] }).unwrap();
+    let points = Rule::Lobatto.points(n, transform.length()).unwrap();
+    let section = with_bars(true);
+    let sections = (0..n).map(|_| (if shared { section.clone() } else { with_bars(true) }, 1)).collect();
+    let beam = FiberBeam::<F, 12, 6>::new(formulation, transform, sections, points, (0.0, false));
+    let (mut e, mut all) = (SingleElement::new(beam), vec![]);
+    for x in path(5, 60, 0.006) {
+        let mut u = [0.0; 12];
+        (u[6], u[7], u[8]) = (-3e-3, x - 1.5e-3, -0.75 * x - 2e-3);
+        let (force, tangent) = e.trial(&u, &[0.0; 12]);
+        all.extend(force);
+        all.extend(tangent);
+        e.commit();
+    }
+    all
+}
+
+/// Bars of all places are evaluated together where the places have one section.
+#[test]
+fn places_with_one_section_have_the_bits_of_places_with_their_own() {
+    for n in [2, 3, 7] {
+        let of_forces = |shared| forces_on_a_path(ForceBased::default(), n, shared);
+        assert_eq!(of_forces(true), of_forces(false));
+        let of_displacements = |shared| forces_on_a_path(DisplacementBased, n, shared);
+        assert_eq!(of_displacements(true), of_displacements(false));
+    }
+    assert!(with_bars(true).joined().is_some() && with_bars(false).joined().is_some());
+    assert!(rectangle(&steel(), true).joined().is_none());
+}

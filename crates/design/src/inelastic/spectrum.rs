@@ -156,7 +156,8 @@ impl Case<'_> {
 }
 
 impl InelasticSpectra {
-    /// Spectra of motions for a damping, a share of the critical one, on a number of threads.
+    /// Spectra of motions for a damping, a share of the critical one, on a number of threads. `done` is called once for each
+    /// period of each motion.
     ///
     /// # Errors
     /// A level or a period is out of its range, or a law has no response.
@@ -165,6 +166,7 @@ impl InelasticSpectra {
         law: &LawText,
         (damping, periods, levels): (f64, &[f64], &[Level]),
         threads: usize,
+        done: &(dyn Fn() + Sync),
     ) -> Result<Self, String> {
         for level in levels {
             let (name, x) = level.name();
@@ -186,8 +188,9 @@ impl InelasticSpectra {
                 return Err(format!("{}: the motion is zero", motion.name));
             }
             let mut case = Case { motion, number, oscillator, elastic, maker: law.maker(), analyses: 0 };
-            let points = case.points(levels)?;
-            Ok((points, case.analyses))
+            let points = case.points(levels);
+            done();
+            Ok((points?, case.analyses))
         });
         let mut out = Self { motions: motions.iter().map(|m| m.name.clone()).collect(), points: vec![], analyses: 0 };
         for case in found {
@@ -285,7 +288,7 @@ mod tests {
 
     fn points(law: &str, motion: Motion, periods: &[f64], levels: &[Level]) -> Vec<InelasticPoint> {
         let law = LawText::new(law).expect("a law");
-        InelasticSpectra::new(&[motion], &law, (0.05, periods, levels), 2).expect("spectra").points
+        InelasticSpectra::new(&[motion], &law, (0.05, periods, levels), 2, &|| {}).expect("spectra").points
     }
 
     /// Without yielding, the displacement is that of the exact linear oscillator.
@@ -338,7 +341,7 @@ mod tests {
         assert!(LawText::new("Steel01 1 $Fy $k 0.0").is_err_and(|e| e.contains("has no $tag")));
         let law = LawText::new("Steel0 $tag $Fy $k 0.0").expect("words");
         let spectra = |levels: &[Level], periods: &[f64]| {
-            InelasticSpectra::new(&[motion(1.0)], &law, (0.05, periods, levels), 1).map(|_| ())
+            InelasticSpectra::new(&[motion(1.0)], &law, (0.05, periods, levels), 1, &|| {}).map(|_| ())
         };
         let says = |found: Result<(), String>, what: &str| found.is_err_and(|e| e.contains(what));
         assert!(says(spectra(&[Level::Reduction(2.0)], &[0.5]), "unknown uniaxial material \"Steel0\""));

@@ -77,6 +77,8 @@ pub struct Loads {
     pub(super) moves: bool,
     /// Forces on all degrees of freedom at the last time.
     pub(super) nodal: Vec<f64>,
+    /// Factors of the loads on elements that were last summed.
+    element_factors: Vec<f64>,
     valid: bool,
 }
 
@@ -95,6 +97,7 @@ impl Loads {
             ground_moves: false,
             moves: false,
             nodal: vec![0.0; model.dofs()],
+            element_factors: vec![],
             valid: false,
             tags,
         };
@@ -265,12 +268,18 @@ impl Loads {
 
     /// Sum the loads by their factors.
     fn sum(&mut self, model: &Model, words: &mut [f64]) -> Result<bool, (String, String)> {
-        self.valid = true;
         self.nodal.fill(0.0);
         for e in &self.entries {
             self.nodal[e.dof] += e.value * if e.constant { 1.0 } else { self.factors[e.pattern] };
         }
         self.inertia.iter().for_each(|i| i.add(&self.factors, &mut self.nodal));
+        let was_valid = std::mem::replace(&mut self.valid, true);
+        let factors = self.elements.iter().map(|(_, pattern, _)| self.factors[*pattern]);
+        if was_valid && factors.clone().eq(self.element_factors.iter().copied()) {
+            return Ok(false);
+        }
+        self.element_factors.clear();
+        self.element_factors.extend(factors);
         // Loads of a pattern that has been removed are still there.
         let changed = !self.elements.is_empty() || words.iter().any(|w| *w != 0.0);
         if changed {

@@ -91,6 +91,10 @@ impl Engine {
             work.loads.apply(model, state.time, words).map_err(|(element, message)| {
                 Failure::new(super::failure::Cause::Element { element, message }, state.time, -3)
             })?;
+            // The trial state does not have these loads on elements.
+            if *words != state.element_load {
+                work.loads.invalidate();
+            }
         }
         work.sum_forces(model, state, kind);
         out.clear();

@@ -111,7 +111,10 @@ impl System<'_> {
         self.new.time = time;
         self.summed = false;
         let applied = self.work.loads.apply(self.model, time, &mut self.new.element_load);
-        self.moved |= applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))?;
+        if applied.map_err(|(element, message)| self.failure(Cause::Element { element, message }))? {
+            self.moved = true;
+            self.evaluated_at = None;
+        }
         self.impose();
         self.impose_linked();
         self.follow_loads();

@@ -3,6 +3,7 @@
 mod forces;
 mod led;
 mod steady;
+mod step_tangents;
 mod tangent;
 
 use super::bounds::Bounds;
@@ -20,6 +21,7 @@ use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver, Threads};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use steady::SteadyMatrices;
+use step_tangents::StepTangents;
 
 /// Stiffness in the tangent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +54,8 @@ pub(super) struct ElementWorkspace {
     pub rates: bool,
     /// The force depends on the number of calls.
     pub counts_calls: bool,
+    /// The history holds the tangent of the motion that it belongs to.
+    pub keeps_tangent: bool,
     /// The current tangent replaces the initial one.
     initial_is_current: bool,
     /// The tangent stands for mass and damping too.
@@ -112,8 +116,7 @@ pub(super) struct ElementMatrices {
     initial: Vec<f64>,
     /// Tangents of the committed state; empty unless Rayleigh damping uses them.
     committed: Vec<f64>,
-    /// Tangents and damping matrices at the start of the step, and whether they were those of its state.
-    at_start: (Vec<f64>, Vec<f64>, Vec<f64>, bool),
+    at_start: StepTangents,
     /// Axial forces of the beams of [`SmallBeams::p_delta`] in the tangents.
     pub axial: Vec<f64>,
     mass: Vec<f64>,
@@ -121,6 +124,8 @@ pub(super) struct ElementMatrices {
     renewed: (Vec<usize>, Vec<f64>),
     /// The tangents are those of the trial state.
     pub is_current: bool,
+    /// The histories are those of evaluations with this plan: elements that keep their tangent there may give it.
+    pub has_evaluated: bool,
     /// Damping forces use the current tangents.
     pub residual_needs_tangent: bool,
     /// The integrator multiplies the tangents with displacements of its own, so that all columns are read.
@@ -244,29 +249,6 @@ pub struct PrepareOptions {
 }
 
 impl ElementMatrices {
-    /// Keep the tangents at the start of a step, for another try if the step fails.
-    pub(super) fn keep_start(&mut self) {
-        let (tangent, damping, axial, is_current) = &mut self.at_start;
-        *is_current = self.is_current;
-        if *is_current {
-            tangent.clone_from(&self.tangent);
-            damping.clone_from(&self.damping);
-            axial.clone_from(&self.axial);
-        }
-    }
-
-    /// Take back the tangents at the start of a step that has failed. A law has none of its own for a committed state: that of
-    /// no increment may be the elastic one, and those of the step are of states that were given up.
-    pub(super) fn revert_to_start(&mut self) {
-        let (tangent, damping, axial, is_current) = &self.at_start;
-        self.is_current = *is_current;
-        if *is_current {
-            self.tangent.clone_from(tangent);
-            self.damping.clone_from(damping);
-            self.axial.clone_from(axial);
-        }
-    }
-
     /// For a model, without entries yet but those of the masses; and the length of the motions of all elements.
     fn new(model: &Model, plan: &Plan, compat: bool) -> (Self, usize) {
         let (mut at, mut motion, mut damping) = (0, 0, 0);
@@ -299,6 +281,8 @@ impl ElementMatrices {
                 p_delta: tangent.beta_kc == 0.0 && e.element.small_beam().is_some_and(|b| b.p_delta.is_some()),
                 rates: traits.viscous || traits.elapses,
                 counts_calls: followed.calls.is_some(),
+                // OpenSees evaluates every element anew.
+                keeps_tangent: !compat && e.element.roles().kept_tangent.is_some(),
                 initial_is_current: opensees.initial_is_current,
                 stiffness_as_mass: followed.stiffness_as_mass,
                 keeps_committed: followed.keeps_first_damping,
@@ -428,6 +412,7 @@ impl Workspace {
     /// Forget tangents and factors, which are those of another state.
     pub(super) fn forget(&mut self) {
         self.elements.is_current = false;
+        self.elements.has_evaluated = false;
         self.solver.forget();
     }
 

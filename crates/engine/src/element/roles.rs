@@ -50,6 +50,8 @@ pub struct Roles<'a> {
     pub euler_load: Option<&'a dyn EulerLoad>,
     /// It is an elastic beam, which may be evaluated beside others.
     pub small_beam: Option<&'a dyn LinearBeam>,
+    /// Its history holds the tangent.
+    pub kept_tangent: Option<&'a dyn KeptTangent>,
     /// Joins it with its counterparts in other models.
     pub lockstep: Option<LockstepMaker>,
     /// The tangent of a committed state differs from that of the trial state before, as of a contact that sticks again after
@@ -161,6 +163,13 @@ pub trait LinearBeam: fmt::Debug {
     /// The matrices of a beam with small displacements, which are evaluated side by side; `None` with large ones. Its load
     /// variables are basic forces, then reactions.
     fn small_beam(&self) -> Option<SmallBeam<'_>>;
+}
+
+/// A tangent that follows from the history, for less than an evaluation.
+pub trait KeptTangent: fmt::Debug {
+    /// Adds the tangent of the last evaluation, at displacements of the element's degrees of freedom, from the history that it
+    /// has written.
+    fn add_kept_tangent(&self, disp: &[f64], history: &[f64], tangent: &mut [f64]);
 }
 
 /// Names of the columns of the global force of an element.

@@ -60,7 +60,7 @@ crate::watches_columns!(Aggregator => |s| at s.parts());
 
 #[deny(clippy::missing_trait_methods)]
 impl Section for Aggregator {
-    plain_methods! { elastic }
+    plain_methods! { elastic joined }
     fn class(&self) -> &'static str {
         if self.base.is_none() && self.additions.len() == 1 { "GenericSection1d" } else { "SectionAggregator" }
     }

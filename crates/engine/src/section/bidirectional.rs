@@ -35,7 +35,7 @@ crate::state_struct! {
 crate::watches_columns!(Bidirectional => nothing);
 
 impl Section for Bidirectional {
-    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
+    plain_methods! { init is_linear depends_on_time elastic joined with_parameter probe }
     fn class(&self) -> &'static str {
         "Bidirectional"
     }

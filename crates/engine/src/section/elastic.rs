@@ -84,7 +84,7 @@ impl Elastic {
 crate::watches_columns!(Elastic => nothing);
 
 impl Section for Elastic {
-    plain_methods! { init depends_on_time probe }
+    plain_methods! { init depends_on_time joined probe }
     fn class(&self) -> &'static str {
         match self.resultants.len() {
             2 => "ElasticSection2d",

@@ -108,7 +108,7 @@ impl Elliptical {
 crate::watches_columns!(Elliptical => nothing);
 
 impl Section for Elliptical {
-    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
+    plain_methods! { init is_linear depends_on_time elastic joined with_parameter probe }
     fn class(&self) -> &'static str {
         "Elliptical"
     }

@@ -1,5 +1,6 @@
 //! Fiber sections.
 
+mod joined;
 mod points;
 mod runs;
 
@@ -195,23 +196,43 @@ impl FiberSection {
             }
             return Ok(());
         }
-        let (old, new) = (Parts::of(committed, n), Parts::of_mut(next, n));
+        let (old, mut new) = (Parts::of(committed, n), Parts::of_mut(next, n));
+        self.strain::<M>(e, &mut new);
+        self.blocks.iter().try_for_each(|block| self.update_block(block, &old, dt, &mut new))?;
+        self.sum::<M>(old, new, (s, k));
+        Ok(())
+    }
+
+    /// Writes the strains of the points for `M` section deformations, and zeros for those that belong to no block.
+    fn strain<const M: usize>(&self, e: &[f64], new: &mut Parts<&mut [f64]>) {
         self.points.strains::<M>(e, new.strain);
         for padding in [&mut *new.stress, &mut *new.tangent] {
             padding[self.updated..].fill(0.0);
         }
-        for block in &self.blocks {
-            let (range, words) = (block.points.clone(), block.words(&self.runs));
-            let n = range.len();
-            let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
-            let mut stresses = Stresses {
-                value: &mut new.stress[range.clone()],
-                tangent: &mut new.tangent[range],
-                // A damping has no use in a section: the energies are written after it.
-                damping: &mut new.energy[..n],
-            };
-            block.update(&self.runs, &old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)?;
-        }
+    }
+
+    /// Evaluates the points of a block.
+    fn update_block(
+        &self,
+        block: &RunBlock,
+        old: &Parts<&[f64]>,
+        dt: f64,
+        new: &mut Parts<&mut [f64]>,
+    ) -> Result<(), MaterialError> {
+        let (range, words) = (block.points.clone(), block.words(&self.runs));
+        let n = range.len();
+        let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
+        let mut stresses = Stresses {
+            value: &mut new.stress[range.clone()],
+            tangent: &mut new.tangent[range],
+            // A damping has no use in a section: the energies are written after it.
+            damping: &mut new.energy[..n],
+        };
+        block.update(&self.runs, &old.laws[words.clone()], &strains, &mut new.laws[words], &mut stresses)
+    }
+
+    /// Adds up resultants and tangent, and writes the energies.
+    fn sum<const M: usize>(&self, old: Parts<&[f64]>, new: Parts<&mut [f64]>, (s, k): (&mut [f64], &mut [f64])) {
         let history = points::Work {
             strains: [old.strain, new.strain],
             stresses: [old.stress, new.stress],
@@ -219,6 +240,21 @@ impl FiberSection {
         };
         let sums = self.points.integrate::<M>(new.tangent, history);
         sums.write(self.resultants().len(), s, k);
+    }
+
+    /// Adds the torsion in space.
+    fn add_torsion(
+        &self,
+        committed: &[f64],
+        e: &[f64],
+        dt: f64,
+        next: &mut [f64],
+        (s, k): (&mut [f64], &mut [f64]),
+    ) -> Result<(), MaterialError> {
+        if let Some(torsion) = &self.torsion {
+            let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
+            (s[3], k[15]) = (stress.value, stress.tangent);
+        }
         Ok(())
     }
 
@@ -321,11 +357,13 @@ impl Section for FiberSection {
             return self.integrate::<2>(committed, e, dt, next, (s, k));
         }
         self.integrate::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
-        if let Some(torsion) = &self.torsion {
-            let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
-            (s[3], k[15]) = (stress.value, stress.tangent);
-        }
-        Ok(())
+        self.add_torsion(committed, e, dt, next, (s, k))
+    }
+
+    /// A section with blocks of a few points, which fill vectors together with those of other places.
+    fn joined(&self) -> Option<&FiberSection> {
+        let has_few = || self.blocks.iter().any(|b| b.is_few(&self.runs));
+        (!self.linear && has_few()).then_some(self)
     }
 
     fn initial_stiffness(&self, k: &mut [f64]) {

@@ -133,6 +133,9 @@ pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     /// The elastic section, or `None` for another kind.
     fn elastic(&self) -> Option<ElasticSection>;
 
+    /// The section as one that is worth being evaluated at several places together, or `None`.
+    fn joined(&self) -> Option<&FiberSection>;
+
     /// Returns the section with a new value of a parameter, named by the words of a `parameter` command, and the
     /// previous value. No value asks for the present one. The layout of the history does not change.
     ///

@@ -121,7 +121,7 @@ crate::watches_columns!([const N: usize] NdFiberSection<N> => |s| at s.laws());
 
 #[deny(clippy::missing_trait_methods)]
 impl<const N: usize> Section for NdFiberSection<N> {
-    plain_methods! { elastic }
+    plain_methods! { elastic joined }
     fn class(&self) -> &'static str {
         if N == 2 { "NDFiberSection2d" } else { "NDFiberSection3d" }
     }

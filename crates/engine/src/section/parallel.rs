@@ -52,7 +52,7 @@ crate::watches_columns!(ParallelSections => |s| in &s.sections);
 
 #[deny(clippy::missing_trait_methods)]
 impl Section for ParallelSections {
-    plain_methods! { elastic }
+    plain_methods! { elastic joined }
     fn class(&self) -> &'static str {
         "ParallelSection"
     }

@@ -24,6 +24,11 @@ macro_rules! plain_methods {
             None
         }
     };
+    (@joined) => {
+        fn joined(&self) -> Option<&$crate::section::FiberSection> {
+            None
+        }
+    };
     (@with_parameter) => {
         fn with_parameter(&self, _: &[&str], _: Option<f64>) -> $crate::parameter::Changed<$crate::section::SharedSection> {
             Err($crate::parameter::ParameterError::Unknown)

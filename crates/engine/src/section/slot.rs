@@ -93,13 +93,32 @@ impl SectionSlot {
     /// # Errors
     /// A material has no response at these deformations.
     pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> Result<(), MaterialError> {
-        let end = self.at + self.len();
-        let (head, next) = trial[self.at..end].split_at_mut(self.header());
-        let (deformation, rest) = head.split_at_mut(self.order);
+        self.set_deformation(e, trial);
+        let ([e, s, k], next) = self.split(trial);
+        self.section.update(self.own(committed), e, dt, next, s, k)
+    }
+
+    /// Writes trial deformations `e`, with zeros for resultants and tangent.
+    #[inline]
+    pub(crate) fn set_deformation(&self, e: &[f64], trial: &mut [f64]) {
+        let (deformation, rest) = self.response_mut(trial).split_at_mut(self.order);
         deformation.copy_from_slice(&e[..self.order]);
         rest.fill(0.0);
+    }
+
+    /// Deformations, resultants and tangent of a state for overwriting, and the state variables of the section.
+    #[inline]
+    pub(crate) fn split<'a>(&self, state: &'a mut [f64]) -> ([&'a mut [f64]; 3], &'a mut [f64]) {
+        let (head, own) = state[self.at..self.at + self.len()].split_at_mut(self.header());
+        let (e, rest) = head.split_at_mut(self.order);
         let (s, k) = rest.split_at_mut(self.order);
-        self.section.update(&committed[self.at + self.header()..end], deformation, dt, next, s, k)
+        ([e, s, k], own)
+    }
+
+    /// State variables of the section in a state.
+    #[inline]
+    pub(crate) fn own<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[self.at + self.header()..self.at + self.len()]
     }
 
     /// Deformations, resultants and tangent in a state, apart.
@@ -195,7 +214,7 @@ impl SectionSlot {
                 }
             }
             CODE => out.iter_mut().zip(self.resultants()).for_each(|(o, r)| *o = r.code()),
-            _ => self.section.read(&path[1..], &state[self.at + self.header()..self.at + self.len()], out),
+            _ => self.section.read(&path[1..], self.own(state), out),
         }
     }
 }

@@ -106,7 +106,7 @@ fn no_equilibrium(u: [f64; 2]) -> MaterialError {
 crate::watches_columns!(TwoSpringIsolator => nothing);
 
 impl Section for TwoSpringIsolator {
-    plain_methods! { init is_linear depends_on_time elastic with_parameter probe }
+    plain_methods! { init is_linear depends_on_time elastic joined with_parameter probe }
     fn class(&self) -> &'static str {
         "Isolator2spring"
     }

@@ -19,8 +19,8 @@ pub(super) struct Nodes<'a> {
 }
 
 impl Nodes<'_> {
-    /// Returns true if an element has no loads of its own and has not moved since its last evaluation, whose displacements
-    /// and velocities are given. In a `settled` step round-off is no motion.
+    /// Returns true if an element has not moved since its last evaluation, whose displacements and velocities are given. In a
+    /// `settled` step round-off is no motion.
     #[inline]
     pub(super) fn have_not_moved(&self, e: &ElementEntry, m: &ElementWorkspace, last: &[f64], settled: bool) -> bool {
         let (disp, vel) = last.split_at(e.dofs.len());
@@ -29,7 +29,26 @@ impl Nodes<'_> {
             let near = |(d, old): (&u32, &f64)| (new[*d as usize] - old).abs() <= slack * old.abs();
             e.dofs.iter().zip(old).all(near)
         };
-        e.load.is_empty() && m.inertance.is_none() && same(self.disp, disp) && (self.still || same(self.vel, vel))
+        m.inertance.is_none() && same(self.disp, disp) && (self.still || same(self.vel, vel))
+    }
+
+    /// Write the motion of an element, its displacements and then its velocities.
+    #[inline(always)]
+    fn write_motion(&self, e: &ElementEntry, motion: &mut [f64]) {
+        let (disp, vel) = motion.split_at_mut(e.dofs.len());
+        e.dofs.iter().zip(disp).for_each(|(&d, u)| *u = self.disp[d as usize]);
+        if !self.still {
+            e.dofs.iter().zip(vel).for_each(|(&d, v)| *v = self.vel[d as usize]);
+        }
+    }
+
+    /// Take the tangent of an element from its history, which belongs to the motion of the nodes.
+    pub(super) fn take_kept_tangent(&self, e: &ElementEntry, history: &[f64], motion: &mut [f64], tangent: &mut [f64]) {
+        self.write_motion(e, motion);
+        tangent.fill(0.0);
+        if let Some(kept) = e.element.roles().kept_tangent {
+            kept.add_kept_tangent(&motion[..e.dofs.len()], history, tangent);
+        }
     }
 }
 
@@ -72,11 +91,8 @@ impl Call<'_> {
     ) -> Result<(), ElementError> {
         let (n, nodes, part) = (e.dofs.len(), self.nodes, self.part);
         let Places { motion, force, mut tangent, mut damping, trial } = places;
-        let (disp, vel) = motion.split_at_mut(n);
-        e.dofs.iter().zip(&mut *disp).for_each(|(&d, u)| *u = nodes.disp[d as usize]);
-        if !nodes.still {
-            e.dofs.iter().zip(&mut *vel).for_each(|(&d, v)| *v = nodes.vel[d as usize]);
-        }
+        nodes.write_motion(e, motion);
+        let (disp, vel) = motion.split_at(n);
         let mut accelerations;
         let accel: &[f64] = if m.inertance.is_some() {
             accelerations = [0.0; MAX_DOFS];

@@ -5,6 +5,7 @@ use super::{Cause, Failure, System};
 use crate::analysis::opensees::{CountedElement, Updates};
 use crate::analysis::workspace::ElementWorkspace;
 use crate::element::{ElementError, OpenSeesCall};
+use crate::model::ElementEntry;
 use std::cell::Cell;
 use std::sync::atomic::Ordering;
 
@@ -19,17 +20,54 @@ const SIDE_BY_SIDE: usize = 6;
 pub(super) struct Asked {
     /// Tangents are asked for.
     pub(super) tangent: bool,
+    /// Tangents are asked for, and those at hand are of another motion.
+    pub(super) lacks_tangents: bool,
     /// All elements are meant; else those whose forces depend on rates.
     pub(super) all: bool,
     /// There was an evaluation at this time: an element that has not moved since is not evaluated again.
     pub(super) evaluated_before: bool,
+    /// Nothing has moved since the committed state, and the histories hold what its evaluation has written.
+    pub(super) at_rest: bool,
+}
+
+/// Part of an element's answer that is not at hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lack {
+    Nothing,
+    /// The tangent, which its history holds.
+    KeptTangent,
+    Everything,
 }
 
 impl Asked {
     /// Returns true for an element that is meant, but for those that count their calls.
     #[inline]
-    pub(super) fn concerns(self, m: &ElementWorkspace) -> bool {
+    fn concerns(self, m: &ElementWorkspace) -> bool {
         (self.all || m.rates) && !m.counts_calls
+    }
+
+    /// Part of an element's answer that is to be found, where `last` is the motion of its last evaluation.
+    #[inline]
+    pub(super) fn lack(
+        self,
+        nodes: Nodes<'_>,
+        e: &ElementEntry,
+        m: &ElementWorkspace,
+        last: &[f64],
+        settled: bool,
+    ) -> Lack {
+        if !self.concerns(m) {
+            return Lack::Nothing;
+        }
+        if self.lacks_tangents && !m.keeps_tangent {
+            return Lack::Everything;
+        }
+        let rests = self.at_rest && !m.rates || self.evaluated_before && nodes.have_not_moved(e, m, last, settled);
+        match (rests, self.lacks_tangents) {
+            (false, _) => Lack::Everything,
+            (true, true) => Lack::KeptTangent,
+            (true, false) => Lack::Nothing,
+        }
     }
 }
 
@@ -60,7 +98,8 @@ impl System<'_> {
         // Without motion, the forces of the committed state are still there, but for those that depend on rates.
         let tangents = want_tangent && !self.work.elements.is_current;
         let all = self.moved || tangents;
-        let evaluated_before = self.evaluated_at.take() == Some(self.new.time) && !tangents;
+        let evaluated_before = self.evaluated_at.take() == Some(self.new.time);
+        let at_rest = !self.moved && self.work.elements.has_evaluated;
         let mut evaluated = false;
         if all && self.work.small_beams.count > 0 {
             let work = &mut *self.work;
@@ -70,7 +109,7 @@ impl System<'_> {
             work.evaluated.calls += work.small_beams.count;
             evaluated = true;
         }
-        let asked = Asked { tangent: want_tangent, all, evaluated_before };
+        let asked = Asked { tangent: want_tangent, lacks_tangents: tangents, all, evaluated_before, at_rest };
         evaluated |= match self.work.side_by_side() {
             true => self.respond_side_by_side(asked, dt)?,
             false => self.respond_in_turn(asked, dt)?,
@@ -83,6 +122,7 @@ impl System<'_> {
         self.summed &= !evaluated && !work.counts_updates();
         if all {
             self.evaluated_at = Some(self.new.time);
+            work.elements.has_evaluated = true;
             work.evaluated.disp.copy_from_slice(&self.new.disp);
         }
         Ok(())
@@ -93,22 +133,25 @@ impl System<'_> {
         let mut evaluated = false;
         for at in 0..self.work.small_beams.others.len() {
             let i = self.work.small_beams.others[at];
-            let m = &self.work.elements.entries[i];
-            if asked.concerns(m) && !(asked.evaluated_before && self.has_not_moved(i)) {
-                self.respond_one(i, asked.tangent, dt, None)?;
-                evaluated = true;
+            match self.lack(asked, i) {
+                Lack::Nothing => continue,
+                Lack::KeptTangent => self.take_kept_tangent(i),
+                Lack::Everything => {
+                    self.respond_one(i, asked.tangent, dt, None)?;
+                    evaluated = true;
+                }
             }
         }
         Ok(evaluated)
     }
 
-    /// Returns true if no node has moved since the last evaluation and no element has loads of its own. It is the common end
-    /// of a step, found without a loop over the elements.
+    /// Returns true if no node has moved since the last evaluation. It is the common end of a step, found without a loop over
+    /// the elements.
     #[inline]
     fn no_node_has_moved(&self) -> bool {
         let slack = if self.settled { ROUND_OFF } else { 0.0 };
         let near = |all: bool, (new, old): (&f64, &f64)| all & ((new - old).abs() <= slack * old.abs());
-        if !self.still || !self.new.element_load.is_empty() {
+        if !self.still {
             return false;
         }
         // The compiler makes one vector operation of each chunk.
@@ -118,12 +161,25 @@ impl System<'_> {
         new.iter().zip(old).all(few) && new_left.iter().zip(old_left).fold(true, near)
     }
 
-    /// Returns true if an element has no loads of its own and has not moved since its last evaluation.
-    fn has_not_moved(&self, i: usize) -> bool {
+    /// Part of an element's answer that is to be found.
+    #[inline]
+    fn lack(&self, asked: Asked, i: usize) -> Lack {
         let (e, m) = (&self.model.elements[i], &self.work.elements.entries[i]);
         let last = &self.work.evaluated.elements[m.motion..m.motion + 2 * e.dofs.len()];
         let new = &*self.new;
-        Nodes { disp: &new.disp, vel: &new.vel, accel: &[], still: self.still }.have_not_moved(e, m, last, self.settled)
+        let nodes = Nodes { disp: &new.disp, vel: &new.vel, accel: &[], still: self.still };
+        asked.lack(nodes, e, m, last, self.settled)
+    }
+
+    /// Take the tangent of an element at rest from its history.
+    fn take_kept_tangent(&mut self, i: usize) {
+        let (e, work) = (&self.model.elements[i], &mut *self.work);
+        let m = &work.elements.entries[i];
+        let n = e.dofs.len();
+        let nodes = Nodes { disp: &self.new.disp, vel: &self.new.vel, accel: &[], still: self.still };
+        let motion = &mut work.evaluated.elements[m.motion..m.motion + 2 * n];
+        let tangent = &mut work.elements.tangent[m.at..m.at + n * n];
+        nodes.take_kept_tangent(e, &self.new.history[e.state.clone()], motion, tangent);
     }
 
     /// Evaluate the elements that depend on the number of calls as often as OpenSees does, then their tangents.

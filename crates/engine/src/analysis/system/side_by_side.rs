@@ -3,7 +3,7 @@
 //! Each element writes to places of its own, so that the results are the same for any number of threads.
 
 use super::element_call::{Call, Nodes, Places};
-use super::evaluation::Asked;
+use super::evaluation::{Asked, Lack};
 use super::{Failure, System};
 use crate::analysis::workspace::{ElementMatrices, ElementWorkspace};
 use crate::element::{ElementError, MatrixMask};
@@ -149,13 +149,19 @@ impl Calls<'_> {
         for &i in elements {
             let (e, m) = (&self.model.elements[i], &self.entries[i]);
             let motion = span.motion.range(m.motion, 2 * e.dofs.len());
-            let rests = self.asked.evaluated_before && self.nodes.have_not_moved(e, m, motion, self.settled);
-            if !self.asked.concerns(m) || rests {
-                continue;
-            }
-            calls += 1;
-            if let Err(error) = self.call(e, m, &mut span) {
-                return Done { calls, failed: Some((i, error)) };
+            match self.asked.lack(self.nodes, e, m, motion, self.settled) {
+                Lack::Nothing => {}
+                Lack::KeptTangent => {
+                    let history = span.trial.range(e.state.start, e.state.len());
+                    let tangent = span.tangent.range(m.at, e.dofs.len().pow(2));
+                    self.nodes.take_kept_tangent(e, history, motion, tangent);
+                }
+                Lack::Everything => {
+                    calls += 1;
+                    if let Err(error) = self.call(e, m, &mut span) {
+                        return Done { calls, failed: Some((i, error)) };
+                    }
+                }
             }
         }
         Done { calls, failed: None }

@@ -4,7 +4,7 @@ mod opensees;
 
 use super::basic::Basic;
 use super::curvature_interpolation::{CurvatureInterpolation, polynomials};
-use super::force_based::{ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, ROUND_OFF, of_load, row};
+use super::force_based::{ACCURATE, ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, REACTIONS, of_load, row};
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::point::SUPPORT;
 use super::shortfall::{Miss, Shortfall};
@@ -378,7 +378,7 @@ impl<R: Rules> CurvatureBased<R> {
                 extra_iterations += usize::from(within_tolerance);
                 let last = iteration == self.iteration.max_iterations;
                 if within_tolerance
-                    && (energy <= ROUND_OFF * dot(&basic.q, v).abs() || extra_iterations > MAX_EXTRA_ITERATIONS || last)
+                    && (energy <= ACCURATE * dot(&basic.q, v).abs() || extra_iterations > MAX_EXTRA_ITERATIONS || last)
                 {
                     break;
                 }

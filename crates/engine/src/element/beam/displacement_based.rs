@@ -3,6 +3,7 @@
 use super::basic::Basic;
 use super::elastic::{Bending, Release, add_clamped_load};
 use super::member::{Formulation, Lacking, LoadSums, Member, bending_at, set};
+use super::per_section::PerSection;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
 use crate::element::{Class, ElementError, ElementInput};
@@ -66,15 +67,17 @@ impl DisplacementBased {
     ) -> Result<Basic<B>, ElementError> {
         let mut basic = Basic { q: [0.0; B], k: [[0.0; B]; B] };
         basic.q.copy_from_slice(&motion.load[..B]);
-        for (section, x, weight) in member.along() {
-            let order = section.order();
-            let interpolation = Interpolation::<B, M>::new(section.resultants(), x, member.length());
-            let e = product(&interpolation.rows, v);
-            section.update(committed, &e, motion.dt, trial)?;
+        let interpolations: PerSection<Interpolation<B, M>> = member
+            .along()
+            .map(|(section, x, _)| Interpolation::new(section.resultants(), x, member.length()))
+            .collect();
+        let e = (&interpolations).into_iter().map(|of_section| product(&of_section.rows, v)).collect();
+        member.update_sections(committed, &e, motion.dt, trial)?;
+        for ((section, _, weight), interpolation) in member.along().zip(&interpolations) {
             for (row, s) in interpolation.rows.iter().zip(section.resultant(trial)) {
                 axpy(weight * s, row, &mut basic.q);
             }
-            interpolation.add_stiffness(order, section.stiffness(trial), weight, &mut basic.k);
+            interpolation.add_stiffness(section.order(), section.stiffness(trial), weight, &mut basic.k);
         }
         Ok(basic)
     }

@@ -4,7 +4,7 @@ use super::basic::Basic;
 use super::member::{Formulation, Lacking, LoadSums, Member, Trace, bending_at, set};
 use super::opensees::settle;
 use super::per_section::PerSection;
-use super::point::{Point, Stiffness};
+use super::point::{Point, Stiffness, read_all};
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
@@ -34,9 +34,10 @@ impl Default for ForceBased {
     }
 }
 
-/// Residual energy that is round-off, as a part of the energy of the basic system.
-pub(super) const ROUND_OFF: f64 = 1e-22;
-/// Largest number of iterations beyond the tolerance, towards round-off.
+/// Residual energy that ends the iterations, as a part of the energy of the basic system. Forces of the sections are off by
+/// 1e-9 then; those of the beam, which are corrected once more, by the square of it.
+pub(super) const ACCURATE: f64 = 1e-18;
+/// Largest number of iterations beyond the tolerance, towards that energy.
 pub(super) const MAX_EXTRA_ITERATIONS: usize = 3;
 
 /// Numbers of load sums: reactions, and internal forces of the simple beam at each section.
@@ -145,6 +146,31 @@ pub(super) fn add_torsion<const N: usize, const B: usize>(
     }
 }
 
+/// Stiffness of the basic system, unless it is `kept`, and basic deformations for basic forces `q`, from the sections.
+///
+/// # Errors
+/// The flexibility is singular.
+fn stiffness_and_deformations<const N: usize, const B: usize, const M: usize>(
+    member: &Member<N, B>,
+    points: &PerSection<Point<B, M>>,
+    q: &[f64; B],
+    kept: Option<&[[f64; B]; B]>,
+) -> Result<([[f64; B]; B], [f64; B]), Miss> {
+    let (mut f, mut v) = ([[0.0; B]; B], [0.0; B]);
+    for ((.., weight), p) in member.along().zip(points) {
+        match kept {
+            Some(_) => p.add_deformations(weight, &p.deformations(q), &mut v),
+            None => p.add(weight, &p.deformations(q), &mut f, &mut v),
+        }
+    }
+    add_torsion(member, q, &mut f, &mut v);
+    match kept {
+        Some(kept) => Ok((*kept, v)),
+        None if invert(f.as_flattened_mut(), B) => Ok((f, v)),
+        None => Err(Miss::Incompatible),
+    }
+}
+
 /// Internal forces of the simple beam at a section, from the load sums of the beam.
 pub(super) fn internal_forces(load: &[f64], section: usize) -> &[f64] {
     &load[REACTIONS + section * INTERNAL..REACTIONS + (section + 1) * INTERNAL]
@@ -223,27 +249,22 @@ impl ForceBased {
             let share = part as f64 / parts as f64;
             let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
-                let (mut f, mut basic_deformations) = ([[0.0; B]; B], [0.0; B]);
-                for ((.., weight), p) in member.along().zip(&points) {
-                    p.add(weight, &p.deformations(&basic.q), &mut f, &mut basic_deformations);
-                }
-                add_torsion(member, &basic.q, &mut f, &mut basic_deformations);
-                if !invert(f.as_flattened_mut(), B) {
-                    return Err(Miss::Incompatible);
-                }
+                // The last trial has left the stiffness of its sections behind.
+                let kept = (from == Start::LastTrial && part + iteration == 1).then_some(&basic.k);
+                let (k, basic_deformations) = stiffness_and_deformations(member, &points, &basic.q, kept)?;
                 let mut residual = [0.0; B];
                 for (i, residual) in residual.iter_mut().enumerate() {
                     *residual = start[i] + share * (v[i] - start[i]) - basic_deformations[i];
                 }
-                let step = product(&f, &residual);
+                let step = product(&k, &residual);
                 axpy(1.0, &step, &mut basic.q);
-                basic.k = f;
+                basic.k = k;
                 let energy = dot(&step, &residual).abs();
-                // Iterate on towards round-off: the residual enters the forces of the sections.
+                // Iterate on beyond the tolerance: the residual enters the forces of the sections.
                 let within_tolerance = energy <= self.tolerance;
                 extra_iterations += usize::from(within_tolerance);
                 if within_tolerance
-                    && (energy <= ROUND_OFF * dot(&basic.q, v).abs()
+                    && (energy <= ACCURATE * dot(&basic.q, v).abs()
                         || extra_iterations > MAX_EXTRA_ITERATIONS
                         || iteration == limit)
                     && self.is_balanced(member, &points, &basic.q, iteration == limit)
@@ -267,13 +288,12 @@ impl ForceBased {
                     Correction::InitialFirst => iteration == 1,
                     Correction::Initial => true,
                 };
-                for (section, point) in member.sections.iter().zip(&mut points) {
-                    if initial {
-                        point.read(section, trial, Stiffness::Virgin)?;
-                    }
-                    section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
-                    point.read(section, trial, correction.stiffness())?;
+                if initial {
+                    read_all(member, &mut points, trial, Stiffness::Virgin)?;
                 }
+                let e = (&points).into_iter().map(|point| point.deformations(&basic.q)).collect();
+                member.update_sections(committed, &e, motion.dt, trial)?;
+                read_all(member, &mut points, trial, correction.stiffness())?;
                 updated = true;
             }
         }

@@ -215,7 +215,7 @@ impl<const N: usize, const B: usize> Member<N, B> {
 #[derive(Clone, Debug)]
 pub struct FiberBeam<F, const N: usize, const B: usize> {
     pub(super) member: Member<N, B>,
-    formulation: F,
+    pub(super) formulation: F,
 }
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> FiberBeam<F, N, B> {
@@ -321,10 +321,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         let p0 = F::Loads::reactions(motion.load);
         m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, output.force);
         if let Some(tangent) = output.tangent {
-            m.transform.add_tangent(motion.disp, &trial[..head], &basic.k, &basic.q, tangent);
-            if self.formulation.whole_tangent() {
-                m.transform.add_unsymmetric_tangent(motion.disp, &basic.k, tangent);
-            }
+            self.add_tangent(motion.disp, &trial[..head], &basic, tangent);
         }
         Ok(())
     }
@@ -340,6 +337,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
             loads: Some(self),
             exhausted: Some(self),
             euler_load: Some(self),
+            kept_tangent: Some(self),
             opensees: {
                 let depends = self.formulation.continues_from_last_trial();
                 OpenSeesTraits {

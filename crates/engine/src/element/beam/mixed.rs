@@ -4,7 +4,7 @@ use super::basic::Basic;
 use super::force_based::{ForceBased, internal_forces};
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::per_section::PerSection;
-use super::point::{Point, Stiffness};
+use super::point::{Point, Stiffness, read_all};
 use crate::element::{Class, ElementError, ElementInput};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::MAX_ORDER;
@@ -109,9 +109,10 @@ impl Mixed {
         }
         axpy(1.0, &product(&f, &missing), &mut q);
         (f, gathered) = ([[0.0; B]; B], [0.0; B]);
-        for ((section, _, weight), point) in member.along().zip(&mut points) {
-            section.update(committed, &point.deformations(&q), motion.dt, trial)?;
-            point.read(section, trial, Stiffness::Current)?;
+        let e = (&points).into_iter().map(|point| point.deformations(&q)).collect();
+        member.update_sections(committed, &e, motion.dt, trial)?;
+        read_all(member, &mut points, trial, Stiffness::Current)?;
+        for ((.., weight), point) in member.along().zip(&points) {
             point.add(weight, &point.deformations(&q), &mut f, &mut gathered);
         }
         if !invert(f.as_flattened_mut(), B) {

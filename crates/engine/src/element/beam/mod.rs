@@ -11,12 +11,14 @@ mod displacement_based;
 mod elastic;
 mod force_based;
 mod integration;
+mod kept_tangent;
 mod member;
 mod mixed;
 mod opensees;
 mod per_section;
 mod point;
 mod section_responses;
+mod section_update;
 mod shortfall;
 mod timoshenko;
 

@@ -7,7 +7,7 @@ use super::basic::Basic;
 use super::force_based::{ForceBased, add_torsion, internal_forces};
 use super::member::{Formulation, LoadSums, Member, Trace};
 use super::per_section::PerSection;
-use super::point::{Point, Stiffness};
+use super::point::{Point, Stiffness, read_all};
 use crate::element::ElementInput;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm, product};
@@ -134,12 +134,13 @@ impl ForceBased {
                 Flexibility::InitialFirst => iteration == 0,
             };
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
-            for ((section, _, weight), point) in member.along().zip(&mut points) {
-                if initial && iteration > 0 {
-                    point.read(section, trial, Stiffness::Virgin)?;
-                }
-                section.update(committed, &point.deformations(&basic.q), motion.dt, trial)?;
-                point.read(section, trial, Stiffness::Current)?;
+            if initial && iteration > 0 {
+                read_all(member, &mut points, trial, Stiffness::Virgin)?;
+            }
+            let e = (&points).into_iter().map(|point| point.deformations(&basic.q)).collect();
+            member.update_sections(committed, &e, motion.dt, trial)?;
+            read_all(member, &mut points, trial, Stiffness::Current)?;
+            for ((.., weight), point) in member.along().zip(&points) {
                 point.add(weight, &point.deformations(&basic.q), &mut f, &mut gathered);
             }
             add_torsion(member, &basic.q, &mut f, &mut gathered);

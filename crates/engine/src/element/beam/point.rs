@@ -2,6 +2,7 @@
 
 use super::force_based::{of_load, row};
 use super::member::Member;
+use super::per_section::PerSection;
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot};
 use crate::section::{MAX_ORDER, SectionSlot};
@@ -171,8 +172,8 @@ impl<const B: usize, const M: usize> Point<B, M> {
     /// Adds weight x aᵀ f a to the flexibility and weight x aᵀ e to the basic deformations.
     #[inline]
     pub(super) fn add(&self, weight: f64, e: &[f64; M], f: &mut [[f64; B]; B], v: &mut [f64; B]) {
-        for ((a, e), flexibility) in self.rows.iter().zip(e).zip(&self.flexibility) {
-            axpy(weight * e, a, v);
+        self.add_deformations(weight, e, v);
+        for (a, flexibility) in self.rows.iter().zip(&self.flexibility) {
             // Deformations of a resultant for each basic force.
             let mut per_force = [0.0; B];
             for (c, b) in flexibility.iter().zip(&self.rows) {
@@ -181,6 +182,26 @@ impl<const B: usize, const M: usize> Point<B, M> {
             f.iter_mut().zip(a).for_each(|(row, a)| axpy(*a, &per_force, row));
         }
     }
+
+    /// Adds weight x aᵀ e to the basic deformations.
+    #[inline]
+    pub(super) fn add_deformations(&self, weight: f64, e: &[f64; M], v: &mut [f64; B]) {
+        self.rows.iter().zip(e).for_each(|(a, e)| axpy(weight * e, a, v));
+    }
+}
+
+/// Reads flexibilities, deformations and resultants of all sections anew.
+///
+/// # Errors
+/// A stiffness is singular.
+pub(super) fn read_all<const N: usize, const B: usize, const M: usize>(
+    member: &Member<N, B>,
+    points: &mut PerSection<Point<B, M>>,
+    trial: &[f64],
+    stiffness: Stiffness,
+) -> Result<(), MaterialError> {
+    let places = member.sections.iter().zip(points);
+    places.map(|(section, point)| point.read(section, trial, stiffness)).collect()
 }
 
 impl<const N: usize, const B: usize> Member<N, B> {

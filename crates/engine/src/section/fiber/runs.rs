@@ -1,6 +1,7 @@
 //! Points of a fiber section in the order in which their laws are evaluated.
 
 use super::Fiber;
+use super::joined::MAX_WORDS;
 use super::points::Points;
 use crate::material::{
     Material, MaterialError, ObservedColumns, Shift, Slot, Strain, Strains, Stresses, WatchesColumns,
@@ -12,8 +13,8 @@ use std::sync::Arc;
 
 /// Maximum number of points of a block; sizes a buffer on the stack.
 pub(super) const MAX_BLOCK_LENGTH: usize = 128;
-/// A block of no more points is not padded.
-const FEW_POINTS: usize = 2;
+/// A block of no more points is not padded. Of three points on, the copies of a joined evaluation take as long as it saves.
+pub(super) const FEW_POINTS: usize = 2;
 /// Distance of fibers that is round-off of their coordinates, as a part of the largest one.
 const SAME_PLACE: f64 = 1e-14;
 
@@ -178,6 +179,15 @@ impl RunBlock {
     /// Range of the laws' state variables.
     pub(super) fn words(&self, runs: &[FiberRun]) -> Range<usize> {
         self.at..self.at + self.points.len() * runs[self.runs.start].slot.material.state_len()
+    }
+
+    /// Returns true for points that leave most of a vector empty: they are worth being evaluated with those of other places.
+    pub(super) fn is_few(&self, runs: &[FiberRun]) -> bool {
+        let material = &runs[self.runs.start].slot.material;
+        self.runs.len() == 1
+            && self.points.len() <= FEW_POINTS
+            && material.block_len() > 1
+            && material.state_len() <= MAX_WORDS
     }
 
     /// Materials of the points; those of the padding are the last one.
