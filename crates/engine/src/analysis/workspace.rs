@@ -263,7 +263,9 @@ impl ElementMatrices {
             });
             matrices.sees_velocity |= traits.viscous || inertance.is_some();
             let opensees = e.element.opensees();
-            let followed = if compat { opensees } else { OpenSeesTraits::default() };
+            // OpenSees evaluates every element anew.
+            let kept = e.element.roles().kept_tangent;
+            let (followed, kept) = if compat { (opensees, None) } else { (OpenSeesTraits::default(), kept) };
             let [forces, reported] = [traits.rayleigh, traits.rayleigh || compat].map(|damped| {
                 let factors = if damped { e.rayleigh } else { Rayleigh::default() };
                 if inertance.is_some() {
@@ -281,8 +283,7 @@ impl ElementMatrices {
                 p_delta: tangent.beta_kc == 0.0 && e.element.small_beam().is_some_and(|b| b.p_delta.is_some()),
                 rates: traits.viscous || traits.elapses,
                 counts_calls: followed.calls.is_some(),
-                // OpenSees evaluates every element anew.
-                keeps_tangent: !compat && e.element.roles().kept_tangent.is_some(),
+                keeps_tangent: kept.is_some(),
                 initial_is_current: opensees.initial_is_current,
                 stiffness_as_mass: followed.stiffness_as_mass,
                 keeps_committed: followed.keeps_first_damping,
