@@ -1,9 +1,8 @@
 //! Response spectra of motions and pairs of them.
 
-mod oscillator;
 mod pair;
 
-pub use oscillator::{Oscillator, Peaks};
+pub use hysteron_engine::analysis::{Oscillator, Peaks};
 pub(crate) use pair::median;
 pub use pair::{Combination, PairSpectrum, gm_rot_i};
 
