@@ -12,6 +12,20 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 
+const ROTATION_DELTA: Arg = Arg::number("delta", "shift of the rotation delta");
+
+/// Points of a curve.
+const CURVE_POINTS: [Arg; 6] = [
+    Arg::number("x1", "deformation x 1"),
+    Arg::number("y1", "force y 1"),
+    Arg::number("x2", "deformation x 2"),
+    Arg::number("y2", "force y 2"),
+    Arg::number("x3", "deformation x 3"),
+    Arg::number("y3", "force y 3"),
+];
+const DELTA: Arg = Arg::number("delta", "shift of the drift delta");
+const RHOT: Arg = Arg::number("rhot", "ratio of hoops rhot");
+
 const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
 const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
 const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
@@ -96,21 +110,7 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
-            .arguments(&[
-                TAG,
-                SHEAR_ELEMENT,
-                RHO,
-                FC,
-                B,
-                H,
-                D,
-                SHEAR_FSW,
-                KDEG,
-                SHEAR_FRES,
-                DEF_TYPE,
-                FOR_TYPE,
-                Arg::new("delta", "shift of the drift"),
-            ])
+            .arguments(&[TAG, SHEAR_ELEMENT, RHO, FC, B, H, D, SHEAR_FSW, KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
             .groups(&[DRIFT]),
         make: shear,
     },
@@ -129,7 +129,7 @@ const CURVES: &[CurveKind] = &[
             AXIAL_FRES,
             DEF_TYPE,
             FOR_TYPE,
-            Arg::new("delta", "shift of the drift"),
+            DELTA,
             Arg::new("eleRemove", "0: the element is not removed at its failure"),
         ])
         .groups(&[DRIFT]),
@@ -143,12 +143,6 @@ const CURVES: &[CurveKind] = &[
             .arguments(&[
                 TAG,
                 SHEAR_ELEMENT,
-                Arg::number("x1", "deformation x 1"),
-                Arg::number("y1", "force y 1"),
-                Arg::number("x2", "deformation x 2"),
-                Arg::number("y2", "force y 2"),
-                Arg::number("x3", "deformation x 3"),
-                Arg::number("y3", "force y 3"),
                 Arg::new("Kdeg", "slope after failure, negative"),
                 Arg::new("Fres", "residual force"),
                 Arg::new(
@@ -157,7 +151,7 @@ const CURVES: &[CurveKind] = &[
                 ),
                 Arg::new("forType", "force: 0 of the spring, 1 shear of the element, 2 its axial load"),
             ])
-            .groups(&[DRIFT]),
+            .groups(&[DRIFT, &CURVE_POINTS]),
         make: three_point,
     },
     CurveKind {
@@ -188,11 +182,11 @@ const CURVES: &[CurveKind] = &[
             Arg::new("Acc", "area of the core"),
             Arg::new("ld", "development length of the longitudinal bars"),
             Arg::new("db", "diameter of the longitudinal bars"),
-            Arg::new("rhot", "ratio of hoops"),
+            RHOT,
             Arg::new("fc", "concrete strength, ksi"),
             Arg::new("fy", "yield stress of the longitudinal bars"),
             Arg::number("fyt", "yield stress of the hoops"),
-            Arg::new("delta", "shift of the rotation"),
+            ROTATION_DELTA,
         ]),
         make: rotation_shear,
     },
@@ -245,7 +239,7 @@ fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
         );
     }
     let (deformation, force) = watched(a)?;
-    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    let shift = a.optional_number(&DELTA)?.unwrap_or(0.0);
     let surface = LimitSurface::Shear { rho, fc, size, hoops, shift };
     Ok(LimitCurve { element, deformation, force, surface, slope, residual })
 }
@@ -263,7 +257,7 @@ fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
     let hoops = a.number(&AXIAL_FSW)?;
     let (slope, residual) = falling(a)?;
     let (deformation, force) = watched(a)?;
-    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    let shift = a.optional_number(&DELTA)?.unwrap_or(0.0);
     if a.left() > 0 && a.int("removal of the element eleRemove")? != 0 {
         return Err(a.refuse("elements are not removed at axial failure", "expected 0"));
     }
@@ -273,7 +267,7 @@ fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
 fn three_point(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
     let mut points = [[0.0; 2]; 3];
     for (i, point) in points.iter_mut().enumerate() {
-        *point = [a.nth_float("deformation x", i + 1)?, a.nth_float("force y", i + 1)?];
+        *point = [a.number(&CURVE_POINTS[2 * i])?, a.number(&CURVE_POINTS[2 * i + 1])?];
     }
     if !points.windows(2).all(|p| p[1][0] > p[0][0]) {
         return Err(a.refuse("the deformations of the points do not rise", "expected x1 < x2 < x3"));
@@ -333,11 +327,11 @@ fn column(a: &mut Args<'_>) -> Result<Column, Exception> {
         core: size(a, "area Acc of the core")?,
         development: size(a, "development length ld")?,
         bar: size(a, "bar diameter db")?,
-        hoops: a.float("ratio of hoops rhot")?.abs(),
+        hoops: a.number(&RHOT)?.abs(),
         fc: size(a, "concrete strength fc in ksi")?,
         fy: size(a, "yield stress fy")?,
         fyt: size(a, "yield stress fyt of the hoops")?,
-        shift: a.float("shift of the rotation delta")?,
+        shift: a.number(&ROTATION_DELTA)?,
     })
 }
 
