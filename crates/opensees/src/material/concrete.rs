@@ -279,7 +279,7 @@ fn concrete02_is(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
     let e0 = a.read(interp, &E0)?;
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
-    Ok(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }.shared())
+    Ok(Concrete02Is { e0, concrete: Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets } }.shared())
 }
 
 fn concrete06(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

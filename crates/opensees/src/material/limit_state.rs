@@ -1,7 +1,7 @@
 //! `limitCurve`, and the springs that fail at one.
 
 use super::Kind;
-use super::hysteretic::{POINTS, UNLOADING_EXPONENT, envelope};
+use super::hysteretic::{ENVELOPE, PINCHING_AND_DAMAGE, POINTS, UNLOADING_EXPONENT, envelope};
 use crate::args::Args;
 use crate::text::{Arg, Text};
 use crate::things;
@@ -26,10 +26,6 @@ const CURVE_POINTS: [Arg; 6] = [
 const DELTA: Arg = Arg::number("delta", "shift of the drift delta");
 const RHOT: Arg = Arg::number("rhot", "ratio of hoops rhot");
 
-const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
-const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
-const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
-const DAMAGE2: Arg = Arg::number("damage2", "damage by energy damage2");
 const TAG: Arg = Arg::whole("tag", "tag of the limit curve");
 const SHEAR_ELEMENT: Arg = Arg::whole("element", "tag of the element");
 const RHO: Arg = Arg::not_negative("rho", "ratio of hoops rho");
@@ -69,24 +65,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     )
     .example("uniaxialMaterial LimitState 77 1 1 1 2 -1 -1 1 -2 1 1 1 1")
     .points(POINTS)
+    .groups(&[&ENVELOPE[0], &ENVELOPE[1], &PINCHING_AND_DAMAGE, &[UNLOADING_EXPONENT]])
     .arguments(&[
-        Arg::number("s1p", "stress 1 in tension"),
-        Arg::number("e1p", "strain 1 in tension"),
-        Arg::number("s2p", "stress 2 in tension"),
-        Arg::number("e2p", "strain 2 in tension"),
-        Arg::new("s3p", "third point; without it the second is the last"),
-        Arg::new("e3p", "strain of the third point"),
-        Arg::number("s1n", "stress 1 in compression"),
-        Arg::number("e1n", "strain 1 in compression"),
-        Arg::number("s2n", "stress 2 in compression"),
-        Arg::number("e2n", "strain 2 in compression"),
-        Arg::new("s3n", "third point; without it the second is the last"),
-        Arg::new("e3n", "strain of the third point"),
-        PINCH_X,
-        PINCH_Y,
-        DAMAGE1,
-        DAMAGE2,
-        UNLOADING_EXPONENT,
         Arg::new("curve", "tag of a limit curve"),
         Arg::new("curveType", "1: a spring that loses axial load; 0: no curve; else a spring that loses shear"),
         Arg::new("degrade", "1: the largest deformation of one side counts for the other one too"),
@@ -339,8 +319,8 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow, then the curve.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let sides = [envelope(a, points, 1.0)?, envelope(a, points, -1.0)?];
-    let pinch = [a.number(&PINCH_X)?, a.number(&PINCH_Y)?];
-    let damage = [a.number(&DAMAGE1)?, a.number(&DAMAGE2)?];
+    let [pinch_x, pinch_y, damage1, damage2] = a.read_all(interp, &PINCHING_AND_DAMAGE)?;
+    let (pinch, damage) = ([pinch_x, pinch_y], [damage1, damage2]);
     let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     let (mut curve, mut symmetric) = (None, false);
     if a.left() > 0 {
