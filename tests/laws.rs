@@ -17,6 +17,10 @@ mod class_tags;
 mod component;
 #[path = "laws/corotational.rs"]
 mod corotational;
+#[path = "laws/declared_calls.rs"]
+mod declared_calls;
+#[path = "laws/declared_numbers.rs"]
+mod declared_numbers;
 #[path = "laws/deterioration.rs"]
 mod deterioration;
 #[path = "laws/driver.rs"]

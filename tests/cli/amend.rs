@@ -130,7 +130,7 @@ fn mistakes_are_reported() {
         ("amend element 1 yeilding -force 1", "did you mean \"yielding\"?"),
         ("amend element 1 yielding -hardening 0.1", "-force $value is missing"),
         ("amend element 1 yielding -force -1", "yield force is -1"),
-        ("amend element 1 yielding -force 1 -hardening 1", "expected 0 to below 1"),
+        ("amend element 1 yielding -force 1 -hardening 1", "a number from 0 to below 1"),
         ("amend element 1 yielding -forse 1", "did you mean \"-force\"?"),
         ("amend element 1 yielding -force 1 -dir 2", "has no direction 2; it has 1"),
         ("amend section 1 yielding", "unknown thing to amend"),

@@ -7,7 +7,7 @@ mod switches;
 mod unknown_words;
 
 use crate::checks::words;
-use crate::text::Domain;
+use crate::text::{Arg, Domain};
 use crate::{Tcl, check, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
@@ -225,37 +225,14 @@ impl<'a> Args<'a> {
         if domain.holds(x) { Ok(x) } else { Err(self.out_of_range(format!("{what} is {x}"), label())) }
     }
 
+    /// Number of numbers that come next.
+    pub(crate) fn numbers_ahead(&self) -> usize {
+        self.ahead().take_while(|v| v.as_f64().is_some()).count()
+    }
+
     /// A finite number.
     pub(crate) fn float(&mut self, what: &str) -> Result<f64, Exception> {
         self.within(&what, Domain::Number)
-    }
-
-    /// A number greater than zero.
-    pub(crate) fn positive(&mut self, what: &str) -> Result<f64, Exception> {
-        self.within(&what, Domain::Positive)
-    }
-
-    /// A number not less than zero.
-    pub(crate) fn not_negative(&mut self, what: &str) -> Result<f64, Exception> {
-        self.within(&what, Domain::NotNegative)
-    }
-
-    /// A number that ought to be greater than zero, though OpenSees takes any: see [`Self::doubt`].
-    pub(crate) fn usually_positive(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
-        let x = self.float(what)?;
-        if x <= 0.0 {
-            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number greater than 0"))?;
-        }
-        Ok(x)
-    }
-
-    /// A number that ought not to be less than zero, though OpenSees takes any: see [`Self::doubt`].
-    pub(crate) fn usually_not_negative(&mut self, interp: &mut Tcl, what: &str) -> Result<f64, Exception> {
-        let x = self.float(what)?;
-        if x < 0.0 {
-            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, a number not less than 0"))?;
-        }
-        Ok(x)
     }
 
     /// The last word taken has no meaning, though OpenSees computes with it: an error, and a warning under `--compat opensees`.
@@ -285,16 +262,6 @@ impl<'a> Args<'a> {
             interp,
             Diagnostic::warning(&words::OUT_OF_RANGE, message).at(span, label).help("OpenSees computes with it"),
         )
-    }
-
-    /// A finite number that is one of several, counted from 1: the message of an error names it.
-    pub(crate) fn nth_float(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
-        self.within(&format_args!("{what} {i}"), Domain::Number)
-    }
-
-    /// The same for a number not less than zero.
-    pub(crate) fn nth_not_negative(&mut self, what: &str, i: usize) -> Result<f64, Exception> {
-        self.within(&format_args!("{what} {i}"), Domain::NotNegative)
     }
 
     /// A number, where the next word is one.
@@ -385,7 +352,8 @@ impl<'a> Args<'a> {
     }
 
     /// A count, at least one.
-    pub(crate) fn count(&mut self, what: &str) -> Result<usize, Exception> {
+    pub(crate) fn count(&mut self, arg: &Arg) -> Result<usize, Exception> {
+        let what = arg.meaning;
         match self.int(what)? {
             i if i >= 1 => Ok(i as usize),
             i => Err(self.out_of_range(format!("{what} is {i}"), format!("expected the {what}, at least 1"))),
@@ -394,18 +362,18 @@ impl<'a> Args<'a> {
 
     /// Counts whose product is the number of parts that a command makes: at least 1 each, and at most [`MAX_PARTS`] together,
     /// since a slip of some zeros would take all memory.
-    pub(crate) fn parts<const N: usize>(&mut self, what: [&str; N]) -> Result<[usize; N], Exception> {
+    pub(crate) fn parts<const N: usize>(&mut self, args: [&Arg; N]) -> Result<[usize; N], Exception> {
         let (mut counts, mut parts) = ([1; N], 1_usize);
-        for (count, what) in counts.iter_mut().zip(what) {
-            *count = self.parts_of(parts, what)?;
+        for (count, arg) in counts.iter_mut().zip(args) {
+            *count = self.parts_of(parts, arg)?;
             parts = parts.saturating_mul(*count);
         }
         Ok(counts)
     }
 
     /// A count that multiplies the number of parts that a command makes so far; see [`Self::parts`].
-    pub(crate) fn parts_of(&mut self, parts: usize, what: &str) -> Result<usize, Exception> {
-        let count = self.count(what)?;
+    pub(crate) fn parts_of(&mut self, parts: usize, arg: &Arg) -> Result<usize, Exception> {
+        let count = self.count(arg)?;
         let parts = parts.saturating_mul(count);
         if parts > MAX_PARTS {
             let message = format!("{parts} parts are more than one command can make");

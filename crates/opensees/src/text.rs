@@ -1,6 +1,6 @@
 //! Texts of the reference about a command or a kind, which stand in its row.
 
-mod any_command;
+pub(crate) mod any_command;
 
 use std::borrow::Cow;
 
@@ -25,6 +25,8 @@ pub enum Domain {
     Negative,
     /// A whole number.
     Whole,
+    /// A whole number not less than 1.
+    Count,
     /// The tag of a thing that is there; the meaning names its kind.
     Tag,
 }
@@ -34,6 +36,7 @@ impl Domain {
     pub(crate) fn holds(self, x: f64) -> bool {
         match self {
             Self::Number | Self::Whole | Self::Tag => true,
+            Self::Count => x >= 1.0,
             Self::Positive | Self::UsuallyPositive => x > 0.0,
             Self::NotNegative | Self::UsuallyNotNegative => x >= 0.0,
             Self::Negative => x < 0.0,
@@ -52,6 +55,7 @@ impl Domain {
             Self::Ratio => "a number from 0 to below 1",
             Self::Fraction => "a number from 0 to 1",
             Self::Whole | Self::Tag => "a whole number",
+            Self::Count => "a whole number not less than 1",
         }
     }
 
@@ -63,11 +67,14 @@ impl Domain {
     /// The domain in the tables of the reference.
     pub fn told(self) -> &'static str {
         match self {
-            Self::Number | Self::Fraction | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
+            Self::Fraction => "number, 0 to 1",
+            Self::Ratio => "number ≥ 0 and < 1",
+            Self::Number | Self::UsuallyPositive | Self::UsuallyNotNegative => "number",
             Self::Positive => "number > 0",
             Self::Negative => "number < 0",
-            Self::NotNegative | Self::Ratio => "number ≥ 0",
+            Self::NotNegative => "number ≥ 0",
             Self::Whole | Self::Tag => "whole number",
+            Self::Count => "whole number ≥ 1",
         }
     }
 }
@@ -133,6 +140,11 @@ impl Arg {
         Self::of_domain(name, meaning, Domain::Whole)
     }
 
+    /// A whole number not less than 1, by position.
+    pub(crate) const fn count(name: &'static str, meaning: &'static str) -> Self {
+        Self::of_domain(name, meaning, Domain::Count)
+    }
+
     /// The tag of a thing of a kind, by position.
     pub(crate) const fn thing(name: &'static str, kind: &'static str) -> Self {
         Self::of_domain(name, kind, Domain::Tag)
@@ -141,6 +153,12 @@ impl Arg {
     /// The same argument as a number of a domain.
     pub(crate) const fn within(mut self, domain: Domain) -> Self {
         self.domain = Some(domain);
+        self
+    }
+
+    /// The same argument under another name in the usage.
+    pub(crate) const fn called(mut self, name: &'static str) -> Self {
+        self.name = name;
         self
     }
 

@@ -12,19 +12,26 @@ use hysteron_engine::analysis::algorithm::{
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const HALL_INITIAL: Arg = Arg::of("-Hall", "initial", "share of the initial tangent").within(Domain::Number);
+const HALL_CURRENT: Arg = Arg::of("-Hall", "current", "share of the current tangent").within(Domain::Number);
+const CUT_OUT_R1: Arg = Arg::of("-cutOut", "R1", "limit R1 of the scale").within(Domain::Positive);
+const CUT_OUT_R2: Arg = Arg::of("-cutOut", "R2", "limit R2 of the added part").within(Domain::Positive);
+const CORRECTIONS: Arg = Arg::count("corrections", "number of corrections");
+
 const TOL_TOLERANCE: Arg = Arg::of("-tol", "tolerance", "tolerance of the line search").within(Domain::Positive);
-const MAX_ITER_N: Arg = Arg::of("-maxIter", "n", "largest number of steps of the search").within(Domain::Whole);
+const MAX_ITER_N: Arg = Arg::of("-maxIter", "n", "largest number of steps of the search").within(Domain::Count);
 const MIN_ETA_ETA: Arg = Arg::of("-minEta", "eta", "shortest length").within(Domain::Number);
 const MAX_ETA_ETA: Arg = Arg::of("-maxEta", "eta", "longest length").within(Domain::Number);
 const INCREMENT_TANGENT: Arg = Arg::of("-increment", "tangent", "tangent: current, initial or noTangent");
 const ITERATE_TANGENT: Arg = Arg::of("-iterate", "tangent", "tangent: current, initial or noTangent");
-const NUM_TERMS_N: Arg = Arg::of("-numTerms", "n", "number of terms").within(Domain::Whole);
+const NUM_TERMS_N: Arg = Arg::of("-numTerms", "n", "number of terms").within(Domain::Count);
 const COUNT_CORRECTIONS: Arg =
-    Arg::of("-count", "corrections", "number of corrections with one tangent").within(Domain::Whole);
+    Arg::of("-count", "corrections", "number of corrections with one tangent").within(Domain::Count);
+const MAX_DIM: Arg = Arg::of("-maxDim", "n", "largest dimension of the subspace").within(Domain::Count);
 const FACTOR: Arg = Arg::positive("factor", "factor of the stiffness");
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("algorithm", ALGORITHM, algorithm)
-    .arguments(&[Arg::of("-maxDim", "n", "largest dimension of the subspace").within(Domain::Whole)])
+    .arguments(&[MAX_DIM])
     .about("Chooses the solution algorithm of a step.")
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -42,8 +49,8 @@ fn tangent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentChoice, bool), 
                 choice = TangentChoice::InitialThenCurrent;
             }
             "-Hall" | "-hall" => {
-                let initial = a.optional_float("share of the initial tangent")?.unwrap_or(0.1);
-                let current = a.optional_float("share of the current tangent")?.unwrap_or(0.9);
+                let initial = a.optional_number(&HALL_INITIAL)?.unwrap_or(0.1);
+                let current = a.optional_number(&HALL_CURRENT)?.unwrap_or(0.9);
                 choice = TangentChoice::Always(TangentMix { current, initial });
             }
             "-secant" | "-Secant" => no_secant(interp, a)?,
@@ -86,18 +93,15 @@ const KINDS: &[Kind] = &[
                 "-initialThenCurrent",
                 "forms the tangent of the first iteration at the initial state, the others at the current one",
             ),
-            Arg::of("-Hall", "initial", "share of the initial tangent").within(Domain::Number),
-            Arg::of("-Hall", "current", "share of the current tangent").within(Domain::Number),
+            HALL_INITIAL,
+            HALL_CURRENT,
         ]),
         make: |interp, a| Ok(Box::new(Newton::new(tangent(interp, a)?.0))),
     },
     Kind {
         names: &["ModifiedNewton"],
         usage: "algorithm ModifiedNewton <-initial | -Hall <$initial $current>> <-factorOnce>",
-        text: Text::new("One tangent for the whole step.").arguments(&[
-            Arg::of("-Hall", "initial", "share of the initial tangent").within(Domain::Number),
-            Arg::of("-Hall", "current", "share of the current tangent").within(Domain::Number),
-        ]),
+        text: Text::new("One tangent for the whole step.").arguments(&[HALL_INITIAL, HALL_CURRENT]),
         make: |interp, a| {
             let (choice, once) = tangent(interp, a)?;
             Ok(Box::new(ModifiedNewton::new(mix(choice), once)))
@@ -132,8 +136,8 @@ const KINDS: &[Kind] = &[
             INCREMENT_TANGENT,
             ITERATE_TANGENT,
             NUM_TERMS_N,
-            Arg::of("-cutOut", "R1", "limit R1 of the scale").within(Domain::Positive),
-            Arg::of("-cutOut", "R2", "limit R2 of the added part").within(Domain::Positive),
+            CUT_OUT_R1,
+            CUT_OUT_R2,
         ]),
         make: |interp, a| secant(interp, a, false),
     },
@@ -167,8 +171,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["ExpressNewton"],
         usage: "algorithm ExpressNewton <$corrections> <$factor> <-initialTangent | -currentTangent> <-factorOnce>",
-        text: Text::new("A fixed number of corrections a step.")
-            .arguments(&[Arg::new("corrections", "number of corrections a step"), FACTOR]),
+        text: Text::new("A fixed number of corrections a step.").arguments(&[CORRECTIONS, FACTOR]),
         make: express,
     },
 ];
@@ -202,7 +205,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
     let mut search = LineSearch::new(SearchKind::InitialInterpolated);
     // The old form: a number is the tolerance.
-    if let Some(tolerance) = a.optional_float("tolerance of the line search")? {
+    if let Some(tolerance) = a.optional_number(&TOL_TOLERANCE)? {
         search.tolerance = tolerance;
     }
     while let Some(option) = a.option() {
@@ -220,7 +223,7 @@ fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
                 };
             }
             "-tol" | "-tolerance" => search.tolerance = a.number(&TOL_TOLERANCE)?,
-            "-maxIter" => search.max_iterations = a.count(MAX_ITER_N.meaning)?,
+            "-maxIter" => search.max_iterations = a.count(&MAX_ITER_N)?,
             "-minEta" => search.min_eta = a.number(&MIN_ETA_ETA)?,
             "-maxEta" => search.max_eta = a.number(&MAX_ETA_ETA)?,
             "-pFlag" | "-flag" => drop(a.int("print flag")?),
@@ -262,14 +265,14 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
             }
             "-maxDim" => {
                 // Each dimension keeps two vectors of the model.
-                t.period = at_most(a, MAX_CORRECTIONS, "largest dimension of the subspace")?;
+                t.period = at_most(a, MAX_CORRECTIONS, &MAX_DIM)?;
             }
             "-factorOnce" | "-FactorOnce" | "-factoronce" | "-factorIncrementOnce" | "-FactorIncrementOnce" => {
                 t.once = true;
             }
-            "-numTerms" if secant => o.terms = a.count(NUM_TERMS_N.meaning)?,
+            "-numTerms" if secant => o.terms = a.count(&NUM_TERMS_N)?,
             "-cutOut" | "-cutout" if secant => {
-                o.cut_out = Some((a.positive("limit R1 of the scale")?, a.positive("limit R2 of the added part")?));
+                o.cut_out = Some((a.number(&CUT_OUT_R1)?, a.number(&CUT_OUT_R2)?));
             }
             _ => {
                 ignore_option(interp, a, &["-increment", "-iterate", "-maxDim", "-factorOnce", "-numTerms", "-cutOut"])?
@@ -300,8 +303,9 @@ fn secant(interp: &mut Tcl, a: &mut Args<'_>, periodic: bool) -> AlgorithmResult
 const MAX_CORRECTIONS: usize = 1000;
 
 /// A count that is bounded.
-fn at_most(a: &mut Args<'_>, most: usize, what: &str) -> Result<usize, Exception> {
-    match a.count(what)? {
+fn at_most(a: &mut Args<'_>, most: usize, arg: &Arg) -> Result<usize, Exception> {
+    let what = arg.meaning;
+    match a.count(arg)? {
         n if n <= most => Ok(n),
         n => Err(a.refuse(format!("{what} is {n}"), format!("expected 1 to {most}"))),
     }
@@ -314,7 +318,7 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
         match option.as_ref() {
             "-initial" | "initial" => mix = TangentMix::INITIAL,
             "-current" => mix = TangentMix::CURRENT,
-            "-count" => count = a.count(COUNT_CORRECTIONS.meaning)?,
+            "-count" => count = a.count(&COUNT_CORRECTIONS)?,
             "-secant" => no_secant(interp, a)?,
             // The number alone is an old form.
             _ if a.last_word().parse::<usize>().is_ok_and(|n| n > 0) => count = a.last_word().parse().unwrap_or(count),
@@ -329,7 +333,7 @@ fn quasi_newton(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentMix, usize
 }
 
 fn express(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
-    let corrections = if a.at_number() { a.count("number of corrections")? } else { 2 };
+    let corrections = if a.at_number() { a.count(&CORRECTIONS)? } else { 2 };
     let factor = if a.at_number() { a.number(&FACTOR)? } else { 1.0 };
     let (mut initial, mut once) = (false, false);
     while let Some(option) = a.option() {

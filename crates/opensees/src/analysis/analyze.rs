@@ -11,7 +11,7 @@ use crate::model::parameter_change;
 use crate::output::collapse;
 use crate::session::{Parts, Session};
 use crate::slips;
-use crate::text::{Arg, Text, WITHOUT_EFFECT};
+use crate::text::{Arg, Domain, Text, WITHOUT_EFFECT};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind, warn};
 use hysteron_engine::analysis::algorithm::{Algorithm, Newton, TangentChoice};
@@ -24,7 +24,14 @@ use hysteron_engine::assembly::Handler;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Severity, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
-const COUNT: Arg = Arg::whole("count", "number of modes");
+const DT: Arg = Arg::positive("dt", "step of time dt");
+/// The step of an integrator whose steps take no time.
+const DT_OR_0: Arg = DT.within(Domain::NotNegative);
+const DT_MIN: Arg = Arg::positive("dtMin", "smallest step dtMin");
+const DT_MAX: Arg = Arg::positive("dtMax", "largest step dtMax");
+const ITERATIONS: Arg = Arg::count("Jd", "number of iterations wanted");
+
+const COUNT: Arg = Arg::count("count", "number of modes");
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("analysis", ANALYSIS, analysis)
@@ -35,9 +42,9 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Makes steps; returns 0 or a negative [code](../conventions.md#return-values-of-analyze).")
         .arguments(&[
             Arg::new("steps", "number of steps"),
-            Arg::new("dt", "time step"),
-            Arg::new("dtMin", "shortest time step"),
-            Arg::new("dtMax", "longest time step"),
+            DT,
+            DT_MIN,
+            DT_MAX,
             Arg::new("iterations", "iterations wanted"),
         ]),
     Command::new("eigen", EIGEN, eigen)
@@ -175,8 +182,8 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     let elapses = interp.host.engine.setup().is_none_or(|s| s.integrator.elapses());
     let dt = match kind {
-        Kind::Transient if elapses => a.positive("step of time dt")?,
-        Kind::Transient => a.not_negative("step of time dt")?,
+        Kind::Transient if elapses => a.number(&DT)?,
+        Kind::Transient => a.number(&DT_OR_0)?,
         Kind::Static => 0.0,
     };
     let lengths = if interp.host.parts.variable_steps && a.left() > 0 { Some(step_lengths(&mut a)?) } else { None };
@@ -298,12 +305,12 @@ pub(crate) fn warn_of_missing(interp: &mut Tcl) -> Result<(), Exception> {
 
 /// Smallest and largest step of time, and the iterations that a step should take.
 fn step_lengths(a: &mut Args<'_>) -> Result<Adaptive, Exception> {
-    let min = a.positive("smallest step dtMin")?;
-    let max = a.positive("largest step dtMax")?;
+    let min = a.number(&DT_MIN)?;
+    let max = a.number(&DT_MAX)?;
     if max < min {
         return Err(a.refuse(format!("the largest step is {max}"), format!("expected at least the smallest, {min}")));
     }
-    Ok(Adaptive { desired_iterations: a.count("number of iterations wanted")?, min, max })
+    Ok(Adaptive { desired_iterations: a.count(&ITERATIONS)?, min, max })
 }
 
 /// Warn, once, of constraints that OpenSees' `Plain` handler does not follow and ours does.
@@ -390,7 +397,7 @@ fn eigen(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
     }
-    let count = a.count(COUNT.meaning)?;
+    let count = a.count(&COUNT)?;
     let span = a.last_span();
     if interp.host.mode == Mode::Check {
         interp.host.overview.note_analysis(call.span(0));

@@ -9,13 +9,12 @@ use hysteron_engine::model::ModalDamping;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Value};
 
+const RATIO: Arg = Arg::not_negative("ratio", "damping ratio");
+
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("modalDamping", USAGE, |i, c| modal_damping(i, c, true))
         .about("Damps modes that `eigen` has found, each by a ratio.")
-        .arguments(&[
-            Arg::new("ratio", "damping ratio of all modes"),
-            Arg::new("ratio1", "damping ratio of the first mode"),
-        ]),
+        .arguments(&[RATIO, Arg::new("ratio1", "damping ratio of the first mode")]),
     Command::new("modalDampingQ", USAGE, |i, c| modal_damping(i, c, false))
         .about("As `modalDamping`, in the forces only and not in the tangent."),
 ];
@@ -28,9 +27,9 @@ fn modal_damping(interp: &mut Tcl, call: &Call<'_>, in_tangent: bool) -> Outcome
         let e = a.refuse_at(call.span(0), "there are no modes to damp", "expected a command \"eigen\" before");
         return Err(e.absent(Absent::new(things::MODE, "")));
     };
-    let mut ratios = vec![a.not_negative("damping ratio")?];
+    let mut ratios = vec![a.number(&RATIO)?];
     while a.left() > 0 {
-        ratios.push(a.not_negative("damping ratio")?);
+        ratios.push(a.number(&RATIO)?);
     }
     let count = modes.lambda.len();
     if ratios.len() == 1 {

@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::checks;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::analysis::ModalProperties;
@@ -10,6 +10,10 @@ use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::TAU;
+
+const PERIODS: Arg = Arg::of("-Tn", "periods", "periods").within(Domain::NotNegative);
+const ACCELERATIONS: Arg = Arg::of("-Sa", "accelerations", "accelerations").within(Domain::NotNegative);
+const MODE: Arg = Arg::of("-mode", "mode", "number of the only mode").within(Domain::Count);
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis", USAGE, response_spectrum)
     .about(
@@ -19,10 +23,10 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("responseSpectrumAnalysis
     .arguments(&[
         Arg::thing("series", things::SERIES),
         Arg::thing("direction", things::SERIES),
-        Arg::of("-Tn", "periods", "periods of the spectrum"),
-        Arg::of("-Sa", "accelerations", "accelerations of the spectrum at these periods"),
+        PERIODS,
+        ACCELERATIONS,
         Arg::of("-scale", "factor", "has no effect in OpenSees either"),
-        Arg::of("-mode", "mode", "number of the only mode that is computed"),
+        MODE,
     ])];
 
 const USAGE: &str = "responseSpectrumAnalysis $series $direction | $direction -Tn $periods -Sa $accelerations \
@@ -49,10 +53,11 @@ impl Spectrum {
 }
 
 /// The numbers behind an option: words, or one word that is a list.
-fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
+fn numbers(a: &mut Args<'_>, arg: &Arg) -> Result<Vec<f64>, Exception> {
+    let what = arg.meaning;
     let mut out = vec![];
     while a.at_number() {
-        out.push(a.not_negative(what)?);
+        out.push(a.number(arg)?);
     }
     if out.is_empty() && a.left() > 0 {
         let word = a.word(what)?.into_owned();
@@ -83,15 +88,15 @@ fn response_spectrum(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (mut periods, mut accelerations, mut only) = (vec![], vec![], None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-Tn" => periods = numbers(&mut a, "periods")?,
-            "-Sa" => accelerations = numbers(&mut a, "accelerations")?,
+            "-Tn" => periods = numbers(&mut a, &PERIODS)?,
+            "-Sa" => accelerations = numbers(&mut a, &ACCELERATIONS)?,
             "-scale" => {
                 a.float("factor")?;
                 let message = "OpenSees takes -scale and does not use it: multiply the accelerations";
                 warn(interp, Diagnostic::warning(&checks::words::UNUSED_WORD, message).at(a.last_span(), "not used"))?;
             }
             "-damp" => drop(a.float("damping")?),
-            "-mode" => only = Some(a.count("mode")?),
+            "-mode" => only = Some(a.count(&MODE)?),
             _ => ignore_unknown(interp, &mut a)?,
         }
     }

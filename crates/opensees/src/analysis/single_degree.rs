@@ -8,24 +8,34 @@ use crate::{Command, Outcome, Tcl, ignore_unknown};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
+const M: Arg = Arg::positive("m", "mass m");
+const ZETA: Arg = Arg::not_negative("zeta", "damping ratio zeta");
+const K: Arg = Arg::positive("k", "stiffness k");
+const FY: Arg = Arg::positive("Fy", "yield force Fy");
+const ALPHA: Arg = Arg::not_negative("alpha", "hardening ratio alpha");
+const DT: Arg = Arg::positive("dt", "step dt");
+const RESIDUAL: Arg = Arg::of("-uresid", "u", "residual displacement").within(Domain::Number);
+const LARGEST: Arg = Arg::of("-umaxprev", "u", "earlier largest displacement").within(Domain::Number);
+const END: Arg = Arg::of("-tend", "t", "time of the end").within(Domain::Number);
+
 pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, respond)
     .about(
         "Returns the largest and the last displacement, the plastic one, the largest acceleration and its time of \
          an elastic-plastic system of one degree of freedom under a series of forces.",
     )
     .arguments(&[
-        Arg::positive("m", "mass"),
-        Arg::not_negative("zeta", "damping ratio of the elastic system"),
-        Arg::positive("k", "elastic stiffness"),
-        Arg::positive("Fy", "yield force"),
-        Arg::not_negative("alpha", "stiffness after yielding over the elastic one"),
+        M,
+        ZETA,
+        K,
+        FY,
+        ALPHA,
         Arg::whole("dtF", "step of the forces in the file"),
         Arg::new("file", "file of forces"),
         Arg::whole("series", "tag of a time series of forces"),
-        Arg::positive("dt", "step of the analysis"),
-        Arg::of("-uresid", "u", "residual displacement at the start").within(Domain::Number),
-        Arg::of("-umaxprev", "u", "largest displacement of before").within(Domain::Number),
-        Arg::of("-tend", "t", "time of the end; that of the series where it is left out").within(Domain::Number),
+        DT,
+        RESIDUAL,
+        LARGEST,
+        END,
     ])
     .leaving(Effect::Nothing)];
 
@@ -37,9 +47,9 @@ const MAX_STEPS: f64 = 1e8;
 
 fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
-    let (mass, damping) = (a.positive("mass m")?, a.not_negative("damping ratio zeta")?);
-    let (stiffness, yield_force) = (a.positive("stiffness k")?, a.positive("yield force Fy")?);
-    let hardening = a.not_negative("hardening ratio alpha")?;
+    let (mass, damping) = (a.number(&M)?, a.number(&ZETA)?);
+    let (stiffness, yield_force) = (a.number(&K)?, a.number(&FY)?);
+    let hardening = a.number(&ALPHA)?;
     if hardening >= 1.0 {
         return Err(a.refuse(format!("a hardening ratio of {hardening}"), "expected less than 1"));
     }
@@ -52,14 +62,14 @@ fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     } else {
         a.of(&interp.host.builder.definitions.series)?.0
     };
-    let dt = a.positive("step dt")?;
+    let dt = a.number(&DT)?;
     let (series, mut end) = (a.last_span(), force.end());
     let mut span = SingleDegreeSpan { dt, end: 0.0, residual: 0.0, largest: 0.0 };
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-uresid" | "-uresidual" => span.residual = a.float("residual displacement")?,
-            "-umaxprev" => span.largest = a.float("earlier largest displacement")?,
-            "-tend" => end = Some(a.float("time of the end")?),
+            "-uresid" | "-uresidual" => span.residual = a.number(&RESIDUAL)?,
+            "-umaxprev" => span.largest = a.number(&LARGEST)?,
+            "-tend" => end = Some(a.number(&END)?),
             _ => ignore_unknown(interp, &mut a)?,
         }
     }

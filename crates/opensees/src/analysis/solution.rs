@@ -10,18 +10,19 @@ use hysteron_engine::assembly::Handler;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const PENALTY_ALPHA_S: Arg =
+    Arg::of_domain("alphaS", "penalty alphaS of single-point constraints", Domain::UsuallyNotNegative);
+const PENALTY_ALPHA_M: Arg =
+    Arg::of_domain("alphaM", "penalty alphaM of multi-point constraints", Domain::UsuallyNotNegative);
 const LAGRANGE_ALPHA_S: Arg = Arg::number("alphaS", "factor alphaS");
 const LAGRANGE_ALPHA_M: Arg = Arg::number("alphaM", "factor alphaM");
-const ITERATIONS: Arg = Arg::whole("iterations", "largest number of iterations");
+const ITERATIONS: Arg = Arg::count("iterations", "largest number of iterations");
 const TOL_DISP: Arg = Arg::of_domain("tolDisp", "tolerance", Domain::UsuallyNotNegative);
 const TOL_UNBALANCE: Arg = Arg::not_negative("tolUnbalance", "tolerance of the unbalance");
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("constraints", CONSTRAINTS, constraints)
-        .arguments(&[
-            Arg::number("alphaS", "penalty alphaS of single-point constraints"),
-            Arg::number("alphaM", "penalty alphaM of multi-point constraints"),
-        ])
+        .arguments(&[PENALTY_ALPHA_S, PENALTY_ALPHA_M])
         .about("Chooses how constraints are enforced.")
         .with_kinds(|| kind::usages(HANDLERS)),
     Command::new("numberer", NUMBERER, numberer)
@@ -33,8 +34,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("test", TEST, test)
         .about("Chooses the test of convergence.")
         .arguments(&[
-            Arg::number("tolerance", "tolerance of the norm"),
-            Arg::whole("maxIterations", "most iterations"),
+            TOL_DISP.called("tolerance"),
+            ITERATIONS.called("maxIterations"),
             Arg::number("printFlag", "what the test prints, 0 to 5"),
             Arg::number("norm", "norm: 0 largest, 1 sum, 2 square root of the sum of squares"),
         ])
@@ -55,10 +56,8 @@ const HANDLERS: &[Kind<MakeHandler>] = &[
     Kind {
         names: &["Penalty"],
         usage: "constraints Penalty $alphaS $alphaM",
-        text: Text::new("Constraints by stiff springs of given penalty factors.").arguments(&[
-            Arg::number("alphaS", "penalty alphaS of single-point constraints"),
-            Arg::number("alphaM", "penalty alphaM of multi-point constraints"),
-        ]),
+        text: Text::new("Constraints by stiff springs of given penalty factors.")
+            .arguments(&[PENALTY_ALPHA_S, PENALTY_ALPHA_M]),
         make: penalty,
     },
     Kind {
@@ -76,14 +75,14 @@ fn transformation(_: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
 }
 
 fn penalty(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Handler, Exception> {
-    let single = penalty_of(interp, a, "penalty alphaS of single-point constraints")?;
-    let multi = penalty_of(interp, a, "penalty alphaM of multi-point constraints")?;
+    let single = penalty_of(interp, a, &PENALTY_ALPHA_S)?;
+    let multi = penalty_of(interp, a, &PENALTY_ALPHA_M)?;
     Ok(Handler::Penalty { single, multi })
 }
 
 /// A penalty. One of 0 gives the matrices of the model without its constraints, which some programs ask for.
-fn penalty_of(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let x = a.usually_not_negative(interp, what)?;
+fn penalty_of(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg) -> Result<f64, Exception> {
+    let (x, what) = (a.read(interp, arg)?, arg.meaning);
     if x == 0.0 {
         let message = format!("{what} is 0: the analysis does without them");
         let d = Diagnostic::warning(&checks::analysis::NO_PENALTY, message);

@@ -8,32 +8,40 @@ use hysteron_tcl::Exception;
 impl Args<'_> {
     /// A number of the domain that is declared. What only OpenSees takes is for the session to judge.
     pub(crate) fn read(&mut self, interp: &mut Tcl, arg: &Arg) -> Result<f64, Exception> {
-        match arg.domain {
-            Some(Domain::UsuallyPositive) => self.usually_positive(interp, arg.meaning),
-            Some(Domain::UsuallyNotNegative) => self.usually_not_negative(interp, arg.meaning),
-            _ => self.number(arg),
+        let Some(domain) = arg.domain.filter(|domain| domain.is_usual()) else { return self.number(arg) };
+        let what = arg.meaning;
+        let x = self.float(what)?;
+        if !domain.holds(x) {
+            self.doubt(interp, format!("{what} is {x}"), format!("expected the {what}, {}", domain.expected()))?;
         }
+        Ok(x)
     }
 
     /// The same without a session: what only OpenSees takes is refused.
     pub(crate) fn number(&mut self, arg: &Arg) -> Result<f64, Exception> {
         let what = arg.meaning;
-        match arg.domain {
-            Some(Domain::Positive | Domain::UsuallyPositive) => self.positive(what),
-            Some(Domain::NotNegative | Domain::UsuallyNotNegative) => self.not_negative(what),
-            Some(Domain::Negative) => self.within(&what, Domain::Negative),
-            Some(Domain::Ratio) => {
-                let x = self.not_negative(what)?;
-                if x < 1.0 { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected 0 to below 1")) }
-            }
-            Some(Domain::Fraction) => {
-                let x = self.float(what)?;
-                let within = (0.0..=1.0).contains(&x);
-                if within { Ok(x) } else { Err(self.refuse(format!("{what} is {x}"), "expected a number 0 to 1")) }
-            }
-            Some(Domain::Whole | Domain::Tag) => self.int(what).map(f64::from),
-            Some(Domain::Number) | None => self.float(what),
+        match arg.domain.unwrap_or(Domain::Number) {
+            Domain::Count => self.count(arg).map(|n| n as f64),
+            Domain::Whole | Domain::Tag => self.int(what).map(f64::from),
+            domain => self.within(&what, domain),
         }
+    }
+
+    /// A number that is one of several, counted from 1: the message of an error names it.
+    pub(crate) fn nth_number(&mut self, arg: &Arg, i: usize) -> Result<f64, Exception> {
+        self.within(&format_args!("{} {i}", arg.meaning), arg.domain.unwrap_or(Domain::Number))
+    }
+
+    /// Numbers that have been read as a list, each in its domain. The error points at the last word taken.
+    pub(crate) fn judge(&self, args: &[&Arg], numbers: &[f64]) -> Result<(), Exception> {
+        for (arg, x) in args.iter().zip(numbers) {
+            let (what, domain) = (arg.meaning, arg.domain.unwrap_or(Domain::Number));
+            if !domain.holds(*x) {
+                let label = format!("expected the {what}, {}", domain.expected());
+                return Err(self.out_of_range(format!("{what} is {x}"), label));
+            }
+        }
+        Ok(())
     }
 
     /// Numbers one after the other.

@@ -6,13 +6,18 @@ use crate::args::Args;
 use crate::load::amended_node::amend_node;
 use crate::model::nodes::need_model;
 use crate::model::parameter_change;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::{Amendment, Share};
 use hysteron_engine::model::ElementId;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
+
+const SHARE_K: Arg = Arg::of("-share", "k", "stiffness of the elastic part").within(Domain::NotNegative);
+const SHARE_ELASTIC: Arg =
+    Arg::of("-share", "elastic", "measure in which it acts on the elastic part").within(Domain::Number);
+const SHARE_REST: Arg = Arg::of("-share", "rest", "measure in which it acts on the rest").within(Domain::Number);
 
 const TAG: Arg = Arg::whole("tag", "tag of the element");
 const KIND: Arg = Arg::new("kind", "kind of amendment");
@@ -26,12 +31,9 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
         Arg::of("-option", "value", "options of the kind, below"),
         Arg::of("-axial", "dir", "direction that carries the axial force"),
         Arg::of("-axialSeries", "ts", "tag of a series of the compression"),
-        Arg::of(
-            "-share",
-            "k",
-            "stiffness of the elastic part, and measures 0 to 1 in which a factor acts on it and on \
-             the rest",
-        ),
+        SHARE_K,
+        SHARE_ELASTIC,
+        SHARE_REST,
         Arg::of("-strengthBeside", "k", "stiffness of the elastic part: a factor acts on the strength of the rest"),
         Arg::of("-range", "U", "largest deformation, speed and time for which the law was made"),
         Arg::of(
@@ -72,11 +74,11 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("amend", USAGE, amend)
             "time, s, by which a uniform excitation reaches the support later; negative for earlier",
         ),
         Arg::new("name", "name of a number that `pset` declares"),
-        Arg::of("-factor", "f", "factor on that number in the time"),
-        Arg::of("-from", "t1", "domain time from which it has the other value; the beginning where it is left out"),
-        Arg::of("-reached", "t2", "domain time at which it has the whole of the other value; a ramp begins at `-from`"),
-        Arg::of("-to", "t3", "domain time up to which it has it; the end where it is left out"),
-        Arg::of("-recovered", "t4", "domain time at which it has its own value again; the way back begins at `-to`"),
+        parameter_change::FACTOR,
+        parameter_change::FROM,
+        parameter_change::REACHED,
+        parameter_change::TO,
+        parameter_change::RECOVERED,
     ])];
 
 const USAGE: &str = "amend element $tag <$tag ...> $kind -option $value ... <-dir $dir1 <$dir2>> <-axial $dir | -axialSeries $ts> <-share $k $elastic <$rest> | -strengthBeside $k> | \
@@ -143,12 +145,12 @@ impl Words {
                 "-share" | "-strengthBeside" if share != Share::default() => {
                     return Err(a.refuse("two words for what the factor acts on", "expected -share or -strengthBeside"));
                 }
-                "-strengthBeside" => share = Share::strength_beside(a.not_negative("stiffness of the elastic part")?),
+                "-strengthBeside" => share = Share::strength_beside(a.number(&SHARE_K)?),
                 "-share" => {
-                    share.stiffness = a.not_negative("stiffness of the elastic part")?;
-                    share.elastic = a.float("measure in which it acts on the elastic part")?;
+                    share.stiffness = a.number(&SHARE_K)?;
+                    share.elastic = a.number(&SHARE_ELASTIC)?;
                     if a.at_number() {
-                        share.hysteretic = a.float("measure in which it acts on the rest")?;
+                        share.hysteretic = a.number(&SHARE_REST)?;
                     }
                 }
                 word => {

@@ -18,27 +18,37 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
-const MOD_ELASTIC_BEAM2D_A: Arg = Arg::positive("A", "cross-sectional area A");
-const MOD_ELASTIC_BEAM2D_E: Arg = Arg::positive("E", "elastic modulus E");
-const IZ: Arg = Arg::positive("Iz", "second moment of area Iz");
-const RHO_M: Arg = Arg::of("-rho", "m", "mass per length").within(Domain::NotNegative);
-const MOD_ELASTIC_BEAM3D_G: Arg = Arg::positive("G", "shear modulus G");
-const MOD_ELASTIC_BEAM3D_J: Arg = Arg::positive("J", "torsion constant J");
-const IY: Arg = Arg::positive("Iy", "second moment of area Iy");
+const MOD_ELASTIC_BEAM2D_A: Arg = A.within(Domain::Positive);
+const MOD_ELASTIC_BEAM2D_E: Arg = E.within(Domain::Positive);
+const MOD_ELASTIC_BEAM2D_IZ: Arg = IZ.within(Domain::Positive);
+/// Factors of the end rotation stiffness about an axis.
+const FACTORS: [Arg; 3] =
+    [Arg::positive("K11", "factor K11"), Arg::positive("K33", "factor K33"), Arg::number("K44", "factor K44")];
+/// Factors of the end rotation stiffness about local y.
+const FACTORS_Y: [Arg; 3] =
+    [Arg::positive("K11y", "factor K11y"), Arg::positive("K33y", "factor K33y"), Arg::number("K44y", "factor K44y")];
+/// Factors of the end rotation stiffness about local z.
+const FACTORS_Z: [Arg; 3] =
+    [Arg::positive("K11z", "factor K11z"), Arg::positive("K33z", "factor K33z"), Arg::number("K44z", "factor K44z")];
+const RHO_M: Arg = MASS_PER_LENGTH.after("-rho");
+const MOD_ELASTIC_BEAM3D_G: Arg = G.within(Domain::Positive);
+const MOD_ELASTIC_BEAM3D_J: Arg = J.within(Domain::Positive);
+const MOD_ELASTIC_BEAM3D_IY: Arg = IY.within(Domain::Positive);
 
-/// Arguments of elastic beams.
-pub(super) const ELASTIC_BEAM: &[Arg] = &[
-    Arg::usually_positive("Avy", "shear area for forces along local y"),
-    Arg::usually_positive("Avz", "shear area for forces along local z, in space"),
-    Arg::usually_positive("G", "shear modulus"),
-    Arg::usually_positive("A", "cross-sectional area"),
-    Arg::usually_positive("E", "elastic modulus"),
-    Arg::usually_positive("Iz", "second moment of area about local z"),
-    Arg::usually_positive("Iy", "second moment of area about local y, in space"),
-    Arg::usually_positive("J", "torsion constant, in space"),
-    Arg::thing("section", things::SECTION),
-    Arg::thing("transf", things::TRANSFORM),
-];
+pub(super) const MASS_PER_LENGTH: Arg = Arg::of("-mass", "m", "mass per length").within(Domain::NotNegative);
+pub(super) const E: Arg = Arg::usually_positive("E", "elastic modulus E");
+pub(super) const G: Arg = Arg::usually_positive("G", "shear modulus G");
+pub(super) const A: Arg = Arg::usually_positive("A", "cross-sectional area A");
+pub(super) const J: Arg = Arg::usually_positive("J", "torsion constant J");
+pub(super) const IY: Arg = Arg::usually_positive("Iy", "second moment of area Iy");
+pub(super) const IZ: Arg = Arg::usually_positive("Iz", "second moment of area Iz");
+pub(super) const AVY: Arg = Arg::usually_positive("Avy", "shear area Avy");
+pub(super) const AVZ: Arg = Arg::usually_positive("Avz", "shear area Avz");
+/// The properties that may be 0.
+const A_OR_0: Arg = A.within(Domain::UsuallyNotNegative);
+const J_OR_0: Arg = J.within(Domain::UsuallyNotNegative);
+const IY_OR_0: Arg = IY.within(Domain::UsuallyNotNegative);
+const IZ_OR_0: Arg = IZ.within(Domain::UsuallyNotNegative);
 
 pub(super) const ELASTIC: Kind = Kind {
     names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam", "PrismFrame"],
@@ -51,8 +61,18 @@ pub(super) const ELASTIC: Kind = Kind {
             Arg::of("-section", "section", "tag of a section"),
             Arg::of("-transform", "transf", "tag of a geometric transformation"),
             Arg::of("-shear", "flag", "0: without shear deformations"),
-        ])
-        .groups(&[ELASTIC_BEAM]),
+            MASS_PER_LENGTH,
+            A_OR_0,
+            E,
+            G,
+            J_OR_0,
+            IY_OR_0,
+            IZ_OR_0,
+            AVY,
+            AVZ,
+            Arg::thing("section", things::SECTION),
+            Arg::thing("transf", things::TRANSFORM),
+        ]),
     make: Make::TwoNodes(make),
 };
 
@@ -64,10 +84,10 @@ pub(super) const MODIFIED: Kind = Kind {
         .arguments(&[
             MOD_ELASTIC_BEAM2D_A,
             MOD_ELASTIC_BEAM2D_E,
-            IZ,
-            Arg::positive("K11", "factor K11"),
-            Arg::positive("K33", "factor K33"),
-            Arg::number("K44", "factor K44"),
+            MOD_ELASTIC_BEAM2D_IZ,
+            FACTORS[0],
+            FACTORS[1],
+            FACTORS[2],
             RHO_M,
         ]),
     make: Make::TwoNodes(make_modified),
@@ -84,14 +104,15 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
             MOD_ELASTIC_BEAM2D_E,
             MOD_ELASTIC_BEAM3D_G,
             MOD_ELASTIC_BEAM3D_J,
-            IY,
-            IZ,
-            Arg::positive("K11y", "factor K11y"),
-            Arg::positive("K33y", "factor K33y"),
-            Arg::number("K44y", "factor K44y"),
-            Arg::positive("K11z", "factor K11z"),
-            Arg::positive("K33z", "factor K33z"),
-            Arg::number("K44z", "factor K44z"),
+            MOD_ELASTIC_BEAM3D_IY,
+            MOD_ELASTIC_BEAM2D_IZ,
+            MASS_PER_LENGTH,
+            FACTORS_Y[0],
+            FACTORS_Y[1],
+            FACTORS_Y[2],
+            FACTORS_Z[0],
+            FACTORS_Z[1],
+            FACTORS_Z[2],
         ]),
     make: Make::TwoNodes(make_modified_space),
 };
@@ -116,7 +137,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Dampin
     let (mut o, mut damping) = (ElasticOptions::default(), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-mass" => o.rho = a.number(&RHO_M)?,
+            "-mass" => o.rho = a.number(&MASS_PER_LENGTH)?,
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             "-release" | "-releasez" => o.release.0 = release(a)?,
@@ -131,10 +152,6 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Dampin
 }
 
 /// Numbers before the options. OpenSees distinguishes the forms of the command by their count.
-pub(super) fn numbers_ahead(a: &Args<'_>) -> usize {
-    a.ahead().take_while(|v| v.as_f64().is_some()).count()
-}
-
 pub(super) type Place = Option<hysteron_tcl::diagnostic::Span>;
 
 pub(super) fn no_transform(a: &Args<'_>, transf: Place, nodes: Place, e: AxesError) -> Exception {
@@ -166,8 +183,8 @@ pub(super) fn elastic_part(section: &SharedSection) -> ElasticSection {
 }
 
 /// A property of a section. Zero is a mechanism or a beam without torsion, which OpenSees lets pass.
-fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let value = a.usually_not_negative(interp, what)?;
+fn property(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg) -> Result<f64, Exception> {
+    let (value, what) = (a.read(interp, arg)?, arg.meaning);
     if value == 0.0 {
         let d = Diagnostic::warning(
             &checks::elements::NO_STIFFNESS,
@@ -180,38 +197,29 @@ fn property(interp: &mut Tcl, a: &mut Args<'_>, what: &str) -> Result<f64, Excep
 
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
-    let n = numbers_ahead(a);
+    let n = a.numbers_ahead();
     // With shear areas the last of the numbers is the tag of the transformation.
     let ends_with_tag = n > 0 && a.ahead().nth(n - 1).is_some_and(|w| w.as_str().parse::<i64>().is_ok());
     let has_shear = ends_with_tag && n == if ndm == 2 { 6 } else { 9 };
     match (ndm, n) {
         (_, 2) => Ok(elastic_part(&a.of(&interp.host.builder.definitions.sections)?.0)),
         (2, _) => {
-            let (area, e) =
-                (property(interp, a, "cross-sectional area A")?, a.usually_positive(interp, "elastic modulus E")?);
-            let iz = property(interp, a, "second moment of area Iz")?;
+            let (area, e) = (property(interp, a, &A_OR_0)?, a.read(interp, &E)?);
+            let iz = property(interp, a, &IZ_OR_0)?;
             let (mut g, mut shear) = (0.0, None);
             // Any other count is OpenSees' form without shear areas, with words left over behind the transformation.
             if has_shear {
-                g = a.usually_positive(interp, "shear modulus G")?;
-                shear = Some(a.usually_positive(interp, "shear area Avy")?);
+                g = a.read(interp, &G)?;
+                shear = Some(a.read(interp, &AVY)?);
             }
             Ok(ElasticSection { e, area, iz, iy: 0.0, g, j: 0.0, shear: (shear, None) })
         }
         _ => {
-            let (area, e) =
-                (property(interp, a, "cross-sectional area A")?, a.usually_positive(interp, "elastic modulus E")?);
-            let (g, j) = (a.usually_positive(interp, "shear modulus G")?, property(interp, a, "torsion constant J")?);
-            let (iy, iz) =
-                (property(interp, a, "second moment of area Iy")?, property(interp, a, "second moment of area Iz")?);
-            let shear = if has_shear {
-                (
-                    Some(a.usually_positive(interp, "shear area Avy")?),
-                    Some(a.usually_positive(interp, "shear area Avz")?),
-                )
-            } else {
-                (None, None)
-            };
+            let (area, e) = (property(interp, a, &A_OR_0)?, a.read(interp, &E)?);
+            let (g, j) = (a.read(interp, &G)?, property(interp, a, &J_OR_0)?);
+            let (iy, iz) = (property(interp, a, &IY_OR_0)?, property(interp, a, &IZ_OR_0)?);
+            let shear =
+                if has_shear { (Some(a.read(interp, &AVY)?), Some(a.read(interp, &AVZ)?)) } else { (None, None) };
             Ok(ElasticSection { e, area, iz, iy, g, j, shear })
         }
     }
@@ -286,8 +294,8 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
     let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
-    let iz = a.number(&IZ)?;
-    let factors = [factors(a, "")?, [4.0, 4.0, 2.0]];
+    let iz = a.number(&MOD_ELASTIC_BEAM2D_IZ)?;
+    let factors = [factors(a, &FACTORS)?, [4.0, 4.0, 2.0]];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let o = modified_options(interp, a)?;
@@ -298,19 +306,15 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
 }
 
 /// Factors of the end rotation stiffness about an axis.
-fn factors(a: &mut Args<'_>, axis: &str) -> Result<[f64; 3], Exception> {
-    Ok([
-        a.positive(&format!("factor K11{axis}"))?,
-        a.positive(&format!("factor K33{axis}"))?,
-        a.float(&format!("factor K44{axis}"))?,
-    ])
+fn factors(a: &mut Args<'_>, [k11, k33, k44]: &[Arg; 3]) -> Result<[f64; 3], Exception> {
+    Ok([a.number(k11)?, a.number(k33)?, a.number(k44)?])
 }
 
 fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
     let mut o = ElasticOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-rho" | "-RHO" | "-mass" => o.rho = a.number(&RHO_M)?,
+            "-rho" | "-RHO" | "-mass" => o.rho = a.number(&MASS_PER_LENGTH)?,
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             // Of use to thermal loads alone.
@@ -328,9 +332,9 @@ fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Resul
     }
     let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
     let (g, j) = (a.number(&MOD_ELASTIC_BEAM3D_G)?, a.number(&MOD_ELASTIC_BEAM3D_J)?);
-    let (iy, iz) = (a.number(&IY)?, a.number(&IZ)?);
-    let about_y = factors(a, "y")?;
-    let factors = [factors(a, "z")?, about_y];
+    let (iy, iz) = (a.number(&MOD_ELASTIC_BEAM3D_IY)?, a.number(&MOD_ELASTIC_BEAM2D_IZ)?);
+    let about_y = factors(a, &FACTORS_Y)?;
+    let factors = [factors(a, &FACTORS_Z)?, about_y];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let o = modified_options(interp, a)?;

@@ -14,6 +14,9 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const HEIGHT: Arg = Arg::positive("heightFactor", "distance of the bars of the beams over the height");
+const WIDTH: Arg = Arg::positive("widthFactor", "distance of the bars of the columns over the width");
+
 pub(super) const BEAM_COLUMN_JOINT: Kind = Kind {
     names: &["beamColumnJoint"],
     usage: "element beamColumnJoint $tag $below $right $above $left $mat1 ... $mat13 <$heightFactor $widthFactor>",
@@ -31,10 +34,8 @@ pub(super) const BEAM_COLUMN_JOINT: Kind = Kind {
             )
             .within(Domain::Whole),
             Arg::whole("mat13", "law of the shear panel, moment over shear angle"),
-            Arg::new("heightFactor", "distance of the bars of the beams over the height, in the plane")
-                .within(Domain::Whole),
-            Arg::new("widthFactor", "distance of the bars of the columns over the width, in the plane")
-                .within(Domain::Whole),
+            HEIGHT,
+            WIDTH,
         ]),
     make: Make::AnyNodes(make),
 };
@@ -69,7 +70,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Elem
     let Ok(materials) = materials.try_into() else { return Err(a.refuse("beamColumnJoint: materials", "")) };
     let mut factors = [1.0; 2];
     if a.left() > 0 {
-        factors = [a.positive("factor of the height")?, a.positive("factor of the width")?];
+        factors = [a.number(&HEIGHT)?, a.number(&WIDTH)?];
         if ndm == 3 && factors != [1.0; 2] {
             let warning = Diagnostic::warning(
                 &checks::words::UNUSED_WORD,

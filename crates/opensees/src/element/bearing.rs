@@ -3,6 +3,7 @@
 use super::{Ends, Kind, Make, orientation};
 use crate::args::Args;
 use crate::slips;
+use crate::text::any_command::{ITERATIONS, MASS, SHEAR_DIST, TOLERANCE};
 use crate::text::{Arg, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
@@ -133,7 +134,7 @@ pub(super) fn materials(interp: &Tcl, a: &mut Args<'_>, wanted: &[&str]) -> Resu
 
 /// The word after `-shearDist`.
 pub(super) fn shear_dist(a: &mut Args<'_>) -> Result<f64, Exception> {
-    let x = a.float("place of the shear force as a fraction of the length")?;
+    let x = a.number(&SHEAR_DIST)?;
     if (0.0..=1.0).contains(&x) {
         Ok(x)
     } else {
@@ -155,11 +156,11 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) 
             }
             "-shearDist" => c.shear_dist = shear_dist(a)?,
             "-doRayleigh" => c.rayleigh = true,
-            "-mass" => c.mass = a.not_negative("mass")?,
+            "-mass" => c.mass = a.number(&MASS)?,
             "-iter" => {
                 // z is always found to round-off.
-                a.count("largest number of iterations")?;
-                a.positive("tolerance")?;
+                a.count(&ITERATIONS)?;
+                a.number(&TOLERANCE)?;
             }
             _ => ignore_option(interp, a, OPTIONS)?,
         }

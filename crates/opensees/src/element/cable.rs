@@ -9,6 +9,11 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const WEIGHT: Arg = Arg::number("weight", "weight per length, along z");
+const TEMPERATURE: Arg = Arg::number("temperature", "change of temperature");
+const TOLERANCE: Arg = Arg::positive("tol", "tolerance of the shape");
+const PARTS: Arg = Arg::count("parts", "number of parts of a correction");
+
 const CATENARY_CABLE_E: Arg = Arg::positive("E", "elastic modulus E");
 const CATENARY_CABLE_A: Arg = Arg::positive("A", "cross-sectional area A");
 const CATENARY_CABLE_L0: Arg = Arg::number("L0", "length without stress L0");
@@ -21,15 +26,15 @@ pub(super) const CATENARY: Kind = Kind {
     text: Text::new("An elastic cable under its weight or a uniform load.")
         .example("element CatenaryCable 2 1 2 1 1 1 1 1 1 1 1 1 1")
         .arguments(&[
-            Arg::number("weight", "weight per length along z, until a load on the element replaces it"),
+            WEIGHT,
             CATENARY_CABLE_E,
             CATENARY_CABLE_A,
             CATENARY_CABLE_L0,
             ALPHA,
-            Arg::number("temperature", "change of temperature"),
+            TEMPERATURE,
             RHO,
-            Arg::positive("tol", "tolerance of the shape as a part of the length"),
-            Arg::whole("parts", "number of parts of a correction"),
+            TOLERANCE,
+            PARTS,
             Arg::whole("massType", "0: mass at the nodes, 3: mass matrix of a bar"),
         ]),
     make: Make::TwoNodes(make),
@@ -39,7 +44,7 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     if (ends.ndm, ends.ndf) != (3, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
     }
-    let weight = a.float("weight per length, along z")?;
+    let weight = a.number(&WEIGHT)?;
     if weight == 0.0 {
         return Err(a.refuse("the weight per length is 0", "expected another number, negative downwards"));
     }
@@ -49,9 +54,9 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     if length == 0.0 {
         return Err(a.refuse("the cable has no length", "expected a number greater than 0"));
     }
-    let expansion = a.number(&ALPHA)? * a.float("change of temperature")?;
-    let (rho, tolerance) = (a.number(&RHO)?, a.positive("tolerance of the shape")?);
-    let parts = a.count("number of parts of a correction")?.max(1);
+    let expansion = a.number(&ALPHA)? * a.number(&TEMPERATURE)?;
+    let (rho, tolerance) = (a.number(&RHO)?, a.number(&TOLERANCE)?);
+    let parts = a.count(&PARTS)?.max(1);
     // Lumped where OpenSees has no integration of its own.
     let consistent = match a.int("type of the mass")? {
         0 | 1 => false,

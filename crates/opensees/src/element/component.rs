@@ -14,6 +14,9 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const STIFFNESS_I: Arg = Arg::of("-stiffness", "kI", "stiffness kI (0: a hinge)").within(Domain::NotNegative);
+const STIFFNESS_J: Arg = Arg::of("-stiffness", "kJ", "stiffness kJ (0: a hinge)").within(Domain::NotNegative);
+
 const COMPONENT_ELEMENT2D_A: Arg = Arg::positive("A", "cross-sectional area A");
 const COMPONENT_ELEMENT2D_E: Arg = Arg::positive("E", "elastic modulus E");
 const COMPONENT_ELEMENT2D_I: Arg = Arg::positive("I", "second moment of area I");
@@ -31,8 +34,8 @@ pub(super) const COMPONENT: Kind = Kind {
             COMPONENT_ELEMENT2D_I,
             Arg::thing("materialI", things::MATERIAL),
             Arg::thing("materialJ", things::MATERIAL),
-            Arg::of("-stiffness", "kI", "stiffness kI (0: a hinge)").within(Domain::NotNegative),
-            Arg::of("-stiffness", "kJ", "stiffness kJ (0: a hinge)").within(Domain::NotNegative),
+            STIFFNESS_I,
+            STIFFNESS_J,
             RHO_M,
         ]),
     make: Make::TwoNodes(make),
@@ -48,7 +51,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let springs = if a.flag("-stiffness") || a.flag("-k") {
-        let k = [a.not_negative("stiffness kI (0: a hinge)")?, a.not_negative("stiffness kJ (0: a hinge)")?];
+        let k = [a.number(&STIFFNESS_I)?, a.number(&STIFFNESS_J)?];
         k.map(|k| (k > 0.0).then(|| (Elastic::new(k).shared() as hysteron_engine::material::Material, 0)))
     } else {
         let materials = &interp.host.builder.definitions.materials;

@@ -11,6 +11,12 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const ORIGIN_X: Arg = Arg::number("originX", "origin x of the axis of the circle");
+const ORIGIN_Y: Arg = Arg::number("originY", "origin y of the axis of the circle");
+
+const NX: Arg = Arg::of("-normal", "Nx", "component Nx of the normal").within(Domain::Number);
+const NY: Arg = Arg::of("-normal", "Ny", "component Ny of the normal").within(Domain::Number);
+
 const DIRECTION: Arg = Arg::whole("direction", "direction of the contact");
 const GAP: Arg = Arg::number("gap", "gap");
 const FRICTION: Arg = Arg::not_negative("friction", "coefficient of friction");
@@ -50,12 +56,7 @@ pub(super) const CONTACT_2D: Kind = Kind {
     usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
     text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
         .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1.")
-        .arguments(&[
-            KN,
-            KT,
-            FRICTION,
-            Arg::of("-normal", "Nx", "vector out of the primary surface").within(Domain::Number),
-        ])
+        .arguments(&[KN, KT, FRICTION, NX, NY])
         .groups(&[NODES]),
     make: Make::TwoNodes(make_in_plane),
 };
@@ -76,8 +77,8 @@ pub(super) const CONTACT_3D: Kind = Kind {
                  along z",
             )
             .within(Domain::Whole),
-            Arg::new("originX", "place of the axis of the circle; the origin without"),
-            Arg::new("originY", "place of the axis of the circle; the origin without"),
+            ORIGIN_X,
+            ORIGIN_Y,
         ])
         .groups(&[NODES]),
     make: Make::TwoNodes(make_in_space),
@@ -106,7 +107,7 @@ fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     if a.word("option -normal")? != "-normal" {
         return Err(a.unknown_name("option in this place", ["-normal"]));
     }
-    let (x, y) = (a.float("component Nx of the normal")?, a.float("component Ny of the normal")?);
+    let (x, y) = (a.number(&NX)?, a.number(&NY)?);
     let length = x.hypot(y);
     if length == 0.0 {
         return Err(a.refuse("the normal has no length", "expected a vector out of the primary surface"));
@@ -126,7 +127,7 @@ fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     let mut origin = [0.0; 2];
     if direction == ContactDirection::Circular {
         if a.left() > 0 {
-            origin = [a.float("origin x")?, a.float("origin y")?];
+            origin = [a.number(&ORIGIN_X)?, a.number(&ORIGIN_Y)?];
         }
         if (ends.place.1.x - origin[0]).hypot(ends.place.1.y - origin[1]) == 0.0 {
             let label = "expected a primary node apart from the axis of the cylinder";

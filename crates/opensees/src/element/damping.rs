@@ -10,6 +10,9 @@ use hysteron_engine::element::{Element, ElementError};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const TOLERANCE: Arg = Arg::of("-tol", "tol", "tolerance of the damping ratios").within(Domain::Positive);
+const ROUNDS: Arg = Arg::of("-maxiter", "rounds", "largest number of rounds").within(Domain::Count);
+
 const TAG: Arg = Arg::whole("tag", "tag of the damping");
 const ZETA: Arg = Arg::positive("zeta", "damping ratio zeta");
 const UNIFORM_FREQ1: Arg = Arg::positive("freq1", "lower frequency freq1");
@@ -17,7 +20,10 @@ const UNIFORM_FREQ2: Arg = Arg::positive("freq2", "upper frequency freq2");
 const ACTIVATE_TIME_TA: Arg = Arg::of("-activateTime", "ta", "time of activation").within(Domain::Number);
 const DEACTIVATE_TIME_TD: Arg = Arg::of("-deactivateTime", "td", "time of deactivation").within(Domain::Number);
 const BETA: Arg = Arg::positive("beta", "coefficient beta");
-const N: Arg = Arg::whole("n", "number of frequencies n");
+const FREQUENCY: Arg = Arg::positive("freq1", "frequency freq");
+const RATIO: Arg = Arg::number("zeta1", "damping ratio zeta");
+const COEFFICIENT: Arg = Arg::number("beta1", "coefficient beta");
+const N: Arg = Arg::count("n", "number of frequencies n");
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("damping", "damping $kind $tag ...", damping)
     .arguments(&[Arg::of("-factor", "series", "time series")])
@@ -55,12 +61,12 @@ const KINDS: &[Kind] = &[
             .arguments(&[
                 TAG,
                 N,
-                Arg::positive("freq1", "frequency freq1"),
-                Arg::number("zeta1", "damping ratio zeta1"),
-                Arg::positive("freq2", "frequency freq2"),
-                Arg::number("zeta2", "damping ratio zeta2"),
-                Arg::of("-tol", "tol", "largest relative error of the damping ratios"),
-                Arg::of("-maxiter", "rounds", "most rounds with more and more filters"),
+                FREQUENCY,
+                RATIO,
+                FREQUENCY.called("freq2"),
+                RATIO.called("zeta2"),
+                TOLERANCE,
+                ROUNDS,
                 Arg::of("-activateTime", "ta", "time at which it begins"),
                 Arg::of("-deactivateTime", "td", "time at which it ends"),
                 Arg::of("-factor", "series", "tag of a time series that the forces are multiplied by"),
@@ -75,10 +81,10 @@ const KINDS: &[Kind] = &[
         text: Text::new("Low-pass filters of given frequencies and coefficients.").arguments(&[
             TAG,
             N,
-            Arg::positive("freq1", "frequency freq1"),
-            Arg::number("beta1", "coefficient beta1"),
-            Arg::positive("freq2", "frequency freq2"),
-            Arg::number("beta2", "coefficient beta2"),
+            FREQUENCY,
+            COEFFICIENT,
+            FREQUENCY.called("freq2"),
+            COEFFICIENT.called("beta2"),
             ACTIVATE_TIME_TA,
             DEACTIVATE_TIME_TD,
         ]),
@@ -116,8 +122,8 @@ fn with_options(
             "-activateTime" | "-ActivateTime" => made.window[0] = a.number(&ACTIVATE_TIME_TA)?,
             "-deactivateTime" | "-DeactivateTime" => made.window[1] = a.number(&DEACTIVATE_TIME_TD)?,
             "-factor" | "-fact" => made.factor = Some(series_of(interp, a)?),
-            "-tol" | "-tolerence" if own.fits() => own.tolerance = a.positive("tolerance of the damping ratios")?,
-            "-maxiter" | "-iter" if own.fits() => own.rounds = a.count("largest number of rounds")?.max(1),
+            "-tol" | "-tolerence" if own.fits() => own.tolerance = a.number(&TOLERANCE)?,
+            "-maxiter" | "-iter" if own.fits() => own.rounds = a.count(&ROUNDS)?.max(1),
             // The filters are not printed.
             "-prttag" | "-print" if own.fits() => {}
             _ => ignore_option(interp, a, own.known)?,
@@ -160,21 +166,21 @@ fn secant_stiffness(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping
 }
 
 /// The number of pairs, and frequencies with a second number each.
-fn pairs(a: &mut Args<'_>, what: &str) -> Result<(Vec<f64>, Vec<f64>), Exception> {
-    let n = a.count(N.meaning)?;
+fn pairs(a: &mut Args<'_>, value: &Arg) -> Result<(Vec<f64>, Vec<f64>), Exception> {
+    let n = a.count(&N)?;
     if n < 2 {
         return Err(a.refuse(format!("the number of frequencies n is {n}"), "expected 2 at least"));
     }
     let (mut frequencies, mut values) = (vec![], vec![]);
     for i in 1..=n {
-        frequencies.push(a.positive(&format!("frequency freq{i}"))?);
-        values.push(a.float(&format!("{what}{i}"))?);
+        frequencies.push(a.nth_number(&FREQUENCY, i)?);
+        values.push(a.nth_number(value, i)?);
     }
     Ok((frequencies, values))
 }
 
 fn user_defined_ratios(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
-    let (frequencies, ratios) = pairs(a, "damping ratio zeta")?;
+    let (frequencies, ratios) = pairs(a, &RATIO)?;
     let last = a.last_span();
     let mut points: Vec<(f64, f64)> = frequencies.into_iter().zip(ratios).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -198,7 +204,7 @@ fn user_defined_ratios(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamp
 }
 
 fn filters(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElementDamping, Exception> {
-    let (frequencies, betas) = pairs(a, "coefficient beta")?;
+    let (frequencies, betas) = pairs(a, &COEFFICIENT)?;
     let law = DampingLaw::Filters { filters: Filters::new(&frequencies, betas), loss: None };
     with_options(interp, a, law, &mut Options::common())
 }

@@ -1,13 +1,14 @@
 //! `element dispBeamColumn`, `AxEqDispBeamColumn2d`, `forceBeamColumn`, `nonlinearBeamColumn`, `mixedBeamColumn` and `beamWithHinges`.
 
-use super::beam::{Place, no_transform, numbers_ahead};
+use super::beam::{MASS_PER_LENGTH, Place, no_transform};
 use super::damping::{damped, of_tag};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::section::beam_integration::{integration, simple, without_weight};
 use crate::slips;
-use crate::text::{Arg, Domain, Text};
+use crate::text::any_command::{ITERATIONS, TOLERANCE};
+use crate::text::{Arg, Text};
 use crate::things;
 use crate::{Tcl, ignore_option, ignore_unknown, warn};
 use hysteron_engine::element::Element;
@@ -24,6 +25,15 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
 
+const AXIAL_TOL: Arg = Arg::positive("tol", "tolerance of the axial forces tol");
+const E: Arg = Arg::positive("E", "elastic modulus E");
+const A: Arg = Arg::positive("A", "cross-sectional area A");
+const IZ: Arg = Arg::positive("Iz", "second moment of area Iz");
+const IY: Arg = Arg::positive("Iy", "second moment of area Iy");
+const G: Arg = Arg::positive("G", "shear modulus G");
+const J: Arg = Arg::positive("J", "torsion constant J");
+const POINTS: Arg = Arg::count("n", "number of integration points");
+
 const INTEGRATION: Arg = Arg::new("integration", "integration");
 const MIXED_BEAM_COLUMN_SECTION: Arg = Arg::new("section", "integration");
 const LP_I: Arg = Arg::not_negative("lpI", "length of the hinge lpI");
@@ -31,8 +41,9 @@ const LP_J: Arg = Arg::not_negative("lpJ", "length of the hinge lpJ");
 
 const SECTIONS: &[Arg] = &[
     Arg::new("integration", "tag of a beam integration"),
-    Arg::whole("n", "number of sections"),
+    POINTS,
     Arg::new("section", "tag of the section"),
+    MASS_PER_LENGTH,
 ];
 
 pub(super) const DISPLACEMENT: Kind = Kind {
@@ -52,12 +63,11 @@ pub(super) const AXIAL_EQUILIBRIUM: Kind = Kind {
     text: Text::new("Displacement-based beam whose sections have one axial force.")
         .example("element AxEqDispBeamColumn2d 77 1 2 3 1 1 1e-8")
         .arguments(&[
-            Arg::whole("n", "number of integration points"),
+            POINTS,
             Arg::thing("section", things::SECTION),
-            Arg::new("tol", "sum of the differences of the axial forces of adjacent sections that counts as none")
-                .within(Domain::Positive),
+            AXIAL_TOL,
             Arg::flag("-integration", "rule of integration; Legendre without"),
-            Arg::of("-iter", "maxIter", "most iterations inside the element; 20 without").within(Domain::Whole),
+            ITERATIONS,
         ]),
     make: Make::TwoNodes(make_axial_equilibrium),
 };
@@ -98,7 +108,7 @@ pub(super) const MIXED: Kind = Kind {
             <-mass $m> <-integration $rule>",
     text: Text::new("Mixed beam with sections: forces in equilibrium, deformations compatible in the mean.")
         .example("element mixedBeamColumn 77 1 2 3 1 1")
-        .arguments(&[INTEGRATION, Arg::thing("n", things::TRANSFORM), MIXED_BEAM_COLUMN_SECTION]),
+        .arguments(&[INTEGRATION, POINTS, MIXED_BEAM_COLUMN_SECTION, MASS_PER_LENGTH]),
     make: Make::TwoNodes(make_mixed),
 };
 
@@ -113,12 +123,13 @@ pub(super) const WITH_HINGES: Kind = Kind {
             LP_I,
             Arg::thing("secJ", things::SECTION),
             LP_J,
-            Arg::positive("E", "elastic modulus"),
-            Arg::positive("A", "cross-sectional area"),
-            Arg::positive("Iz", "second moment of area about local z"),
-            Arg::new("Iy", "second moment of area about local y, in space"),
-            Arg::new("G", "shear modulus, in space"),
-            Arg::whole("J", "torsion constant, in space"),
+            E,
+            A,
+            IZ,
+            IY,
+            G,
+            J,
+            MASS_PER_LENGTH,
             Arg::whole("transf", "tag of a geometric transformation"),
         ]),
     make: Make::TwoNodes(make_with_hinges),
@@ -149,15 +160,15 @@ fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Re
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let [n] = a.parts(["number of integration points"])?;
+    let [n] = a.parts([&POINTS])?;
     let section = a.of(&interp.host.builder.definitions.sections)?;
     let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let transform_at = a.last_span();
-    let tolerance = a.positive("tolerance of the axial forces tol")?;
+    let tolerance = a.number(&AXIAL_TOL)?;
     let (mut rule, mut iterations) = (Rule::Legendre, 20);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-iter" => iterations = a.count("largest number of iterations maxIter")?,
+            "-iter" => iterations = a.count(&ITERATIONS)?,
             "-integration" => {
                 rule = match a.word("rule of integration")?.as_ref() {
                     "Lobatto" => Rule::Lobatto,
@@ -251,17 +262,17 @@ fn take(
     // Others have lumped masses alone.
     let by_displacements = default == Rule::Legendre;
     let second_is_number = a.ahead().nth(1).is_some_and(|v| v.as_f64().is_some());
-    let (transform, transform_at, integration_words, mut rule) = match (numbers_ahead(a), second_is_number) {
+    let (transform, transform_at, integration_words, mut rule) = match (a.numbers_ahead(), second_is_number) {
         // The number of points and `-sections`, or with one section for all of them.
         (3.., _) => {
-            let [n] = a.parts(["number of integration points"])?;
+            let [n] = a.parts([&POINTS])?;
             let section = a.of(&interp.host.builder.definitions.sections)?;
             let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
             (transform, a.last_span(), None, Some((default, vec![section; n])))
         }
         // Options by name, in any order.
         (1, _) if a.ahead().nth(1).is_some_and(|v| matches!(&*v.as_str(), "-section" | "-transform")) => {
-            let [n] = a.parts(["number of integration points"])?;
+            let [n] = a.parts([&POINTS])?;
             let (mut section, mut transform) = (None, None);
             loop {
                 if a.flag("-section") {
@@ -278,7 +289,7 @@ fn take(
             (transform, at, None, Some((default, vec![section; n])))
         }
         (1, _) if a.ahead().nth(1).is_some_and(|v| v.as_str() == "-sections") => {
-            let [n] = a.parts(["number of integration points"])?;
+            let [n] = a.parts([&POINTS])?;
             a.flag("-sections");
             let sections: Vec<_> =
                 (0..n).map(|_| a.of(&interp.host.builder.definitions.sections)).collect::<Result<_, _>>()?;
@@ -313,7 +324,7 @@ fn take(
         (0.0, false, follower(interp), deflects.unwrap_or(false), None);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-mass" => rho = a.not_negative("mass per length")?,
+            "-mass" => rho = a.number(&MASS_PER_LENGTH)?,
             "-shear" if deflects.is_some() => shear = true,
             "-cMass" if by_displacements => consistent = true,
             "-lMass" => consistent = false,
@@ -358,13 +369,13 @@ fn follower(interp: &Tcl) -> ForceBased {
 
 fn iterations(interp: &mut Tcl, a: &mut Args<'_>, force_based: &mut ForceBased) -> Result<(), Exception> {
     // OpenSees takes no notice of a number of iterations that is the last word.
-    if a.left() == 1 && a.count("largest number of iterations maxIter").is_ok() {
+    if a.left() == 1 && a.count(&ITERATIONS).is_ok() {
         let d =
             Diagnostic::warning(&checks::words::UNUSED_WORD, "-iter has no tolerance, and is ignored, as in OpenSees");
         return warn(interp, d.at(a.last_span(), "expected a tolerance behind it"));
     }
-    force_based.max_iterations = a.count("largest number of iterations maxIter")?;
-    force_based.tolerance = a.positive("tolerance")?;
+    force_based.max_iterations = a.count(&ITERATIONS)?;
+    force_based.tolerance = a.number(&TOLERANCE)?;
     Ok(())
 }
 
@@ -459,19 +470,19 @@ fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
     let lp_i = a.number(&LP_I)?;
     let section_j = a.of(&interp.host.builder.definitions.sections)?;
     let lp_j = a.number(&LP_J)?;
-    let (e, area) = (a.positive("elastic modulus E")?, a.positive("cross-sectional area A")?);
-    let iz = a.positive("second moment of area Iz")?;
+    let (e, area) = (a.number(&E)?, a.number(&A)?);
+    let iz = a.number(&IZ)?;
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     if ends.ndm == 3 {
-        s.iy = a.positive("second moment of area Iy")?;
-        (s.g, s.j) = (a.positive("shear modulus G")?, a.positive("torsion constant J")?);
+        s.iy = a.number(&IY)?;
+        (s.g, s.j) = (a.number(&G)?, a.number(&J)?);
     }
     let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let transform_at = a.last_span();
     let (mut rho, mut force_based) = (0.0, follower(interp));
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-mass" => rho = a.not_negative("mass per length")?,
+            "-mass" => rho = a.number(&MASS_PER_LENGTH)?,
             "-iter" => iterations(interp, a, &mut force_based)?,
             _ => ignore_unknown(interp, a)?,
         }

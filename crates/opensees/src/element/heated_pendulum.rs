@@ -28,7 +28,7 @@ const REFFECTIVE_FP: Arg = Arg::positive("ReffectiveFP", "effective radius Reffe
 const RADIUS_CONTACT: Arg = Arg::positive("Radius_Contact", "radius of contact Radius_Contact");
 const K_INITIAL: Arg = Arg::positive("kInitial", "initial stiffness kInitial");
 const MASS: Arg = Arg::not_negative("mass", "mass");
-const ITER: Arg = Arg::whole("iter", "largest number of iterations iter");
+const ITER: Arg = Arg::count("iter", "largest number of iterations iter");
 const TOL: Arg = Arg::positive("tol", "tolerance tol");
 
 pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
@@ -99,7 +99,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let shear_dist = shear_dist(a)?;
     let rayleigh = on(a, "Rayleigh damping doRayleigh")?;
     let mass = a.number(&MASS)?;
-    let substitution = Substitution { rounds: a.count(ITER.meaning)?, tolerance: a.number(&TOL)? };
+    let substitution = Substitution { rounds: a.count(&ITER)?, tolerance: a.number(&TOL)? };
     let unit = one_of(a, "system of units", 1..=8)?;
     let (mega_pascal, _) = UNITS[usize::try_from(unit - 1).unwrap_or_default()];
     let heat = Heat::new(HeatSetting {

@@ -1,6 +1,6 @@
 //! `element TripleFrictionPendulumX`.
 
-use super::triple::{lengths, stiffness};
+use super::triple::{LENGTHS, lengths, stiffness};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::checks;
@@ -19,6 +19,21 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
+const COEFFICIENTS: [Arg; 3] = [
+    Arg::positive("mu1", "coefficient of friction mu1"),
+    Arg::positive("mu2", "coefficient of friction mu2"),
+    Arg::positive("mu3", "coefficient of friction mu3"),
+];
+const DIAMETERS: [Arg; 3] = [
+    Arg::positive("b1", "diameter b1 of the slider"),
+    Arg::positive("b2", "diameter b2 of the lower plate"),
+    Arg::positive("b3", "diameter b3 of the upper plate"),
+];
+const PRESSURES: [Arg; 3] = [
+    Arg::positive("refPres1", "reference pressure 1"),
+    Arg::positive("refPres2", "reference pressure 2"),
+    Arg::positive("refPres3", "reference pressure 3"),
+];
 const T2: Arg = Arg::positive("t2", "thickness t2 of the lower plate");
 const T3: Arg = Arg::positive("t3", "thickness t3 of the upper plate");
 const TRIPLE_FRICTION_PENDULUM_X_W: Arg = Arg::positive("W", "weight W");
@@ -51,18 +66,6 @@ pub(super) const TRIPLE_X: Kind = Kind {
             Arg::whole("tagPres", "dependence on pressure tagPres"),
             Arg::whole("tagTemp", "dependence on temperature tagTemp"),
             Arg::whole("tagVel", "dependence on speed tagVel"),
-            Arg::positive("mu1", "coefficient of friction mu1"),
-            Arg::positive("mu2", "coefficient of friction mu2"),
-            Arg::positive("mu3", "coefficient of friction mu3"),
-            Arg::positive("L1", "effective radius L1 of the inner surfaces"),
-            Arg::positive("L2", "effective radius L2 of the lower outer surface"),
-            Arg::positive("L3", "effective radius L3 of the upper outer surface"),
-            Arg::positive("d1", "displacement limit d1 of the inner surfaces"),
-            Arg::positive("d2", "displacement limit d2 of the lower outer surface"),
-            Arg::positive("d3", "displacement limit d3 of the upper outer surface"),
-            Arg::positive("b1", "diameter b1 of the slider"),
-            Arg::positive("b2", "diameter b2 of the lower plate"),
-            Arg::positive("b3", "diameter b3 of the upper plate"),
             T2,
             T3,
             TRIPLE_FRICTION_PENDULUM_X_W,
@@ -70,16 +73,14 @@ pub(super) const TRIPLE_X: Kind = Kind {
             KVT,
             MIN_FV,
             TOL,
-            Arg::positive("refPres1", "reference pressure 1"),
-            Arg::positive("refPres2", "reference pressure 2"),
-            Arg::positive("refPres3", "reference pressure 3"),
             DIFFUSIVITY,
             CONDUCTIVITY,
             TEMPERATURE0,
             RATE_PARAM,
             Arg::whole("kTmodel", "dependence kTmodel on temperature"),
             Arg::whole("unit", "system of units"),
-        ]),
+        ])
+        .groups(&[&COEFFICIENTS, &LENGTHS, &DIAMETERS, &PRESSURES]),
     make: Make::TwoNodes(make),
 };
 
@@ -105,9 +106,8 @@ pub(super) fn one_of(a: &mut Args<'_>, what: &str, range: std::ops::RangeInclusi
     Err(a.refuse(format!("the {what} is {n}"), format!("expected a whole number from {first} to {last}")))
 }
 
-fn three(a: &mut Args<'_>, what: [&str; 3]) -> Result<[f64; 3], Exception> {
-    let [x, y, z] = what;
-    Ok([a.positive(x)?, a.positive(y)?, a.positive(z)?])
+fn three(a: &mut Args<'_>, [x, y, z]: &[Arg; 3]) -> Result<[f64; 3], Exception> {
+    Ok([a.number(x)?, a.number(y)?, a.number(z)?])
 }
 
 /// The vertical material and those of the rotations about Z, X and Y, from the tag of the conduction on. OpenSees starts a word early: it
@@ -150,10 +150,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let by_pressure = on(a, "dependence on pressure tagPres")?;
     let by_temperature = on(a, "dependence on temperature tagTemp")?;
     let by_speed = on(a, "dependence on speed tagVel")?;
-    let mu = three(a, ["coefficient of friction mu1", "coefficient of friction mu2", "coefficient of friction mu3"])?;
+    let mu = three(a, &COEFFICIENTS)?;
     let (l, d) = lengths(a)?;
-    let width =
-        three(a, ["diameter b1 of the slider", "diameter b2 of the lower plate", "diameter b3 of the upper plate"])?;
+    let width = three(a, &DIAMETERS)?;
     let thickness = [a.number(&T2)?, a.number(&T3)?];
     let weight = a.number(&TRIPLE_FRICTION_PENDULUM_X_W)?;
     let uy = a.number(&UY)?;
@@ -161,7 +160,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let k_tension = a.number(&KVT)?;
     let least_normal = a.number(&MIN_FV)?;
     let tolerance = a.number(&TOL)?;
-    let reference = three(a, ["reference pressure 1", "reference pressure 2", "reference pressure 3"])?;
+    let reference = three(a, &PRESSURES)?;
     let conduction =
         Conduction { diffusivity: a.number(&DIFFUSIVITY)?, conductivity: a.number(&CONDUCTIVITY)?, body, compat };
     let temperature = a.number(&TEMPERATURE0)?;

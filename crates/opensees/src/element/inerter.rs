@@ -4,6 +4,7 @@ use super::two_node_link::moment_ratios;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::model::transform::vector;
+use crate::text::any_command::MASS;
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::axes;
@@ -13,6 +14,11 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
+
+/// Force over acceleration: a matrix by rows with a row for each direction.
+const INERTANCE: Arg = Arg::of("-inertance", "b11", "inertance").within(Domain::Number);
+/// Force over velocity, likewise.
+const DAMP: Arg = Arg::of("-damp", "c11", "damping coefficient").within(Domain::Number);
 
 pub(super) const INERTER: Kind = Kind {
     names: &["inerter", "Inerter"],
@@ -27,13 +33,11 @@ pub(super) const INERTER: Kind = Kind {
                 "directions of the relative motions: degrees of freedom of the nodes in local axes",
             )
             .within(Domain::Whole),
-            Arg::of("-inertance", "b11", "force over acceleration, a matrix by rows with a row for each direction")
-                .within(Domain::Number),
+            INERTANCE,
             Arg::of("-pDelta", "My1", "shares of the P-Delta moments about local y at nodes i and j, in space")
                 .within(Domain::Number),
-            Arg::of("-damp", "c11", "force over velocity, a matrix by rows with a row for each direction")
-                .within(Domain::Number),
-            Arg::of("-mass", "m", "mass of the element, half at each node").within(Domain::NotNegative),
+            DAMP,
+            MASS,
         ]),
     make: Make::TwoNodes(make),
 };
@@ -59,7 +63,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         return Err(a.unknown_name("option in this place", ["-inertance"]));
     }
     let count = options.directions.len();
-    options.inertance = matrix(a, count, "inertance")?;
+    options.inertance = matrix(a, count, &INERTANCE)?;
     let (mut orient, mut orient_at) = ((None, None), nodes);
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -74,8 +78,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-pDelta" => options.p_delta = Some(moment_ratios(interp, a, ends.ndm, "inerter")?),
             "-doRayleigh" => options.rayleigh = true,
-            "-damp" => options.damping = matrix(a, count, "damping coefficient")?,
-            "-mass" => options.mass = a.not_negative("mass")?,
+            "-damp" => options.damping = matrix(a, count, &DAMP)?,
+            "-mass" => options.mass = a.number(&MASS)?,
             _ => ignore_option(interp, a, OPTIONS)?,
         }
     }
@@ -87,8 +91,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
 }
 
 /// A square matrix, by rows.
-fn matrix(a: &mut Args<'_>, rows: usize, what: &str) -> Result<Vec<f64>, Exception> {
-    (1..=rows * rows).map(|i| a.nth_float(what, i)).collect()
+fn matrix(a: &mut Args<'_>, rows: usize, arg: &Arg) -> Result<Vec<f64>, Exception> {
+    (1..=rows * rows).map(|i| a.nth_number(arg, i)).collect()
 }
 
 /// Local axes: along the line unless x is given, and global ones if the nodes are at one place.

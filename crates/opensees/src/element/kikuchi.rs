@@ -1,6 +1,6 @@
 //! `element KikuchiBearing`.
 
-use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
+use super::multiple_springs::{LAMBDA, Orient, distribution, divisions, once, option_missing, shape};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
@@ -17,8 +17,18 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use std::sync::Arc;
 
+const SIZE: Arg = Arg::of("-size", "size", "diameter or edge of the bearing").within(Domain::Positive);
+const TOTAL_RUBBER: Arg = Arg::of("-size", "totalRubber", "total thickness of the rubber").within(Domain::Positive);
+const CI: Arg = Arg::of("-adjustPDOutput", "ci", "share ci of the P-Delta moment at i").within(Domain::Positive);
+const CJ: Arg = Arg::of("-adjustPDOutput", "cj", "share cj at j").within(Domain::Positive);
+const LIM_FO: Arg = Arg::of("-doBalance", "limFo", "largest unbalanced external force limFo").within(Domain::Positive);
+const LIM_FI: Arg = Arg::of("-doBalance", "limFi", "largest unbalanced internal force limFi").within(Domain::Positive);
+const N_ITER: Arg = Arg::of("-doBalance", "nIter", "largest number nIter of corrections").within(Domain::Count);
+
 const TOTAL_HEIGHT_HEIGHT: Arg =
     Arg::of("-totalHeight", "height", "total height of the bearing").within(Domain::Positive);
+const N_MSS: Arg = Arg::of("-nMSS", "nMSS", "number nMSS of shear springs").within(Domain::Count);
+const N_MNS: Arg = Arg::of("-nMNS", "nMNS", "number nMNS of normal springs across the section").within(Domain::Count);
 const LIM_DISP: Arg = Arg::of("-limDisp", "limDisp", "displacement limDisp of the scaling").within(Domain::NotNegative);
 
 pub(super) const KIKUCHI: Kind = Kind {
@@ -30,16 +40,21 @@ pub(super) const KIKUCHI: Kind = Kind {
     text: Text::new("Bearing of shear springs between two sections of normal springs, with P-Delta and tilt.")
         .example("element KikuchiBearing 2 1 2 -shape round -size 1 1 -nMSS 1 -matMSS 1 -nMNS 1 -matMNS 1")
         .arguments(&[
-            Arg::of("-size", "size", "diameter or edge of the bearing").within(Domain::Positive),
-            Arg::of("-size", "totalRubber", "total thickness of the rubber").within(Domain::Positive),
+            SIZE,
+            TOTAL_RUBBER,
             TOTAL_HEIGHT_HEIGHT,
-            Arg::of("-nMSS", "nMSS", "number nMSS of shear springs").within(Domain::Whole),
+            N_MSS,
             Arg::of("-matMSS", "mat", "tag of a uniaxial material").within(Domain::Whole),
             LIM_DISP,
-            Arg::of("-nMNS", "nMNS", "number nMNS of normal springs across the section").within(Domain::Whole),
+            N_MNS,
             Arg::of("-matMNS", "mat", "tag of a uniaxial material").within(Domain::Whole),
-            Arg::of("-lambda", "lambda", "distribution parameter lambda").within(Domain::NotNegative),
+            LAMBDA,
             super::MASS_ABOVE_ZERO,
+            CI,
+            CJ,
+            LIM_FO,
+            LIM_FI,
+            N_ITER,
         ]),
     make: Make::TwoNodes(make),
 };
@@ -95,20 +110,15 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
         match option {
             "-shape" => keep!(shape, option, shape(a)?),
             "-size" => {
-                let size = |a: &mut Args<'_>| {
-                    Ok::<_, Exception>((
-                        a.positive("diameter or edge of the bearing")?,
-                        a.positive("total thickness of the rubber")?,
-                    ))
-                };
+                let size = |a: &mut Args<'_>| Ok::<_, Exception>((a.number(&SIZE)?, a.number(&TOTAL_RUBBER)?));
                 keep!(size, option, size(a)?)
             }
             "-totalHeight" => keep!(height, option, a.number(&TOTAL_HEIGHT_HEIGHT)?),
-            "-nMSS" => keep!(shear_springs, option, divisions(a, "number nMSS of shear springs")?),
+            "-nMSS" => keep!(shear_springs, option, divisions(a, &N_MSS)?),
             "-matMSS" => keep!(shear, option, a.of(&interp.host.builder.definitions.materials)?.0),
             "-limDisp" => keep!(limit, option, limit(a)?),
             "-nMNS" => {
-                keep!(normal_springs, option, divisions(a, "number nMNS of normal springs across the section")?)
+                keep!(normal_springs, option, divisions(a, &N_MNS)?)
             }
             "-matMNS" => keep!(normal, option, a.of(&interp.host.builder.definitions.materials)?.0),
             "-lambda" => keep!(lambda, option, distribution(a)?),
@@ -117,17 +127,17 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Options, Exception> {
                 orient.take(a)?;
                 keep!(orient, option, orient)
             }
-            "-mass" => keep!(mass, option, a.positive("mass")?),
+            "-mass" => keep!(mass, option, a.number(&super::MASS_ABOVE_ZERO)?),
             "-noPDInput" => o.p_delta = false,
             "-noTilt" => o.tilt = false,
             "-adjustPDOutput" => {
-                let shares = [a.positive("share ci of the P-Delta moment at i")?, a.positive("share cj at j")?];
+                let shares = [a.number(&CI)?, a.number(&CJ)?];
                 keep!(shares, option, shares)
             }
             "-doBalance" => {
-                a.positive("largest unbalanced external force limFo")?;
-                let tolerance = a.positive("largest unbalanced internal force limFi")?;
-                let rounds = a.count("largest number nIter of corrections")? as u32;
+                a.number(&LIM_FO)?;
+                let tolerance = a.number(&LIM_FI)?;
+                let rounds = a.count(&N_ITER)? as u32;
                 keep!(balance, option, Balance { tolerance, rounds })
             }
             _ => ignore_unknown(interp, a)?,

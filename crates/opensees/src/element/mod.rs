@@ -70,7 +70,7 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("element", "element $kind
     .with_kinds(|| kind::usages(KINDS))];
 
 /// Mass of an element that refuses 0.
-const MASS_ABOVE_ZERO: Arg = Arg::of("-mass", "m", "mass of the element").within(Domain::Positive);
+const MASS_ABOVE_ZERO: Arg = crate::text::any_command::MASS.within(Domain::Positive);
 
 /// Makes an element between two nodes that are already known.
 type MakeBetween = fn(&mut Tcl, &mut Args<'_>, &Ends) -> Result<Arc<dyn Element>, Exception>;

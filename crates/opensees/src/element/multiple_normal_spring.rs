@@ -1,6 +1,6 @@
 //! `element multipleNormalSpring`.
 
-use super::multiple_springs::{Orient, distribution, divisions, once, option_missing, shape};
+use super::multiple_springs::{LAMBDA, Orient, distribution, divisions, once, option_missing, shape};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::slips;
@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 const SIZE: Arg = Arg::of("-size", "size", "diameter or edge of the section").within(Domain::Positive);
 
+const N_DIVIDE: Arg = Arg::count("nDivide", "number nDivide of springs across the section");
+
 pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
     names: &["multipleNormalSpring"],
     usage: "element multipleNormalSpring $tag $i $j $nDivide -mat $mat -shape round|square -size $size \
@@ -21,10 +23,10 @@ pub(super) const MULTIPLE_NORMAL_SPRING: Kind = Kind {
     text: Text::new("A section of normal springs.")
         .example("element multipleNormalSpring 2 1 2 1 -mat 1 -shape round -size 1")
         .arguments(&[
-            Arg::whole("nDivide", "number nDivide of springs across the section"),
+            N_DIVIDE,
             Arg::of("-mat", "mat", "tag of a uniaxial material").within(Domain::Whole),
             SIZE,
-            Arg::of("-lambda", "lambda", "distribution parameter lambda").within(Domain::NotNegative),
+            LAMBDA,
             super::MASS_ABOVE_ZERO,
         ]),
     make: Make::TwoNodes(make),
@@ -37,7 +39,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let n = divisions(a, "number nDivide of springs across the section")?;
+    let n = divisions(a, &N_DIVIDE)?;
     let last = a.last_span();
     let (mut material, mut outline, mut size) = (None, None, None);
     let (mut lambda, mut orient, mut mass) = (Distribution::Uniform, Orient::default(), 0.0);
@@ -57,7 +59,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-lambda" => lambda = distribution(a)?,
             "-orient" => orient.take(a)?,
-            "-mass" => mass = a.positive("mass")?,
+            "-mass" => mass = a.number(&super::MASS_ABOVE_ZERO)?,
             _ => ignore_unknown(interp, a)?,
         }
     }

@@ -15,12 +15,14 @@ use std::sync::Arc;
 const LIM_DSP: Arg =
     Arg::of("-lim", "dsp", "smallest displacement dsp that the factors are for").within(Domain::NotNegative);
 
+const N_SPRING: Arg = Arg::count("nSpring", "number nSpring of springs");
+
 pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
     names: &["multipleShearSpring", "MSS"],
     usage: "element multipleShearSpring $tag $i $j $nSpring -mat $mat | -nMat $mat1 ... <-lim $dsp> \
             <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> <-mass $m>",
     text: Text::new("Shear springs in a circle.").example("element multipleShearSpring 2 1 2 1 -mat 1").arguments(&[
-        Arg::whole("nSpring", "number nSpring of springs"),
+        N_SPRING,
         Arg::of("-mat", "mat", "tag of a uniaxial material").within(Domain::Whole),
         LIM_DSP,
         super::MASS_ABOVE_ZERO,
@@ -36,7 +38,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let n = divisions(a, "number nSpring of springs")?;
+    let n = divisions(a, &N_SPRING)?;
     let last = a.last_span();
     let (mut materials, mut limit, mut limit_at) = (None, None, None);
     let (mut orient, mut mass) = (Orient::default(), 0.0);
@@ -56,7 +58,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 limit_at = a.last_span();
             }
             "-orient" => orient.take(a)?,
-            "-mass" => mass = a.positive("mass")?,
+            "-mass" => mass = a.number(&super::MASS_ABOVE_ZERO)?,
             _ => return Err(a.unknown_name("option", OPTIONS)),
         }
     }

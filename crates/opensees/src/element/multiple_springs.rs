@@ -2,11 +2,15 @@
 
 use super::{Ends, orientation};
 use crate::args::Args;
+use crate::text::{Arg, Domain};
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::{Distribution, MAX_LAMBDA, Shape};
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use nalgebra::Matrix3;
+
+pub(super) const LAMBDA: Arg =
+    Arg::of("-lambda", "lambda", "distribution parameter lambda").within(Domain::NotNegative);
 
 /// `round` or `square`.
 pub(super) fn shape(a: &mut Args<'_>) -> Result<Shape, Exception> {
@@ -20,7 +24,7 @@ pub(super) fn shape(a: &mut Args<'_>) -> Result<Shape, Exception> {
 
 /// λ of the distribution of the vertical stiffness.
 pub(super) fn distribution(a: &mut Args<'_>) -> Result<Distribution, Exception> {
-    let lambda = a.not_negative("distribution parameter lambda")?;
+    let lambda = a.number(&LAMBDA)?;
     if lambda > MAX_LAMBDA {
         let label = format!("expected (D/t) sqrt(3 G/K) of a rubber layer, 0 to {MAX_LAMBDA}");
         return Err(a.refuse(format!("-lambda is {lambda}"), label));
@@ -32,8 +36,9 @@ pub(super) fn distribution(a: &mut Args<'_>) -> Result<Distribution, Exception> 
 const MAX_DIVISIONS: usize = 1000;
 
 /// Number of springs along an edge of a section.
-pub(super) fn divisions(a: &mut Args<'_>, what: &str) -> Result<usize, Exception> {
-    match a.count(what)? {
+pub(super) fn divisions(a: &mut Args<'_>, arg: &Arg) -> Result<usize, Exception> {
+    let what = arg.meaning;
+    match a.count(arg)? {
         n if n <= MAX_DIVISIONS => Ok(n),
         n => Err(a.refuse(format!("{what} is {n}"), format!("expected a number of springs, 1 to {MAX_DIVISIONS}"))),
     }

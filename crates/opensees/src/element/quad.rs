@@ -14,22 +14,19 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const PRESSURE: Arg = Arg::number("pressure", "pressure on the edges");
+const RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
+
 const I: Arg = Arg::whole("i", "tag of a corner's node");
 const J: Arg = Arg::whole("j", "tag of a corner's node");
 const K: Arg = Arg::whole("k", "tag of a corner's node");
 const L: Arg = Arg::whole("l", "tag of a corner's node");
 const QUAD_THICKNESS: Arg = Arg::positive("thickness", "thickness");
 const N9: Arg = Arg::whole("n9", "tag of a corner's node");
-const QUAD9N_THICKNESS: Arg = Arg::whole("thickness", "tag of a corner's node");
 const N8: Arg = Arg::whole("n8", "tag of a corner's node");
 const N6: Arg = Arg::whole("n6", "tag of a corner's node");
 
-const BODY: &[Arg] = &[
-    Arg::new("pressure", "surface pressure"),
-    Arg::new("rho", "mass per volume"),
-    Arg::new("bx", "body force along x"),
-    Arg::new("by", "body force along y"),
-];
+const BODY: &[Arg] = &[PRESSURE, RHO, Arg::new("bx", "body force along x"), Arg::new("by", "body force along y")];
 
 pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
@@ -79,7 +76,7 @@ pub(super) const NINE_NODES: Kind = Kind {
             Arg::new("n1", "corners against the clock, then the middles of the sides in order, then the centre")
                 .within(Domain::Whole),
             N9,
-            QUAD9N_THICKNESS,
+            QUAD_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -94,7 +91,7 @@ pub(super) const EIGHT_NODES: Kind = Kind {
         .arguments(&[
             Arg::whole("n1", "corners against the clock, then the middles of the sides in order"),
             N8,
-            QUAD9N_THICKNESS,
+            QUAD_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -109,7 +106,7 @@ pub(super) const SIX_NODES: Kind = Kind {
         .arguments(&[
             Arg::whole("n1", "corners against the clock, then the middles of the sides in order"),
             N6,
-            QUAD9N_THICKNESS,
+            QUAD_THICKNESS,
             Arg::new("material", "tag of the material of continua"),
         ])
         .groups(&[BODY]),
@@ -171,9 +168,9 @@ fn properties(interp: &Tcl, a: &mut Args<'_>) -> Result<(SharedMultiaxial<PLANE>
     let mut o = QuadOptions { thickness: a.number(&QUAD_THICKNESS)?, ..QuadOptions::default() };
     let plane = plane(a)?;
     let law = plane_law(interp, a, plane)?;
-    o.pressure = a.optional_float("pressure")?.unwrap_or(0.0);
+    o.pressure = a.optional_number(&PRESSURE)?.unwrap_or(0.0);
     if a.at_number() {
-        o.rho = a.not_negative("mass per volume rho")?;
+        o.rho = a.number(&RHO)?;
     }
     body_forces(a, &mut o.body)?;
     Ok((law, o))

@@ -6,7 +6,7 @@ use crate::Tcl;
 use crate::args::Args;
 use crate::material::{CONDUCTION, RHEOLOGY_ARGUMENTS, rheology};
 use crate::slips;
-use crate::text::{Arg, Domain, Text};
+use crate::text::{Arg, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{RheologyShear, RubberBearing};
 use hysteron_engine::material::HdrRheology;
@@ -37,10 +37,12 @@ pub(super) const RHEOLOGY: Kind = Kind {
         Arg::not_negative("ts", "thickness of a shim ts"),
         Arg::positive("tr", "thickness of a rubber layer tr"),
         Arg::number("n", "number of layers; the second `$n` is the parameter n of the overstress"),
-        Arg::of("-kc", "kc", "cavitation parameter kc").within(Domain::NotNegative),
-        Arg::of("-PhiM", "PhiM", "largest damage of the cavitation strength PhiM").within(Domain::Number),
-        Arg::of("-ac", "ac", "strength degradation parameter ac").within(Domain::NotNegative),
-        Arg::of("-cover", "tc", "cover thickness tc").within(Domain::NotNegative),
+        KC.after("-kc"),
+        PHI_M.after("-PhiM"),
+        AC.after("-ac"),
+        SHEAR_DIST.after("-shearDist"),
+        MASS.after("-mass"),
+        COVER.after("-cover"),
     ])
     .groups(&[RHEOLOGY_ARGUMENTS, &CONDUCTION])
     .own(),

@@ -4,7 +4,7 @@ use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::model::nodes::node_of;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option, slips};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::shell::{
@@ -16,15 +16,19 @@ use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const DRILLING_SHARE: Arg =
+    Arg::of("-drillingStab", "share", "share of full integration of the drilling stiffness").within(Domain::Number);
+const LOCAL_X1: Arg = Arg::of("-local", "x1", "x1 of axis 1").within(Domain::Number);
+const LOCAL_X2: Arg = Arg::of("-local", "x2", "x2 of axis 1").within(Domain::Number);
+const LOCAL_X3: Arg = Arg::of("-local", "x3", "x3 of axis 1").within(Domain::Number);
+
 const I: Arg = Arg::whole("i", "tag of a corner's node");
 const J: Arg = Arg::whole("j", "tag of a corner's node");
 const K: Arg = Arg::whole("k", "tag of a corner's node");
 const L: Arg = Arg::whole("l", "tag of a corner's node");
 
-const LOCAL_AXES: &[Arg] = &[
-    Arg::flag("-corotational", "the axes of the shell follow its nodes"),
-    Arg::of("-local", "x1", "direction of axis 1 of the section, projected onto the shell"),
-];
+const LOCAL_AXES: &[Arg] =
+    &[Arg::flag("-corotational", "the axes of the shell follow its nodes"), LOCAL_X1, LOCAL_X2, LOCAL_X3];
 
 pub(super) const MITC4: Kind = Kind {
     names: &["ShellMITC4", "shellMITC4", "Shell", "shell"],
@@ -77,11 +81,7 @@ pub(super) const ENHANCED: Kind = Kind {
         K,
         L,
         Arg::flag("-noeas", "the membrane has no internal modes"),
-        Arg::of(
-            "-drillingStab",
-            "share",
-            "share of the drilling stiffness that is integrated fully, 0 to 1; 0.01 where nothing is given",
-        ),
+        DRILLING_SHARE,
         Arg::flag("-drillingNL", "the drilling stiffness is damaged with the section"),
     ])
     .groups(&[LOCAL_AXES]),
@@ -151,7 +151,7 @@ fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<
 }
 
 /// Share of the drilling penalty of a quadrilateral that is integrated fully, where none is given.
-const DRILLING_SHARE: f64 = 0.01;
+const DEFAULT_DRILLING_SHARE: f64 = 0.01;
 
 const OPTIONS: &[&str] = &["-corotational", "-noeas", "-drillingStab", "-reducedIntegration", "-drillingNL", "-local"];
 
@@ -167,7 +167,7 @@ fn make_enhanced(
         corotational: false,
         internal: count == 4,
         reduced: false,
-        drilling: Drilling::Elastic(DRILLING_SHARE),
+        drilling: Drilling::Elastic(DEFAULT_DRILLING_SHARE),
         axis: None,
         opensees_axes: interp.host.follows(&[slips::SHELL_AXES]),
         by_trials: interp.host.follows(&[slips::COROTATIONAL_TRIALS]),
@@ -177,11 +177,11 @@ fn make_enhanced(
         match (option.as_ref(), count) {
             ("-corotational" | "-Corotational", _) => o.corotational = true,
             ("-noeas", 4) => o.internal = false,
-            ("-drillingStab", 4) => share = Some(a.float("share of full integration of the drilling stiffness")?),
+            ("-drillingStab", 4) => share = Some(a.number(&DRILLING_SHARE)?),
             ("-reducedIntegration", 3) => o.reduced = true,
             ("-drillingNL", _) => damaged = true,
             ("-local", _) => {
-                let axis = [a.float("x1 of axis 1")?, a.float("x2 of axis 1")?, a.float("x3 of axis 1")?];
+                let axis = [a.number(&LOCAL_X1)?, a.number(&LOCAL_X2)?, a.number(&LOCAL_X3)?];
                 o.axis = axis.iter().any(|x| *x != 0.0).then_some(axis);
             }
             _ => ignore_option(interp, a, OPTIONS)?,

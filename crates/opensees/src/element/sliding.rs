@@ -4,6 +4,7 @@ use super::bearing::{Placement, materials};
 use super::{Ends, Make, orientation};
 use crate::args::Args;
 use crate::slips;
+use crate::text::any_command::{ITERATIONS, MASS, TOLERANCE};
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
@@ -88,10 +89,10 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
             }
             "-shearDist" => shear_dist = super::bearing::shear_dist(a)?,
             "-doRayleigh" => setting.rayleigh = true,
-            "-mass" => setting.mass = a.not_negative("mass")?,
+            "-mass" => setting.mass = a.number(&MASS)?,
             "-iter" => {
-                substitution.rounds = a.count("largest number of iterations")?;
-                substitution.tolerance = a.positive("tolerance")?;
+                substitution.rounds = a.count(&ITERATIONS)?;
+                substitution.tolerance = a.number(&TOLERANCE)?;
             }
             "-kFactUplift" if known.contains(&"-kFactUplift") => {
                 setting.uplift = a.number(&K_FACT_UPLIFT_K_FACT)?;

@@ -1,9 +1,10 @@
 //! `element ElasticTimoshenkoBeam`.
 
-use super::beam::{elastic_part, no_transform, numbers_ahead};
+use super::beam::{A, AVY, AVZ, E, G, IY, IZ, J, MASS_PER_LENGTH, elastic_part, no_transform};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
-use crate::text::Text;
+use crate::text::{Arg, Text};
+use crate::things;
 use crate::{Tcl, ignore_option};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
@@ -20,13 +21,25 @@ pub(super) const TIMOSHENKO: Kind = Kind {
             $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
     text: Text::new("Elastic beam with shear deformation.")
         .example("element ElasticTimoshenkoBeam 2 1 2 1 1 1 1 1 1")
-        .groups(&[super::beam::ELASTIC_BEAM]),
+        .arguments(&[
+            E,
+            G,
+            A,
+            J,
+            IY,
+            IZ,
+            AVY,
+            AVZ,
+            MASS_PER_LENGTH,
+            Arg::thing("section", things::SECTION),
+            Arg::thing("transf", things::TRANSFORM),
+        ]),
     make: Make::TwoNodes(make),
 };
 
 /// The section of the beam: by its tag, or number after number.
 fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSection, Exception> {
-    if numbers_ahead(a) == 2 {
+    if a.numbers_ahead() == 2 {
         let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let mut s = elastic_part(&section);
         if s.g == 0.0 {
@@ -39,16 +52,16 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
         s.shear = (s.shear.0.or(Some(s.area)), s.shear.1.or(Some(s.area)));
         return Ok(s);
     }
-    let (e, g) = (a.usually_positive(interp, "elastic modulus E")?, a.usually_positive(interp, "shear modulus G")?);
-    let area = a.usually_positive(interp, "cross-sectional area A")?;
+    let (e, g) = (a.read(interp, &E)?, a.read(interp, &G)?);
+    let area = a.read(interp, &A)?;
     let (mut j, mut iy) = (0.0, 0.0);
     if ndm == 3 {
-        j = a.usually_positive(interp, "torsion constant J")?;
-        iy = a.usually_positive(interp, "second moment of area Iy")?;
+        j = a.read(interp, &J)?;
+        iy = a.read(interp, &IY)?;
     }
-    let iz = a.usually_positive(interp, "second moment of area Iz")?;
-    let avy = a.usually_positive(interp, "shear area Avy")?;
-    let avz = if ndm == 3 { Some(a.usually_positive(interp, "shear area Avz")?) } else { None };
+    let iz = a.read(interp, &IZ)?;
+    let avy = a.read(interp, &AVY)?;
+    let avz = if ndm == 3 { Some(a.read(interp, &AVZ)?) } else { None };
     Ok(ElasticSection { e, area, iz, iy, g, j, shear: (Some(avy), avz) })
 }
 
@@ -69,7 +82,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut o = TimoshenkoOptions::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-mass" => o.rho = a.not_negative("mass per length")?,
+            "-mass" => o.rho = a.number(&MASS_PER_LENGTH)?,
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             "-geomNonlinear" => o.geometric = true,

@@ -16,10 +16,19 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
 
-const TRIPLE_FRICTION_PENDULUM_L1: Arg = Arg::positive("L1", "effective radius L1 of the inner surfaces");
-const D1: Arg = Arg::positive("d1", "displacement limit d1 of the inner surfaces");
-const D2: Arg = Arg::positive("d2", "displacement limit d2 of the lower outer surface");
-const D3: Arg = Arg::positive("d3", "displacement limit d3 of the upper outer surface");
+const KVT: Arg = Arg::positive("kvt", "vertical stiffness in tension kvt");
+const MIN_FV: Arg = Arg::not_negative("minFv", "least normal force minFv");
+const TOL: Arg = Arg::positive("tol", "tolerance tol");
+
+/// Effective radii and displacement limits of the inner, lower and upper surfaces.
+pub(super) const LENGTHS: [Arg; 6] = [
+    Arg::positive("L1", "effective radius L1 of the inner surfaces"),
+    Arg::positive("L2", "effective radius L2 of the lower outer surface"),
+    Arg::positive("L3", "effective radius L3 of the upper outer surface"),
+    Arg::positive("d1", "displacement limit d1 of the inner surfaces"),
+    Arg::positive("d2", "displacement limit d2 of the lower outer surface"),
+    Arg::positive("d3", "displacement limit d3 of the upper outer surface"),
+];
 const TRIPLE_FRICTION_PENDULUM_W: Arg = Arg::positive("W", "weight W");
 const UY: Arg = Arg::positive("uy", "yield displacement uy");
 
@@ -40,33 +49,27 @@ pub(super) const TRIPLE: Kind = Kind {
             Arg::thing("rotZMatTag", things::MATERIAL),
             Arg::thing("rotXMatTag", things::MATERIAL),
             Arg::thing("rotYMatTag", things::MATERIAL),
-            TRIPLE_FRICTION_PENDULUM_L1,
-            Arg::positive("L2", "effective radius L2 of the lower outer surface"),
-            Arg::positive("L3", "effective radius L3 of the upper outer surface"),
-            D1,
-            D2,
-            D3,
             TRIPLE_FRICTION_PENDULUM_W,
             UY,
-            Arg::new("kvt", "tension stiffness kvt"),
-            Arg::new("minFv", "smallest vertical force minFv"),
-            Arg::new("tol", "tolerance"),
-        ]),
+            KVT,
+            MIN_FV,
+            TOL,
+        ])
+        .groups(&[&LENGTHS]),
     make: Make::TwoNodes(make),
 };
 
 /// Effective radii and displacement limits of the inner, lower and upper surfaces.
 pub(super) fn lengths(a: &mut Args<'_>) -> Result<([f64; 3], [f64; 3]), Exception> {
-    let l1 = a.number(&TRIPLE_FRICTION_PENDULUM_L1)?;
-    let mut outer = |what: &str| -> Result<f64, Exception> {
-        let l = a.positive(&format!("effective radius {what}"))?;
+    let [l1, l2, l3, d1, d2, d3] = &LENGTHS;
+    let l1 = a.number(l1)?;
+    let mut outer = |arg: &Arg| -> Result<f64, Exception> {
+        let (l, what) = (a.number(arg)?, arg.meaning.trim_start_matches("effective radius "));
         let refused = || a.refuse(format!("{what} is {l}"), format!("expected a radius greater than L1, {l1}"));
         if l > l1 { Ok(l) } else { Err(refused()) }
     };
-    let l = [l1, outer("L2 of the lower outer surface")?, outer("L3 of the upper outer surface")?];
-    let d1 = a.number(&D1)?;
-    let d2 = a.number(&D2)?;
-    let d3 = a.number(&D3)?;
+    let l = [l1, outer(l2)?, outer(l3)?];
+    let [d1, d2, d3] = [a.number(d1)?, a.number(d2)?, a.number(d3)?];
     Ok((l, [d1, d2, d3]))
 }
 
@@ -113,9 +116,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let weight = a.number(&TRIPLE_FRICTION_PENDULUM_W)?;
     let uy = a.number(&UY)?;
     let e = stiffness(a, a.last_span(), frictions[0].coefficient(weight, 0.0).mu, uy, &l)?;
-    let k_tension = a.positive("vertical stiffness in tension kvt")?;
-    let least_normal = a.not_negative("least normal force minFv")?;
-    let tolerance = a.positive("tolerance tol")?;
+    let k_tension = a.number(&KVT)?;
+    let least_normal = a.number(&MIN_FV)?;
+    let tolerance = a.number(&TOL)?;
     let chain = chain(e, &l, &d, 2.0 * (l[0] / l[2] * d[2] + d[0]));
     let height = ends.place.1.z - ends.place.0.z;
     let slips = [

@@ -1,6 +1,5 @@
 //! `element truss` and `corotTruss`.
 
-use super::beam::numbers_ahead;
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
@@ -39,19 +38,22 @@ pub(super) const COROT_TRUSS: Kind = Kind {
 
 pub(super) const TRUSS_SECTION: Kind = Kind {
     names: &["trussSection", "TrussSection"],
-    usage: "element trussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
-    text: Text::new("Axial bar with a section.")
-        .example("element trussSection 2 1 2 1")
-        .arguments(&[Arg::number("section", "tag of a section"), RHO]),
+    usage: "element trussSection $tag $i $j $section | $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    text: Text::new("Axial bar with a section.").example("element trussSection 2 1 2 1").arguments(&[
+        Arg::number("section", "tag of a section"),
+        TRUSS_A,
+        Arg::new("matTag", "tag of the law"),
+        RHO,
+    ]),
     make: Make::TwoNodes(make),
 };
 
 pub(super) const COROT_TRUSS_SECTION: Kind = Kind {
     names: &["corotTrussSection", "CorotTrussSection"],
-    usage: "element corotTrussSection $tag $i $j $section <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    usage: "element corotTrussSection $tag $i $j $section | $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
     text: Text::new("Axial bar with a section and large displacements.")
         .example("element corotTrussSection 2 1 2 1")
-        .arguments(&[Arg::number("section", "tag of a section"), RHO]),
+        .arguments(&[Arg::number("section", "tag of a section"), TRUSS_A, Arg::new("matTag", "tag of the law"), RHO]),
     make: Make::TwoNodes(make_corot),
 };
 
@@ -82,7 +84,7 @@ fn make_corot(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
 
 /// Area and material, or, with one number instead of two, a section whose axial force is the bar's.
 fn axial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(f64, Material, i32), Exception> {
-    if numbers_ahead(a) == 1 {
+    if a.numbers_ahead() == 1 {
         let (section, tag) = a.of(&interp.host.builder.definitions.sections)?;
         let Some(axial) = Axial::new(section, tag) else {
             return Err(a.refuse(format!("section {tag} has no axial force"), "expected a section with P"));

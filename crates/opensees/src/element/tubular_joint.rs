@@ -9,6 +9,9 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+const BRACE_ANGLE: Arg = Arg::number("braceAngle", "angle of the brace in degrees");
+const CHORD_ANGLE: Arg = Arg::number("chordAngle", "angle of the chord in degrees");
+
 const BRACE_DIAMETER: Arg = Arg::positive("braceDiameter", "diameter of the brace");
 const ELASTIC_TUBULAR_JOINT_E: Arg = Arg::positive("E", "modulus of elasticity E");
 const CHORD_DIAMETER: Arg = Arg::positive("chordDiameter", "diameter of the chord");
@@ -21,11 +24,11 @@ pub(super) const TUBULAR_JOINT: Kind = Kind {
         .example("element ElasticTubularJoint 77 1 2 0.3 60. 2e8 0.6 0.02 0.")
         .arguments(&[
             BRACE_DIAMETER,
-            Arg::number("braceAngle", "angle between brace and chord, degrees"),
+            BRACE_ANGLE,
             ELASTIC_TUBULAR_JOINT_E,
             CHORD_DIAMETER,
             CHORD_THICKNESS,
-            Arg::number("chordAngle", "angle between the chord and the axis x, degrees"),
+            CHORD_ANGLE,
         ]),
     make: Make::TwoNodes(make),
 };
@@ -36,7 +39,7 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
     let brace_diameter = a.number(&BRACE_DIAMETER)?;
-    let brace_angle = a.float("angle of the brace in degrees")?;
+    let brace_angle = a.number(&BRACE_ANGLE)?;
     if !(brace_angle > 0.0 && brace_angle < 180.0) {
         let label = "expected the angle between brace and chord, more than 0 and less than 180 degrees";
         return Err(a.refuse(format!("angle of the brace is {brace_angle}"), label));
@@ -53,7 +56,7 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         e,
         chord_diameter,
         chord_thickness: a.number(&CHORD_THICKNESS)?,
-        chord_angle: a.float("angle of the chord in degrees")?,
+        chord_angle: a.number(&CHORD_ANGLE)?,
     };
     let line = ends.place.1 - ends.place.0;
     Ok(TubularJoint::new(&options, [line.x, line.y]).map_err(|e| refused(a, nodes, e))?.shared())

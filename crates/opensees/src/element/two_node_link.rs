@@ -4,6 +4,7 @@ use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::model::transform::vector;
+use crate::text::any_command::MASS;
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::axes;
@@ -14,13 +15,15 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 
+const P_DELTA: Arg = Arg::of("-pDelta", "My1", "ratio of a P-Delta moment").within(Domain::Number);
+
 pub(super) const TWO_NODE_LINK: Kind = Kind {
     names: &["twoNodeLink"],
     usage: "element twoNodeLink $tag $i $j -mat $mat1 ... -dir $dir1 ... <-orient <$x1 $x2 $x3> $yp1 $yp2 $yp3> \
             <-pDelta <$My1 $My2> $Mz1 $Mz2> <-shearDist $sDy <$sDz>> <-doRayleigh> <-mass $m>",
     text: Text::new("Springs between two nodes at a distance.")
         .example("element twoNodeLink 2 1 2 -mat 1 -dir 1")
-        .arguments(&[Arg::of("-pDelta", "My1", "ratio of a P-Delta moment").within(Domain::Number)]),
+        .arguments(&[P_DELTA]),
     make: Make::TwoNodes(make),
 };
 
@@ -65,7 +68,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
                 }
             }
             "-doRayleigh" => options.rayleigh = true,
-            "-mass" => options.mass = a.not_negative("mass")?,
+            "-mass" => options.mass = a.number(&MASS)?,
             _ => ignore_unknown(interp, a)?,
         }
     }
@@ -135,7 +138,7 @@ pub(super) fn moment_ratios(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize, kind
     let first = if ndm == 2 { 2 } else { 0 };
     for pair in (first..4).step_by(2) {
         for ratio in &mut ratios[pair..pair + 2] {
-            *ratio = a.float("ratio of a P-Delta moment")?;
+            *ratio = a.number(&P_DELTA)?;
             if *ratio < 0.0 {
                 let message = format!("{kind}: the P-Delta moment ratio {ratio} is negative; its size is taken");
                 warn(

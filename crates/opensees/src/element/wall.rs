@@ -18,22 +18,25 @@ use hysteron_tcl::diagnostic::Span;
 use nalgebra::Vector3;
 use std::sync::Arc;
 
+const COR: Arg =
+    Arg::of("-CoR", "c", "height of the centre of rotation as a share of the height").within(Domain::Number);
+const THICK_MOD: Arg = Arg::of("-ThickMod", "factor", "factor of the thickness in bending").within(Domain::Positive);
+const DENSITY: Arg = Arg::of("-Density", "density", "mass per volume of the wall").within(Domain::NotNegative);
+const EAVE: Arg = Arg::of("-Eave", "modulus", "modulus of elasticity of the plate").within(Domain::Positive);
+const POISSON: Arg = Arg::of("-Poisson", "nu", "Poisson's ratio of the plate").within(Domain::Number);
+const MVLEM_DENSITY: Arg = Arg::not_negative("density", "mass per volume of the wall");
+
 const MVLEM_3_D_I: Arg = Arg::whole("i", "tag of a corner's node");
 const MVLEM_3_D_J: Arg = Arg::whole("j", "tag of a corner's node");
 const K: Arg = Arg::whole("k", "tag of a corner's node");
 const L: Arg = Arg::whole("l", "tag of a corner's node");
-const M: Arg = Arg::whole("m", "number m of strips");
+const M: Arg = Arg::count("m", "number m of strips");
 const THICK_T1: Arg = Arg::of("-thick", "t1", "thickness of a strip").within(Domain::Positive);
 const WIDTH_W1: Arg = Arg::of("-width", "w1", "width of a strip").within(Domain::Positive);
 const RHO_RATIO1: Arg = Arg::of("-rho", "ratio1", "ratio of reinforcement of a fibre").within(Domain::NotNegative);
 const C: Arg = Arg::number("c", "height c of the shear spring as a share of the height");
 
-const PLATE: &[Arg] = &[
-    Arg::of("-CoR", "c", "height of the centre of rotation as a share of the height").within(Domain::Number),
-    Arg::of("-ThickMod", "factor", "thickness in bending over the mean thickness").within(Domain::Positive),
-    Arg::of("-Poisson", "nu", "Poisson's ratio of the plate").within(Domain::Number),
-    Arg::of("-Density", "density", "mass per volume of the wall").within(Domain::NotNegative),
-];
+const PLATE: &[Arg] = &[COR, THICK_MOD, POISSON, DENSITY];
 
 pub(super) const MVLEM: Kind = Kind {
     names: &["MVLEM"],
@@ -45,13 +48,12 @@ pub(super) const MVLEM: Kind = Kind {
                 -matShear 9",
         )
         .arguments(&[
-            Arg::not_negative("density", "mass per volume of the wall"),
-            Arg::whole("m", "number of vertical fibres, from the left to the right"),
-            Arg::number("c", "height of the shear spring as a share of the height of the element"),
-            Arg::of("-thick", "t1", "thickness of each fibre").within(Domain::Positive),
-            Arg::of("-width", "w1", "width of each fibre").within(Domain::Positive),
-            Arg::of("-rho", "ratio1", "area of reinforcement of each fibre as a share of its area")
-                .within(Domain::NotNegative),
+            MVLEM_DENSITY,
+            M,
+            C,
+            THICK_T1,
+            WIDTH_W1,
+            RHO_RATIO1,
             Arg::of("-matConcrete", "mat1", "concrete of each fibre").within(Domain::Whole),
             Arg::of("-matSteel", "mat1", "reinforcement of each fibre").within(Domain::Whole),
             Arg::of("-matShear", "mat", "law of the shear force and the shear deformation").within(Domain::Whole),
@@ -112,16 +114,7 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
             <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`SFI_MVLEM` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[
-            MVLEM_3_D_I,
-            MVLEM_3_D_J,
-            K,
-            L,
-            M,
-            THICK_T1,
-            WIDTH_W1,
-            Arg::of("-Eave", "modulus", "modulus of elasticity of the plate; the mean of the concretes without"),
-        ])
+        .arguments(&[MVLEM_3_D_I, MVLEM_3_D_J, K, L, M, THICK_T1, WIDTH_W1, EAVE])
         .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::NoStress)),
 };
@@ -132,16 +125,7 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`E_SFI` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element E_SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[
-            MVLEM_3_D_I,
-            MVLEM_3_D_J,
-            K,
-            L,
-            M,
-            THICK_T1,
-            WIDTH_W1,
-            Arg::of("-Eave", "modulus", "modulus of elasticity of the plate; the mean of the concretes without"),
-        ])
+        .arguments(&[MVLEM_3_D_I, MVLEM_3_D_J, K, L, M, THICK_T1, WIDTH_W1, EAVE])
         .groups(&[PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::FromShearAndBars)),
 };
@@ -208,13 +192,11 @@ impl Strips {
                         form(a, &family, (family.0.plane_stress.as_ref(), "in plane stress"))
                     })?;
                 }
-                "-CoR" if in_space => {
-                    s.centre = a.float("height of the centre of rotation as a share of the height")?
-                }
-                "-ThickMod" if in_space => s.bending = a.positive("factor of the thickness in bending")?,
+                "-CoR" if in_space => s.centre = a.number(&COR)?,
+                "-ThickMod" if in_space => s.bending = a.number(&THICK_MOD)?,
                 "-Poisson" if in_space => s.nu = poisson(a)?,
-                "-Density" if in_space => s.density = a.not_negative("mass per volume")?,
-                "-Eave" if in_space => s.modulus = Some(a.positive("modulus of elasticity of the plate")?),
+                "-Density" if in_space => s.density = a.number(&DENSITY)?,
+                "-Eave" if in_space => s.modulus = Some(a.number(&EAVE)?),
                 "-Coupling" => {
                     // The tangent here always has the terms that this option adds.
                     a.int("coupling")?;
@@ -289,7 +271,7 @@ impl Strips {
 }
 
 fn poisson(a: &mut Args<'_>) -> Result<f64, Exception> {
-    let nu = a.float("Poisson's ratio of the plate")?;
+    let nu = a.number(&POISSON)?;
     if nu.abs() >= 1.0 {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected between -1 and 1"));
     }
@@ -302,7 +284,7 @@ fn numbers<T>(count: usize, mut take: impl FnMut() -> Result<T, Exception>) -> R
 }
 
 fn count(a: &mut Args<'_>) -> Result<usize, Exception> {
-    match a.count(M.meaning)? {
+    match a.count(&M)? {
         0 => Err(a.refuse("the wall has no strips", "expected 1 or more")),
         count => Ok(count),
     }
@@ -351,7 +333,7 @@ fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<Corners, Exception> {
 }
 
 fn lines(interp: &mut Tcl, a: &mut Args<'_>) -> WallResult {
-    let density = a.not_negative("density")?;
+    let density = a.number(&MVLEM_DENSITY)?;
     let (nodes, height) = ends(interp, a)?;
     let count = count(a)?;
     let centre = centre(a)?;

@@ -5,12 +5,15 @@ use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::{Link, ShearBearing, ShearLaw, YamamotoShear};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
+
+const CO_RS_CR: Arg = Arg::of("-coRS", "cr", "factor cr of tau_r").within(Domain::Positive);
+const CO_RS_CS: Arg = Arg::of("-coRS", "cs", "factor cs of tau_s").within(Domain::Positive);
 
 const TP: Arg = Arg::whole("tp", "compound tp");
 const D_DO: Arg = Arg::positive("dDo", "outer diameter dDo");
@@ -23,7 +26,7 @@ pub(super) const YAMAMOTO: Kind = Kind {
             <-mass $m>",
     text: Text::new("High damping rubber bearing with bidirectional shear (Yamamoto).")
         .example("element YamamotoBiaxialHDR 2 1 2 1 1 0.5 1")
-        .arguments(&[TP, D_DO, D_DI, HR, super::MASS_ABOVE_ZERO]),
+        .arguments(&[TP, D_DO, D_DI, HR, CO_RS_CR, CO_RS_CS, super::MASS_ABOVE_ZERO]),
     make: Make::TwoNodes(make),
 };
 
@@ -46,9 +49,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut orient = Orient::default();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-coRS" => factors = [a.positive("factor cr of tau_r")?, a.positive("factor cs of tau_s")?],
+            "-coRS" => factors = [a.number(&CO_RS_CR)?, a.number(&CO_RS_CS)?],
             "-orient" => orient.take(a)?,
-            "-mass" => mass = a.positive("mass")?,
+            "-mass" => mass = a.number(&super::MASS_ABOVE_ZERO)?,
             _ => return Err(a.unknown_name("option", ["-coRS", "-orient", "-mass"])),
         }
     }

@@ -4,13 +4,17 @@ use crate::args::Args;
 use crate::load::series::series_of;
 use crate::model::nodes::{DOF, NODE, node_of};
 use crate::slips;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_unknown};
 use hysteron_engine::model::{Ground, GroundMotion, Pattern, PatternKind, SupportMotion, Tag};
 use hysteron_tcl::diagnostic::Span;
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
+
+const FACTOR: Arg = Arg::of("-fact", "factor", "factor").within(Domain::Number);
+
+const DT_INT: Arg = Arg::of("-dtInt", "dt", "step of the integration").within(Domain::Positive);
 
 const TAG: Arg = Arg::whole("tag", "tag of the ground motion");
 const IMPOSED_MOTION_GROUND_MOTION: Arg = Arg::whole("groundMotion", "tag of a ground motion");
@@ -24,8 +28,8 @@ pub(crate) const COMMANDS: &[Command] = &[
             Arg::of("-vel", "series", "tag of a series of velocities"),
             Arg::of("-disp", "series", "tag of a series of displacements"),
             Arg::flag("-int", "rule of integration of a series that is not given"),
-            Arg::of("-dtInt", "dt", "time step of this integration"),
-            Arg::of("-fact", "factor", "factor; of `Interpolated` one for each motion"),
+            DT_INT,
+            FACTOR,
             Arg::new("motion", "tags of ground motions"),
         ])
         .defining(&[things::GROUND_MOTION], 1),
@@ -117,8 +121,8 @@ fn plain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<GroundMotion, Exception> 
                 "Trapezoidal" | "Simpson" => {}
                 _ => return Err(a.unknown_name("integration of a series", ["Trapezoidal", "Simpson"])),
             },
-            "-dtInt" | "-dtIntegrator" | "-deltaT" => dt = a.positive("step of the integration")?,
-            "-fact" | "-factor" => factor = a.float("factor")?,
+            "-dtInt" | "-dtIntegrator" | "-deltaT" => dt = a.number(&DT_INT)?,
+            "-fact" | "-factor" => factor = a.number(&FACTOR)?,
             _ => ignore_unknown(interp, a)?,
         }
     }

@@ -5,12 +5,15 @@
 
 use crate::args::Args;
 use crate::checks;
+use crate::text::Arg;
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::model::{Ground, GroundMotion, Model, NodeId, PatternKind, SupportMotion, Tag};
 use hysteron_engine::series::{Delayed, Series};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, Value};
 use std::sync::Arc;
+
+const DELAY: Arg = Arg::number("delay", "delay of the support");
 
 /// Option with the delay.
 const OPTION: &str = "-by";
@@ -29,7 +32,7 @@ pub(crate) fn late(interp: &mut Tcl, a: &mut Args<'_>, node: NodeId) -> Outcome 
     if !a.flag(OPTION) {
         return Err(a.refuse_at(a.next_span(), "the delay of the support is missing", "expected -by and a time"));
     }
-    let delay = a.float("delay of the support")?;
+    let delay = a.number(&DELAY)?;
     finish(interp, a)?;
     let model = interp.host.engine.model();
     let support = LateSupport { node: model.nodes[node.0].tag, delay };

@@ -21,6 +21,9 @@ use hysteron_tcl::diagnostic::{Absent, Diagnostic};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const FACTOR: Arg = Arg::of("-fact", "factor", "factor on all loads").within(Domain::Number);
+
+const FORCE: Arg = Arg::number("f1", "force on degree of freedom");
 const TAG: Arg = Arg::whole("tag", "tag of the pattern");
 const DIRECTION: Arg = Arg::whole("direction", "direction");
 const VEL0_V: Arg = Arg::of("-vel0", "v", "initial velocity").within(Domain::Number);
@@ -33,12 +36,10 @@ const SET_TIME_TIME: Arg = Arg::number("time", "time");
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("pattern", PLAIN, pattern)
         .about("Makes a pattern of loads that follow a time series, or an excitation.")
-        .arguments(&[Arg::of("-fact", "factor", "factor on all loads").within(Domain::Number)])
+        .arguments(&[FACTOR])
         .defining(&[things::PATTERN], 2)
         .with_kinds(|| kind::usages(KINDS)),
-    Command::new("load", LOAD, load)
-        .arguments(&[NODE, Arg::number("f1", "force on degree of freedom 1"), PATTERN_TAG])
-        .about("Adds a nodal load to a pattern."),
+    Command::new("load", LOAD, load).arguments(&[NODE, FORCE, PATTERN_TAG]).about("Adds a nodal load to a pattern."),
     Command::new("sp", SP, sp)
         .arguments(&[NODE, DOF, VALUE, PATTERN_TAG])
         .about("Imposes the displacement of a degree of freedom, in a pattern."),
@@ -128,7 +129,7 @@ fn plain(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
     while a.at_option() {
         a.option();
         match a.last_word().as_ref() {
-            "-fact" | "-factor" => factor = a.float("factor")?,
+            "-fact" | "-factor" => factor = a.number(&FACTOR)?,
             _ => ignore_unknown(interp, &mut a)?,
         }
     }
@@ -179,7 +180,7 @@ fn uniform(interp: &mut Tcl, tag: Tag, mut a: Args<'_>) -> Outcome {
             "-vel" | "-velocity" => motion[1] = Some(series_of(interp, &mut a)?),
             "-disp" | "-displacement" => motion[2] = Some(series_of(interp, &mut a)?),
             "-vel0" | "-initialVel" => excitation.initial_velocity = a.number(&VEL0_V)?,
-            "-fact" | "-factor" => excitation.influence = a.float("factor")?,
+            "-fact" | "-factor" => excitation.influence = a.number(&FACTOR)?,
             _ => ignore_unknown(interp, &mut a)?,
         }
     }
@@ -234,7 +235,7 @@ fn load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, LOAD);
     let node = node_of(interp, &mut a, NODE.meaning)?;
     let ndf = interp.host.engine.model().nodes[node.0].ndf;
-    let values = (1..=ndf).map(|i| a.nth_float("force on degree of freedom", i));
+    let values = (1..=ndf).map(|i| a.nth_number(&FORCE, i));
     let values = values.collect::<Result<Vec<f64>, _>>()?;
     let (mut constant, mut named) = (false, None);
     while let Some(option) = a.option() {

@@ -12,6 +12,10 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const ZERO_SHIFT: Arg = Arg::of("-zeroShift", "z", "zero shift").within(Domain::Number);
+const WIDTH: Arg = Arg::of("-width", "w", "width of the pulse as a fraction of the period").within(Domain::Number);
+const START_TIME: Arg = Arg::of("-startTime", "t", "start time").within(Domain::Number);
+
 const TAG: Arg = Arg::whole("tag", "tag of the time series");
 const FACTOR_C: Arg = Arg::of("-factor", "c", "factor").within(Domain::Number);
 const T_START: Arg = Arg::number("tStart", "start tStart");
@@ -23,10 +27,7 @@ const FILE_MOTION_FILE: Arg = Arg::of("-fileMotion", "file", "name of a measured
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
     .about("Makes a factor that varies with time.")
-    .arguments(&[
-        Arg::of("-zeroShift", "z", "added to the value").within(Domain::Number),
-        Arg::of("-width", "w", "width of a pulse over the period").within(Domain::Number),
-    ])
+    .arguments(&[ZERO_SHIFT, WIDTH])
     .defining(&[things::SERIES], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -92,7 +93,7 @@ const KINDS: &[Kind] = &[
             Arg::of("-layout", "word", "layout"),
             Arg::of("-to", "unit", "unit"),
             Arg::of("-factor", "c", "factor").within(Domain::Number),
-            Arg::of("-startTime", "t", "time of the first value").within(Domain::Number),
+            START_TIME,
         ]),
         make: path,
     },
@@ -186,9 +187,9 @@ fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
         match option.as_ref() {
             "-factor" => w.factor = a.number(&FACTOR_C)?,
             "-shift" | "-phaseShift" => w.shift = a.number(&SHIFT)?,
-            "-zeroShift" => w.zero_shift = a.float("zero shift")?,
+            "-zeroShift" => w.zero_shift = a.number(&ZERO_SHIFT)?,
             "-width" | "-pulseWidth" => {
-                width = a.float("width of the pulse as a fraction of the period")?;
+                width = a.number(&WIDTH)?;
                 if !(0.0..=1.0).contains(&width) {
                     let d = Diagnostic::warning(
                         &checks::load::EMPTY_SERIES,
@@ -274,7 +275,7 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             "-factor" => factor = a.number(&FACTOR_C)?,
             "-useLast" => use_last = true,
             "-prependZero" => prepend = true,
-            "-startTime" | "-tStart" => start = a.float("start time")?,
+            "-startTime" | "-tStart" => start = a.number(&START_TIME)?,
             // An old script may give the tag as an option.
             "-tag" => drop(a.int("tag")?),
             _ => ignore_option(interp, a, PATH_OPTIONS)?,

@@ -10,11 +10,18 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const CAP_SLOPE: Arg = Arg::number("E", "slope behind the cap E");
+
+const FACTOR: Arg = Arg::number("factor", "factor of the stress");
+const ARCTANGENT_FY: Arg = Arg::positive("Fy", "strength Fy");
+const E_CAP: Arg = Arg::number("eCap", "strain of the cap eCap");
+const S_RES: Arg = Arg::number("sRes", "residual stress sRes");
+
 const TAG: Arg = Arg::whole("tag", "tag of the backbone");
 const ARCTANGENT_K1: Arg = Arg::number("K1", "coefficient K1");
 const GAMMA_Y: Arg = Arg::positive("gammaY", "strain at yielding gammaY");
 const ALPHA: Arg = Arg::number("alpha", "angle alpha");
-const ARCTANGENT_E: Arg = Arg::number("E", "angle alpha");
+const ARCTANGENT_E: Arg = Arg::positive("E", "modulus E");
 const ES: Arg = Arg::positive("Es", "elastic modulus Es");
 const FY: Arg = Arg::positive("fy", "yield stress fy");
 const FSU: Arg = Arg::positive("fsu", "ultimate stress fsu");
@@ -49,7 +56,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     usage: "uniaxialMaterial Backbone $tag $backbone <$factor>",
     text: Text::new("Elastic along a curve of `hystereticBackbone`.")
         .example("hystereticBackbone Bilinear 1 0.01 1. 0.1 1.5; uniaxialMaterial Backbone 77 1")
-        .arguments(&[Arg::thing("backbone", things::BACKBONE), Arg::new("factor", "factor of the stress")]),
+        .arguments(&[Arg::thing("backbone", things::BACKBONE), FACTOR]),
     make: backbone_material,
 }];
 
@@ -101,7 +108,7 @@ const BACKBONES: &[BackboneKind] = &[
             GAMMA_Y,
             ALPHA,
             ARCTANGENT_E,
-            Arg::new("Fy", "strength, for the form with a modulus"),
+            ARCTANGENT_FY,
         ]),
         make: arctangent,
     },
@@ -187,9 +194,9 @@ const BACKBONES: &[BackboneKind] = &[
         text: Text::new("Another curve up to a strain, then a line to a residual stress.").arguments(&[
             TAG,
             Arg::thing("backbone", things::BACKBONE),
-            Arg::new("eCap", "strain of the cap"),
-            Arg::new("E", "slope behind the cap"),
-            Arg::new("sRes", "residual stress"),
+            E_CAP,
+            CAP_SLOPE,
+            S_RES,
         ]),
         make: linear_capped,
     },
@@ -211,7 +218,7 @@ fn hysteretic_backbone(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn backbone_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (backbone, _) = a.of(&interp.host.builder.definitions.backbones)?;
-    let factor = a.optional_float("factor of the stress")?.unwrap_or(1.0);
+    let factor = a.optional_number(&FACTOR)?.unwrap_or(1.0);
     Ok(BackboneElastic { backbone, factor }.shared())
 }
 
@@ -233,7 +240,7 @@ const DEFAULT_ANGLE: f64 = 0.8;
 
 fn arctangent(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
     if a.ahead().take_while(|v| v.as_f64().is_some()).count() == 2 {
-        let (e, fy) = (a.positive("modulus E")?, a.positive("strength Fy")?);
+        let (e, fy) = (a.number(&ARCTANGENT_E)?, a.number(&ARCTANGENT_FY)?);
         let k2 = DEFAULT_ANGLE.tan() / (fy / e);
         return Ok(Backbone::Arctangent { k1: e / k2, k2 });
     }
@@ -331,8 +338,8 @@ fn of_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception
 
 fn linear_capped(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
     let (inner, _) = a.of(&interp.host.builder.definitions.backbones)?;
-    let (cap, slope) = (a.float("strain of the cap eCap")?, a.float("slope behind the cap E")?);
-    let residual = a.float("residual stress sRes")?;
+    let (cap, slope) = (a.number(&E_CAP)?, a.number(&CAP_SLOPE)?);
+    let residual = a.number(&S_RES)?;
     inner.at(cap).map_err(|e| a.refuse(e.to_string(), "expected a backbone with a stress at the cap"))?;
     Ok(Backbone::LinearCapped { inner, cap, slope, residual })
 }

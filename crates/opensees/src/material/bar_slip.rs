@@ -9,6 +9,10 @@ use hysteron_engine::material::{BarPlace, BarSlip, Bond, BondDamage, Material, P
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const WIDTH: Arg = Arg::positive("width", "width of the member");
+const DEPTH: Arg = Arg::positive("depth", "depth of the member");
+const ANC_LRATIO: Arg = Arg::positive("ancLratio", "part of the anchorage length ancLratio");
+
 const FC: Arg = Arg::number("fc", "strength of the concrete fc");
 const FY: Arg = Arg::positive("fy", "yield stress fy");
 const ES: Arg = Arg::positive("Es", "elastic modulus Es");
@@ -36,9 +40,9 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             DB,
             LD,
             NB,
-            Arg::positive("width", "width of the member"),
-            Arg::positive("depth", "depth of the member"),
-            Arg::new("ancLratio", "factor of the anchorage length"),
+            WIDTH,
+            DEPTH,
+            ANC_LRATIO,
             Arg::new("unit", "unit of stress: `MPa`, `psi`, `Pa`, `psf`, `ksi` or `ksf`; that of length follows"),
         ]),
     make: bar_slip,
@@ -87,9 +91,9 @@ fn bar_slip(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (eh, diameter) = (a.number(&EH)?, a.number(&DB)?);
     let mut anchorage = a.number(&LD)?;
     let bars = a.number(&NB)?.trunc();
-    let member = [a.positive("width of the member")?, a.positive("depth of the member")?];
+    let member = [a.number(&WIDTH)?, a.number(&DEPTH)?];
     if a.at_number() {
-        anchorage *= a.positive("part of the anchorage length ancLratio")?;
+        anchorage *= a.number(&ANC_LRATIO)?;
     }
     let bond = one_of(a, "bond", &[("strong", Bond::Strong), ("weak", Bond::Weak)])?;
     let place = one_of(a, "place of the bars", PLACES)?;

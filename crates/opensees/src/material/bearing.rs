@@ -12,8 +12,13 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
-const STIFFNESS_FACTOR: Arg = Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative);
+const RK: Arg = Arg::of("-coKQ", "rk", "factor rk of the stiffness").within(Domain::NotNegative);
+const RQ: Arg = Arg::of("-coKQ", "rq", "factor rq of the strength").within(Domain::NotNegative);
+const CG: Arg = Arg::of("-coGHU", "cg", "factor cg of the shear modulus").within(Domain::NotNegative);
+const CH: Arg = Arg::of("-coGHU", "ch", "factor ch of the damping").within(Domain::NotNegative);
+const CU: Arg = Arg::of("-coGHU", "cu", "factor cu of u").within(Domain::NotNegative);
 const FORCE_FACTOR: Arg = Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative);
+const STIFFNESS_FACTOR: Arg = Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative);
 const SCE: Arg = Arg::positive("sce", "stiffness sce in compression");
 const FTY: Arg = Arg::not_negative("fty", "stress fty at cavitation");
 const FCY: Arg = Arg::number("fcy", "stress fcy at yield in compression");
@@ -68,16 +73,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial KikuchiAikenHDR $tag $tp $ar $hr <-coGHU $cg $ch $cu> <-coMSS $rs $rf>",
         text: Text::new("Shear spring of a high damping rubber bearing (Kikuchi and Aiken, 1997).")
             .example("uniaxialMaterial KikuchiAikenHDR 77 1 1 1")
-            .arguments(&[
-                KIKUCHI_AIKEN_HDR_TP,
-                AR,
-                HR,
-                Arg::of("-coGHU", "cg", "factor cg of the shear modulus").within(Domain::NotNegative),
-                Arg::of("-coGHU", "ch", "factor ch of the damping").within(Domain::NotNegative),
-                Arg::of("-coGHU", "cu", "factor cu of u").within(Domain::NotNegative),
-                STIFFNESS_FACTOR,
-                FORCE_FACTOR,
-            ]),
+            .arguments(&[KIKUCHI_AIKEN_HDR_TP, AR, HR, CG, CH, CU, STIFFNESS_FACTOR, FORCE_FACTOR]),
         make: kikuchi_aiken_hdr,
     },
     Kind {
@@ -96,8 +92,8 @@ pub(super) const KINDS: &[Kind] = &[
                 ALPH,
                 BETA,
                 T_TEMP,
-                Arg::of("-coKQ", "rk", "factor rk of the stiffness").within(Domain::NotNegative),
-                Arg::of("-coKQ", "rq", "factor rq of the strength").within(Domain::NotNegative),
+                RK,
+                RQ,
                 STIFFNESS_FACTOR,
                 FORCE_FACTOR,
             ]),
@@ -179,14 +175,14 @@ fn axial_sp_hd(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
 }
 
 /// A factor, where 0 stands for 1.
-fn factor(a: &mut Args<'_>, what: &str) -> Result<f64, Exception> {
-    let x = a.not_negative(what)?;
+fn factor(a: &mut Args<'_>, arg: &Arg) -> Result<f64, Exception> {
+    let x = a.number(arg)?;
     Ok(if x == 0.0 { 1.0 } else { x })
 }
 
 /// R_s and R_f of a spring of several side by side.
 fn spring_factors(a: &mut Args<'_>) -> Result<[f64; 2], Exception> {
-    Ok([factor(a, "factor rs of the stiffness")?, factor(a, "factor rf of the force")?])
+    Ok([factor(a, &STIFFNESS_FACTOR)?, factor(a, &FORCE_FACTOR)?])
 }
 
 /// The law of a device, by the rules of the mode.
@@ -218,9 +214,8 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-coGHU" => {
-                let names = ["factor cg of the shear modulus", "factor ch of the damping", "factor cu of u"];
-                for (f, name) in factors.iter_mut().zip(names) {
-                    *f = factor(a, name)?;
+                for (f, arg) in factors.iter_mut().zip([&CG, &CH, &CU]) {
+                    *f = factor(a, arg)?;
                 }
             }
             "-coMSS" => springs = spring_factors(a)?,
@@ -255,7 +250,7 @@ fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-T" => p.temperature = a.number(&T_TEMP)?,
-            "-coKQ" => p.factors = [factor(a, "factor rk of the stiffness")?, factor(a, "factor rq of the strength")?],
+            "-coKQ" => p.factors = [factor(a, &RK)?, factor(a, &RQ)?],
             "-coMSS" => springs = spring_factors(a)?,
             _ => return Err(a.unknown_name("option", ["-T", "-coKQ", "-coMSS"])),
         }

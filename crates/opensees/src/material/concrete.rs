@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::checks;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_unknown, slips, warn};
 use hysteron_engine::material::{
     Concrete01, Concrete01Sitc, Concrete02, Concrete02Is, Concrete04, Concrete06, Concrete07, ConcreteCm, ConcreteD,
@@ -12,6 +12,15 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const BETA_FT: Arg = Arg::not_negative("ft", "tensile strength ft");
+const BETA_LAMBDA: Arg =
+    Arg::of("-lambda", "lambda", "share lambda of the secant modulus in unloading").within(Domain::Number);
+const BETA_ALPHA: Arg =
+    Arg::of("-alpha", "alpha", "closing stress over tensile strength alpha").within(Domain::NotNegative);
+const BETA_POINT: Arg = Arg::of("-beta", "bint", "point of the reduction by the strain across").within(Domain::Number);
+const BETA_M: Arg = Arg::of("-M", "M", "share of tension stiffening M").within(Domain::NotNegative);
+const BETA_E: Arg = Arg::of("-E", "Ec", "initial modulus E").within(Domain::Positive);
 
 const COMPRESSION: [Arg; 4] = [
     Arg::number("fpc", "compressive strength fpc"),
@@ -51,6 +60,14 @@ const THORENFELDT_REST: [Arg; 6] = [
     Arg::positive("ecr", "strain at the tensile strength ecr"),
     Arg::not_negative("b", "exponent of tension stiffening b"),
     Arg::not_negative("alpha2", "rate of plastic strain alpha2"),
+];
+
+/// Curves of `ConcreteCM` in compression and tension.
+const SHAPE: [Arg; 4] = [
+    Arg::positive("rc", "shape parameter rc"),
+    Arg::positive("xcrn", "critical strain xcrn"),
+    Arg::positive("rt", "shape parameter rt"),
+    Arg::positive("xcrp", "critical strain xcrp"),
 ];
 
 const TSAI: [Arg; 6] = [
@@ -116,12 +133,12 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::number("fpcc", "compressive strength fpcc"),
                 Arg::number("epcc", "strain at the strength epcc"),
                 TSAI[0],
-                Arg::positive("rc", "shape parameter rc"),
-                Arg::positive("xcrn", "critical strain xcrn"),
+                SHAPE[0],
+                SHAPE[1],
                 TSAI[1],
                 TSAI[2],
-                Arg::positive("rt", "shape parameter rt"),
-                Arg::positive("xcrp", "critical strain xcrp"),
+                SHAPE[2],
+                SHAPE[3],
                 Arg::new("mon", "1: the envelopes alone, without memory; 0: cycles"),
                 Arg::of("-GapClose", "gap", "1: cracks close with a stiffness of their own; 0: without"),
             ]),
@@ -175,20 +192,16 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::new("ecint", "strain of that stress"),
                 Arg::new("fcres", "residual stress in compression"),
                 Arg::new("ecres", "strain at which it begins"),
-                Arg::new("ft", "tensile strength"),
+                BETA_FT,
                 Arg::new("ftint", "stress in the middle of softening in tension"),
                 Arg::new("etint", "strain of that stress"),
                 Arg::new("ftres", "residual stress in tension"),
                 Arg::new("etres", "strain at which it begins"),
-                Arg::of(
-                    "-lambda",
-                    "lambda",
-                    "share of the secant modulus in the modulus of unloading from compression",
-                ),
-                Arg::of("-alpha", "alpha", "compressive stress at which cracks have closed, over the tensile strength"),
-                Arg::of("-beta", "bint", "reduction by the strain across; of effect in panels alone"),
-                Arg::of("-M", "M", "share of the tensile strength that tension stiffening leaves"),
-                Arg::of("-E", "Ec", "initial modulus, one to two secant moduli of the strength"),
+                BETA_LAMBDA,
+                BETA_ALPHA,
+                BETA_POINT,
+                BETA_M,
+                BETA_E,
                 Arg::of("-conf", "fcc", "strength with confinement and its strain"),
             ]),
         make: concrete_w_beta,
@@ -266,7 +279,7 @@ fn concrete02_is(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
     let e0 = a.read(interp, &E0)?;
     let [fc, epsc0, fcu, epscu] = compression(interp, a)?;
     let [ratio, ft, ets] = tension(interp, a, fc, epsc0)?;
-    Ok(Concrete02Is { e0, fc, epsc0, fcu, epscu, ratio, ft, ets }.shared())
+    Ok(Concrete02Is { e0, concrete: Concrete02 { fc, epsc0, fcu, epscu, ratio, ft, ets } }.shared())
 }
 
 fn concrete06(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -322,19 +335,19 @@ fn concrete_w_beta(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
         return Err(a.refuse("the peak stress fpc is 0", "expected a number less than 0"));
     }
     let (middle, residual) = (negative(a, "middle", "fcint", "ecint")?, negative(a, "residual", "fcres", "ecres")?);
-    let ft = a.not_negative("tensile strength ft")?;
+    let ft = a.number(&BETA_FT)?;
     let tension_middle = place(a, "middle tensile", "ftint", "etint")?;
     let tension_residual = place(a, "residual tensile", "ftres", "etres")?;
     let secant = peak[0] / peak[1];
     let (mut lambda, mut alpha, mut stiffening, mut e0, mut confined) = (0.5, 1.0, 0.0, 2.0 * secant, peak);
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-lambda" => lambda = a.float("share lambda of the secant modulus in unloading")?,
-            "-alpha" => alpha = a.not_negative("closing stress over tensile strength alpha")?,
+            "-lambda" => lambda = a.number(&BETA_LAMBDA)?,
+            "-alpha" => alpha = a.number(&BETA_ALPHA)?,
             // The strain across has an effect in panels alone.
-            "-beta" => (0..4).try_for_each(|_| a.float("point of the reduction by the strain across").map(|_| ()))?,
-            "-M" => stiffening = a.not_negative("share of tension stiffening M")?,
-            "-E" => e0 = a.positive("initial modulus E")?,
+            "-beta" => (0..4).try_for_each(|_| a.number(&BETA_POINT).map(|_| ()))?,
+            "-M" => stiffening = a.number(&BETA_M)?,
+            "-E" => e0 = a.number(&BETA_E)?,
             "-conf" => confined = negative(a, "confined", "fcc", "ecc")?,
             _ => ignore_unknown(interp, a)?,
         }
@@ -414,16 +427,10 @@ fn concrete_cm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     let (strength, strain) =
         (-compressive(a, "compressive strength fpcc")?, -compressive(a, "strain at the strength epcc")?);
     let ec = a.number(&TSAI[0])?;
-    let shape = |a: &mut Args<'_>, side: &str| {
-        Ok::<_, Exception>((
-            a.positive(&format!("shape parameter {side}"))?,
-            a.positive(&format!("critical strain {}", if side == "rc" { "xcrn" } else { "xcrp" }))?,
-        ))
-    };
-    let (r, critical) = shape(a, "rc")?;
+    let (r, critical) = (a.number(&SHAPE[0])?, a.number(&SHAPE[1])?);
     let compression = TsaiEnvelope { strength, strain, r, critical };
     let (strength, strain) = (a.number(&TSAI[1])?, a.number(&TSAI[2])?);
-    let (r, critical) = shape(a, "rt")?;
+    let (r, critical) = (a.number(&SHAPE[2])?, a.number(&SHAPE[3])?);
     let tension = TsaiEnvelope { strength, strain, r, critical };
     let (mut stiff_closure, mut monotonic) = (false, false);
     if a.at_number() {

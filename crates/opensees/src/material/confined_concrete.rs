@@ -13,6 +13,49 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::f64::consts::PI;
 
+const JACKET_T: Arg = Arg::of("-JacketC", "tfrp", "thickness of the jacket tfrp").within(Domain::Positive);
+const JACKET_E: Arg = Arg::of("-JacketC", "Efrp", "modulus of the jacket Efrp").within(Domain::Positive);
+const JACKET_ERUP: Arg = Arg::of("-JacketC", "erup", "hoop strain at rupture erup").within(Domain::Positive);
+const JACKET_R: Arg = Arg::of("-JacketC", "R", "radius of the concrete R").within(Domain::Positive);
+const L1: Arg = Arg::of("-varnoub", "L1", "length L1").within(Domain::Positive);
+const L2: Arg = Arg::of("-varnoub", "L2", "length L2").within(Domain::Positive);
+const L3: Arg = Arg::of("-varnoub", "L3", "length L3").within(Domain::Positive);
+/// A hoop.
+const HOOPS: [Arg; 6] = [
+    Arg::of("-varnoub", "phis", "bar diameter of the hoops").within(Domain::NotNegative),
+    Arg::of("-varnoub", "S", "spacing of the hoops").within(Domain::Positive),
+    Arg::of("-varnoub", "fyh", "yield stress of the hoops").within(Domain::Positive),
+    Arg::of("-varnoub", "Es0", "modulus of the hoops").within(Domain::Positive),
+    Arg::of("-varnoub", "haRatio", "hardening ratio of the hoops").within(Domain::Number),
+    Arg::of("-varnoub", "mu", "ductility of the hoops").within(Domain::Number),
+];
+/// Inner ties of S2 to S5.
+const TIES: [Arg; 6] = [
+    Arg::of("-internal", "phisi", "bar diameter of the inner ties").within(Domain::NotNegative),
+    Arg::of("-internal", "Si", "spacing of the inner ties").within(Domain::Positive),
+    Arg::of("-internal", "fyhi", "yield stress of the inner ties").within(Domain::Positive),
+    Arg::of("-internal", "Es0i", "modulus of the inner ties").within(Domain::Positive),
+    Arg::of("-internal", "haRatioi", "hardening ratio of the inner ties").within(Domain::Number),
+    Arg::of("-internal", "mui", "ductility of the inner ties").within(Domain::Number),
+];
+const WRAP_COVER: Arg = Arg::of("-wrap", "cover", "cover of the jacket").within(Domain::NotNegative);
+const WRAP_AM: Arg = Arg::of("-wrap", "Am", "area Am of the jacket").within(Domain::Positive);
+const WRAP_SW: Arg = Arg::of("-wrap", "Sw", "spacing Sw of the jacket").within(Domain::Positive);
+const WRAP_FUIL: Arg = Arg::of("-wrap", "fuil", "strength fuil of the jacket").within(Domain::Positive);
+const WRAP_ES0W: Arg = Arg::of("-wrap", "Es0w", "modulus Es0w of the jacket").within(Domain::Positive);
+const FPC: Arg = Arg::number("fpc", "compressive strength fpc").also(&["fc"]);
+const GAMMA: Arg =
+    Arg::of("-gamma", "gamma", "share gamma of the strength to which the stress falls at the ultimate strain")
+        .within(Domain::Positive);
+const EPSCU: Arg = Arg::of("-epscu", "epscu", "ultimate strain epscu").within(Domain::Number);
+const NU: Arg = Arg::of("-nu", "nu", "Poisson's ratio nu").within(Domain::NotNegative);
+const PHI_LON: Arg = Arg::of("-varnoub", "phiLon", "diameter of the longitudinal bars phiLon").within(Domain::Positive);
+const TOL: Arg = Arg::of("-tol", "tol", "tolerance tol").within(Domain::Positive);
+const MAX_NUM_ITER: Arg = Arg::of("-maxNumIter", "maxNumIter", "number of iterations maxNumIter").within(Domain::Count);
+const EPSCU_LIMIT: Arg =
+    Arg::of("-epscuLimit", "epscuLimit", "largest ultimate strain epscuLimit").within(Domain::Positive);
+const ST_RATIO: Arg = Arg::of("-stRatio", "stRatio", "strength ratio stRatio").within(Domain::Positive);
+
 const FRPCONFINED_CONCRETE02_EC: Arg = Arg::positive("Ec", "initial modulus Ec");
 const FT: Arg = Arg::positive("ft", "tensile strength ft");
 const ETS: Arg = Arg::positive("Ets", "softening modulus in tension Ets");
@@ -33,11 +76,10 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::number("fc0", "strength fc0"),
                 FRPCONFINED_CONCRETE02_EC,
                 Arg::number("ec0", "strain at the strength ec0"),
-                Arg::of(
-                    "-JacketC",
-                    "tfrp",
-                    "jacket of a circular column: thickness, modulus, hoop strain at rupture, radius of the concrete",
-                ),
+                JACKET_T,
+                JACKET_E,
+                JACKET_ERUP,
+                JACKET_R,
                 Arg::of("-Ultimate", "fcu", "ultimate stress and strain, in place of a jacket"),
                 FT,
                 ETS,
@@ -57,35 +99,30 @@ pub(super) const KINDS: &[Kind] = &[
                  1000. 16.",
             )
             .arguments(&[
-                Arg::number("fpc", "compressive strength").also(&["fc"]),
+                FPC,
                 CONFINED_CONCRETE01_EC,
-                Arg::of("-epscu", "epscu", "ultimate strain").within(Domain::Number),
+                EPSCU,
                 Arg::flag("-scott", "ultimate strain of Scott, Park and Priestley"),
-                Arg::of(
-                    "-gamma",
-                    "gamma",
-                    "the ultimate strain is where the stress has fallen to this share of the strength",
-                )
-                .within(Domain::Positive),
-                Arg::of("-nu", "nu", "Poisson's ratio of the concrete, constant").within(Domain::NotNegative),
+                GAMMA,
+                NU,
                 Arg::flag("-varub", "Poisson's ratio grows with the strain to 0.5"),
-                Arg::of("-varnoub", "L1", "side of the hoops, or diameter").within(Domain::Positive),
-                Arg::of(
-                    "-internal",
-                    "phisi",
-                    "inner ties of S2 to S5: diameter, spacing, yield stress, modulus, hardening ratio, ductility",
-                ),
-                Arg::of("-wrap", "cover", "jacket: cover of the hoops, area, spacing, strength, modulus")
-                    .within(Domain::NotNegative),
+                L1,
+                L2,
+                L3,
+                PHI_LON,
+                WRAP_COVER,
+                WRAP_AM,
+                WRAP_SW,
+                WRAP_FUIL,
+                WRAP_ES0W,
                 Arg::flag("-gravel", "aggregate of gravel in place of crushed stone"),
                 Arg::flag("-silica", "concrete with silica fume"),
-                Arg::of("-tol", "tol", "relative change of the secant modulus that ends the iteration")
-                    .within(Domain::Positive),
-                Arg::of("-maxNumIter", "maxNumIter", "most iterations at a strain").within(Domain::Whole),
-                Arg::of("-epscuLimit", "epscuLimit", "largest ultimate strain of -gamma").within(Domain::Positive),
-                Arg::of("-stRatio", "stRatio", "strength in the column over that of the cylinder")
-                    .within(Domain::Positive),
-            ]),
+                TOL,
+                MAX_NUM_ITER,
+                EPSCU_LIMIT,
+                ST_RATIO,
+            ])
+            .groups(&[&HOOPS, &TIES]),
         make: confined_concrete01,
     },
 ];
@@ -107,10 +144,10 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
     let epsc0 = compressive(a, "strain at the strength ec0")?;
     let (fcc, epscu) = if a.flag("-JacketC") {
         let jacket = Jacket {
-            thickness: a.positive("thickness of the jacket tfrp")?,
-            modulus: a.positive("modulus of the jacket Efrp")?,
-            rupture: a.positive("hoop strain at rupture erup")?,
-            radius: a.positive("radius of the concrete R")?,
+            thickness: a.number(&JACKET_T)?,
+            modulus: a.number(&JACKET_E)?,
+            rupture: a.number(&JACKET_ERUP)?,
+            radius: a.number(&JACKET_R)?,
         };
         jacket.confined(fc0, epsc0)
     } else if a.flag("-Ultimate") {
@@ -153,34 +190,35 @@ fn section(a: &mut Args<'_>) -> Result<ConfinementSection, Exception> {
 }
 
 /// A hoop with the words from its diameter on.
-fn hoop(a: &mut Args<'_>, of: &str, semi_length: f64) -> Result<Hoop, Exception> {
-    let diameter = a.not_negative(&format!("bar diameter of {of}"))?;
+fn hoop(a: &mut Args<'_>, words: &[Arg; 6], semi_length: f64) -> Result<Hoop, Exception> {
+    let [size, spacing, yield_stress, modulus, hardening, ductility] = words;
+    let diameter = a.number(size)?;
     Ok(Hoop {
         semi_length,
         diameter,
         area: PI * diameter * diameter / 4.0,
         inertia: PI * diameter.powi(4) / 64.0,
-        spacing: a.positive(&format!("spacing of {of}"))?,
-        yield_stress: a.positive(&format!("yield stress of {of}"))?,
-        modulus: a.positive(&format!("modulus of {of}"))?,
-        hardening: a.float(&format!("hardening ratio of {of}"))?,
-        ductility: a.float(&format!("ductility of {of}"))?,
+        spacing: a.number(spacing)?,
+        yield_stress: a.number(yield_stress)?,
+        modulus: a.number(modulus)?,
+        hardening: a.number(hardening)?,
+        ductility: a.number(ductility)?,
     })
 }
 
 /// Semi-lengths of the hoops of a section from its sides.
 fn semi_lengths(a: &mut Args<'_>, section: ConfinementSection) -> Result<Vec<f64>, Exception> {
     use ConfinementSection::*;
-    let mut l = vec![0.5 * a.positive("length L1")?];
+    let mut l = vec![0.5 * a.number(&L1)?];
     match section {
         S1 | Circular => {}
         S2 | S3 => l.push(l[0] * 2f64.sqrt() / 2.0),
         S5 => l.push(l[0]),
-        S4b => l.extend([l[0], 0.5 * a.positive("length L2")?]),
-        Rectangular => l.push(0.5 * a.positive("length L2")?),
+        S4b => l.extend([l[0], 0.5 * a.number(&L2)?]),
+        Rectangular => l.push(0.5 * a.number(&L2)?),
         S4a => {
-            l.push(0.5 * a.positive("length L2")?);
-            l.extend([l[0], 0.5 * a.positive("length L3")?]);
+            l.push(0.5 * a.number(&L2)?);
+            l.extend([l[0], 0.5 * a.number(&L3)?]);
         }
     }
     Ok(l)
@@ -191,15 +229,15 @@ const CROSS_TIES: f64 = std::f64::consts::SQRT_2 / 4.0;
 
 /// A jacket, and for a rectangle a second one.
 fn wrap(a: &mut Args<'_>, section: ConfinementSection, hoops: &mut Vec<Hoop>) -> Result<(), Exception> {
-    let cover = a.not_negative("cover of the jacket")?;
+    let cover = a.number(&WRAP_COVER)?;
     let jacket = Hoop {
         semi_length: hoops[0].semi_length + 0.5 * hoops[0].diameter + cover,
         diameter: 0.0,
-        area: a.positive("area Am of the jacket")?,
+        area: a.number(&WRAP_AM)?,
         inertia: 0.0,
-        spacing: a.positive("spacing Sw of the jacket")?,
-        yield_stress: a.positive("strength fuil of the jacket")?,
-        modulus: a.positive("modulus Es0w of the jacket")?,
+        spacing: a.number(&WRAP_SW)?,
+        yield_stress: a.number(&WRAP_FUIL)?,
+        modulus: a.number(&WRAP_ES0W)?,
         hardening: 1.0,
         ductility: 1.0,
     };
@@ -214,7 +252,7 @@ fn wrap(a: &mut Args<'_>, section: ConfinementSection, hoops: &mut Vec<Hoop>) ->
 fn confined_concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     use ConfinementSection::*;
     let section = section(a)?;
-    let fpc = match a.float("compressive strength fpc")?.abs() {
+    let fpc = match a.number(&FPC)?.abs() {
         0.0 => return Err(a.refuse("the compressive strength fpc is 0", "expected a strength in MPa")),
         x => x,
     };
@@ -222,19 +260,19 @@ fn confined_concrete01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
     let (mut strain, mut gamma) = (None, None);
     match a.word("ultimate strain: -epscu, -scott or -gamma")?.as_ref() {
         "-scott" | "-Scott" => {}
-        "-gamma" => gamma = Some(a.positive("share gamma of the strength")?),
-        "-epscu" => strain = Some(a.float("ultimate strain epscu")?.abs()),
+        "-gamma" => gamma = Some(a.number(&GAMMA)?),
+        "-epscu" => strain = Some(a.number(&EPSCU)?.abs()),
         _ => return Err(a.unknown_kind("ultimate strain", ["-epscu", "-scott", "-gamma"])),
     }
     let dilation = match a.word("Poisson's ratio: -nu, -varub or -varnoub")?.as_ref() {
         "-varUB" | "-varub" => Dilation::Bounded,
         "-varNoUB" | "-varnoub" => Dilation::Unbounded,
-        "-nu" => Dilation::Constant(a.not_negative("Poisson's ratio nu")?),
+        "-nu" => Dilation::Constant(a.number(&NU)?),
         _ => return Err(a.unknown_kind("Poisson's ratio", ["-nu", "-varub", "-varnoub"])),
     };
     let lengths = semi_lengths(a, section)?;
-    let first = hoop(a, "the hoops", lengths[0])?;
-    let bar = a.positive("diameter of the longitudinal bars phiLon")?;
+    let first = hoop(a, &HOOPS, lengths[0])?;
+    let bar = a.number(&PHI_LON)?;
     let mut hoops: Vec<Hoop> = lengths.iter().map(|&semi_length| Hoop { semi_length, ..first }).collect();
     if section == S2 {
         hoops[1] = Hoop { area: first.area * CROSS_TIES, inertia: 0.0, ..hoops[1] };
@@ -288,7 +326,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>, concrete: &mut Confinement) -> Re
                     return Err(a.refuse("this section has no inner ties", "expected S2, S3, S4a, S4b or S5"));
                 }
                 let last = concrete.hoops.len() - 1;
-                let mut ties = hoop(a, "the inner ties", concrete.hoops[last].semi_length)?;
+                let mut ties = hoop(a, &TIES, concrete.hoops[last].semi_length)?;
                 if concrete.section == S2 {
                     // OpenSees takes the diameter in the place of the area.
                     let size = if interp.host.follows(&[slips::CROSS_TIES]) { ties.diameter } else { ties.area };
@@ -299,11 +337,11 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>, concrete: &mut Confinement) -> Re
             "-wrap" => wrap(a, concrete.section, &mut concrete.hoops)?,
             "-gravel" => concrete.gravel = true,
             "-silica" => concrete.silica = true,
-            "-tol" => concrete.tolerance = a.positive("tolerance tol")?,
-            "-maxNumIter" => concrete.max_iterations = a.count("number of iterations maxNumIter")?,
-            "-epscuLimit" => limit = a.positive("largest ultimate strain epscuLimit")?,
+            "-tol" => concrete.tolerance = a.number(&TOL)?,
+            "-maxNumIter" => concrete.max_iterations = a.count(&MAX_NUM_ITER)?,
+            "-epscuLimit" => limit = a.number(&EPSCU_LIMIT)?,
             "-stRatio" => {
-                concrete.strength_ratio = a.positive("strength ratio stRatio")?;
+                concrete.strength_ratio = a.number(&ST_RATIO)?;
                 if concrete.strength_ratio > 1.0 {
                     return Err(a.refuse("the strength ratio stRatio is above 1", "expected a number from 0 to 1"));
                 }

@@ -13,9 +13,15 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const ABS_TOL: Arg = Arg::not_negative("absTol", "absolute tolerance absTol");
+const SLOW_TOL: Arg =
+    Arg::of("-tol", "tol", "rate tol below which the friction is proportional to it").within(Domain::Positive);
+const DAMP_OUT_TANGENT: Arg =
+    Arg::of("-dampOutTangent", "dampOutTangent", "damping coefficient dampOutTangent").within(Domain::Number);
+
 const FR: Arg = Arg::positive("Fr", "relief force Fr");
 const P: Arg = Arg::number("p", "ratio p of the damping coefficients");
-const REL_TOL: Arg = Arg::number("relTol", "ratio p of the damping coefficients");
+const REL_TOL: Arg = Arg::not_negative("relTol", "relative tolerance relTol");
 
 const COEFFICIENT: Arg = Arg::not_negative("C", "damping coefficient C");
 const EXPONENT: Arg = Arg::number("alpha", "velocity exponent alpha");
@@ -32,7 +38,7 @@ const FRICTION: [Arg; 2] = [
     Arg::not_negative("friction", "friction force").also(&["Friction"]),
 ];
 
-const SUBSTEPS: &[Arg] = &[Arg::new("absTol", "absolute tolerance"), Arg::new("maxHalf", "most halvings of a step")];
+const SUBSTEPS: &[Arg] = &[ABS_TOL, Arg::new("maxHalf", "most halvings of a step")];
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -56,7 +62,7 @@ pub(super) const KINDS: &[Kind] = &[
                 EXPONENT,
                 GAP,
                 Arg::new("NM", "method of integration of OpenSees"),
-                Arg::new("relTol", "relative tolerance"),
+                REL_TOL,
             ])
             .groups(&[SUBSTEPS]),
         make: viscous_damper,
@@ -87,7 +93,7 @@ pub(super) const KINDS: &[Kind] = &[
             .arguments(&[
                 FRICTION[0],
                 FRICTION[1],
-                Arg::of("-tol", "tol", "rate below which the friction is proportional to it").within(Domain::Positive),
+                SLOW_TOL,
                 Arg::of(
                     "-numFlipped",
                     "numFlipped",
@@ -95,12 +101,7 @@ pub(super) const KINDS: &[Kind] = &[
                 )
                 .within(Domain::Whole),
                 Arg::flag("-reduceFc", "no effect; in OpenSees the friction depends on the iterations of a step"),
-                Arg::of(
-                    "-dampOutTangent",
-                    "dampOutTangent",
-                    "no effect; in OpenSees the friction depends on the iterations of a step",
-                )
-                .within(Domain::Number),
+                DAMP_OUT_TANGENT,
             ]),
         make: coulomb_damper,
     },
@@ -164,8 +165,7 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
 
 /// Relative and absolute tolerance of the integration, and the largest number of halvings.
 fn tolerances(a: &mut Args<'_>) -> Result<(f64, f64, i32), Exception> {
-    let (relative, absolute) =
-        (a.not_negative("relative tolerance relTol")?, a.not_negative("absolute tolerance absTol")?);
+    let (relative, absolute) = (a.number(&REL_TOL)?, a.number(&ABS_TOL)?);
     let max_halvings = a.int("largest number of halvings maxHalf")?;
     if !(0..=20).contains(&max_halvings) {
         return Err(a.refuse(format!("maxHalf is {max_halvings}"), "expected maxHalf, 0 to 20"));
@@ -224,13 +224,13 @@ fn coulomb_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let mut slow = SLOW_RATE;
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-tol" => slow = a.positive("rate tol below which the friction is proportional to it")?,
+            "-tol" => slow = a.number(&SLOW_TOL)?,
             // These change the force by the number of iterations.
             "-numFlipped" => {
                 a.int("number of changes of sign numFlipped")?;
             }
             "-dampOutTangent" => {
-                a.float("damping coefficient dampOutTangent")?;
+                a.number(&DAMP_OUT_TANGENT)?;
             }
             "-reduceFc" => {}
             _ => ignore_unknown(interp, a)?,

@@ -9,6 +9,13 @@ use hysteron_engine::material::{Ecc01, Material};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const ALPHA_T1: Arg = Arg::positive("alphaT1", "exponent of unloading alphaT1");
+const ALPHA_T2: Arg = Arg::positive("alphaT2", "exponent of unloading alphaT2");
+const ALPHA_C: Arg = Arg::positive("alphaC", "exponent of unloading alphaC");
+const ALPHA_CU: Arg = Arg::positive("alphaCU", "exponent of softening alphaCU");
+const BETA_T: Arg = Arg::not_negative("betaT", "permanent part betaT of the tensile strain");
+const BETA_C: Arg = Arg::not_negative("betaC", "permanent part betaC of the compressive strain");
+
 const TENSION: [Arg; 5] = [
     Arg::positive("sigt0", "tensile stress at cracking sigt0"),
     Arg::positive("epst0", "tensile strain at cracking epst0"),
@@ -27,12 +34,12 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             Arg::new("sigc0", "compressive strength"),
             Arg::new("epsc0", "strain at the strength"),
             Arg::new("epsc1", "ultimate compressive strain"),
-            Arg::new("alphaT1", "exponent of unloading in hardening tension"),
-            Arg::new("alphaT2", "exponent of unloading in softening tension"),
-            Arg::new("alphaC", "exponent of unloading in compression"),
-            Arg::new("alphaCU", "exponent of softening in compression"),
-            Arg::new("betaT", "permanent part of the tensile strain beyond cracking"),
-            Arg::new("betaC", "permanent part of the compressive strain beyond the strength"),
+            ALPHA_T1,
+            ALPHA_T2,
+            ALPHA_C,
+            ALPHA_CU,
+            BETA_T,
+            BETA_C,
         ])
         .groups(&[&TENSION]),
     make: ecc01,
@@ -50,12 +57,8 @@ fn ecc01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if crushed >= bottom[1] {
         return Err(a.refuse(format!("the ultimate compressive strain epsc1 is {crushed}"), "expected it beyond epsc0"));
     }
-    let unloading = [
-        a.positive("exponent of unloading alphaT1")?,
-        a.positive("exponent of unloading alphaT2")?,
-        a.positive("exponent of unloading alphaC")?,
-    ];
-    let softening = a.positive("exponent of softening alphaCU")?;
-    let permanent = [a.not_negative("permanent part betaT")?, a.not_negative("permanent part betaC")?];
+    let unloading = [a.number(&ALPHA_T1)?, a.number(&ALPHA_T2)?, a.number(&ALPHA_C)?];
+    let softening = a.number(&ALPHA_CU)?;
+    let permanent = [a.number(&BETA_T)?, a.number(&BETA_C)?];
     Ok(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }.shared())
 }

@@ -115,7 +115,7 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Elastic, a sum of powers of the strain.")
             .example("uniaxialMaterial ElasticPowerFunc 77 -coeff 20. 300. -exp 1. 3.")
             .arguments(&[
-                Arg::new("eta", "damping modulus"),
+                ETA,
                 Arg::of("-coeff", "c1", "coefficients of the powers"),
                 Arg::of("-exp", "e1", "exponents, as many as coefficients"),
             ]),
@@ -126,11 +126,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial ElasticMultiLinear $tag <$eta> -strain $e1 $e2 ... -stress $s1 $s2 ...",
         text: Text::new("Elastic along given points.")
             .example("uniaxialMaterial ElasticMultiLinear 77 -strain -0.1 0. 0.1 -stress -1. 0. 1.")
-            .arguments(&[
-                Arg::new("eta", "viscous coefficient"),
-                Arg::of("-strain", "e1", "-stress"),
-                Arg::of("-stress", "s1", "a stress"),
-            ]),
+            .arguments(&[ETA, Arg::of("-strain", "e1", "-stress"), Arg::of("-stress", "s1", "a stress")]),
         make: elastic_multi_linear,
     },
 ];
@@ -262,7 +258,7 @@ fn elastic_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
 }
 
 fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
+    let eta = a.optional_number(&ETA)?.unwrap_or(0.0);
     let mut list = |option: &str, what: &str| {
         if a.flag(option) {
             return a.floats(what);
@@ -280,7 +276,7 @@ fn elastic_multi_linear(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
 }
 
 fn elastic_power(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let eta = a.optional_float("damping modulus eta")?.unwrap_or(0.0);
+    let eta = a.optional_number(&ETA)?.unwrap_or(0.0);
     let mut list = |options: &[&str], what: &str| {
         let word = a.word(options[0])?;
         if options.contains(&word.as_ref()) {

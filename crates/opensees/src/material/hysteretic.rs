@@ -16,10 +16,31 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
-const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
-const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
-const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
-const DAMAGE2: Arg = Arg::number("damage2", "damage by energy damage2");
+/// Points of an envelope in tension and in compression. A third one may be left out.
+pub(super) const ENVELOPE: [[Arg; 6]; 2] = [
+    [
+        Arg::number("s1p", "stress 1 in tension"),
+        Arg::number("e1p", "strain 1 in tension"),
+        Arg::number("s2p", "stress 2 in tension"),
+        Arg::number("e2p", "strain 2 in tension"),
+        Arg::number("s3p", "stress 3 in tension"),
+        Arg::number("e3p", "strain 3 in tension"),
+    ],
+    [
+        Arg::number("s1n", "stress 1 in compression"),
+        Arg::number("e1n", "strain 1 in compression"),
+        Arg::number("s2n", "stress 2 in compression"),
+        Arg::number("e2n", "strain 2 in compression"),
+        Arg::number("s3n", "stress 3 in compression"),
+        Arg::number("e3n", "strain 3 in compression"),
+    ],
+];
+pub(super) const PINCHING_AND_DAMAGE: [Arg; 4] = [
+    Arg::number("pinchX", "pinching factor of strain pinchX"),
+    Arg::number("pinchY", "pinching factor of stress pinchY"),
+    Arg::number("damage1", "damage by ductility damage1"),
+    Arg::number("damage2", "damage by energy damage2"),
+];
 
 const BOUC_WEN: [Arg; 9] = [
     Arg::number("alpha", "ratio of post-yield stiffness alpha"),
@@ -184,25 +205,7 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Trilinear backbone with pinching and damage.")
             .example("uniaxialMaterial Hysteretic 77 1 1 1 2 -1 -1 1 -2 1 1 1 1")
             .points(POINTS)
-            .arguments(&[
-                Arg::number("s1p", "stress 1 in tension"),
-                Arg::number("e1p", "strain 1 in tension"),
-                Arg::number("s2p", "stress 2 in tension"),
-                Arg::number("e2p", "strain 2 in tension"),
-                Arg::new("s3p", "third stress on the positive side"),
-                Arg::new("e3p", "third strain on the positive side"),
-                Arg::number("s1n", "stress 1 in compression"),
-                Arg::number("e1n", "strain 1 in compression"),
-                Arg::number("s2n", "stress 2 in compression"),
-                Arg::number("e2n", "strain 2 in compression"),
-                Arg::new("s3n", "third stress on the negative side"),
-                Arg::new("e3n", "third strain on the negative side"),
-                PINCH_X,
-                PINCH_Y,
-                DAMAGE1,
-                DAMAGE2,
-                UNLOADING_EXPONENT,
-            ]),
+            .groups(&[&ENVELOPE[0], &ENVELOPE[1], &PINCHING_AND_DAMAGE, &[UNLOADING_EXPONENT]]),
         make: hysteretic,
     },
     Kind {
@@ -327,14 +330,14 @@ fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 /// The envelope on one side; `s` is the sign of its strains.
 pub(super) fn envelope(a: &mut Args<'_>, points: usize, s: f64) -> Result<Envelope, Exception> {
     let (mut stress, mut strain) = ([0.0; 3], [0.0; 3]);
-    let side = if s > 0.0 { "in tension" } else { "in compression" };
+    let (words, side) = if s > 0.0 { (&ENVELOPE[0], "in tension") } else { (&ENVELOPE[1], "in compression") };
     for i in 0..points {
-        stress[i] = s * a.float(&format!("stress {} {side}", i + 1))?;
+        stress[i] = s * a.number(&words[2 * i])?;
         if i == 0 && stress[0] <= 0.0 {
             let message = format!("stress 1 {side} is {}", s * stress[0]);
             return Err(a.refuse(message, "expected a stress with the sign of the strains of its side"));
         }
-        strain[i] = s * a.float(&format!("strain {} {side}", i + 1))?;
+        strain[i] = s * a.number(&words[2 * i + 1])?;
         let before = if i == 0 { 0.0 } else { strain[i - 1] };
         if strain[i] <= before {
             let message = format!("strain {} {side} is {}, not beyond {}", i + 1, s * strain[i], s * before);
@@ -352,8 +355,8 @@ fn hysteretic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception>
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let (tension, compression) = (envelope(a, points, 1.0)?, envelope(a, points, -1.0)?);
-    let pinch = [a.number(&PINCH_X)?, a.number(&PINCH_Y)?];
-    let damage = [a.number(&DAMAGE1)?, a.number(&DAMAGE2)?];
+    let [pinch_x, pinch_y, damage1, damage2] = a.read_all(interp, &PINCHING_AND_DAMAGE)?;
+    let (pinch, damage) = ([pinch_x, pinch_y], [damage1, damage2]);
     let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     Ok(Hysteretic::new(tension, compression, pinch, damage, beta).shared())
 }

@@ -1,7 +1,7 @@
 //! `limitCurve`, and the springs that fail at one.
 
 use super::Kind;
-use super::hysteretic::{POINTS, UNLOADING_EXPONENT, envelope};
+use super::hysteretic::{ENVELOPE, PINCHING_AND_DAMAGE, POINTS, UNLOADING_EXPONENT, envelope};
 use crate::args::Args;
 use crate::text::{Arg, Text};
 use crate::things;
@@ -12,10 +12,20 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 
-const PINCH_X: Arg = Arg::number("pinchX", "pinching factor of strain pinchX");
-const PINCH_Y: Arg = Arg::number("pinchY", "pinching factor of stress pinchY");
-const DAMAGE1: Arg = Arg::number("damage1", "damage by ductility damage1");
-const DAMAGE2: Arg = Arg::number("damage2", "damage by energy damage2");
+const ROTATION_DELTA: Arg = Arg::number("delta", "shift of the rotation delta");
+
+/// Points of a curve.
+const CURVE_POINTS: [Arg; 6] = [
+    Arg::number("x1", "deformation x 1"),
+    Arg::number("y1", "force y 1"),
+    Arg::number("x2", "deformation x 2"),
+    Arg::number("y2", "force y 2"),
+    Arg::number("x3", "deformation x 3"),
+    Arg::number("y3", "force y 3"),
+];
+const DELTA: Arg = Arg::number("delta", "shift of the drift delta");
+const RHOT: Arg = Arg::number("rhot", "ratio of hoops rhot");
+
 const TAG: Arg = Arg::whole("tag", "tag of the limit curve");
 const SHEAR_ELEMENT: Arg = Arg::whole("element", "tag of the element");
 const RHO: Arg = Arg::not_negative("rho", "ratio of hoops rho");
@@ -55,24 +65,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     )
     .example("uniaxialMaterial LimitState 77 1 1 1 2 -1 -1 1 -2 1 1 1 1")
     .points(POINTS)
+    .groups(&[&ENVELOPE[0], &ENVELOPE[1], &PINCHING_AND_DAMAGE, &[UNLOADING_EXPONENT]])
     .arguments(&[
-        Arg::number("s1p", "stress 1 in tension"),
-        Arg::number("e1p", "strain 1 in tension"),
-        Arg::number("s2p", "stress 2 in tension"),
-        Arg::number("e2p", "strain 2 in tension"),
-        Arg::new("s3p", "third point; without it the second is the last"),
-        Arg::new("e3p", "strain of the third point"),
-        Arg::number("s1n", "stress 1 in compression"),
-        Arg::number("e1n", "strain 1 in compression"),
-        Arg::number("s2n", "stress 2 in compression"),
-        Arg::number("e2n", "strain 2 in compression"),
-        Arg::new("s3n", "third point; without it the second is the last"),
-        Arg::new("e3n", "strain of the third point"),
-        PINCH_X,
-        PINCH_Y,
-        DAMAGE1,
-        DAMAGE2,
-        UNLOADING_EXPONENT,
         Arg::new("curve", "tag of a limit curve"),
         Arg::new("curveType", "1: a spring that loses axial load; 0: no curve; else a spring that loses shear"),
         Arg::new("degrade", "1: the largest deformation of one side counts for the other one too"),
@@ -96,21 +90,7 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
-            .arguments(&[
-                TAG,
-                SHEAR_ELEMENT,
-                RHO,
-                FC,
-                B,
-                H,
-                D,
-                SHEAR_FSW,
-                KDEG,
-                SHEAR_FRES,
-                DEF_TYPE,
-                FOR_TYPE,
-                Arg::new("delta", "shift of the drift"),
-            ])
+            .arguments(&[TAG, SHEAR_ELEMENT, RHO, FC, B, H, D, SHEAR_FSW, KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
             .groups(&[DRIFT]),
         make: shear,
     },
@@ -129,7 +109,7 @@ const CURVES: &[CurveKind] = &[
             AXIAL_FRES,
             DEF_TYPE,
             FOR_TYPE,
-            Arg::new("delta", "shift of the drift"),
+            DELTA,
             Arg::new("eleRemove", "0: the element is not removed at its failure"),
         ])
         .groups(&[DRIFT]),
@@ -143,12 +123,6 @@ const CURVES: &[CurveKind] = &[
             .arguments(&[
                 TAG,
                 SHEAR_ELEMENT,
-                Arg::number("x1", "deformation x 1"),
-                Arg::number("y1", "force y 1"),
-                Arg::number("x2", "deformation x 2"),
-                Arg::number("y2", "force y 2"),
-                Arg::number("x3", "deformation x 3"),
-                Arg::number("y3", "force y 3"),
                 Arg::new("Kdeg", "slope after failure, negative"),
                 Arg::new("Fres", "residual force"),
                 Arg::new(
@@ -157,7 +131,7 @@ const CURVES: &[CurveKind] = &[
                 ),
                 Arg::new("forType", "force: 0 of the spring, 1 shear of the element, 2 its axial load"),
             ])
-            .groups(&[DRIFT]),
+            .groups(&[DRIFT, &CURVE_POINTS]),
         make: three_point,
     },
     CurveKind {
@@ -188,11 +162,11 @@ const CURVES: &[CurveKind] = &[
             Arg::new("Acc", "area of the core"),
             Arg::new("ld", "development length of the longitudinal bars"),
             Arg::new("db", "diameter of the longitudinal bars"),
-            Arg::new("rhot", "ratio of hoops"),
+            RHOT,
             Arg::new("fc", "concrete strength, ksi"),
             Arg::new("fy", "yield stress of the longitudinal bars"),
             Arg::number("fyt", "yield stress of the hoops"),
-            Arg::new("delta", "shift of the rotation"),
+            ROTATION_DELTA,
         ]),
         make: rotation_shear,
     },
@@ -245,7 +219,7 @@ fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
         );
     }
     let (deformation, force) = watched(a)?;
-    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    let shift = a.optional_number(&DELTA)?.unwrap_or(0.0);
     let surface = LimitSurface::Shear { rho, fc, size, hoops, shift };
     Ok(LimitCurve { element, deformation, force, surface, slope, residual })
 }
@@ -263,7 +237,7 @@ fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
     let hoops = a.number(&AXIAL_FSW)?;
     let (slope, residual) = falling(a)?;
     let (deformation, force) = watched(a)?;
-    let shift = a.optional_float("shift of the drift delta")?.unwrap_or(0.0);
+    let shift = a.optional_number(&DELTA)?.unwrap_or(0.0);
     if a.left() > 0 && a.int("removal of the element eleRemove")? != 0 {
         return Err(a.refuse("elements are not removed at axial failure", "expected 0"));
     }
@@ -273,7 +247,7 @@ fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
 fn three_point(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
     let mut points = [[0.0; 2]; 3];
     for (i, point) in points.iter_mut().enumerate() {
-        *point = [a.nth_float("deformation x", i + 1)?, a.nth_float("force y", i + 1)?];
+        *point = [a.number(&CURVE_POINTS[2 * i])?, a.number(&CURVE_POINTS[2 * i + 1])?];
     }
     if !points.windows(2).all(|p| p[1][0] > p[0][0]) {
         return Err(a.refuse("the deformations of the points do not rise", "expected x1 < x2 < x3"));
@@ -333,11 +307,11 @@ fn column(a: &mut Args<'_>) -> Result<Column, Exception> {
         core: size(a, "area Acc of the core")?,
         development: size(a, "development length ld")?,
         bar: size(a, "bar diameter db")?,
-        hoops: a.float("ratio of hoops rhot")?.abs(),
+        hoops: a.number(&RHOT)?.abs(),
         fc: size(a, "concrete strength fc in ksi")?,
         fy: size(a, "yield stress fy")?,
         fyt: size(a, "yield stress fyt of the hoops")?,
-        shift: a.float("shift of the rotation delta")?,
+        shift: a.number(&ROTATION_DELTA)?,
     })
 }
 
@@ -345,8 +319,8 @@ fn limit_state(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     // Two points a side with pinching and damage are 12 numbers, three are 16; beta may follow, then the curve.
     let points = if a.left() <= 13 { 2 } else { 3 };
     let sides = [envelope(a, points, 1.0)?, envelope(a, points, -1.0)?];
-    let pinch = [a.number(&PINCH_X)?, a.number(&PINCH_Y)?];
-    let damage = [a.number(&DAMAGE1)?, a.number(&DAMAGE2)?];
+    let [pinch_x, pinch_y, damage1, damage2] = a.read_all(interp, &PINCHING_AND_DAMAGE)?;
+    let (pinch, damage) = ([pinch_x, pinch_y], [damage1, damage2]);
     let beta = a.read_or(interp, &UNLOADING_EXPONENT, 0.0)?;
     let (mut curve, mut symmetric) = (None, false);
     if a.left() > 0 {

@@ -8,6 +8,9 @@ use hysteron_engine::material::{AsdConcrete, AsdConcrete1d, Extrapolation, Harde
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const FC: Arg = Arg::of("-fc", "fc", "compressive strength fc in MPa").within(Domain::Positive);
+const FT: Arg = Arg::of("-ft", "ft", "tensile strength ft in MPa").within(Domain::Positive);
+
 pub(super) const MODULUS: Arg = Arg::positive("E", "modulus of elasticity E");
 pub(super) const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
 
@@ -64,15 +67,14 @@ impl Common {
             "-Ce" => self.compression.0[0] = a.floats("strain in compression")?,
             "-Cs" => self.compression.0[1] = a.floats("stress in compression")?,
             "-Cd" => self.compression.0[2] = a.floats("damage in compression")?,
-            "-eta" => self.eta = a.not_negative("viscosity eta")?,
+            "-eta" => self.eta = a.number(&VISCOSITY)?,
             "-implex" => self.implex = true,
             "-implexControl" => {
-                self.control =
-                    Some([a.positive("tolerance of the damage")?, a.not_negative("limit of the time step")?]);
+                self.control = Some([a.number(&EXTRAPOLATION_CONTROL)?, a.number(&EXTRAPOLATION_LIMIT)?]);
             }
-            "-implexAlpha" => self.factor = Some(a.not_negative("factor of the extrapolation")?),
+            "-implexAlpha" => self.factor = Some(a.number(&EXTRAPOLATION_FACTOR)?),
             "-tangent" => self.tangent = true,
-            "-autoRegularization" => self.reference_length = Some(a.positive("length for which the curves hold")?),
+            "-autoRegularization" => self.reference_length = Some(a.number(&LENGTH)?),
             _ => return Ok(false),
         }
         Ok(true)
@@ -92,9 +94,9 @@ pub(super) fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exc
     let (mut rho, mut kc, mut cross_damage, mut common) = (0.0, KC, 0.0, Common::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-rho" => rho = a.not_negative("mass per volume rho")?,
+            "-rho" => rho = a.number(&RHO)?,
             "-Kc" => kc = shape(a)?,
-            "-cdf" => cross_damage = a.not_negative("share of damage in tension that counts in compression")?,
+            "-cdf" => cross_damage = a.number(&CROSS_DAMAGE)?,
             option if common.read(option, a)? => {}
             _ => ignore_unknown(interp, a)?,
         }
@@ -141,18 +143,23 @@ pub(super) const COMPRESSION_STRESSES: Arg = Arg::of("-Cs", "stresses", "stresse
 pub(super) const COMPRESSION_DAMAGES: Arg =
     Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without");
 /// See [`TENSION_STRAINS`].
-pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity, a time").within(Domain::NotNegative);
+pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity eta").within(Domain::NotNegative);
 /// See [`TENSION_STRAINS`].
 pub(super) const EXTRAPOLATED: Arg =
     Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps");
 /// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATION_CONTROL: Arg = Arg::of(
-    "-implexControl",
-    "tolerance",
-    "largest error of the extrapolated damage, and the shortest step over the first one for which it \
-                 counts",
-)
-.within(Domain::Positive);
+pub(super) const EXTRAPOLATION_CONTROL: Arg =
+    Arg::of("-implexControl", "tolerance", "largest error of the extrapolated damage").within(Domain::Positive);
+/// See [`TENSION_STRAINS`].
+pub(super) const EXTRAPOLATION_LIMIT: Arg =
+    Arg::of("-implexControl", "limit", "least step over the first one for which the error counts")
+        .within(Domain::NotNegative);
+/// See [`TENSION_STRAINS`].
+pub(super) const LENGTH: Arg =
+    Arg::of("-autoRegularization", "length", "length for which the curves hold").within(Domain::Positive);
+pub(super) const RHO: Arg = Arg::of("-rho", "rho", "mass per volume rho").within(Domain::NotNegative);
+pub(super) const CROSS_DAMAGE: Arg =
+    Arg::of("-cdf", "share", "share of damage in tension that counts in compression").within(Domain::NotNegative);
 /// See [`TENSION_STRAINS`].
 pub(super) const EXTRAPOLATION_FACTOR: Arg =
     Arg::of("-implexAlpha", "alpha", "factor of the extrapolation").within(Domain::NotNegative);
@@ -166,9 +173,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         .example("uniaxialMaterial ASDConcrete1D 77 30000. -fc 30.")
         .arguments(&[
             MODULUS,
-            Arg::of("-fc", "fc", "compressive strength in MPa, which makes both curves; lengths are in mm")
-                .within(Domain::Positive),
-            Arg::of("-ft", "ft", "tensile strength in MPa; a tenth of fc without it").within(Domain::Positive),
+            FC,
+            FT,
             TENSION_STRAINS,
             TENSION_STRESSES,
             TENSION_DAMAGES,
@@ -177,16 +183,11 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             COMPRESSION_DAMAGES,
             EXTRAPOLATED,
             EXTRAPOLATION_CONTROL,
+            EXTRAPOLATION_LIMIT,
             EXTRAPOLATION_FACTOR,
             VISCOSITY,
             Arg::flag("-tangent", "the tangent is the consistent one, not the secant"),
-            Arg::of(
-                "-autoRegularization",
-                "length",
-                "length for which the curves hold; their energy depends on the length of the bar, or of the section's \
-                 part of a beam",
-            )
-            .within(Domain::Positive),
+            LENGTH,
         ]),
     make: asd_concrete_1d,
 }];
@@ -196,8 +197,8 @@ fn asd_concrete_1d(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excep
     let (mut fc, mut ft, mut common) = (None, None, Common::default());
     while let Some(option) = a.option() {
         match option.as_ref() {
-            "-fc" => fc = Some(a.positive("compressive strength fc in MPa")?),
-            "-ft" => ft = Some(a.positive("tensile strength ft in MPa")?),
+            "-fc" => fc = Some(a.number(&FC)?),
+            "-ft" => ft = Some(a.number(&FT)?),
             option if common.read(option, a)? => {}
             _ => ignore_unknown(interp, a)?,
         }

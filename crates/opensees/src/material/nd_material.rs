@@ -2,7 +2,7 @@
 
 use super::{nd_concrete, nd_wrapper};
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, kind};
 use hysteron_engine::material::{
@@ -15,9 +15,15 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
+const RATIO_X: Arg = Arg::not_negative("ratioX", "ratio of bars along x");
+const RATIO_Y: Arg = Arg::not_negative("ratioY", "ratio of bars along y");
+const FSAM_NU: Arg = Arg::not_negative("nu", "coefficient of friction nu of the interlock");
+const ALFADOW: Arg = Arg::not_negative("alfadow", "dowel stiffness alfadow over the modulus of the bars");
+pub(super) const PARALLEL_WEIGHT: Arg = Arg::of("-weights", "w1", "weight").within(Domain::Number);
+
 const TAG: Arg = Arg::whole("tag", "tag of the material");
-const ELASTIC_ISOTROPIC_E: Arg = Arg::positive("E", "modulus of elasticity E");
-const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
+pub(super) const ELASTIC_ISOTROPIC_E: Arg = Arg::positive("E", "modulus of elasticity E");
+pub(super) const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
 const ELASTIC_ISOTROPIC_RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
 const J2_PLASTICITY_K: Arg = Arg::positive("K", "bulk modulus K");
 const J2_PLASTICITY_G: Arg = Arg::positive("G", "shear modulus G");
@@ -40,7 +46,7 @@ const H_KIN: Arg = Arg::not_negative("H_kin", "modulus of kinematic hardening H_
 const H_ISO: Arg = Arg::not_negative("H_iso", "modulus of isotropic hardening H_iso");
 const EPS: Arg = Arg::number("eps", "initial strain");
 const EPS11: Arg = Arg::number("eps11", "initial strain");
-const J2_BEAM_FIBER_RHO: Arg = Arg::new("rho", "mass per volume rho");
+pub(super) const J2_BEAM_FIBER_RHO: Arg = Arg::number("rho", "mass per volume rho");
 const PLATE_FROM_PLANE_STRESS_G: Arg = Arg::not_negative("G", "shear modulus G across the plate");
 const ANGLE: Arg = Arg::number("angle", "angle of the bars in degrees");
 
@@ -156,7 +162,7 @@ const KINDS: &[Kind] = &[
         text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[
             TAG,
             Arg::thing("material1", things::ND_MATERIAL),
-            Arg::of("-weights", "w1", "factor of the stresses of each law; 1 without"),
+            PARALLEL_WEIGHT,
         ]),
         make: parallel,
     },
@@ -165,7 +171,7 @@ const KINDS: &[Kind] = &[
         usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
         text: Text::new("A law in space with a pressure at rest.").arguments(&[
             TAG,
-            Arg::number("sigma", "initial stress"),
+            nd_wrapper::INITIAL_STRESS,
             Arg::new("dimensions", "a number that is not used"),
         ]),
         make: nd_wrapper::initial_stress,
@@ -177,10 +183,10 @@ const KINDS: &[Kind] = &[
         text: Text::new("Laws in space with one stress, whose strains add up.").arguments(&[
             TAG,
             Arg::thing("material1", things::ND_MATERIAL),
-            Arg::of("-weights", "w1", "factor of the strains of each law; 1 without"),
-            Arg::of("-maxIter", "n", "most iterations; ten times as many with the initial tangents"),
-            Arg::of("-relTol", "tol", "difference of the stresses over their size that counts as none"),
-            Arg::of("-absTol", "tol", "difference of the stresses that counts as none"),
+            PARALLEL_WEIGHT,
+            nd_wrapper::SERIES_ITERATIONS,
+            nd_wrapper::SERIES_RELATIVE,
+            nd_wrapper::SERIES_ABSOLUTE,
             Arg::flag("-verbose", "says nothing more"),
         ]),
         make: nd_wrapper::series,
@@ -213,9 +219,9 @@ const KINDS: &[Kind] = &[
             TAG,
             ELASTIC_ISOTROPIC_E,
             NU,
-            Arg::positive("sigmaY", "yield stress sigmaY"),
-            Arg::not_negative("Hiso", "modulus of isotropic hardening Hiso"),
-            Arg::not_negative("Hkin", "modulus of kinematic hardening Hkin"),
+            nd_wrapper::SIGMA_Y,
+            nd_wrapper::H_ISO,
+            nd_wrapper::H_KIN,
             J2_BEAM_FIBER_RHO,
         ]),
         make: nd_wrapper::j2_beam_fiber,
@@ -235,19 +241,16 @@ const KINDS: &[Kind] = &[
             nd_concrete::COMPRESSION_STRAINS,
             nd_concrete::COMPRESSION_STRESSES,
             nd_concrete::COMPRESSION_DAMAGES,
-            Arg::of("-rho", "rho", "mass per volume"),
+            nd_concrete::RHO,
             Arg::of("-Kc", "Kc", "shape of the surface of failure, from 2/3 to 1"),
             nd_concrete::VISCOSITY,
-            Arg::of("-cdf", "share", "share of damage in tension that counts in compression"),
+            nd_concrete::CROSS_DAMAGE,
             nd_concrete::EXTRAPOLATED,
             nd_concrete::EXTRAPOLATION_CONTROL,
+            nd_concrete::EXTRAPOLATION_LIMIT,
             nd_concrete::EXTRAPOLATION_FACTOR,
             Arg::flag("-tangent", "the tangent is that of differences, not the secant"),
-            Arg::of(
-                "-autoRegularization",
-                "length",
-                "length for which the curves hold; their energy depends on the least distance of two nodes",
-            ),
+            nd_concrete::LENGTH,
         ]),
         make: nd_concrete::make,
     },
@@ -260,10 +263,10 @@ const KINDS: &[Kind] = &[
             Arg::thing("steelX", things::MATERIAL),
             Arg::thing("steelY", things::MATERIAL),
             Arg::thing("concrete", things::MATERIAL),
-            Arg::new("ratioX", "area of bars along x as a share of that of the concrete"),
-            Arg::new("ratioY", "area of bars along y as a share of that of the concrete"),
-            Arg::new("nu", "coefficient of friction of the interlock in cracks"),
-            Arg::new("alfadow", "shear stiffness of bars over their modulus"),
+            RATIO_X,
+            RATIO_Y,
+            FSAM_NU,
+            ALFADOW,
         ]),
         make: fsam,
     },
@@ -312,7 +315,7 @@ fn j2_plasticity(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
         delta: a.number(&DELTA)?,
         hardening: a.number(&J2_PLASTICITY_H)?,
         viscosity: a.optional_number(&ETA)?.unwrap_or(0.0),
-        rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
+        rho: a.optional_number(&J2_BEAM_FIBER_RHO)?.unwrap_or(0.0),
     };
     Ok(NdMaterial::of_solid("J2Plasticity", law.shared()))
 }
@@ -367,7 +370,7 @@ fn initial_strain(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exce
     } else {
         strain[0] = first;
         for (i, e) in strain.iter_mut().enumerate().skip(1) {
-            *e = a.nth_float("initial strain", i)?;
+            *e = a.nth_number(&EPS, i)?;
         }
     }
     Ok(NdMaterial::of_solid("InitStrainNDMaterial", InitialStrain { law, strain }.shared()))
@@ -380,7 +383,7 @@ fn parallel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception>
     }
     if a.flag("-weights") {
         for (i, (_, weight)) in laws.iter_mut().enumerate() {
-            *weight = a.nth_float("weight", i)?;
+            *weight = a.nth_number(&PARALLEL_WEIGHT, i)?;
         }
     }
     Ok(NdMaterial::of_solid("Parallel3DMaterial", ParallelSolids { laws: WeightedLaws(laws) }.shared()))
@@ -395,9 +398,9 @@ fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
         let message = format!("uniaxial material {tag} is {}", concrete.name());
         return Err(a.refuse(message, "expected a ConcreteCM"));
     };
-    let ratios = [a.not_negative("ratio of bars along x")?, a.not_negative("ratio of bars along y")?];
-    let friction = a.not_negative("coefficient of friction nu")?;
-    let dowel = a.not_negative("dowel stiffness alfadow over the modulus of the bars")?;
+    let ratios = [a.number(&RATIO_X)?, a.number(&RATIO_Y)?];
+    let friction = a.number(&FSAM_NU)?;
+    let dowel = a.number(&ALFADOW)?;
     let law = Fsam::new(bars, concrete, FsamParameters { rho, ratios, friction, dowel });
     Ok(NdMaterial::of_plane_stress("FSAM", law))
 }

@@ -1,8 +1,9 @@
 //! `nDMaterial` around others, and for fibres of beams.
 
-use super::nd_material::{family, form, of_solid};
+use super::nd_material::{ELASTIC_ISOTROPIC_E, J2_BEAM_FIBER_RHO, NU, PARALLEL_WEIGHT, family, form, of_solid};
 use crate::Tcl;
 use crate::args::Args;
+use crate::text::{Arg, Domain};
 use hysteron_engine::material::{
     BEAM_FIBRE, BeamJ2, Condensed, InitialStrain, Multiaxial, NdMaterial, PLANE_BEAM_FIBRE, SOLID, SeriesSolids,
     SeriesTolerance, WeightedLaws, strain_of_stress,
@@ -11,10 +12,21 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
+pub(super) const INITIAL_STRESS: Arg = Arg::number("sigma", "initial stress");
+pub(super) const SIGMA_Y: Arg = Arg::positive("sigmaY", "yield stress sigmaY");
+pub(super) const H_ISO: Arg = Arg::not_negative("Hiso", "modulus of isotropic hardening Hiso");
+pub(super) const H_KIN: Arg = Arg::not_negative("Hkin", "modulus of kinematic hardening Hkin");
+/// With the initial tangents there are ten times as many.
+pub(super) const SERIES_ITERATIONS: Arg =
+    Arg::of("-maxIter", "n", "largest number of iterations").within(Domain::Count);
+pub(super) const SERIES_RELATIVE: Arg =
+    Arg::of("-relTol", "tol", "relative tolerance of the stresses").within(Domain::Positive);
+pub(super) const SERIES_ABSOLUTE: Arg = Arg::of("-absTol", "tol", "tolerance of the stresses").within(Domain::Positive);
+
 /// `InitStress`: the strain at rest is that of a pressure in all directions.
 pub(super) fn initial_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
     let law = of_solid(interp, a, Arc::clone)?;
-    let sigma = a.float("initial stress")?;
+    let sigma = a.number(&INITIAL_STRESS)?;
     let span = a.last_span();
     a.optional_int("number of dimensions, which is not used")?;
     let mut stress = [0.0; SOLID];
@@ -36,12 +48,12 @@ pub(super) fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, E
         match word.as_ref() {
             "-weights" => {
                 for (i, (_, weight)) in laws.iter_mut().enumerate() {
-                    *weight = a.nth_float("weight", i + 1)?;
+                    *weight = a.nth_number(&PARALLEL_WEIGHT, i + 1)?;
                 }
             }
-            "-maxIter" => tolerance.iterations = a.count("largest number of iterations")?,
-            "-relTol" => tolerance.relative = a.positive("relative tolerance of the stresses")?,
-            "-absTol" => tolerance.absolute = a.positive("tolerance of the stresses")?,
+            "-maxIter" => tolerance.iterations = a.count(&SERIES_ITERATIONS)?,
+            "-relTol" => tolerance.relative = a.number(&SERIES_RELATIVE)?,
+            "-absTol" => tolerance.absolute = a.number(&SERIES_ABSOLUTE)?,
             "-verbose" => {}
             _ => crate::ignore_option(interp, a, &["-weights", "-maxIter", "-relTol", "-absTol", "-verbose"])?,
         }
@@ -70,18 +82,18 @@ pub(super) fn beam_fiber_of_plane_stress(interp: &mut Tcl, a: &mut Args<'_>) -> 
 
 /// `J2BeamFiber`.
 pub(super) fn j2_beam_fiber(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let e = a.positive("modulus of elasticity E")?;
-    let nu = a.float("Poisson's ratio nu")?;
+    let e = a.number(&ELASTIC_ISOTROPIC_E)?;
+    let nu = a.number(&NU)?;
     if nu <= -1.0 {
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected more than -1"));
     }
     let law = BeamJ2 {
         e,
         shear: 0.5 * e / (1.0 + nu),
-        yield_stress: a.positive("yield stress sigmaY")?,
-        isotropic: a.not_negative("modulus of isotropic hardening Hiso")?,
-        kinematic: a.not_negative("modulus of kinematic hardening Hkin")?,
-        rho: a.optional_float("mass per volume rho")?.unwrap_or(0.0),
+        yield_stress: a.number(&SIGMA_Y)?,
+        isotropic: a.number(&H_ISO)?,
+        kinematic: a.number(&H_KIN)?,
+        rho: a.optional_number(&J2_BEAM_FIBER_RHO)?.unwrap_or(0.0),
     };
     Ok(NdMaterial::of_beams(
         "J2BeamFiber",

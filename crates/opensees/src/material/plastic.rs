@@ -16,6 +16,22 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
+const GA_LSR: Arg = Arg::of("-GABuck", "lsr", "slenderness lsr").within(Domain::NotNegative);
+const GA_BETA: Arg = Arg::of("-GABuck", "beta", "amplification beta").within(Domain::Number);
+const GA_R: Arg = Arg::of("-GABuck", "r", "buckling reduction r").within(Domain::Number);
+const GA_GAMMA: Arg = Arg::of("-GABuck", "gamma", "buckling constant gamma").within(Domain::Number);
+const DM_ALPHA: Arg = Arg::of("-DMBuck", "alpha", "adjustment alpha").within(Domain::Number);
+const CM_CF: Arg = Arg::of("-CMFatigue", "Cf", "ductility constant Cf").within(Domain::NotNegative);
+const CM_ALPHA: Arg = Arg::of("-CMFatigue", "alpha", "fatigue exponent alpha").within(Domain::Number);
+const CM_CD: Arg = Arg::of("-CMFatigue", "Cd", "strength reduction constant Cd").within(Domain::NotNegative);
+const ISO_A1: Arg = Arg::of("-IsoHard", "a1", "hardening constant a1").within(Domain::Number);
+const ISO_LIMIT: Arg = Arg::of("-IsoHard", "limit", "least share of the plateau").within(Domain::Number);
+const MP_R1: Arg = Arg::of("-MPCurveParams", "R1", "constant R1").within(Domain::Number);
+const MP_R2: Arg = Arg::of("-MPCurveParams", "R2", "constant R2").within(Domain::Number);
+const MP_R3: Arg = Arg::of("-MPCurveParams", "R3", "constant R3").within(Domain::Number);
+const POINT_STRAIN: Arg = Arg::positive("u1", "strain of a point");
+const POINT_STRESS: Arg = Arg::number("f1", "stress of a point");
+
 const REINFORCING_STEEL_FY: Arg = Arg::positive("fy", "yield strength fy");
 const FU: Arg = Arg::positive("fu", "ultimate strength fu");
 const ES: Arg = Arg::positive("Es", "elastic modulus Es");
@@ -28,6 +44,8 @@ const QINF: Arg = Arg::number("QInf", "growth QInf of the yield stress");
 const UVCUNIAXIAL_B: Arg = Arg::number("b", "rate b of the growth");
 const DINF: Arg = Arg::number("DInf", "decrease DInf of the yield stress");
 const A: Arg = Arg::number("a", "rate a of the decrease");
+const MODULUS_OF_BACKSTRESS: Arg = Arg::number("C1", "modulus C of backstress");
+const RATE_OF_BACKSTRESS: Arg = Arg::not_negative("gamma1", "rate gamma of backstress");
 const UVCUNIAXIAL_N: Arg = Arg::whole("N", "number of backstresses N");
 
 const DODD_RESTREPO: [Arg; 7] = [
@@ -104,20 +122,19 @@ pub(super) const KINDS: &[Kind] = &[
                 REINFORCING_STEEL_ESH,
                 ESH_2,
                 EULT,
-                Arg::of(
-                    "-GABuck",
-                    "lsr",
-                    "buckling of Gomes and Appleton: slenderness, an amplification that OpenSees does not use, least \
-                     share of the buckled stress, stress of the pivot as a share of the ultimate one",
-                ),
+                GA_LSR,
+                GA_BETA,
+                GA_R,
+                GA_GAMMA,
                 Arg::of("-DMBuck", "lsr", "buckling of Dhakal and Maekawa: slenderness, adjustment 0.75 to 1"),
-                Arg::of(
-                    "-CMFatigue",
-                    "Cf",
-                    "fatigue of Coffin and Manson: ductility constant, exponent, strength reduction constant",
-                ),
-                Arg::of("-IsoHard", "a1", "shortening of the yield plateau per plastic strain, and its least share"),
-                Arg::of("-MPCurveParams", "R1", "constants of the curves after reversals"),
+                CM_CF,
+                CM_ALPHA,
+                CM_CD,
+                ISO_A1,
+                ISO_LIMIT,
+                MP_R1,
+                MP_R2,
+                MP_R3,
             ]),
         make: reinforcing_steel,
     },
@@ -142,12 +159,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial MultiLinear $tag $u1 $f1 <$u2 $f2 ...>",
         text: Text::new("Plastic with a multilinear backbone and kinematic hardening.")
             .example("uniaxialMaterial MultiLinear 77 1 1")
-            .arguments(&[
-                Arg::positive("u1", "strain of the first point"),
-                Arg::number("f1", "stress of the first point"),
-                Arg::positive("u2", "strains of more points"),
-                Arg::number("f2", "stresses of more points"),
-            ]),
+            .arguments(&[POINT_STRAIN, POINT_STRESS, POINT_STRAIN.called("u2"), POINT_STRESS.called("f2")]),
         make: multi_linear,
     },
     Kind {
@@ -163,10 +175,10 @@ pub(super) const KINDS: &[Kind] = &[
                 DINF,
                 A,
                 UVCUNIAXIAL_N,
-                Arg::number("C1", "modulus C1 of a backstress"),
-                Arg::not_negative("gamma1", "rate gamma1 of a backstress"),
-                Arg::new("C2", "modulus of the second backstress"),
-                Arg::new("gamma2", "rate of the second backstress"),
+                MODULUS_OF_BACKSTRESS,
+                RATE_OF_BACKSTRESS,
+                MODULUS_OF_BACKSTRESS.called("C2"),
+                RATE_OF_BACKSTRESS.called("gamma2"),
             ]),
         make: uvc_uniaxial,
     },
@@ -243,7 +255,7 @@ fn hardening(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let mut points = vec![];
     while a.left() > 0 {
-        points.push([a.positive("strain of a point")?, a.float("stress of a point")?]);
+        points.push([a.number(&POINT_STRAIN)?, a.number(&POINT_STRESS)?]);
         let n = points.len();
         if n > 1 && points[n - 1][0] <= points[n - 2][0] {
             let message =
@@ -270,10 +282,8 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
     }
     let mut backstresses = vec![];
     for i in 1..=n {
-        backstresses.push([
-            a.float(&format!("modulus C{i} of a backstress"))?,
-            a.not_negative(&format!("rate gamma{i} of a backstress"))?,
-        ]);
+        backstresses
+            .push([a.nth_number(&MODULUS_OF_BACKSTRESS, i as usize)?, a.nth_number(&RATE_OF_BACKSTRESS, i as usize)?]);
     }
     if interp.host.follows(&[slips::UVC_RETURN]) {
         return Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }.shared());
@@ -342,29 +352,29 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-GABuck" => {
-                let slenderness = a.not_negative("slenderness lsr")?;
-                a.float("amplification beta")?;
-                let reduction = a.float("buckling reduction r")?.clamp(0.0, 1.0);
-                buckling = Buckling::Gomes { slenderness, reduction, pivot: a.float("buckling constant gamma")? };
+                let slenderness = a.number(&GA_LSR)?;
+                a.number(&GA_BETA)?;
+                let reduction = a.number(&GA_R)?.clamp(0.0, 1.0);
+                buckling = Buckling::Gomes { slenderness, reduction, pivot: a.number(&GA_GAMMA)? };
             }
             "-DMBuck" => {
-                let slenderness = a.not_negative("slenderness lsr")?;
-                let alpha = a.optional_float("adjustment alpha")?.unwrap_or(1.0);
+                let slenderness = a.number(&GA_LSR)?;
+                let alpha = a.optional_number(&DM_ALPHA)?.unwrap_or(1.0);
                 if !(0.75..=1.0).contains(&alpha) {
                     return Err(a.refuse(format!("the adjustment alpha is {alpha}"), "expected 0.75 to 1"));
                 }
                 buckling = Buckling::Dhakal { slenderness, alpha };
             }
             "-CMFatigue" => {
-                let (cf, alpha) = (a.not_negative("ductility constant Cf")?, a.float("fatigue exponent alpha")?);
-                let cd = a.not_negative("strength reduction constant Cd")?;
+                let (cf, alpha) = (a.number(&CM_CF)?, a.number(&CM_ALPHA)?);
+                let cd = a.number(&CM_CD)?;
                 fatigue = (cf != 0.0 && alpha != 0.0).then_some(BarFatigue { cf, alpha, cd });
             }
             "-IsoHard" => {
-                let rate = a.optional_float("hardening constant a1")?.unwrap_or(4.3);
-                hardening = [rate, a.optional_float("least share of the plateau")?.unwrap_or(0.01)];
+                let rate = a.optional_number(&ISO_A1)?.unwrap_or(4.3);
+                hardening = [rate, a.optional_number(&ISO_LIMIT)?.unwrap_or(0.01)];
             }
-            "-MPCurveParams" => curve = [a.float("constant R1")?, a.float("constant R2")?, a.float("constant R3")?],
+            "-MPCurveParams" => curve = [a.number(&MP_R1)?, a.number(&MP_R2)?, a.number(&MP_R3)?],
             _ => ignore_unknown(interp, a)?,
         }
     }

@@ -11,6 +11,20 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 
+const TEMPERATURE: Arg = Arg::of("-temperature", "T", "temperature of the rubber").within(Domain::Number);
+/// Factors and exponents of the softening.
+const SOFTENING: [[Arg; 2]; 4] = [
+    [Arg::not_negative("fs1", "factor fs1 of the softening"), Arg::positive("ps1", "exponent ps1")],
+    [Arg::not_negative("fs2", "factor fs2 of the softening of the cubic term"), Arg::positive("ps2", "exponent ps2")],
+    [
+        Arg::not_negative("fs3", "factor fs3 of the softening of the fifth-order term"),
+        Arg::positive("ps3", "exponent ps3"),
+    ],
+    [Arg::not_negative("fm", "factor fm of the softening by cycles"), Arg::positive("pm", "exponent pm")],
+];
+const PPHI: Arg = Arg::not_negative("Pphi", "rate Pphi of the temporary hardening");
+const THICKNESS: Arg = Arg::positive("h", "thickness h of the rubber");
+
 const COMPOUND_NAME: Arg = Arg::of("-compound", "name", "name of a compound, or of a file with its table");
 const AREA_A: Arg = Arg::of("-area", "A", "area of the bearing").within(Domain::Positive);
 const HEIGHT_H: Arg = Arg::of("-height", "h", "height of the rubber").within(Domain::Positive);
@@ -58,7 +72,7 @@ pub(crate) const RHEOLOGY_ARGUMENTS: &[Arg] = &[
     PRELOAD_STRAIN,
 ];
 
-const LAYERS: Arg = Arg::whole("layers", "number of layers of rubber").after("-conduction");
+const LAYERS: Arg = Arg::count("layers", "number of layers of rubber").after("-conduction");
 const T_RUBBER: Arg = Arg::positive("tRubber", "thickness tRubber of a layer of rubber").after("-conduction");
 const T_STEEL: Arg = Arg::not_negative("tSteel", "thickness tSteel of a steel plate").after("-conduction");
 const T_PLATE: Arg = Arg::not_negative("tPlate", "thickness tPlate of an end plate").after("-conduction");
@@ -127,21 +141,21 @@ pub(super) const KINDS: &[Kind] = &[
             A1,
             A2,
             A3,
-            Arg::not_negative("fs1", "factor fs1 of the softening"),
-            Arg::positive("ps1", "exponent ps1"),
-            Arg::not_negative("fs2", "factor fs2 of the softening of the cubic term"),
-            Arg::positive("ps2", "exponent ps2"),
-            Arg::not_negative("fs3", "factor fs3 of the softening of the fifth-order term"),
-            Arg::positive("ps3", "exponent ps3"),
-            Arg::not_negative("fm", "factor fm of the softening by cycles"),
-            Arg::positive("pm", "exponent pm"),
+            SOFTENING[0][0],
+            SOFTENING[0][1],
+            SOFTENING[1][0],
+            SOFTENING[1][1],
+            SOFTENING[2][0],
+            SOFTENING[2][1],
+            SOFTENING[3][0],
+            SOFTENING[3][1],
             KY,
             FY,
             BETA,
             ETA,
             PHI_MAX,
-            Arg::new("Pphi", "rate of the temporary hardening"),
-            Arg::new("h", "thickness of the rubber"),
+            PPHI,
+            THICKNESS,
         ])
         .own(),
         make: gallardo,
@@ -209,7 +223,7 @@ pub(crate) fn rheology(
                 ));
             }
             "-compound" => o.compound = Some((compound(interp, a)?, a.last_span())),
-            "-temperature" => o.temperature = Some((a.float("temperature of the rubber")?, a.last_span())),
+            "-temperature" => o.temperature = Some((a.number(&TEMPERATURE)?, a.last_span())),
             "-ambient" => o.ambient = Some((a.number(&AMBIENT_T)?, a.last_span())),
             "-area" => o.area = Some(a.number(&AREA_A)?),
             "-height" => o.height = Some(a.number(&HEIGHT_H)?),
@@ -327,7 +341,7 @@ fn compound(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Compound, Exception> {
 
 fn stack(a: &mut Args<'_>) -> Result<Stack, Exception> {
     Ok(Stack {
-        layers: a.count(LAYERS.meaning)?,
+        layers: a.count(&LAYERS)?,
         rubber: a.number(&T_RUBBER)?,
         steel: a.number(&T_STEEL)?,
         plate: a.number(&T_PLATE)?,
@@ -378,18 +392,14 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 /// A factor and an exponent of a softening.
-fn decay(a: &mut Args<'_>, [factor, power]: [&str; 2]) -> Result<Decay, Exception> {
-    Ok(Decay { factor: a.not_negative(factor)?, power: a.positive(power)? })
+fn decay(a: &mut Args<'_>, [factor, power]: &[Arg; 2]) -> Result<Decay, Exception> {
+    Ok(Decay { factor: a.number(factor)?, power: a.number(power)? })
 }
 
 fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let forces = [a.number(&A1)?, a.number(&A2)?, a.number(&A3)?];
-    let softening = [
-        decay(a, ["factor fs1 of the softening", "exponent ps1"])?,
-        decay(a, ["factor fs2 of the softening of the cubic term", "exponent ps2"])?,
-        decay(a, ["factor fs3 of the softening of the fifth-order term", "exponent ps3"])?,
-    ];
-    let cycling = decay(a, ["factor fm of the softening by cycles", "exponent pm"])?;
+    let softening = [decay(a, &SOFTENING[0])?, decay(a, &SOFTENING[1])?, decay(a, &SOFTENING[2])?];
+    let cycling = decay(a, &SOFTENING[3])?;
     let ky = a.number(&KY)?;
     let fy = a.number(&FY)?;
     let beta = a.number(&BETA)?;
@@ -404,7 +414,7 @@ fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             "expected a number less than 0.5: the hysteretic force would not be bounded",
         ));
     }
-    let phi_rate = a.not_negative("rate Pphi of the temporary hardening")?;
-    let height = a.positive("thickness h of the rubber")?;
+    let phi_rate = a.number(&PPHI)?;
+    let height = a.number(&THICKNESS)?;
     Ok(GallardoShear { a: forces, softening, cycling, ky, fy, beta, eta, phi_max, phi_rate, height }.shared())
 }

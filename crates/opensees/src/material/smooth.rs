@@ -44,7 +44,7 @@ const PINCHING: [Arg; 8] = [
     Arg::positive("lambda", "lambda"),
     Arg::positive("tol", "tolerance"),
 ];
-const ITERATIONS: Arg = Arg::of_domain("maxIter", "largest number of iterations maxIter", Domain::Whole);
+const ITERATIONS: Arg = Arg::of_domain("maxIter", "largest number of iterations maxIter", Domain::Count);
 
 const ORIGINAL: [Arg; 3] = [
     Arg::positive("E", "elastic modulus E"),
@@ -151,7 +151,7 @@ fn bouc_wen_original(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     }
     // Found to round-off here.
     a.read_optional(interp, &TOLERANCE)?;
-    a.optional_int(ITERATIONS.meaning)?;
+    a.read_optional(interp, &ITERATIONS)?;
     Ok(BoucWenOriginal::new([e, fy], [alpha_l, alpha_nl, mu], [eta, beta, gamma]).shared())
 }
 
@@ -204,7 +204,7 @@ fn bwbn(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         return Err(a.refuse(format!("beta + gamma is {}", beta + gamma), "expected a sum greater than 0"));
     }
     let [ao, q, zetas, p, shi, delta_shi, lambda, tolerance] = a.read_all(interp, &PINCHING)?;
-    let iterations = a.count(ITERATIONS.meaning)?;
+    let iterations = a.count(&ITERATIONS)?;
     let law = Bwbn { alpha, ko, n, gamma, beta, ao, q, zetas, p, shi, delta_shi, lambda, tolerance, iterations };
     Ok(law.shared())
 }

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
-use crate::text::{Arg, Domain, Text};
+use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{BrbBranch, Cast, Material, Steel01, Steel02, Steel03, SteelBrb, SteelMpf};
 use hysteron_engine::shared::Shared;
@@ -21,6 +21,7 @@ const CAST_FUSE_B: Arg = Arg::number("b", "hardening ratio b");
 const CAST_FUSE_R0: Arg = Arg::positive("R0", "radius R0");
 const CAST_FUSE_C_R1: Arg = Arg::not_negative("cR1", "coefficient cR1");
 const CAST_FUSE_C_R2: Arg = Arg::positive("cR2", "coefficient cR2");
+const CAST_FUSE_A1: Arg = Arg::not_negative("a1", "isotropic hardening a1");
 const A2: Arg = Arg::positive("a2", "isotropic hardening a2");
 const A3: Arg = Arg::not_negative("a3", "isotropic hardening a3");
 const A4: Arg = Arg::positive("a4", "isotropic hardening a4");
@@ -105,8 +106,7 @@ pub(super) const KINDS: &[Kind] = &[
                 CAST_FUSE_R0,
                 CAST_FUSE_C_R1,
                 CAST_FUSE_C_R2,
-                Arg::new("a1", "isotropic hardening in compression, its scale, and the same in tension")
-                    .within(Domain::NotNegative),
+                CAST_FUSE_A1,
                 A2,
                 A3,
                 A4,
@@ -281,7 +281,7 @@ fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let r = [a.number(&CAST_FUSE_R0)?, a.number(&CAST_FUSE_C_R1)?, a.number(&CAST_FUSE_C_R2)?];
     let mut hardening = [0.0, 1.0, 0.0, 1.0];
     if a.left() > 0 {
-        hardening = [a.not_negative("isotropic hardening a1")?, a.number(&A2)?, a.number(&A3)?, a.number(&A4)?];
+        hardening = [a.number(&CAST_FUSE_A1)?, a.number(&A2)?, a.number(&A3)?, a.number(&A4)?];
     }
     Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
 }

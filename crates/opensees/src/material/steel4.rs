@@ -8,6 +8,18 @@ use hysteron_engine::material::{Material, Steel4, Steel4Side};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const KIN_BK: Arg = Arg::of("-kin", "bk", "kinematic hardening ratio bk").within(Domain::Number);
+const KIN_R0: Arg = Arg::of("-kin", "R0", "radius R0").within(Domain::Positive);
+const KIN_R1: Arg = Arg::of("-kin", "r1", "coefficient r1").within(Domain::NotNegative);
+const KIN_R2: Arg = Arg::of("-kin", "r2", "coefficient r2").within(Domain::Positive);
+const ISO_BI: Arg = Arg::of("-iso", "bi", "isotropic hardening ratio bi").within(Domain::NotNegative);
+const ISO_RHOI: Arg = Arg::of("-iso", "rhoi", "position of the turn rhoi").within(Domain::Positive);
+const ISO_BL: Arg = Arg::of("-iso", "bl", "ratio of the bound bl").within(Domain::NotNegative);
+const ISO_RI: Arg = Arg::of("-iso", "Ri", "radius Ri").within(Domain::Positive);
+const ISO_LYP: Arg = Arg::of("-iso", "lyp", "length of the yield plateau lyp").within(Domain::NotNegative);
+const ULT_FU: Arg = Arg::of("-ult", "fu", "ultimate strength fu").within(Domain::Positive);
+const ULT_RU: Arg = Arg::of("-ult", "Ru", "radius Ru").within(Domain::Positive);
+
 const FY: Arg = Arg::positive("fy", "yield stress fy");
 const STEEL4_E0: Arg = Arg::positive("E0", "elastic modulus E0");
 const INIT_SIG0: Arg = Arg::of("-init", "sig0", "initial stress sig0").within(Domain::Number);
@@ -23,16 +35,17 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             FY,
             STEEL4_E0,
             Arg::flag("-asym", "what follows is given for tension, then for compression"),
-            Arg::of("-kin", "bk", "kinematic hardening ratio, and the radius of the curve with its two coefficients")
-                .within(Domain::Number),
-            Arg::of(
-                "-iso",
-                "bi",
-                "isotropic hardening: ratio, position of the turn, ratio of the bound, radius, \
-                 length of the yield plateau",
-            )
-            .within(Domain::NotNegative),
-            Arg::of("-ult", "fu", "ultimate strength and the radius of the curve towards it").within(Domain::Positive),
+            KIN_BK,
+            KIN_R0,
+            KIN_R1,
+            KIN_R2,
+            ISO_BI,
+            ISO_RHOI,
+            ISO_BL,
+            ISO_RI,
+            ISO_LYP,
+            ULT_FU,
+            ULT_RU,
             INIT_SIG0,
             MEM_CYCLES,
         ]),
@@ -44,25 +57,25 @@ const NO_LIMIT: f64 = 1e8;
 
 /// Kinematic hardening of a side.
 fn kinematic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
-    side.b = a.float("hardening ratio bk")?;
+    side.b = a.number(&KIN_BK)?;
     if side.b >= 1.0 {
         return Err(a.refuse(format!("the hardening ratio bk is {}", side.b), "expected less than 1"));
     }
-    side.r = [a.positive("radius R0")?, a.not_negative("coefficient r1")?, a.positive("coefficient r2")?];
+    side.r = [a.number(&KIN_R0)?, a.number(&KIN_R1)?, a.number(&KIN_R2)?];
     Ok(())
 }
 
 /// Isotropic hardening of a side; in tension the length of the yield plateau follows.
 fn isotropic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
-    let (first, rho) = (a.not_negative("isotropic hardening ratio bi")?, a.positive("position of the turn rhoi")?);
-    let last = a.not_negative("ratio of the bound bl")?;
-    side.isotropic = [first, last, rho, a.positive("radius Ri")?];
+    let (first, rho) = (a.number(&ISO_BI)?, a.number(&ISO_RHOI)?);
+    let last = a.number(&ISO_BL)?;
+    side.isotropic = [first, last, rho, a.number(&ISO_RI)?];
     Ok(())
 }
 
 fn ultimate(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
-    side.ultimate = a.positive("ultimate strength fu")?;
-    side.ultimate_radius = a.positive("radius Ru")?;
+    side.ultimate = a.number(&ULT_FU)?;
+    side.ultimate_radius = a.number(&ULT_RU)?;
     Ok(())
 }
 
@@ -100,7 +113,7 @@ fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             "-kin" => both(a, &mut sides, asymmetric, kinematic, |t, c| (c.b, c.r) = (t.b, t.r))?,
             "-iso" => {
                 isotropic(a, &mut sides[0])?;
-                plateau = a.not_negative("length of the yield plateau lyp")?;
+                plateau = a.number(&ISO_LYP)?;
                 sides[1].isotropic = sides[0].isotropic;
                 if asymmetric {
                     isotropic(a, &mut sides[1])?;

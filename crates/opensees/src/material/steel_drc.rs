@@ -8,6 +8,16 @@ use hysteron_engine::material::{BauschingerKind, Material, ReportedStiffness, St
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const PSH: Arg = Arg::of("-Psh", "Psh", "exponent Psh of hardening").within(Domain::Positive);
+const ESH1: Arg = Arg::of("-shPoint", "esh1", "strain esh1 on the hardening curve").within(Domain::Number);
+const FSH1: Arg = Arg::of("-shPoint", "fsh1", "stress fsh1 there").within(Domain::Number);
+const OMEGA_FAC: Arg =
+    Arg::of("-omegaFactor", "omegaFac", "factor of the Bauschinger curves omegaFac").within(Domain::Positive);
+const EFRACT: Arg = Arg::of("-fractStrain", "efract", "strain of fracture efract").within(Domain::Number);
+const DAMPER_C: Arg = Arg::of("-viscousDamper", "C", "damping coefficient C").within(Domain::NotNegative);
+const DAMPER_ALPHA: Arg = Arg::of("-viscousDamper", "alpha", "velocity exponent alpha").within(Domain::Positive);
+const DFU: Arg = Arg::of("-Dfu", "Dfu", "length Dfu of the straight line after a reversal").within(Domain::Positive);
+
 const ES: Arg = Arg::positive("Es", "elastic modulus Es");
 const FY: Arg = Arg::positive("fy", "yield stress fy");
 const EU: Arg = Arg::positive("eu", "strain eu of the strength");
@@ -29,12 +39,11 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         EU,
         FU,
         ESH,
-        Arg::of("-Psh", "Psh", "exponent of the hardening curve").within(Domain::Positive),
-        Arg::of("-shPoint", "esh1", "point of the hardening curve, in place of its exponent: strain and stress")
-            .within(Domain::Number),
-        Arg::of("-omegaFactor", "omegaFac", "factor of the area of Bauschinger curves").within(Domain::Positive),
-        Arg::of("-fractStrain", "efract", "strain of fracture; the stress stays at the strength without it")
-            .within(Domain::Number),
+        PSH,
+        ESH1,
+        FSH1,
+        OMEGA_FAC,
+        EFRACT,
         Arg::of("-bausch", "type", "Bauschinger curves: 0 power, 1 cubic, 2 rational").within(Domain::Whole),
         Arg::of(
             "-stiffOutput",
@@ -42,10 +51,9 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             "stiffness: 0 tangent, 1 secant from the last reversal if that is more, 2 elastic",
         )
         .within(Domain::Whole),
-        Arg::of("-viscousDamper", "C", "dashpot beside the steel: coefficient and velocity exponent")
-            .within(Domain::NotNegative),
-        Arg::of("-Dfu", "Dfu", "length of the straight line after a reversal over the yield stress")
-            .within(Domain::Positive),
+        DAMPER_C,
+        DAMPER_ALPHA,
+        DFU,
     ]),
     make: steel_drc,
 }];
@@ -76,16 +84,16 @@ fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let mut point = [0.0; 2];
     while let Some(option) = a.option() {
         match option.to_lowercase().as_str() {
-            "-psh" => law.power = a.positive("exponent Psh of hardening")?,
-            "-shpoint" => point = [a.float("strain esh1 on the hardening curve")?, a.float("stress fsh1 there")?],
-            "-omegafactor" | "-omegafac" => law.omega = a.positive("factor of the Bauschinger curves omegaFac")?,
-            "-fractstrain" => law.fracture = Some(a.float("strain of fracture efract")?).filter(|x| *x != -1.0),
+            "-psh" => law.power = a.number(&PSH)?,
+            "-shpoint" => point = [a.number(&ESH1)?, a.number(&FSH1)?],
+            "-omegafactor" | "-omegafac" => law.omega = a.number(&OMEGA_FAC)?,
+            "-fractstrain" => law.fracture = Some(a.number(&EFRACT)?).filter(|x| *x != -1.0),
             "-bausch" => law.curve = curve(a)?,
             "-stiffoutput" => law.stiffness = stiffness(a)?,
             "-viscousdamper" => {
-                law.viscous = [a.not_negative("damping coefficient C")?, a.positive("velocity exponent alpha")?];
+                law.viscous = [a.number(&DAMPER_C)?, a.number(&DAMPER_ALPHA)?];
             }
-            "-dfu" => law.straight = a.positive("length Dfu of the straight line after a reversal")?,
+            "-dfu" => law.straight = a.number(&DFU)?,
             _ => ignore_unknown(interp, a)?,
         }
     }

@@ -4,6 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
+use crate::text::any_command::ITERATIONS;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Tcl, ignore_unknown, warn};
@@ -14,6 +15,8 @@ use hysteron_engine::material::{
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
+
+const ITER_TOL: Arg = Arg::of("-iter", "tol", "tolerance").within(Domain::NotNegative);
 
 const MIN_MIN_STRAIN: Arg = Arg::of("-min", "minStrain", "smallest strain").within(Domain::Number);
 const MAX_MAX_STRAIN: Arg = Arg::of("-max", "maxStrain", "largest strain").within(Domain::Number);
@@ -137,8 +140,8 @@ fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-iter" => {
-                rounds = a.count("largest number of iterations maxIter")?;
-                tolerance = a.not_negative("tolerance")?;
+                rounds = a.count(&ITERATIONS)?;
+                tolerance = a.number(&ITER_TOL)?;
             }
             _ => ignore_unknown(interp, a)?,
         }

@@ -6,6 +6,10 @@ use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::{Call, Exception, Value};
 
+const NX: Arg = Arg::count("nx", "number of elements along 1-2");
+const NY: Arg = Arg::count("ny", "number of elements along 2-3");
+const NZ: Arg = Arg::count("nz", "number of elements along 1-5");
+
 const FIRST_NODE: Arg = Arg::whole("firstNode", "tag of the first node");
 const FIRST_ELEMENT: Arg = Arg::whole("firstElement", "tag of the first element");
 const KIND: Arg = Arg::new("kind", "kind of element");
@@ -13,23 +17,9 @@ const KIND: Arg = Arg::new("kind", "kind of element");
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("block2D", USAGE, block2d)
         .about("Makes a grid of nodes and of elements between them, in the plane.")
-        .arguments(&[
-            Arg::whole("nx", "number of elements along 1-2"),
-            Arg::whole("ny", "number of elements along 2-3"),
-            FIRST_NODE,
-            FIRST_ELEMENT,
-            KIND,
-            Arg::flag("-numEleNodes", "nodes of an element"),
-        ]),
+        .arguments(&[NX, NY, FIRST_NODE, FIRST_ELEMENT, KIND, Arg::flag("-numEleNodes", "nodes of an element")]),
     Command::new("block3D", USAGE_3D, block3d)
-        .arguments(&[
-            Arg::whole("nx", "number of elements along 1-2"),
-            Arg::whole("ny", "number of elements along 2-3"),
-            Arg::whole("nz", "number of elements along 1-5"),
-            FIRST_NODE,
-            FIRST_ELEMENT,
-            KIND,
-        ])
+        .arguments(&[NX, NY, NZ, FIRST_NODE, FIRST_ELEMENT, KIND])
         .about("Makes a grid of nodes and of bricks between them."),
 ];
 
@@ -99,7 +89,7 @@ fn block2d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if ndm < 2 {
         return Err(a.refuse_at(call.span(0), "block2D: the model has one dimension", "expected 2 or 3"));
     }
-    let [nx, ny] = a.parts(["number of elements along 1-2", "number of elements along 2-3"])?;
+    let [nx, ny] = a.parts([&NX, &NY])?;
     let (node, element) = (a.int(FIRST_NODE.meaning)?, a.int(FIRST_ELEMENT.meaning)?);
     let kind = a.word(KIND.meaning)?.into_owned();
     let arguments = a.word("arguments of the elements after their nodes")?.into_owned();
@@ -173,7 +163,7 @@ fn block3d(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if interp.host.builder.ndm != 3 {
         return Err(a.refuse_at(call.span(0), "block3D: the model is not in space", "expected 3 dimensions"));
     }
-    let what = ["number of elements along 1-2", "number of elements along 2-3", "number of elements along 1-5"];
+    let what = [&NX, &NY, &NZ];
     let count = a.parts(what)?;
     let [nx, ny, nz] = count;
     let (node, element) = (a.int(FIRST_NODE.meaning)?, a.int(FIRST_ELEMENT.meaning)?);

@@ -14,7 +14,7 @@ const TOL_TOLERANCE: Arg = Arg::of("-tol", "tolerance", "tolerance").within(Doma
 const RETAINED: Arg = Arg::whole("retained", "tag of the retained node");
 const CONSTRAINED: Arg = Arg::whole("constrained", "tag of the constrained node");
 const DOF1: Arg = Arg::whole("dof1", "degree of freedom");
-const COUNT: Arg = Arg::whole("count", "number of pairs of degrees of freedom");
+const COUNT: Arg = Arg::count("count", "number of pairs of degrees of freedom");
 const RETAINED_DOF1: Arg = Arg::whole("retainedDof1", "degree of freedom of the retained node");
 const CONSTRAINED_DOF1: Arg = Arg::whole("constrainedDof1", "degree of freedom of the constrained node");
 const PERPENDICULAR: Arg = Arg::whole("perpendicular", "direction perpendicular to the diaphragm");
@@ -171,7 +171,7 @@ fn equal_dof_mixed(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let (retained, constrained) = pair(interp, &mut a)?;
     let nodes = &interp.host.engine.model().nodes;
     let (of_retained, of_constrained) = (nodes[retained.0].ndf, nodes[constrained.0].ndf);
-    let n = a.count(COUNT.meaning)?;
+    let n = a.count(&COUNT)?;
     let (mut leading, mut following) = (vec![], vec![]);
     for _ in 0..n {
         leading.push(a.dof(RETAINED_DOF1.meaning, of_retained)?);

@@ -10,6 +10,10 @@ use hysteron_engine::model::NodeId;
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
+const NODE_DISP: Arg = Arg::of("-disp", "u", "displacement of degree of freedom").within(Domain::Number);
+const NODE_VEL: Arg = Arg::of("-vel", "v", "velocity of degree of freedom").within(Domain::Number);
+const NODE_MASS: Arg = Arg::of("-mass", "m", "mass of degree of freedom").within(Domain::NotNegative);
+
 const BASIC_BUILDER_NDM: Arg = Arg::of("-ndm", "ndm", "number of dimensions").within(Domain::Whole);
 const BASIC_BUILDER_NDF: Arg = Arg::of("-ndf", "ndf", "number of degrees of freedom of a node").within(Domain::Whole);
 const NAME: Arg = Arg::new("name", "name of the parameter");
@@ -42,13 +46,14 @@ pub(crate) const COMMANDS: &[Command] = &[
             Arg::number("y", "y coordinate"),
             Arg::number("z", "z coordinate"),
             NODE_NDF,
-            Arg::of("-disp", "u", "displacement of degree of freedom 1").within(Domain::Number),
-            Arg::of("-vel", "v", "velocity of degree of freedom 1").within(Domain::Number),
+            NODE_MASS,
+            NODE_DISP,
+            NODE_VEL,
         ])
         .about("Makes a node.")
         .defining(&[things::NODE], 1),
     Command::new("mass", MASS, mass)
-        .arguments(&[NODE, Arg::not_negative("m1", "mass of degree of freedom 1")])
+        .arguments(&[NODE, NODE_MASS.after("").called("m1")])
         .about("Sets the mass of a node in each of its directions."),
     Command::new("pset", PSET, pset)
         .arguments(&[NAME, PSET_VALUE])
@@ -160,9 +165,9 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-ndf" | "-NDF" => ndf = a.dof(NODE_NDF.meaning, 6)? + 1,
-            "-mass" => mass = Some(masses(&mut a, ndf)?),
-            "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, "displacement of degree of freedom")?),
-            "-vel" => vel = Some(values(&mut a, ndf, "velocity of degree of freedom")?),
+            "-mass" => mass = Some(values(&mut a, ndf, &NODE_MASS)?),
+            "-disp" | "-dispLoc" => disp = Some(values(&mut a, ndf, &NODE_DISP)?),
+            "-vel" => vel = Some(values(&mut a, ndf, &NODE_VEL)?),
             _ => ignore_unknown(interp, &mut a)?,
         }
     }
@@ -184,12 +189,8 @@ fn node(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     Ok(Value::EMPTY)
 }
 
-fn values(a: &mut Args<'_>, n: usize, what: &str) -> Result<Vec<f64>, Exception> {
-    (1..=n).map(|i| a.nth_float(what, i)).collect()
-}
-
-fn masses(a: &mut Args<'_>, n: usize) -> Result<Vec<f64>, Exception> {
-    (1..=n).map(|i| a.nth_not_negative("mass of degree of freedom", i)).collect()
+fn values(a: &mut Args<'_>, n: usize, arg: &Arg) -> Result<Vec<f64>, Exception> {
+    (1..=n).map(|i| a.nth_number(arg, i)).collect()
 }
 
 fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
@@ -198,7 +199,7 @@ fn mass(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let ndf = interp.host.engine.model().nodes[id.0].ndf;
     // OpenSees in Python takes fewer values than degrees of freedom: the others are zero.
     let given = if interp.host.called_by_host { a.left().clamp(1, ndf) } else { ndf };
-    let mut m = masses(&mut a, given)?;
+    let mut m = values(&mut a, given, &NODE_MASS)?;
     m.resize(ndf, 0.0);
     finish(interp, &a)?;
     interp.host.engine.change_model(|model| model.nodes[id.0].mass = m);

@@ -5,6 +5,7 @@
 //! their state. An element that was made or changed since is not one of these, and is refused.
 
 use crate::args::Args;
+use crate::text::{Arg, Domain};
 use crate::{Outcome, Tcl, finish};
 use hysteron_engine::analysis::integrator::Adaptive;
 use hysteron_engine::analysis::{Failure, Kind};
@@ -13,6 +14,14 @@ use hysteron_engine::model::{ElementId, Tag};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+pub(crate) const FACTOR: Arg = Arg::of("-factor", "f", "factor on the parameter").within(Domain::Positive);
+pub(crate) const FROM: Arg = Arg::of("-from", "t1", "time from which it has the other value").within(Domain::Number);
+pub(crate) const REACHED: Arg =
+    Arg::of("-reached", "t2", "time at which it has the whole of the other value").within(Domain::Number);
+pub(crate) const TO: Arg = Arg::of("-to", "t3", "time up to which it has the other value").within(Domain::Number);
+pub(crate) const RECOVERED: Arg =
+    Arg::of("-recovered", "t4", "time at which it has its own value again").within(Domain::Number);
 
 /// Makes elements by a second run of a script.
 pub(crate) type MakeElements = fn(&mut Tcl, &ScriptStart, BTreeMap<String, f64>) -> Result<Elements, Exception>;
@@ -128,11 +137,11 @@ pub(crate) fn amend_parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Outcome {
     let (mut factor, mut from, mut reached, mut to, mut recovered) = (None, None, None, None, None);
     while let Some(word) = a.option() {
         match word.as_ref() {
-            "-factor" => factor = Some(a.positive("factor on the parameter")?),
-            "-from" => from = Some(a.float("time from which it has the other value")?),
-            "-reached" => reached = Some(a.float("time at which it has the whole of the other value")?),
-            "-to" => to = Some(a.float("time up to which it has the other value")?),
-            "-recovered" => recovered = Some(a.float("time at which it has its own value again")?),
+            "-factor" => factor = Some(a.number(&FACTOR)?),
+            "-from" => from = Some(a.number(&FROM)?),
+            "-reached" => reached = Some(a.number(&REACHED)?),
+            "-to" => to = Some(a.number(&TO)?),
+            "-recovered" => recovered = Some(a.number(&RECOVERED)?),
             _ => return Err(a.unknown_name("option", ["-factor", "-from", "-reached", "-to", "-recovered"])),
         }
     }

@@ -337,7 +337,7 @@ fn other(interp: &mut Tcl, call: &Call<'_>, a: &mut Args<'_>, option: &str, w: &
         }
         "-sec" | "-section" | "-comp" => drop(a.ints()),
         "-time" | "-load" => {}
-        "-dT" => w.dt = a.not_negative("step of time dT")?,
+        "-dT" => w.dt = a.number(&super::recorder_options::TIME_STEP)?,
         "-file" => {
             let name = a.word("name of the file")?.into_owned();
             let path = interp.absolute(&name);

@@ -10,6 +10,9 @@ use hysteron_recordings::Table;
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
 
+const RANGE_LOW: Arg = Arg::of("-xrange", "low", "low end of the axis").within(Domain::Number);
+const RANGE_HIGH: Arg = Arg::of("-xrange", "high", "high end of the axis").within(Domain::Number);
+
 const FILE: Arg = Arg::new("file", "name of the file");
 const FILE_SVG: Arg = Arg::new("file.svg", "name of the file");
 const TITLE_TEXT: Arg = Arg::of("-title", "text", "title");
@@ -28,8 +31,8 @@ pub(crate) const COMMANDS: &[Command] = &[
             TITLE_TEXT,
             X_LABEL,
             Y_LABEL,
-            Arg::of("-xrange", "low", "low end of the axis").within(Domain::Number),
-            Arg::of("-xrange", "high", "high end of the axis").within(Domain::Number),
+            RANGE_LOW,
+            RANGE_HIGH,
             Arg::of("-yrange", "low", "low end of the axis").within(Domain::Number),
             Arg::of("-yrange", "high", "high end of the axis").within(Domain::Number),
             Arg::of("-line", "name", "name of the curve"),
@@ -73,7 +76,7 @@ fn numbers(a: &mut Args<'_>, what: &str) -> Result<Vec<f64>, Exception> {
 }
 
 fn range(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
-    let (low, high) = (a.float("low end of the axis")?, a.float("high end of the axis")?);
+    let (low, high) = (a.number(&RANGE_LOW)?, a.number(&RANGE_HIGH)?);
     if low < high && low.abs().max(high.abs()) <= MAX_DRAWN {
         Ok((low, high))
     } else {

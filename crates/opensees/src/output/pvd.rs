@@ -1,7 +1,7 @@
 //! `recorder PVD`: a file of the Visualization Toolkit for each step, and the list of them in time.
 
 use super::recorder_file::make_room;
-use super::recorder_options::{Placed, add};
+use super::recorder_options::{Placed, TIME_STEP, add};
 use crate::args::Args;
 use crate::checks;
 use crate::files::series::FileSeries;
@@ -18,10 +18,12 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
+/// The files have all digits.
+pub(super) const DIGITS: Arg = Arg::of("-precision", "digits", "number of digits").within(Domain::Count);
+
 pub(super) const FILE: Arg = Arg::new("file", "name of the file");
-const D_T_DT: Arg = Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative);
 pub(super) const TOLERANCE: Arg = Arg::of("-rTolDt", "tolerance", "tolerance rTolDt").within(Domain::NotNegative);
-pub(super) const MODES: Arg = Arg::whole("modes", "number of modes");
+pub(super) const MODES: Arg = Arg::count("modes", "number of modes");
 
 pub(super) const USAGE: &str = "recorder PVD $file <-dT $dt> <-rTolDt $tolerance> <-precision $digits> <disp> <vel> \
                                 <accel> <incrDisp> <reaction> <unbalancedLoad> <mass> <eigen $modes> \
@@ -217,9 +219,9 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
             "reaction" => Field::Reaction,
             "unbalancedLoad" => Field::Unbalanced,
             "mass" => Field::Mass,
-            "eigen" => Field::Modes(a.count(MODES.meaning)?),
+            "eigen" => Field::Modes(a.count(&MODES)?),
             "-dT" => {
-                cadence.dt = a.number(&D_T_DT)?;
+                cadence.dt = a.number(&TIME_STEP)?;
                 continue;
             }
             "-rTolDt" => {
@@ -228,7 +230,7 @@ pub(super) fn pvd(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>) -> Outcome
             }
             // The arrays have all digits.
             "-precision" => {
-                a.count("number of digits")?;
+                a.count(&DIGITS)?;
                 continue;
             }
             "eleResponse" => {

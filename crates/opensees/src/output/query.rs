@@ -15,7 +15,7 @@ use hysteron_engine::record::ElementResponse;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-const NODE_EIGENVECTOR_MODE: Arg = Arg::whole("mode", "number of the mode");
+const NODE_EIGENVECTOR_MODE: Arg = Arg::count("mode", "number of the mode");
 const VALUE: Arg = Arg::number("value", "value");
 const MASS: Arg = Arg::not_negative("mass", "mass");
 pub(super) const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
@@ -244,7 +244,7 @@ fn node_eigenvector(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "nodeEigenvector $node $mode <$dof>");
     let node = node_of(interp, &mut a, NODE.meaning)?;
     let count = interp.host.engine.modes().map_or(0, |m| m.shapes.len());
-    let mode = a.count(NODE_EIGENVECTOR_MODE.meaning)?;
+    let mode = a.count(&NODE_EIGENVECTOR_MODE)?;
     let Some(shape) = interp.host.engine.modes().and_then(|m| m.shapes.get(mode - 1)) else {
         let label =
             if count == 0 { "expected a command \"eigen\" before".into() } else { format!("expected 1 to {count}") };

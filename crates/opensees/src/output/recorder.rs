@@ -1,6 +1,6 @@
 //! `recorder` and `record`.
 
-use super::recorder_options::{COMMON, Common, Keep, range, region};
+use super::recorder_options::{COMMON, Common, Keep, PRECISION, TIME_STEP, range, region};
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
@@ -14,16 +14,15 @@ use hysteron_engine::series::Series;
 use hysteron_tcl::diagnostic::{Diagnostic, Severity, Span, nearest};
 use hysteron_tcl::{Call, Exception, Value};
 
-const PRECISION_N: Arg = Arg::of("-precision", "n", "number of digits").within(Domain::Whole);
 const PERP_DIRN_DIRECTION: Arg = Arg::of("-perpDirn", "direction", "perpendicular direction").within(Domain::Whole);
 const DOF: Arg = Arg::of("-dof", "dof", "degree of freedom").within(Domain::Whole);
-const DIGITS: Arg = Arg::whole("digits", "number of digits");
+const DIGITS: Arg = Arg::count("digits", "number of digits");
 
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("recorder", "recorder $kind -file $file ...", recorder)
         .about("Records responses in a file.")
         .arguments(&[
-            Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative),
+            TIME_STEP,
             Arg::of("-file", "file", "name of the file"),
             Arg::flag("-file", "text, columns separated by blanks"),
             Arg::flag("-csv", "text, columns separated by commas"),
@@ -55,7 +54,7 @@ const KINDS: &[Kind] = &[
         names: &["Node"],
         usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
-        text: Text::new("Records responses of nodes.").arguments(&[PRECISION_N, Arg::of(
+        text: Text::new("Records responses of nodes.").arguments(&[PRECISION, Arg::of(
             "-dof",
             "dof",
             "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, eigen N, eigen (a \
@@ -89,7 +88,7 @@ const KINDS: &[Kind] = &[
         names: &["Element"],
         usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
-        text: Text::new("Records responses of elements.").arguments(&[PRECISION_N]),
+        text: Text::new("Records responses of elements.").arguments(&[PRECISION]),
         make: |interp, call, a| element(interp, call, a, Recorder::history),
     },
     Kind {
@@ -146,7 +145,7 @@ PERP_DIRN_DIRECTION,
             ),
             Arg::of("-node", "node", "node that is removed once all of the elements are").within(Domain::Whole),
             Arg::of("-file", "file", "file with a line for each removal: time, Elem or Node, tag"),
-            Arg::of("-dT", "dt", "time between two looks at the elements; every step without"),
+            TIME_STEP,
         ]),
         make: collapse::collapse,
     },
@@ -161,7 +160,7 @@ PERP_DIRN_DIRECTION,
             pvd::FILE,
             pvd::TOLERANCE,
             pvd::MODES,
-            Arg::of("-precision", "digits", "accepted and not used: the files have all digits").within(Domain::Whole),
+            super::pvd::DIGITS,
             Arg::new("response", "words of a response of elements; those that follow belong to it"),
         ]),
         make: pvd::pvd,
@@ -370,6 +369,6 @@ fn record(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn set_precision(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, "setPrecision $digits");
-    interp.host.output.style.precision = a.count(DIGITS.meaning)?;
+    interp.host.output.style.precision = a.count(&DIGITS)?;
     Ok(Value::EMPTY)
 }

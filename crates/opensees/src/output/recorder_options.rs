@@ -5,6 +5,7 @@ use super::recorders::PlacedRecorder;
 use crate::args::Args;
 use crate::checks;
 use crate::files::outputs::FileFormat;
+use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Outcome, Tcl, warn};
 use hysteron_engine::model::Tag;
@@ -13,6 +14,10 @@ use hysteron_engine::record::{Cadence, Layout, Output, Recorder, Separator, Sour
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::collections::BTreeMap;
+
+pub(super) const PRECISION: Arg = Arg::of("-precision", "n", "number of digits").within(Domain::Count);
+pub(super) const TIME_STEP: Arg = Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative);
+const TIME_TOLERANCE: Arg = Arg::of("-rTolDt", "tolerance", "tolerance rTolDt").within(Domain::NotNegative);
 
 /// A recorder that keeps rows in one way.
 pub(super) type Keep = fn(Box<dyn Source>, Box<dyn Output>, Cadence) -> Recorder;
@@ -57,10 +62,10 @@ impl Common {
                 self.file = Some((a.word("name of the file")?.into_owned(), a.last_span()));
             }
             "-time" | "-load" => self.cadence.time = true,
-            "-dT" | "-dt" => self.cadence.dt = a.not_negative("step of time dT")?,
-            "-rTolDt" => self.cadence.tolerance = a.not_negative("tolerance rTolDt")?,
+            "-dT" | "-dt" => self.cadence.dt = a.number(&TIME_STEP)?,
+            "-rTolDt" => self.cadence.tolerance = a.number(&TIME_TOLERANCE)?,
             "-closeOnWrite" => self.close_on_write = true,
-            "-precision" => style.precision = a.count("number of digits")?,
+            "-precision" => style.precision = a.count(&PRECISION)?,
             "-scientific" => style.scientific = true,
             "-tcp" | "-database" | "-fileAdd" => {
                 let message = format!("recorder: the output {option} is not supported yet");

@@ -7,7 +7,7 @@ use crate::text::Arg;
 use crate::{Command, Outcome, Tcl, finish};
 use hysteron_tcl::Call;
 
-const SECTION: Arg = Arg::whole("section", "number of the section");
+const SECTION: Arg = Arg::count("section", "number of the section");
 const PLACE: Arg = Arg::number("x", "place along the beam from 0 to 1, a fraction of its length");
 
 pub(crate) const COMMANDS: &[Command] = &[
@@ -53,7 +53,7 @@ const ALONG: &str = "sectionLocation $element <$section>";
 fn of_section(interp: &mut Tcl, call: &Call<'_>, what: &str) -> Outcome {
     let mut a = Args::new(call, OF_SECTION);
     let id = element_of(interp, &mut a)?;
-    let number = a.count(SECTION.meaning)?.to_string();
+    let number = a.count(&SECTION)?.to_string();
     let words = ["section", number.as_str(), what];
     let Some(values) = evaluate(interp, id, &words) else {
         let refused = a.refuse(format!("the element has no section {number}"), "expected a number from 1 on");
@@ -80,7 +80,7 @@ const AT_PLACE: &str = "cbdiDisplacement $element $x";
 fn section_displacement(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, DISPLACEMENT);
     let id = element_of(interp, &mut a)?;
-    let section = a.count(SECTION.meaning)?;
+    let section = a.count(&SECTION)?;
     let frame = if a.flag("-local") { "local" } else { "global" };
     let Some(values) = evaluate(interp, id, &["sectionDisplacements", frame]) else {
         return Err(a.refuse(UNKNOWN, EXPECTED).by(&checks::output::NO_RESPONSE));

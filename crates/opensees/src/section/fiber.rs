@@ -15,6 +15,12 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 use std::f64::consts::PI;
 
+const N_IJ: Arg = Arg::count("nIJ", "number of divisions");
+const N_JK: Arg = Arg::count("nJK", "number of divisions across");
+const BARS: Arg = Arg::count("n", "number of bars");
+const R_INNER: Arg = Arg::of_domain("rInner", "inner radius", Domain::UsuallyNotNegative);
+const R_OUTER: Arg = Arg::of_domain("rOuter", "outer radius", Domain::UsuallyNotNegative);
+
 const FIBER_Y: Arg = Arg::number("y", "y of the fiber");
 const FIBER_Z: Arg = Arg::number("z", "z of the fiber");
 const FIBER_AREA: Arg = Arg::of_domain("area", "area of the fiber", Domain::UsuallyNotNegative);
@@ -31,8 +37,8 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Adds fibres that fill an area.")
         .arguments(&[
             Arg::thing("material", things::MATERIAL),
-            Arg::whole("nIJ", "number of divisions"),
-            Arg::whole("nJK", "number of divisions across"),
+            N_IJ,
+            N_JK,
             Arg::number("yI", "y of the corner I"),
             Arg::number("zI", "z of the corner I"),
             Arg::number("yJ", "y of the corner J"),
@@ -47,8 +53,8 @@ pub(crate) const COMMANDS: &[Command] = &[
             Arg::new("nRad", "number of fibres along the radius"),
             Arg::new("y", "centre y"),
             Arg::new("z", "centre z"),
-            Arg::new("rInner", "inner radius"),
-            Arg::new("rOuter", "outer radius"),
+            R_INNER,
+            R_OUTER,
             Arg::new("angle1", "first angle in degrees"),
             Arg::new("angle2", "last angle in degrees"),
         ])
@@ -56,7 +62,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::new("layer", LAYER, layer)
         .arguments(&[
             Arg::thing("material", things::MATERIAL),
-            Arg::whole("n", "number of bars"),
+            BARS,
             STRAIGHT_AREA,
             Arg::number("y1", "y of the first bar"),
             Arg::number("z1", "z of the first bar"),
@@ -199,7 +205,7 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, PATCH);
     let shape = form(&mut a, "kind of patch", "patch", PATCHES)?;
     let material = material(interp, &mut a)?;
-    let [n, m] = a.parts(["number of divisions", "number of divisions across"])?;
+    let [n, m] = a.parts([&N_IJ, &N_JK])?;
     let fibers = match shape {
         Patch::Rectangle => {
             let ([y1, mut z1], [y2, mut z2]) = (point(&mut a, "first corner")?, point(&mut a, "opposite corner")?);
@@ -211,8 +217,8 @@ fn patch(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
         Patch::Circle => {
             let centre = point(&mut a, "centre")?;
-            let mut inner = a.usually_not_negative(interp, "inner radius")?;
-            let mut outer = a.usually_not_negative(interp, "outer radius")?;
+            let mut inner = a.read(interp, &R_INNER)?;
+            let mut outer = a.read(interp, &R_OUTER)?;
             let radii_at = a.last_span();
             if inner == outer {
                 return Err(a.refuse(format!("the outer radius {outer} is not greater than the inner one"), ""));
@@ -336,7 +342,7 @@ fn layer(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, LAYER);
     let shape = form(&mut a, "kind of layer", "layer", LAYERS)?;
     let material = material(interp, &mut a)?;
-    let [n] = a.parts(["number of bars"])?;
+    let [n] = a.parts([&BARS])?;
     let area = a.read(interp, &STRAIGHT_AREA)?;
     let places: Vec<[f64; 2]> = if shape == Layer::Line {
         let (first, last) = (point(&mut a, "first bar")?, point(&mut a, "last bar")?);

@@ -23,22 +23,31 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
+const FIBER_GJ: Arg = Arg::of("-GJ", "GJ", "torsional rigidity GJ").within(Domain::NotNegative);
+
 const TAG: Arg = Arg::whole("tag", "tag of the section");
 const ELASTIC_E: Arg = Arg::of_domain("E", "elastic modulus E", Domain::UsuallyPositive);
 const ELASTIC_A: Arg = Arg::of_domain("A", "cross-sectional area A", Domain::UsuallyPositive);
 const ELASTIC_IZ: Arg = Arg::of_domain("Iz", "second moment of area Iz", Domain::UsuallyPositive);
-const ELASTIC_G: Arg = Arg::number("G", "shear modulus G");
-const ALPHA_Y: Arg = Arg::number("alphaY", "shear factor alphaY");
+const ELASTIC_G: Arg = Arg::of_domain("G", "shear modulus G", Domain::UsuallyPositive);
+/// In the plane 0 is none.
+const PLANE_G: Arg = ELASTIC_G.within(Domain::UsuallyNotNegative);
+const PLANE_ALPHA_Y: Arg = ALPHA_Y.within(Domain::UsuallyNotNegative);
+const ALPHA_Y: Arg = Arg::of_domain("alphaY", "shear factor alphaY", Domain::UsuallyPositive);
 const ELASTIC_IY: Arg = Arg::of_domain("Iy", "second moment of area Iy", Domain::UsuallyPositive);
 const ELASTIC_J: Arg = Arg::of_domain("J", "torsion constant J", Domain::UsuallyPositive);
 const ALPHA_Z: Arg = Arg::of_domain("alphaZ", "shear factor alphaZ", Domain::UsuallyPositive);
-const ELASTIC_FRAME_G: Arg = Arg::new("G", "shear modulus G");
-const ELASTIC_FRAME_E: Arg = Arg::of("-E", "E", "elastic modulus E").within(Domain::UsuallyPositive);
-const ELASTIC_FRAME_A: Arg = Arg::of("-A", "A", "cross-sectional area A").within(Domain::UsuallyPositive);
-const IZ: Arg = Arg::of("-Iz", "Iz", "second moment of area Iz").within(Domain::UsuallyPositive);
-const IY: Arg = Arg::of("-Iy", "Iy", "second moment of area Iy").within(Domain::UsuallyPositive);
-const FRAME_G: Arg = Arg::of("-G", "G", "shear modulus G").within(Domain::Number);
-const ELASTIC_FRAME_J: Arg = Arg::of("-J", "J", "torsion constant J").within(Domain::UsuallyPositive);
+/// Properties of a frame's section by their names.
+const FRAME: [Arg; 8] = [
+    ELASTIC_E.after("-E"),
+    ELASTIC_A.after("-A"),
+    ELASTIC_IZ.after("-Iz"),
+    ELASTIC_IY.after("-Iy"),
+    ELASTIC_G.after("-G"),
+    ELASTIC_J.after("-J"),
+    Arg::of("-Ay", "Avy", "shear area Avy").within(Domain::UsuallyPositive),
+    Arg::of("-Az", "Avz", "shear area Avz").within(Domain::UsuallyPositive),
+];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
     .arguments(&[Arg::whole("tag", "tag of the section")])
@@ -78,23 +87,8 @@ const KINDS: &[Kind] = &[
             "An elastic section whose properties are given by their names, or in the order of `section Elastic`.",
         )
         .example("section ElasticFrame 9 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 1e-3 -G 8e7 -J 1e-3")
-        .arguments(&[
-            TAG,
-            ELASTIC_E,
-            ELASTIC_A,
-            ELASTIC_IZ,
-            ELASTIC_IY,
-            ELASTIC_FRAME_G,
-            ELASTIC_J,
-            ELASTIC_FRAME_E,
-            ELASTIC_FRAME_A,
-            IZ,
-            IY,
-            FRAME_G,
-            ELASTIC_FRAME_J,
-            Arg::of("-Ay", "Avy", "shear area Avy").within(Domain::Number),
-            Arg::of("-Az", "Avz", "shear area Avz").within(Domain::Number),
-        ]),
+        .arguments(&[TAG, ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_IY, ELASTIC_G, ELASTIC_J])
+        .groups(&[&FRAME]),
         make: Make::Beam(elastic_frame),
     },
     Kind {
@@ -102,11 +96,7 @@ const KINDS: &[Kind] = &[
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
         text: Text::new("A section of fibres, which `fiber`, `patch` and `layer` in its body make.")
             .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
-            .arguments(&[
-                TAG,
-                Arg::of("-GJ", "GJ", "torsional stiffness").within(Domain::NotNegative),
-                Arg::of("-torsion", "material", "law of torsion"),
-            ]),
+            .arguments(&[TAG, FIBER_GJ, Arg::of("-torsion", "material", "law of torsion")]),
         make: Make::Beam(fibers),
     },
     Kind {
@@ -186,15 +176,15 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
     let plane = interp.host.builder.ndm != 3;
     if !plane {
         s.iy = a.read(interp, &ELASTIC_IY)?;
-        s.g = a.usually_positive(interp, "shear modulus G")?;
-        s.j = a.read(interp, &ELASTIC_FRAME_J)?;
+        s.g = a.read(interp, &ELASTIC_G)?;
+        s.j = a.read(interp, &ELASTIC_J)?;
         if a.left() > 0 {
-            s.shear.0 = Some(area * a.usually_positive(interp, "shear factor alphaY")?);
+            s.shear.0 = Some(area * a.read(interp, &ALPHA_Y)?);
             s.shear.1 = Some(area * a.read(interp, &ALPHA_Z)?);
         }
     } else if a.left() > 0 {
-        s.g = a.usually_not_negative(interp, "shear modulus G")?;
-        s.shear.0 = Some(area * a.usually_not_negative(interp, "shear factor alphaY")?);
+        s.g = a.read(interp, &PLANE_G)?;
+        s.shear.0 = Some(area * a.read(interp, &PLANE_ALPHA_Y)?);
         // Most beams have no use for it: packages on top give zeros by default.
         if s.shear_rigidity().0.is_none() {
             warn_of_no_stiffness(interp, a, "the section has no stiffness in shear, which beams by forces need")?;
@@ -206,33 +196,23 @@ fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exceptio
 /// Properties in the order of `section Elastic`, or each by its name; those of a plane frame are enough in the plane.
 fn elastic_frame(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     const NAMES: [&str; 8] = ["-E", "-A", "-Iz", "-Iy", "-G", "-J", "-Ay", "-Az"];
-    const MEANINGS: [&str; 8] = [
-        "elastic modulus E",
-        "cross-sectional area A",
-        "second moment of area Iz",
-        "second moment of area Iy",
-        "shear modulus G",
-        "torsion constant J",
-        "shear area Avy",
-        "shear area Avz",
-    ];
     let mut values = [None; 8];
-    for (value, meaning) in values.iter_mut().zip(MEANINGS).take(6) {
+    for (value, arg) in values.iter_mut().zip(&FRAME).take(6) {
         if !a.at_number() {
             break;
         }
-        *value = Some(a.usually_positive(interp, meaning)?);
+        *value = Some(a.read(interp, arg)?);
     }
     while let Some(option) = a.option() {
         match NAMES.iter().position(|n| *n == option.as_ref()) {
-            Some(i) => values[i] = Some(a.usually_positive(interp, MEANINGS[i])?),
+            Some(i) => values[i] = Some(a.read(interp, &FRAME[i])?),
             None => ignore_option(interp, a, &NAMES)?,
         }
     }
     let plane = interp.host.builder.ndm != 3;
     let needed = if plane { 3 } else { 6 };
     if let Some(i) = values.iter().take(needed).position(Option::is_none) {
-        return Err(a.refuse(format!("the {} is missing", MEANINGS[i]), format!("expected {}", NAMES[i])));
+        return Err(a.refuse(format!("the {} is missing", FRAME[i].meaning), format!("expected {}", NAMES[i])));
     }
     let [e, area, iz, iy, g, j, ..] = values.map(|v| v.unwrap_or(0.0));
     Ok(Elastic::new(ElasticSection { e, area, iz, iy, g, j, shear: (values[6], values[7]) }, plane).shared())
@@ -261,7 +241,7 @@ fn fiber_options(interp: &mut Tcl, a: &mut Args<'_>, behind: usize) -> Result<Fi
     while a.left() > behind {
         match a.option().as_deref().unwrap_or_default() {
             "-GJ" => {
-                let gj = a.not_negative("torsional rigidity GJ")?;
+                let gj = a.number(&FIBER_GJ)?;
                 if gj == 0.0 {
                     warn_of_no_stiffness(interp, a, "the section has no torsional stiffness")?;
                 }

@@ -11,12 +11,14 @@ use hysteron_engine::section::{NdFiber, NdFiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const ALPHA: Arg = Arg::of("-alpha", "alpha", "shape factor alpha").within(Domain::NotNegative);
+
 pub(super) const ND_FIBER: Kind = Kind {
     names: &["NDFiber"],
     usage: "section NDFiber $tag <-noCentroid> <-alpha $alpha> {fibers}",
     text: Text::new("A section of fibres with shear stresses, of materials of continua.")
         .example("section NDFiber 77 {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
-        .arguments(&[Arg::of("-alpha", "alpha", "shape factor of the shear strains").within(Domain::NotNegative)]),
+        .arguments(&[ALPHA]),
     make: Make::Beam(make),
 };
 
@@ -36,7 +38,7 @@ impl NdFiberOptions {
         while a.left() > behind {
             match a.option().as_deref().unwrap_or_default() {
                 "-noCentroid" => options.origin = true,
-                "-alpha" | "-shape" => options.alpha = a.not_negative("shape factor alpha")?,
+                "-alpha" | "-shape" => options.alpha = a.number(&ALPHA)?,
                 _ => ignore_option(interp, a, OPTIONS)?,
             }
         }

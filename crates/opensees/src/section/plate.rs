@@ -10,14 +10,15 @@ use hysteron_engine::section::plate::{ElasticPlate, LayeredPlate, SharedPlateSec
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
+const LAYERS: Arg = Arg::count("layers", "number of layers");
+const LAYER_THICKNESS: Arg = Arg::positive("h", "thickness h of all layers");
+
 const ELASTIC_MEMBRANE_PLATE_SECTION_E: Arg = Arg::positive("E", "modulus of elasticity E");
 const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
 const ELASTIC_MEMBRANE_PLATE_SECTION_H: Arg = Arg::positive("h", "thickness h");
 const RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
-const BENDING_RATIO: Arg = Arg::not_negative("bendingRatio", "mass per volume rho");
+const BENDING_RATIO: Arg = Arg::positive("bendingRatio", "ratio of the modulus in bending");
 const H1: Arg = Arg::not_negative("h1", "thickness h of a layer");
-const H2: Arg = Arg::not_negative("h2", "thickness h of a layer");
-const LAYERED_SHELL_MATERIAL: Arg = Arg::not_negative("material", "thickness h of a layer");
 
 pub(super) const ELASTIC: Kind = Kind {
     names: &["ElasticMembranePlateSection", "ElasticPlateSection"],
@@ -42,12 +43,12 @@ pub(super) const LAYERED: Kind = Kind {
     usage: "section LayeredShell $tag $layers $material1 $h1 $material2 $h2 ... | $layers $material $h",
     text: Text::new("A plate of layers, for shells.").example("section LayeredShell 77 3 1 0.1 1 0.2 1 0.1").arguments(
         &[
-            Arg::whole("layers", "number of layers"),
+            LAYERS,
             Arg::thing("material1", things::ND_MATERIAL),
             H1,
-            H2,
-            LAYERED_SHELL_MATERIAL,
-            Arg::thing("h", things::ND_MATERIAL),
+            Arg::not_negative("h2", "thickness h of a layer"),
+            Arg::thing("material", things::ND_MATERIAL),
+            LAYER_THICKNESS,
             Arg::new("material2", "tags of the materials and thicknesses of the layers from the bottom up"),
         ],
     ),
@@ -61,8 +62,8 @@ fn elastic(_: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exceptio
         return Err(a.refuse(format!("Poisson's ratio is {nu}"), "expected between -1 and 1"));
     }
     let thickness = a.number(&ELASTIC_MEMBRANE_PLATE_SECTION_H)?;
-    let rho = if a.left() > 0 { a.number(&BENDING_RATIO)? } else { 0.0 };
-    let bending_ratio = if a.left() > 0 { a.positive("ratio of the modulus in bending")? } else { 1.0 };
+    let rho = if a.left() > 0 { a.number(&RHO)? } else { 0.0 };
+    let bending_ratio = if a.left() > 0 { a.number(&BENDING_RATIO)? } else { 1.0 };
     Ok(ElasticPlate { e, nu, thickness, rho, bending_ratio }.shared())
 }
 
@@ -77,14 +78,14 @@ fn uniform(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exc
 }
 
 fn layered(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedPlateSection, Exception> {
-    let [count] = a.parts(["number of layers"])?;
+    let [count] = a.parts([&LAYERS])?;
     if count < 3 {
         return Err(a.refuse(format!("there are {count} layers"), "expected 3 or more"));
     }
     let mut layers = vec![];
     if a.left() == 2 {
         let material = of_plates(interp, a)?;
-        let thickness = a.positive("thickness h of all layers")?;
+        let thickness = a.number(&LAYER_THICKNESS)?;
         layers.resize(count, (material, thickness / count as f64));
     } else {
         for _ in 0..count {

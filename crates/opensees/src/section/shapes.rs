@@ -3,13 +3,30 @@
 use super::{Kind, Make, warn_of_torsion};
 use crate::Tcl;
 use crate::args::Args;
-use crate::text::{Arg, Text};
+use crate::text::{Arg, Domain, Text};
 use crate::things;
 use hysteron_engine::material::{Elastic, Material};
 use hysteron_engine::section::{Fiber, FiberBending, FiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::f64::consts::PI;
+
+const A_TOP: Arg = Arg::not_negative("Atop", "area of a top bar Atop");
+const A_BOTTOM: Arg = Arg::not_negative("Abottom", "area of a bottom bar Abottom");
+const A_SIDE: Arg = Arg::not_negative("Aside", "area of a side bar Aside");
+const AS: Arg = Arg::not_negative("As", "area of a bar As");
+const NFTW: Arg = Arg::count("nftw", "fibers across the web nftw");
+const NFDW: Arg = Arg::count("nfdw", "fibers of the web nfdw");
+const NFTF: Arg = Arg::count("nftf", "fibers of a flange nftf");
+const NFBF: Arg = Arg::count("nfbf", "fibers across a flange nfbf");
+const NFCORE: Arg = Arg::count("nfcore", "fibers of the core nfcore");
+const NFCOVER: Arg = Arg::count("nfcover", "fibers of the cover nfcover");
+const NFS: Arg = Arg::count("nfs", "bars of a layer nfs");
+const RINGS_CORE: Arg = Arg::count("nRingsCore", "rings of the core");
+const RINGS_COVER: Arg = Arg::count("nRingsCover", "rings of the cover");
+const WEDGES: Arg = Arg::count("nWedges", "number of wedges");
+const BARS: Arg = Arg::count("nSteel", "number of bars");
+const GJ: Arg = Arg::of("-GJ", "GJ", "torsional rigidity GJ").within(Domain::NotNegative);
 
 const WFSECTION2D_D: Arg = Arg::positive("d", "depth d");
 const TW: Arg = Arg::positive("tw", "thickness of the web tw");
@@ -19,23 +36,15 @@ const B: Arg = Arg::positive("b", "width b");
 const COVER_DEPTH: Arg = Arg::positive("coverDepth", "depth of the cover");
 const RCCIRCULAR_SECTION_D: Arg = Arg::positive("d", "diameter d");
 
-pub(super) const WIDE_FLANGE: Kind = Kind {
-    names: &["WFSection2d", "WSection2d"],
-    usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
-    text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4").arguments(&[
-        Arg::thing("material", things::MATERIAL),
-        WFSECTION2D_D,
-        TW,
-        BF,
-        TF,
-        Arg::new("nfdw", "fibres of the web"),
-        Arg::new("nftf", "fibres of a flange across its thickness"),
-        Arg::new("nfbf", "fibres of a flange across its width"),
-        Arg::new("nftw", "fibres across the web; not used"),
-        Arg::of("-GJ", "GJ", "torsional rigidity, in space"),
-    ]),
-    make: Make::Beam(wide_flange),
-};
+pub(super) const WIDE_FLANGE: Kind =
+    Kind {
+        names: &["WFSection2d", "WSection2d"],
+        usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
+        text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4").arguments(
+            &[Arg::thing("material", things::MATERIAL), WFSECTION2D_D, TW, BF, TF, NFDW, NFTF, NFBF, NFTW, GJ],
+        ),
+        make: Make::Beam(wide_flange),
+    };
 
 pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
     names: &["RCSection2d"],
@@ -49,12 +58,12 @@ pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
             WFSECTION2D_D,
             B,
             COVER_DEPTH,
-            Arg::new("Atop", "area of a bar of the top layer"),
-            Arg::new("Abottom", "area of a bar of the bottom layer"),
-            Arg::new("Aside", "area of a bar of the sides"),
-            Arg::new("nfcore", "fibres of the core"),
-            Arg::new("nfcover", "fibres of a cover"),
-            Arg::new("nfs", "bars of a layer"),
+            A_TOP,
+            A_BOTTOM,
+            A_SIDE,
+            NFCORE,
+            NFCOVER,
+            NFS,
         ]),
     make: Make::Beam(rectangular_concrete),
 };
@@ -71,12 +80,12 @@ pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
             Arg::thing("steel", things::MATERIAL),
             RCCIRCULAR_SECTION_D,
             COVER_DEPTH,
-            Arg::new("As", "area of a bar"),
-            Arg::new("nRingsCore", "rings of the core"),
-            Arg::new("nRingsCover", "rings of the cover"),
-            Arg::new("nWedges", "wedges of a ring"),
-            Arg::new("nSteel", "bars"),
-            Arg::of("-GJ", "GJ", "torsional rigidity, in space"),
+            AS,
+            RINGS_CORE,
+            RINGS_COVER,
+            WEDGES,
+            BARS,
+            GJ,
             Arg::of("-torsion", "material", "law of torsion, in space"),
         ]),
     make: Make::Beam(circular_concrete),
@@ -101,7 +110,7 @@ fn strips(whole: f64, depth: f64, count: usize) -> impl Iterator<Item = f64> {
 fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<SharedSection, Exception> {
     let mut torsion = None;
     if a.flag("-GJ") {
-        let law: Material = Elastic::new(a.not_negative("torsional rigidity GJ")?).shared();
+        let law: Material = Elastic::new(a.number(&GJ)?).shared();
         torsion = Some((law, 0));
     } else if a.flag("-torsion") {
         torsion = Some(material(interp, a)?);
@@ -122,11 +131,11 @@ fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exce
     if dw <= 0.0 {
         return Err(a.refuse(format!("the flanges are {tf} thick and the section is {d} deep"), "expected less"));
     }
-    let [in_web, in_flange] = a.parts(["fibers of the web nfdw", "fibers of a flange nftf"])?;
+    let [in_web, in_flange] = a.parts([&NFDW, &NFTF])?;
     let mut across = 1;
     if a.at_number() {
-        across = a.parts_of(in_flange, "fibers across a flange nfbf")?;
-        a.count("fibers across the web nftw")?;
+        across = a.parts_of(in_flange, &NFBF)?;
+        a.count(&NFTW)?;
     }
     let fiber = |y, z, area| Fiber { y, z, area, material: steel.clone() };
     let area = bf * tf / (in_flange * across) as f64;
@@ -152,13 +161,8 @@ fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSect
     if inner <= 0.0 || width <= 0.0 {
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
     }
-    let [top, bottom, side] = [
-        a.not_negative("area of a top bar Atop")?,
-        a.not_negative("area of a bottom bar Abottom")?,
-        a.not_negative("area of a side bar Aside")?,
-    ];
-    let [in_core, in_cover, bars] =
-        a.parts(["fibers of the core nfcore", "fibers of the cover nfcover", "bars of a layer nfs"])?;
+    let [top, bottom, side] = [a.number(&A_TOP)?, a.number(&A_BOTTOM)?, a.number(&A_SIDE)?];
+    let [in_core, in_cover, bars] = a.parts([&NFCORE, &NFCOVER, &NFS])?;
     let mut fibers = vec![];
     let mut add = |y, area, material: &Tagged| fibers.push(Fiber { y, z: 0.0, area, material: material.clone() });
     for (of, wide) in [(&core, width), (&cover, 2.0 * depth)] {
@@ -183,9 +187,9 @@ fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection
     if radius <= 0.0 {
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
     }
-    let bar = a.not_negative("area of a bar As")?;
-    let [rings_core, rings_cover, wedges] = a.parts(["rings of the core", "rings of the cover", "number of wedges"])?;
-    let [bars] = a.parts(["number of bars"])?;
+    let bar = a.number(&AS)?;
+    let [rings_core, rings_cover, wedges] = a.parts([&RINGS_CORE, &RINGS_COVER, &WEDGES])?;
+    let [bars] = a.parts([&BARS])?;
     let mut fibers = vec![];
     let mut ring = |at: f64, area: f64, count: usize, material: &Tagged| {
         let half = PI / count as f64;

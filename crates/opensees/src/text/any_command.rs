@@ -2,6 +2,16 @@
 
 use super::{Arg, Domain};
 
+/// Mass of an element.
+pub(crate) const MASS: Arg = Arg::of("-mass", "m", "mass").within(Domain::NotNegative);
+/// Iterations inside of an element or a law, and their tolerance.
+pub(crate) const ITERATIONS: Arg =
+    Arg::of("-iter", "maxIter", "largest number of iterations maxIter").within(Domain::Count);
+pub(crate) const TOLERANCE: Arg = Arg::of("-iter", "tol", "tolerance").within(Domain::Positive);
+/// Place of the shear force of a link.
+pub(crate) const SHEAR_DIST: Arg =
+    Arg::of("-shearDist", "sDratio", "place of the shear force as a fraction of the length").within(Domain::Number);
+
 /// Arguments that mean the same in every command.
 pub(super) const ANY_COMMAND: &[Arg] = &[
     Arg::flag("-doRayleigh", "the element takes part in Rayleigh damping"),
@@ -18,10 +28,11 @@ pub(super) const ANY_COMMAND: &[Arg] = &[
          local y axis",
     )
     .within(Domain::Number),
-    Arg::of("-shearDist", "sDratio", "distance of the shear force from node i over the length").within(Domain::Number),
+    SHEAR_DIST,
     Arg::of("-shearDist", "sDy", "distance of the shear forces from node i over the length").within(Domain::Number),
-    Arg::of("-iter", "maxIter", "most iterations inside the element and their tolerance").within(Domain::Whole),
-    Arg::of("-mass", "m", "mass of the element").within(Domain::NotNegative),
+    ITERATIONS,
+    TOLERANCE,
+    MASS,
     Arg::of("-damp", "damping", "tag of a damping of the element's own").within(Domain::Whole),
     Arg::of("-mat", "mat1", "tags of the laws, one for each direction").within(Domain::Whole),
     Arg::of("-dir", "dir1", "directions of the laws: 1 to 3 displacements, 4 to 6 rotations").within(Domain::Whole),
@@ -43,19 +54,10 @@ pub(super) const ANY_COMMAND: &[Arg] = &[
     Arg::flag("-shape", "plan of the section: `round` or `square`"),
     Arg::flag("-noPDInput", "without the P-Delta effect on the inner equilibrium"),
     Arg::flag("-noTilt", "without the tilt of the shear springs"),
-    Arg::of("-adjustPDOutput", "ci", "shares of the P-Delta moment that are taken off the moments at i and j"),
-    Arg::of(
-        "-doBalance",
-        "limFo",
-        "largest unbalanced external and internal force, and number of corrections; of use \
-         under `--compat opensees` only",
-    )
-    .within(Domain::Positive),
     Arg::flag("-inclVertDisp", "the pendulum rises as it slides"),
     Arg::of("-nMat", "mat1", "tags of the laws, one for each spring").within(Domain::Whole),
     Arg::flag("-axial", "axial law: `kumar` (cavitation and buckling) or `linear`"),
     Arg::flag("-pDelta", "`on` or `off`: moments of the axial force"),
-    Arg::of("-coRS", "cr", "factors on the coefficients of the law").within(Domain::Positive),
     Arg::of("-dampMats", "mat1", "tags of laws of damping, one for each direction").within(Domain::Whole),
     Arg::flag(
         "-beyond",

@@ -9,7 +9,7 @@ mod quadrilateral;
 mod triangle;
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
-use super::{MAX, NODE, PROBE_NAMES, Row, STRAINS, STRESSES, probe, work};
+use super::{MAX, NODE, PROBE_NAMES, Row, probe, read_points, work};
 use crate::element::Class;
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
@@ -467,14 +467,7 @@ impl Element for EnhancedShell {
             deformations.copy_from_slice(&head[PLATE_ORDER..2 * PLATE_ORDER]);
             PlateState { section: &*self.section, resultants, deformations, own }.read(path, out);
         };
-        match path[0] {
-            kind @ (STRESSES | STRAINS) => {
-                let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points
-                    .for_each(|(point, out)| read(point.min(self.fixed.len() - 1), &[u32::from(kind == STRAINS)], out));
-            }
-            _ => read(path[1] as usize, &path[2..], out),
-        }
+        read_points(path, self.fixed.len(), out, read);
     }
 }
 

@@ -299,13 +299,19 @@ impl Element for Shell {
             let deformations = Self::deformations(&self.points[point], &self.moved(s.disp));
             PlateState { section: &*self.section, resultants, deformations, own }.read(path, out);
         };
-        match path[0] {
-            kind @ (STRESSES | STRAINS) => {
-                let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points.for_each(|(point, out)| read(point, &[u32::from(kind == STRAINS)], out));
-            }
-            _ => read(path[1] as usize, &path[2..], out),
+        read_points(path, self.points.len(), out, read);
+    }
+}
+
+/// Reads a response of all points, or of one, by a function of a point, the path inside of it and the numbers. A shell with fewer
+/// points shows its last one again.
+fn read_points(path: &[u32], points: usize, out: &mut [f64], read: impl Fn(usize, &[u32], &mut [f64])) {
+    match path[0] {
+        kind @ (STRESSES | STRAINS) => {
+            let shown = out.chunks_exact_mut(PLATE_ORDER).enumerate();
+            shown.for_each(|(point, out)| read(point.min(points - 1), &[u32::from(kind == STRAINS)], out));
         }
+        _ => read(path[1] as usize, &path[2..], out),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Thin shell with large displacements: `ShellNLDKGQ`.
 
 use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
-use super::{Formulation, Geometry, MAX, NODE, Point, Row, STRAINS, STRESSES, Shell, discrete_kirchhoff, work};
+use super::{Formulation, Geometry, MAX, NODE, Point, Row, Shell, discrete_kirchhoff, read_points, work};
 use crate::element::Class;
 use crate::element::roles::Roles;
 use crate::numeric::axpy;
@@ -191,12 +191,6 @@ impl Element for UpdatedShell {
             deformations.copy_from_slice(&s.state[strains..strains + PLATE_ORDER]);
             PlateState { section: &*self.flat.section, resultants, deformations, own }.read(path, out);
         };
-        match path[0] {
-            kind @ (STRESSES | STRAINS) => {
-                let points = out.chunks_exact_mut(PLATE_ORDER).enumerate();
-                points.for_each(|(point, out)| read(point, &[u32::from(kind == STRAINS)], out));
-            }
-            _ => read(path[1] as usize, &path[2..], out),
-        }
+        read_points(path, self.flat.points.len(), out, read);
     }
 }

@@ -26,7 +26,7 @@ pub struct Concrete02 {
 }
 
 /// Tangent of the branches with constant stress; a positive value keeps the stiffness matrix regular.
-const FLAT_TANGENT: f64 = 1.0e-10;
+pub(super) const FLAT_TANGENT: f64 = 1.0e-10;
 
 crate::state_struct! {
     /// History of [`Concrete02`].
@@ -45,43 +45,53 @@ crate::state_struct! {
 }
 
 impl Concrete02 {
-    fn modulus(&self) -> f64 {
-        2.0 * self.fc / self.epsc0
+    /// Strain at which all reloading branches intersect, from the initial modulus.
+    #[inline(always)]
+    pub(super) fn intersection_from(&self, modulus: f64) -> f64 {
+        (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio))
     }
 
-    /// Stress and slope of the envelope in compression.
+    /// Stress and slope of the envelope beyond the strength.
     #[inline(always)]
-    fn compression(&self, eps: f64) -> (f64, f64) {
-        let eta = eps / self.epsc0;
+    pub(super) fn crushing(&self, eps: f64) -> (f64, f64) {
         let slope = (self.fcu - self.fc) / (self.epscu - self.epsc0);
-        let (rising, falling) = (eps >= self.epsc0, eps > self.epscu);
-        let after = select(falling, self.fc + slope * (eps - self.epsc0), self.fcu);
-        let stress = select(rising, self.fc * eta * (2.0 - eta), after);
-        (stress, select(rising, self.modulus() * (1.0 - eta), select(falling, slope, FLAT_TANGENT)))
+        let falling = eps > self.epscu;
+        let stress = select(falling, self.fc + slope * (eps - self.epsc0), self.fcu);
+        (stress, select(falling, slope, FLAT_TANGENT))
     }
 
-    /// Stress and slope of the envelope in tension.
+    /// Stress and slope of the envelope in tension, from the initial modulus and the stress of open cracks.
     #[inline(always)]
-    fn tension(&self, eps: f64) -> (f64, f64) {
-        let modulus = self.modulus();
+    pub(super) fn tension_from(&self, modulus: f64, open: f64, eps: f64) -> (f64, f64) {
         let peak = self.ft / modulus;
         let (elastic, softening) = (eps <= peak, eps <= self.ft * (1.0 / self.ets + 1.0 / modulus));
-        let after = select(softening, self.ft - self.ets * (eps - peak), 0.0);
+        let after = select(softening, self.ft - self.ets * (eps - peak), open);
         let slope = select(softening, -self.ets, FLAT_TANGENT);
         (select(elastic, modulus * eps, after), select(elastic, modulus, slope))
     }
 }
 
-impl PointLaw<{ History::LEN }> for Concrete02 {
+/// Envelope of a concrete that unloads and reloads by Yassin's rules.
+pub(super) trait Envelope {
+    /// Initial modulus.
+    fn modulus(&self) -> f64;
+    /// Strain at which all reloading branches intersect (Yassin, 1994, equations 2.31 and 2.32).
+    fn intersection(&self) -> f64;
+    /// Stress and slope of the envelope in compression.
+    fn compression(&self, eps: f64) -> (f64, f64);
+    /// Stress and slope of the envelope in tension.
+    fn tension(&self, eps: f64) -> (f64, f64);
+
+    /// The history after a strain, its stress and its tangent.
     #[inline(always)]
-    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+    fn cycle(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
         let [strain, stress, softening, min, tension] = c;
         let modulus = self.modulus();
         let step = eps - strain;
         let on_envelope = eps < min;
         let (crushing, crushing_slope) = self.compression(eps);
-        // All reloading branches intersect in R (equations 2.31 and 2.32); slope 2.35, end of unloading 2.36.
-        let eps_r = (self.fcu - self.ratio * modulus * self.epscu) / (modulus * (1.0 - self.ratio));
+        // Slope 2.35, end of unloading 2.36.
+        let eps_r = self.intersection();
         let (sig_min, _) = self.compression(min);
         let slope = select(min == 0.0, modulus, (sig_min - modulus * eps_r) / (min - eps_r));
         let end = min - sig_min / slope;
@@ -109,6 +119,35 @@ impl PointLaw<{ History::LEN }> for Concrete02 {
             keep(tension, select(widens, eps - end, tension)),
         ];
         (next, next[1], keep(modulus - softening, tangent))
+    }
+}
+
+impl Envelope for Concrete02 {
+    #[inline(always)]
+    fn modulus(&self) -> f64 {
+        2.0 * self.fc / self.epsc0
+    }
+    #[inline(always)]
+    fn intersection(&self) -> f64 {
+        self.intersection_from(self.modulus())
+    }
+    #[inline(always)]
+    fn compression(&self, eps: f64) -> (f64, f64) {
+        let eta = eps / self.epsc0;
+        let (after, slope) = self.crushing(eps);
+        let (rising, modulus) = (eps >= self.epsc0, self.modulus());
+        (select(rising, self.fc * eta * (2.0 - eta), after), select(rising, modulus * (1.0 - eta), slope))
+    }
+    #[inline(always)]
+    fn tension(&self, eps: f64) -> (f64, f64) {
+        self.tension_from(self.modulus(), 0.0, eps)
+    }
+}
+
+impl PointLaw<{ History::LEN }> for Concrete02 {
+    #[inline(always)]
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+        self.cycle(c, eps)
     }
 }
 

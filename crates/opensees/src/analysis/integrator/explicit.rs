@@ -1,13 +1,15 @@
 //! Explicit integrators of transient analyses.
 
-use super::{BETA, HHT, IntegratorResult, Kind, alpha_parameters};
+use super::{
+    ALPHA, ALPHA_F, ALPHA_I, BETA_OR_0, GAMMA, IntegratorResult, Kind, RHO_B, RHO_INF_TO_1, alpha_parameters,
+    by_bifurcation,
+};
 use crate::Tcl;
 use crate::args::Args;
 use crate::slips;
 use crate::text::{Arg, Text};
 use hysteron_engine::analysis::integrator::{
-    AlphaParameters, CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference,
-    KrAlpha,
+    CentralDifference, CentralDifferenceAlternative, ExplicitAlpha, ExplicitBathe, ExplicitDifference, KrAlpha,
 };
 
 const P: Arg = Arg::positive("p", "share p of the first part of a step");
@@ -52,24 +54,19 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHTExplicit"],
         usage: "integrator HHTExplicit $alpha <$gamma> <-updateElemDisp>",
-        text: Text::new("The explicit method of Hilber, Hughes and Taylor.").arguments(HHT),
+        text: Text::new("The explicit method of Hilber, Hughes and Taylor."),
         make: hht_explicit,
     },
     Kind {
         names: &["HHTGeneralizedExplicit"],
         usage: "integrator HHTGeneralizedExplicit $rhoB $alphaF | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
-        text: Text::new("The explicit generalised alpha method.").arguments(&[
-            Arg::new("rhoB", "spectral radius at the bifurcation"),
-            Arg::positive("alphaF", "weight alphaF of the forces at the end"),
-            Arg::not_negative("alphaI", "weight alphaI of the inertia at the end"),
-            BETA,
-        ]),
+        text: Text::new("The explicit generalised alpha method.").arguments(&[RHO_B, BETA_OR_0]),
         make: hht_generalized_explicit,
     },
     Kind {
         names: &["KRAlphaExplicit"],
         usage: "integrator KRAlphaExplicit $rhoInf <-updateElemDisp>",
-        text: Text::new("The explicit method of Kolay and Ricles."),
+        text: Text::new("The explicit method of Kolay and Ricles.").arguments(&[RHO_INF_TO_1]),
         make: kolay_ricles,
     },
 ];
@@ -99,7 +96,7 @@ fn explicit_bathe(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
 }
 
 fn newmark_explicit(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let p = alpha_parameters(1.0, 1.0, 0.0, a.positive("gamma")?);
+    let p = alpha_parameters(1.0, 1.0, 0.0, a.number(&GAMMA)?);
     Ok(Box::new(ExplicitAlpha::new("NewmarkExplicit", p, true)))
 }
 
@@ -109,31 +106,26 @@ fn updates_elements(interp: &Tcl, a: &mut Args<'_>) -> bool {
 }
 
 fn hht_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let force = a.positive("alpha")?;
-    let gamma = a.optional_float("gamma")?.unwrap_or(0.5);
+    let force = a.number(&ALPHA)?;
+    let gamma = a.optional_number(&GAMMA)?.unwrap_or(0.5);
     let update = updates_elements(interp, a);
     Ok(Box::new(ExplicitAlpha::new("HHTExplicit", alpha_parameters(1.0, force, 0.0, gamma), update)))
 }
 
 fn hht_generalized_explicit(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let (first, force) = (a.not_negative("spectral radius rhoB, or alphaI")?, a.positive("alphaF")?);
-    let p = if a.at_number() {
-        alpha_parameters(first, force, a.not_negative("beta")?, a.positive("gamma")?)
+    let p = if a.numbers_ahead() > 2 {
+        let [inertia, force, beta, gamma] = a.read_all(interp, &[ALPHA_I, ALPHA_F, BETA_OR_0, GAMMA])?;
+        alpha_parameters(inertia, force, beta, gamma)
     } else {
-        if force == 1.0 || first == 2.0 {
-            return Err(a.refuse(format!("alphaF is {force}"), "expected alphaF other than 1 and rhoB other than 2"));
-        }
-        AlphaParameters::explicit_by_bifurcation(first, force)
+        let [rho, force] = a.read_all(interp, &[RHO_B, ALPHA_F])?;
+        by_bifurcation(a, rho, force)?
     };
     let update = updates_elements(interp, a);
     Ok(Box::new(ExplicitAlpha::new("HHTGeneralizedExplicit", p, update)))
 }
 
 fn kolay_ricles(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let rho = a.not_negative("spectral radius rhoInf")?;
-    if rho > 1.0 {
-        return Err(a.refuse(format!("the spectral radius is {rho}"), "expected 0 to 1"));
-    }
+    let rho = a.number(&RHO_INF_TO_1)?;
     let update = updates_elements(interp, a);
     Ok(Box::new(KrAlpha::new(rho, update)))
 }

@@ -1,9 +1,10 @@
 //! Integrators for hybrid simulation: implicit ones with restrained or counted iterations, and operator splitting.
 
-use super::{IntegratorResult, Kind, alpha_parameters};
+use super::trapezoidal::{ALPHA_I_ABOVE_0, generalized, operator_splitting, splitting_numbers};
+use super::{ALPHA_F, ALPHA_I, BETA, GAMMA, IntegratorResult, Kind, RHO_INF, RHO_INF_TO_1, THETA, alpha_parameters};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, ignore_unknown};
+use crate::{Tcl, ignore_option};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, Newmark, Restrained,
     Restraint, Trapezoidal,
@@ -29,6 +30,11 @@ enum Increments {
 use Increments::{FixedNumber, Limited, Reduced};
 
 const NORM_TYPE_P: Arg = Arg::of("-normType", "p", "p of the norm").within(Domain::Whole);
+
+pub(super) const POLY_ORDER: Arg =
+    Arg::of("-polyOrder", "", "order of the polynomial between steps").within(Domain::Count);
+pub(super) const FACTOR: Arg = Arg::positive("factor", "factor of the corrections");
+pub(super) const LIMIT: Arg = Arg::positive("limit", "limit of a correction");
 
 pub(super) const KINDS: &[Kind] = &[
     Kind {
@@ -112,37 +118,26 @@ pub(super) const KINDS: &[Kind] = &[
         names: &["AlphaOS"],
         usage: "integrator AlphaOS $alpha <$beta $gamma> <-updateElemDisp>",
         text: Text::new("Operator splitting."),
-        make: |interp, a| operator_splitting(interp, a, "AlphaOS"),
+        make: alpha_os,
     },
     Kind {
         names: &["AlphaOSGeneralized"],
-        usage: "integrator AlphaOSGeneralized $rhoInf|{$alphaI $alphaF $beta $gamma} <-updateElemDisp>",
-        text: Text::new("Generalised operator splitting."),
-        make: |interp, a| operator_splitting(interp, a, "AlphaOSGeneralized"),
+        usage: "integrator AlphaOSGeneralized $rhoInf | $alphaI $alphaF $beta $gamma <-updateElemDisp>",
+        text: Text::new("Generalised operator splitting.").arguments(&[RHO_INF_TO_1, ALPHA_I_ABOVE_0]),
+        make: alpha_os_generalized,
     },
 ];
 
-fn operator_splitting(interp: &mut Tcl, a: &mut Args<'_>, name: &'static str) -> IntegratorResult {
-    let numbers = a.floats("parameter")?;
-    let mut update_elements = false;
-    while let Some(option) = a.option() {
-        match option.as_ref() {
-            "-updateElemDisp" => update_elements = true,
-            _ => ignore_unknown(interp, a)?,
-        }
-    }
-    let p = match (name, numbers.as_slice()) {
-        ("AlphaOS", [alpha]) => AlphaParameters::second_order(1.0, *alpha),
-        ("AlphaOS", [force, beta, gamma]) => alpha_parameters(1.0, *force, *beta, *gamma),
-        ("AlphaOSGeneralized", [rho]) => AlphaParameters::spectral(*rho),
-        ("AlphaOSGeneralized", [inertia, force, beta, gamma]) => alpha_parameters(*inertia, *force, *beta, *gamma),
-        _ => return Err(a.refuse(format!("{} parameters do not fit", numbers.len()), "expected as below")),
-    };
-    let positive = [p.inertia, p.force, p.beta, p.gamma].iter().all(|x| *x > 0.0);
-    if !positive {
-        return Err(a.refuse("a parameter is not greater than 0", "expected positive numbers"));
-    }
-    Ok(Box::new(AlphaOs::new(name, p, update_elements)))
+fn alpha_os(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
+    const NAME: &str = "AlphaOS";
+    let (numbers, update_elements) = splitting_numbers(interp, a)?;
+    Ok(Box::new(AlphaOs::new(NAME, operator_splitting(a, NAME, &numbers)?, update_elements)))
+}
+
+fn alpha_os_generalized(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
+    const NAME: &str = "AlphaOSGeneralized";
+    let (numbers, update_elements) = splitting_numbers(interp, a)?;
+    Ok(Box::new(AlphaOs::new(NAME, generalized(a, NAME, &numbers)?, update_elements)))
 }
 
 fn implicit(
@@ -158,7 +153,7 @@ fn implicit(
         match option.as_ref() {
             "-normType" => norm = a.int(NORM_TYPE_P.meaning)?,
             "-polyOrder" => {
-                order = a.count("order of the polynomial")?;
+                order = a.count(&POLY_ORDER)?;
                 if order > 3 {
                     return Err(a.refuse(format!("the order of the polynomial is {order}"), "expected 1, 2 or 3"));
                 }
@@ -172,12 +167,17 @@ fn implicit(
         (Limited, Some((size, before))) => (Some((*size, Restraint::Limit { size: *size, norm })), before),
         (_, None) => return Err(a.refuse(format!("{name}: the parameters are missing"), "expected as below")),
     };
-    if numbers.iter().any(|x| *x < 0.0) || restraint.is_some_and(|(last, _)| last == 0.0) {
-        return Err(a.refuse(format!("{name}: a parameter is not greater than 0"), "expected positive numbers"));
-    }
+    let declared: &[&Arg] = match (method, parameters.len()) {
+        (Method::Newmark, _) => &[&GAMMA, &BETA],
+        (Method::Hht | Method::HhtTrapezoidal, 1) => &[&RHO_INF],
+        (Method::Hht | Method::HhtTrapezoidal, _) => &[&ALPHA_I, &ALPHA_F, &BETA, &GAMMA],
+        (Method::Collocation, _) => &[&THETA, &BETA, &GAMMA],
+    };
+    a.judge(declared, parameters)?;
+    a.judge(&[if increments == Limited { &LIMIT } else { &FACTOR }], restraint.map(|(last, _)| last).as_slice())?;
     let Some(inner) = inner(name, method, parameters) else {
         let before = if increments == FixedNumber { "" } else { " before the last" };
-        let message = format!("{name}: {} parameters{before}, or beta is 0", parameters.len());
+        let message = format!("{name}: {} parameters{before}", parameters.len());
         return Err(a.refuse(message, "expected as below"));
     };
     Ok(match restraint {
@@ -186,19 +186,19 @@ fn implicit(
     })
 }
 
-/// The integrator whose iterations are restrained; `None` if the number of parameters does not fit or β is 0.
+/// The integrator whose iterations are restrained; `None` if the number of parameters does not fit.
 fn inner(name: &'static str, method: Method, parameters: &[f64]) -> Option<Box<dyn Integrator>> {
     let alpha = match *parameters {
         [rho] => Some(AlphaParameters::spectral(rho)),
-        [inertia, force, beta, gamma] if beta > 0.0 => Some(alpha_parameters(inertia, force, beta, gamma)),
+        [inertia, force, beta, gamma] => Some(alpha_parameters(inertia, force, beta, gamma)),
         _ => None,
     };
     Some(match (method, parameters) {
-        (Method::Newmark, [gamma, beta]) if *beta > 0.0 => Box::new(Newmark::new(*gamma, *beta, Form::Displacement)),
+        (Method::Newmark, [gamma, beta]) => Box::new(Newmark::new(*gamma, *beta, Form::Displacement)),
         (Method::Hht, _) => Box::new(GeneralizedAlpha::new(name, alpha?, false)),
         (Method::HhtTrapezoidal, _) => Box::new(Trapezoidal::new(name, alpha?)),
         (Method::Collocation, [theta]) => Box::new(Collocation::stable(*theta)),
-        (Method::Collocation, [theta, beta, gamma]) if *beta > 0.0 => Box::new(Collocation::new(*theta, *beta, *gamma)),
+        (Method::Collocation, [theta, beta, gamma]) => Box::new(Collocation::new(*theta, *beta, *gamma)),
         _ => return None,
     })
 }

@@ -1,6 +1,8 @@
 //! Implicit integrators of transient analyses.
 
-use super::{BETA, HHT, IntegratorResult, Kind, alpha_parameters};
+use super::{
+    ALPHA, ALPHA_F, ALPHA_I, BETA, BETA_OR_0, GAMMA, IntegratorResult, Kind, RHO_INF, THETA, alpha_parameters,
+};
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
@@ -23,7 +25,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["Newmark"],
         usage: "integrator Newmark $gamma $beta <-form D|V|A>",
-        text: Text::new("Newmark's method.").arguments(&[BETA]),
+        text: Text::new("Newmark's method.").arguments(&[BETA_OR_0]),
         make: newmark,
     },
     Kind {
@@ -35,7 +37,7 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["HHT"],
         usage: "integrator HHT $alpha <$gamma $beta>",
-        text: Text::new("The method of Hilber, Hughes and Taylor.").arguments(HHT),
+        text: Text::new("The method of Hilber, Hughes and Taylor."),
         make: hht,
     },
     Kind {
@@ -105,9 +107,9 @@ pub(super) const KINDS: &[Kind] = &[
 ];
 
 fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let gamma = a.positive("gamma")?;
+    let gamma = a.number(&GAMMA)?;
     let at = a.last_span();
-    let beta = a.not_negative("beta")?;
+    let beta = a.number(&BETA_OR_0)?;
     let span = a.last_span();
     if gamma < 0.5 {
         let mut d = Diagnostic::warning(
@@ -140,13 +142,13 @@ fn newmark(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
 }
 
 fn newmark1(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let (gamma, beta) = (a.positive("gamma")?, a.positive("beta")?);
+    let (gamma, beta) = (a.number(&GAMMA)?, a.number(&BETA)?);
     super::rayleigh(interp, a)?;
     Ok(Box::new(Newmark::new(gamma, beta, Form::Displacement)))
 }
 
 fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let alpha = a.positive("alpha")?;
+    let alpha = a.number(&ALPHA)?;
     let good = (2.0 / 3.0 - 1e-3..=1.0).contains(&alpha);
     if !good {
         let message = format!("HHT: alpha is {alpha}, so that the method is not stable whatever the step");
@@ -156,35 +158,34 @@ fn hht(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
             .help(help);
         warn(interp, d)?;
     }
-    Ok(match a.optional_float("gamma")? {
-        Some(gamma) => Box::new(Hht::new(alpha, gamma, a.positive("beta")?)),
+    Ok(match a.optional_number(&GAMMA)? {
+        Some(gamma) => Box::new(Hht::new(alpha, gamma, a.number(&BETA)?)),
         None => Box::new(Hht::second_order(alpha)),
     })
 }
 
 fn hht_generalized(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let first = a.not_negative("spectral radius rhoInf, or alphaI")?;
-    let p = if a.left() == 0 {
-        AlphaParameters::spectral(first)
+    let p = if a.left() <= 1 {
+        AlphaParameters::spectral(a.number(&RHO_INF)?)
     } else {
-        alpha_parameters(first, a.positive("alphaF")?, a.positive("beta")?, a.positive("gamma")?)
+        alpha_parameters(a.number(&ALPHA_I)?, a.number(&ALPHA_F)?, a.number(&BETA)?, a.number(&GAMMA)?)
     };
     Ok(Box::new(GeneralizedAlpha::new("HHTGeneralized", p, false)))
 }
 
 fn generalized_alpha(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
-    let (inertia, force) = (a.number(&GENERALIZED_ALPHA_ALPHA_M)?, a.positive("alphaF")?);
+    let (inertia, force) = (a.number(&GENERALIZED_ALPHA_ALPHA_M)?, a.number(&ALPHA_F)?);
     let p = if a.left() == 0 {
         AlphaParameters::second_order(inertia, force)
     } else {
-        alpha_parameters(inertia, force, a.positive("beta")?, a.positive("gamma")?)
+        alpha_parameters(inertia, force, a.number(&BETA)?, a.number(&GAMMA)?)
     };
     Ok(Box::new(GeneralizedAlpha::new("GeneralizedAlpha", p, interp.host.follows(&[slips::GENERALIZED_ALPHA]))))
 }
 
 /// Take the collocation point θ, in steps. Warn where the method is not stable for every step.
 fn collocation_point(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f64, Exception> {
-    let theta = a.positive("theta")?;
+    let theta = a.number(&THETA)?;
     if theta < least {
         let message = format!("theta is {theta}, so that the method is not stable whatever the step");
         warn(
@@ -198,9 +199,8 @@ fn collocation_point(interp: &mut Tcl, a: &mut Args<'_>, least: f64) -> Result<f
 
 fn collocation(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let theta = collocation_point(interp, a, 1.0)?;
-    Ok(Box::new(match a.optional_float("beta")? {
-        Some(beta) if beta > 0.0 => Collocation::new(theta, beta, a.positive("gamma")?),
-        Some(beta) => return Err(a.refuse(format!("beta is {beta}"), "expected a number greater than 0")),
+    Ok(Box::new(match a.optional_number(&BETA)? {
+        Some(beta) => Collocation::new(theta, beta, a.number(&GAMMA)?),
         None => Collocation::stable(theta),
     }))
 }

@@ -18,8 +18,9 @@ const DISPLACEMENT_CONTROL_INCREMENT: Arg = Arg::number("increment", "increment 
 const LENGTH: Arg = Arg::positive("length", "arc length");
 const PSI_U: Arg = Arg::positive("psiU", "weight psiU of the displacements");
 const PSI_F: Arg = Arg::not_negative("psiF", "weight psiF of the load");
+const ARC_ALPHA: Arg = Arg::number("alpha", "weight alpha of the load factor");
 const U_REF: Arg = Arg::positive("uRef", "reference displacement uRef");
-const CONSTRAINT: Arg = Arg::whole("constraint", "number of the constraint");
+const CONSTRAINT: Arg = Arg::count("constraint", "number of the constraint");
 const MIN_UNBAL_DISP_NORM_INCREMENT: Arg = Arg::number("increment", "first increment of the load factor");
 
 pub(super) const KINDS: &[Kind] = &[
@@ -38,13 +39,13 @@ pub(super) const KINDS: &[Kind] = &[
     Kind {
         names: &["ArcLength"],
         usage: "integrator ArcLength $length <$alpha>",
-        text: Text::new("Steps along the path of equilibrium.").arguments(&[LENGTH]),
+        text: Text::new("Steps along the path of equilibrium.").arguments(&[LENGTH, ARC_ALPHA]),
         make: arc_length,
     },
     Kind {
         names: &["ArcLength1"],
         usage: "integrator ArcLength1 $length <$alpha>",
-        text: Text::new("Steps along the path of equilibrium, by displacements.").arguments(&[LENGTH]),
+        text: Text::new("Steps along the path of equilibrium, by displacements.").arguments(&[LENGTH, ARC_ALPHA]),
         make: linearised_arc_length,
     },
     Kind {
@@ -75,13 +76,13 @@ pub(super) const KINDS: &[Kind] = &[
 
 /// Take the numbers after the step: iterations wanted, smallest and largest step.
 fn adaptive(a: &mut Args<'_>, step: f64) -> Result<Adaptive, Exception> {
-    let Some(desired) = a.optional_int("number of iterations wanted")? else { return Ok(Adaptive::fixed(step)) };
-    if desired < 1 {
-        return Err(a.refuse(format!("the number of iterations wanted is {desired}"), "expected at least 1"));
+    if !a.at_number() {
+        return Ok(Adaptive::fixed(step));
     }
+    let desired_iterations = a.count(&super::ITERATIONS)?;
     let min = a.optional_number(&MIN)?.unwrap_or(step);
     let max = a.optional_number(&MAX)?.unwrap_or(step);
-    Ok(Adaptive { desired_iterations: desired as usize, min, max })
+    Ok(Adaptive { desired_iterations, min, max })
 }
 
 fn load_control(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
@@ -105,7 +106,7 @@ fn displacement_control(interp: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult 
 /// Take the arc length and the weight of the load factor.
 fn arc(a: &mut Args<'_>) -> Result<(f64, f64), Exception> {
     let length = a.number(&LENGTH)?;
-    Ok((length, a.optional_float("weight alpha of the load factor")?.unwrap_or(1.0)))
+    Ok((length, a.optional_number(&ARC_ALPHA)?.unwrap_or(1.0)))
 }
 
 fn arc_length(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
@@ -140,7 +141,7 @@ const PATH_CONSTRAINTS: [PathConstraint; 8] = [
 
 fn equilibrium_path(_: &mut Tcl, a: &mut Args<'_>) -> IntegratorResult {
     let length = a.number(&LENGTH)?;
-    let number = a.count(CONSTRAINT.meaning)?;
+    let number = a.count(&CONSTRAINT)?;
     let Some(constraint) = number.checked_sub(1).and_then(|i| PATH_CONSTRAINTS.get(i)) else {
         return Err(a.refuse(format!("there is no constraint {number}"), "expected a number from 1 to 8"));
     };

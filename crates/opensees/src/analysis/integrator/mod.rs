@@ -8,7 +8,7 @@ mod trapezoidal;
 
 use crate::args::Args;
 use crate::checks;
-use crate::text::Arg;
+use crate::text::{Arg, Domain};
 use crate::{Command, Outcome, Tcl, finish, kind, slips, warn};
 use hysteron_engine::analysis::integrator::{AlphaParameters, Integrator};
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -21,29 +21,37 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("integrator", INTEGRATOR,
         Arg::number("betaK", "factor of the current stiffness betaK"),
         Arg::number("betaK0", "factor of the initial stiffness betaK0"),
         Arg::number("betaKc", "factor of the committed stiffness betaKc"),
-        Arg::new("factor", "a parameter"),
+        hybrid::FACTOR,
         Arg::new("{$alphaI $alphaF $beta $gamma}", "a parameter"),
-        Arg::new("iterations", "iterations wanted: the step grows where fewer are needed"),
-        Arg::not_negative("rhoInf", "spectral radius at infinite frequency"),
-        Arg::positive("theta", "collocation parameter theta"),
-        Arg::new("limit", "limit of a correction, for `...HSIncrLimit`"),
-        Arg::flag("-polyOrder", "order of the polynomial between steps"),
-        Arg::positive("gamma", "Newmark parameter gamma"),
-        Arg::positive("beta", "Newmark parameter beta"),
-        Arg::not_negative("alphaI", "weight alphaI of the inertia at the end"),
-        Arg::positive("alphaF", "weight alphaF of the forces at the end"),
-        Arg::number("alpha", "weight alpha of the forces at the end"),
+        ITERATIONS,
+        RHO_INF,
+        THETA,
+        hybrid::LIMIT,
+        hybrid::POLY_ORDER,
+        GAMMA,
+        BETA,
+        ALPHA_I,
+        ALPHA_F,
+        ALPHA,
     ])
     .with_kinds(|| FAMILIES.iter().flat_map(|kinds| kind::usages(kinds)).collect())];
 
 const INTEGRATOR: &str = "integrator LoadControl | DisplacementControl | ArcLength | Newmark | HHT | ... <options>";
 
+/// Iterations wanted: the step grows where fewer are needed.
+const ITERATIONS: Arg = Arg::count("iterations", "number of iterations wanted");
+const GAMMA: Arg = Arg::positive("gamma", "Newmark parameter gamma");
+const BETA: Arg = Arg::positive("beta", "Newmark parameter beta");
 /// The Newmark parameter of methods for which it may be 0.
-const BETA: Arg = Arg::not_negative("beta", "Newmark parameter beta");
-
-/// Arguments of the methods of Hilber, Hughes and Taylor.
-const HHT: &[Arg] =
-    &[Arg::positive("alpha", "weight alpha of the forces at the end"), Arg::number("gamma", "Newmark parameter gamma")];
+const BETA_OR_0: Arg = BETA.within(Domain::NotNegative);
+const ALPHA: Arg = Arg::positive("alpha", "weight alpha of the forces at the end");
+const ALPHA_I: Arg = Arg::not_negative("alphaI", "weight alphaI of the inertia at the end");
+const ALPHA_F: Arg = Arg::positive("alphaF", "weight alphaF of the forces at the end");
+const RHO_INF: Arg = Arg::not_negative("rhoInf", "spectral radius rhoInf at infinite frequency");
+/// The spectral radius of methods that have none over 1.
+const RHO_INF_TO_1: Arg = RHO_INF.within(Domain::Fraction);
+const RHO_B: Arg = Arg::not_negative("rhoB", "spectral radius rhoB at the bifurcation");
+const THETA: Arg = Arg::positive("theta", "collocation parameter theta");
 
 type IntegratorResult = Result<Box<dyn Integrator>, Exception>;
 
@@ -85,6 +93,15 @@ fn rayleigh(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(), Exception> {
         crate::analysis::damping::set_rayleigh(interp, a)?;
     }
     Ok(())
+}
+
+/// Parameters of an explicit method by its spectral radius at the bifurcation.
+fn by_bifurcation(a: &Args<'_>, rho: f64, force: f64) -> Result<AlphaParameters, Exception> {
+    if force == 1.0 || rho == 2.0 {
+        let message = format!("alphaF is {force}, rhoB {rho}");
+        return Err(a.refuse(message, "expected alphaF other than 1 and rhoB other than 2"));
+    }
+    Ok(AlphaParameters::explicit_by_bifurcation(rho, force))
 }
 
 /// Parameters of a method with the equation of motion at fractions of the step.
