@@ -25,6 +25,7 @@ mod structures;
 #[path = "support/studies.rs"]
 mod studies;
 
+use bearings::Dependences;
 use hysteron::diagnose::Settings;
 use std::fmt::Write as _;
 use std::fs;
@@ -77,6 +78,11 @@ const TABLE: &[Row] = &[
     ("fast pendulum", "rate_dependence", "rate_dependence", 95),
     ("warm fast pendulum", "rate_dependence + self_heating", "rate_dependence + self_heating", 95),
     ("plain pendulum", "none", "none", 85),
+    ("pressed pendulum", "varying_axial_load", "varying_axial_load", 85),
+    ("fast pendulum of varying weight", "rate_dependence", "rate_dependence", 95),
+    ("pressed fast pendulum", "rate_dependence + varying_axial_load", "rate_dependence + varying_axial_load", 95),
+    ("pressed warm fast pendulum", "rate_dependence + varying_axial_load + self_heating", "self_heating", 85),
+    ("pendulum of varying weight", "none", "none", 85),
     ("incoherent piers", "unknown", "unknown", 40),
     ("rocking ground", "unknown", "unknown", 60),
     ("turning floor", "unknown", "unknown", 90),
@@ -125,6 +131,10 @@ const TABLE: &[Row] = &[
     ("late stop", "gap_impact + sensor_lag", "gap_impact + sensor_lag", 85),
 ];
 
+/// Friction that is constant, under a weight that is, and one that is not.
+const CONSTANT: Dependences = Dependences { heat: false, speed: false, pressure: false, weight_varies: false };
+const VARYING: Dependences = Dependences { weight_varies: true, ..CONSTANT };
+
 /// Functions that make the studies.
 const STUDIES: &[Named] = &[
     ("slow noise", imposed::slow_noise),
@@ -150,10 +160,17 @@ const STUDIES: &[Named] = &[
     ("uplift", bearings::uplift),
     ("lead core", || bearings::lead_core(true)),
     ("cold lead", || bearings::lead_core(false)),
-    ("warm pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: false })),
-    ("fast pendulum", || bearings::pendulum(bearings::Dependences { heat: false, speed: true })),
-    ("warm fast pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: true })),
-    ("plain pendulum", || bearings::pendulum(bearings::Dependences::default())),
+    ("warm pendulum", || bearings::pendulum(Dependences { heat: true, ..CONSTANT })),
+    ("fast pendulum", || bearings::pendulum(Dependences { speed: true, ..CONSTANT })),
+    ("warm fast pendulum", || bearings::pendulum(Dependences { heat: true, speed: true, ..CONSTANT })),
+    ("plain pendulum", || bearings::pendulum(CONSTANT)),
+    ("pressed pendulum", || bearings::pendulum(Dependences { pressure: true, ..VARYING })),
+    ("fast pendulum of varying weight", || bearings::pendulum(Dependences { speed: true, ..VARYING })),
+    ("pressed fast pendulum", || bearings::pendulum(Dependences { pressure: true, speed: true, ..VARYING })),
+    ("pressed warm fast pendulum", || {
+        bearings::pendulum(Dependences { pressure: true, speed: true, heat: true, ..VARYING })
+    }),
+    ("pendulum of varying weight", || bearings::pendulum(VARYING)),
     ("incoherent piers", || structures::incoherent_piers(0.5)),
     ("rocking ground", || structures::rocking_ground(0.4)),
     ("turning floor", structures::turning_floor),
