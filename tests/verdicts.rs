@@ -25,6 +25,7 @@ mod structures;
 #[path = "support/studies.rs"]
 mod studies;
 
+use bearings::Dependences;
 use hysteron::diagnose::Settings;
 use std::fmt::Write as _;
 use std::fs;
@@ -55,7 +56,7 @@ const TABLE: &[Row] = &[
     ("ridges", "unknown", "unknown", 95),
     ("pinching unnamed", "unknown", "unknown", 80),
     ("maxwell", "rate_dependence", "rate_dependence", 95),
-    ("heating", "self_heating", "self_heating", 90),
+    ("heating", "self_heating", "self_heating", 95),
     ("cold", "ambient_temperature", "ambient_temperature", 90),
     ("mullins", "mullins_softening", "mullins_softening", 95),
     ("degradation", "cyclic_degradation", "cyclic_degradation", 85),
@@ -71,12 +72,17 @@ const TABLE: &[Row] = &[
     ("one-sided stop", "gap_impact", "gap_impact", 95),
     ("residual offset", "unknown", "unknown", 90),
     ("uplift", "gap_impact", "gap_impact", 95),
-    ("lead core", "self_heating", "self_heating", 75),
+    ("lead core", "self_heating", "self_heating", 85),
     ("cold lead", "none", "none", 85),
-    ("warm pendulum", "self_heating", "self_heating", 60),
+    ("warm pendulum", "self_heating", "self_heating", 95),
     ("fast pendulum", "rate_dependence", "rate_dependence", 95),
-    ("warm fast pendulum", "self_heating + rate_dependence", "rate_dependence", 95),
+    ("warm fast pendulum", "rate_dependence + self_heating", "rate_dependence + self_heating", 95),
     ("plain pendulum", "none", "none", 85),
+    ("pressed pendulum", "varying_axial_load", "varying_axial_load", 85),
+    ("fast pendulum of varying weight", "rate_dependence", "rate_dependence", 95),
+    ("pressed fast pendulum", "rate_dependence + varying_axial_load", "rate_dependence + varying_axial_load", 95),
+    ("pressed warm fast pendulum", "rate_dependence + varying_axial_load + self_heating", "self_heating", 85),
+    ("pendulum of varying weight", "none", "none", 85),
     ("incoherent piers", "unknown", "unknown", 40),
     ("rocking ground", "unknown", "unknown", 60),
     ("turning floor", "unknown", "unknown", 90),
@@ -86,6 +92,8 @@ const TABLE: &[Row] = &[
     ("near neighbour", "gap_impact", "unknown", 75),
     ("lifting footing", "foundation_flexibility", "foundation_flexibility", 95),
     ("rocking footing", "foundation_flexibility", "sensor_gain", 50),
+    ("following soil", "foundation_flexibility", "foundation_flexibility", 85),
+    ("soil that stays", "foundation_flexibility", "foundation_flexibility", 95),
     ("late pier", "late_support", "late_support", 95),
     ("passing wave", "late_support", "late_support", 95),
     ("bridge at one time", "none", "none", 85),
@@ -125,6 +133,10 @@ const TABLE: &[Row] = &[
     ("late stop", "gap_impact + sensor_lag", "gap_impact + sensor_lag", 85),
 ];
 
+/// Friction that is constant, under a weight that is, and one that is not.
+const CONSTANT: Dependences = Dependences { heat: false, speed: false, pressure: false, weight_varies: false };
+const VARYING: Dependences = Dependences { weight_varies: true, ..CONSTANT };
+
 /// Functions that make the studies.
 const STUDIES: &[Named] = &[
     ("slow noise", imposed::slow_noise),
@@ -150,10 +162,17 @@ const STUDIES: &[Named] = &[
     ("uplift", bearings::uplift),
     ("lead core", || bearings::lead_core(true)),
     ("cold lead", || bearings::lead_core(false)),
-    ("warm pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: false })),
-    ("fast pendulum", || bearings::pendulum(bearings::Dependences { heat: false, speed: true })),
-    ("warm fast pendulum", || bearings::pendulum(bearings::Dependences { heat: true, speed: true })),
-    ("plain pendulum", || bearings::pendulum(bearings::Dependences::default())),
+    ("warm pendulum", || bearings::pendulum(Dependences { heat: true, ..CONSTANT })),
+    ("fast pendulum", || bearings::pendulum(Dependences { speed: true, ..CONSTANT })),
+    ("warm fast pendulum", || bearings::pendulum(Dependences { heat: true, speed: true, ..CONSTANT })),
+    ("plain pendulum", || bearings::pendulum(CONSTANT)),
+    ("pressed pendulum", || bearings::pendulum(Dependences { pressure: true, ..VARYING })),
+    ("fast pendulum of varying weight", || bearings::pendulum(Dependences { speed: true, ..VARYING })),
+    ("pressed fast pendulum", || bearings::pendulum(Dependences { pressure: true, speed: true, ..VARYING })),
+    ("pressed warm fast pendulum", || {
+        bearings::pendulum(Dependences { pressure: true, speed: true, heat: true, ..VARYING })
+    }),
+    ("pendulum of varying weight", || bearings::pendulum(VARYING)),
     ("incoherent piers", || structures::incoherent_piers(0.5)),
     ("rocking ground", || structures::rocking_ground(0.4)),
     ("turning floor", structures::turning_floor),
@@ -163,6 +182,8 @@ const STUDIES: &[Named] = &[
     ("near neighbour", || structures::neighbour(0.03)),
     ("lifting footing", structures::lifting_footing),
     ("rocking footing", structures::rocking_footing),
+    ("following soil", || structures::following_soil(true)),
+    ("soil that stays", || structures::following_soil(false)),
     ("late pier", structures::late_pier),
     ("passing wave", structures::passing_wave),
     ("bridge at one time", structures::bridge_at_one_time),

@@ -47,6 +47,9 @@ fn space() -> impl Element + 'static {
 
 const PART: Share = Share { stiffness: 960.0, elastic: 0.3, hysteretic: 0.8, of_strength: false };
 
+const HEATING: Heating =
+    Heating { softening: 0.01, capacity: 0.05, cooling: 30.0, conduction: 0.2, half_width: f64::INFINITY, share: PART };
+
 /// Softening without healing.
 fn softening(excess: f64, strain: f64) -> Softening {
     Softening { excess, strain, power: Some(2.0), healed: 0.0, time: f64::INFINITY, preload: 0.0 }
@@ -56,8 +59,9 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
     let share = PART;
     vec![
         Arc::new(Temperature { softening: 0.01, at: -10.0, reference: 20.0, share }),
-        Arc::new(Heating { softening: 0.01, capacity: 0.2, cooling: 3.0, conduction: f64::INFINITY, share }),
-        Arc::new(Heating { softening: 0.01, capacity: 0.05, cooling: 30.0, conduction: 0.2, share }),
+        Arc::new(Heating { capacity: 0.2, cooling: 3.0, conduction: f64::INFINITY, ..HEATING }),
+        Arc::new(HEATING),
+        Arc::new(Heating { half_width: 0.03, ..HEATING }),
         Arc::new(Degradation { loss: 0.5, energy: 2.0, share }),
         Arc::new(Degradation { loss: 0.5, energy: 2.0, share: Share::strength_beside(960.0) }),
         Arc::new(Temperature { softening: 0.01, at: -30.0, reference: 20.0, share: Share::strength_beside(900.0) }),
@@ -152,13 +156,7 @@ fn each_modifier_has_its_effect() {
     assert!(cold.iter().zip(&plain).all(|(c, p)| (c - 0.3f64.exp() * p).abs() < 1e-9));
 
     let warm = force(
-        Arc::new(Heating {
-            softening: 0.01,
-            capacity: 0.5,
-            cooling: f64::INFINITY,
-            conduction: f64::INFINITY,
-            share: all,
-        }),
+        Arc::new(Heating { capacity: 0.5, cooling: f64::INFINITY, conduction: f64::INFINITY, share: all, ..HEATING }),
         cycles(0.05, 3),
     );
     assert!(peak(&warm, 0) > peak(&warm, 1) && peak(&warm, 1) > peak(&warm, 2));
@@ -220,6 +218,35 @@ fn strength_factor_keeps_stiffness() {
             assert!((a - b).abs() < 1e-6 * whole, "{factor} {k}: {a} {b}");
         }
     }
+}
+
+/// A brace whose strength follows its temperature, beside an elastic-plastic spring of that strength: the force stays at rest
+/// while the strength comes back.
+#[test]
+fn force_stays_at_rest_while_strength_comes_back() {
+    let (stiffness, strength, capacity, cooling) = (1000.0, 10.0, 0.03, 2.0);
+    let steel = Material::new(Steel01 { fy: strength, e0: stiffness, b: 0.0, a: Steel01::NO_ISOTROPIC });
+    let options = BarOptions { area: 1.0, rho: 0.0, consistent: false, rayleigh: false };
+    let brace = Truss::new(steel, 1, &[1.0, 0.0], 2, &[0.0, 0.0], options).unwrap();
+    let share = Share::strength_beside(0.0);
+    let law = Heating { capacity, cooling, conduction: f64::INFINITY, share, ..HEATING };
+    let mut e = SingleElement::new(Amended::new(Arc::new(brace), Arc::new(law), &[1]).unwrap());
+    let moved = (0..200).map(|i| 0.05 * (f64::from(i) / 20.0).sin());
+    let rest = std::iter::repeat_n(0.05 * (199.0f64 / 20.0).sin(), 300);
+    let (mut plastic, mut rise, mut before) = (0.0f64, 0.0f64, 0.0f64);
+    let (mut coldest, mut warmest) = (f64::INFINITY, 0.0f64);
+    for u in moved.chain(rest).chain((0..200).map(|i| 0.05 * (10.0 + f64::from(i) / 20.0).sin())) {
+        let limit = strength * (-0.01 * rise).exp();
+        let f = (stiffness * (u - plastic)).clamp(-limit, limit);
+        plastic = u - f / stiffness;
+        rise = (rise + f * (u - before) / capacity) / (1.0 + 0.01 / cooling);
+        before = u;
+        (coldest, warmest) = (coldest.min(rise), warmest.max(rise));
+        let amended = e.force(&[0.0, 0.0, u, 0.0])[2];
+        e.commit();
+        assert!((amended - f).abs() < 0.02 * strength, "{u}: {amended} {f}");
+    }
+    assert!(warmest > 30.0, "{warmest}");
 }
 
 /// A brace with the modifier yields like one with a yielding material.

@@ -105,7 +105,7 @@ fn sheared(
     model: String,
     parameters: Vec<(&'static str, f64, f64)>,
     paths: [(&'static str, Vec<f64>); 2],
-    force: impl Fn(&[f64]) -> Vec<f64>,
+    mut force: impl FnMut(&[f64]) -> Vec<f64>,
 ) -> Concealed {
     let mut noise = Noise::default();
     let runs = paths.into_iter().enumerate().map(|(i, (name, path))| {
@@ -166,37 +166,48 @@ pub fn lead_core(heats: bool) -> Concealed {
     })
 }
 
-/// Dependences of the friction of a pendulum.
+/// Dependences of the friction of a pendulum, whose weight may vary.
 #[derive(Clone, Copy, Default)]
 pub struct Dependences {
     pub heat: bool,
     pub speed: bool,
+    pub pressure: bool,
+    pub weight_varies: bool,
 }
 
-/// Friction of a pendulum that falls with the temperature of its face and grows with the speed (Kumar, Whittaker and
-/// Constantinou 2015). The model's is constant.
+/// Friction of a pendulum that falls with the temperature and the pressure of its face and grows with the speed (Kumar,
+/// Whittaker and Constantinou 2015). The model's is constant. It has the weight, which overturning may vary by a half.
 pub fn pendulum(on: Dependences) -> Concealed {
-    let (weight, area, radius) = (1000.0, 0.05, 3.0);
-    let model = bearing(
-        "frictionModel Coulomb 4 $mu\nelement singleFPBearing 1 1 2 4 $R 1e5",
-        "pset mu 0.05\npset R 3.2",
-        weight,
-    );
-    sheared(model, vec![("mu", 0.01, 0.2), ("R", 1.5, 6.0)], strong(), |path| {
+    let (weight, radius) = (1000.0, 3.0);
+    let area: f64 = if on.weight_varies { 0.02 } else { 0.05 };
+    let sliding = "frictionModel Coulomb 4 $mu\nelement singleFPBearing 1 1 2 4 $R 1e5";
+    let model = bearing(sliding, "pset mu 0.05\npset R 3.2", 1.0)
+        .replace("timeSeries Constant 2", "timeSeries Path 2 -dt $dt -filePath $weights");
+    let variation = if on.weight_varies { 0.5 } else { 0.0 };
+    let weights = |(period, (_, path)): (f64, (&str, Vec<f64>))| -> Vec<f64> {
+        (0..path.len()).map(|i| weight * (1.0 + variation * (TAU * DT * i as f64 / period).sin())).collect()
+    };
+    let weights: Vec<Vec<f64>> = [3.1, 4.3].into_iter().zip(strong()).map(weights).collect();
+    let mut of_run = weights.iter();
+    let mut study = sheared(model, vec![("mu", 0.01, 0.2), ("R", 1.5, 6.0)], strong(), |path| {
         let (mut face, mut before, mut fluxes) = (Plastic::default(), 0.0f64, Vec::<f64>::new());
-        let step = |(i, &u): (usize, &f64)| {
+        let step = |(i, (&u, &n)): (usize, (&f64, &f64))| {
             // Of a half-space: its surface warms by q √(α/π) / k ∫ dτ / √(t - τ); kW/m² and kW/(m K).
-            let n = fluxes.len();
-            let kernel = |i: usize| 2.0 * DT.sqrt() * (((n - i) as f64).sqrt() - ((n - i - 1) as f64).sqrt());
-            let rise = (4.44e-6 / PI).sqrt() / 0.018 * (0..n).map(|i| fluxes[i] * kernel(i)).sum::<f64>();
+            let kernel = |k: usize| 2.0 * DT.sqrt() * (((i - k) as f64).sqrt() - ((i - k - 1) as f64).sqrt());
+            let rise = (4.44e-6 / PI).sqrt() / 0.018 * (0..i).map(|k| fluxes[k] * kernel(k)).sum::<f64>();
             let speed = (path.get(i + 1).unwrap_or(&u) - before).abs() / (2.0 * DT);
             let warm = if on.heat { 0.789 * (0.7f64.powf(0.02 * (20.0 + rise)) + 0.4) } else { 1.0 };
             let fast = if on.speed { 1.0 - 0.5 * (-30.0 * speed).exp() } else { 1.0 };
-            let mu = 0.08 * warm * fast;
-            fluxes.push(if u.abs() < 0.11 { mu * weight / area * speed } else { 0.0 });
+            let pressed = if on.pressure { 0.7f64.powf(0.02e-3 * (n - weight) / area) } else { 1.0 };
+            let mu = 0.08 * warm * fast * pressed;
+            fluxes.push(if u.abs() < 0.5 * area.sqrt() { mu * n / area * speed } else { 0.0 });
             before = u;
-            weight / radius * u + face.force(u, 1e5, mu * weight)
+            n / radius * u + face.force(u, 1e5, mu * n)
         };
-        path.iter().enumerate().map(step).collect()
-    })
+        path.iter().zip(of_run.next().map_or(&[][..], |n| n)).enumerate().map(step).collect()
+    });
+    for (run, weights) in study.runs.iter_mut().zip(weights.clone()) {
+        run.motions.push(("weights", weights));
+    }
+    study
 }

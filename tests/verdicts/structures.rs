@@ -52,6 +52,20 @@ pub fn rocking_footing() -> Concealed {
     column_on_footing(|turned, _| 9000.0 * turned)
 }
 
+/// Soft ground below two storeys whose stiffness falls with the frequency: soil that follows the footing, as a mass behind a
+/// dashpot that the motion of the ground itself does not drive (Wolf 1994, Foundation vibration analysis using simple physical
+/// models). Without `follows` the dashpot goes to the ground.
+pub fn following_soil(follows: bool) -> Concealed {
+    let (k, c, soil, [near, far], mass) = (150.0, 2.0, 130.0, [1.0, 8.0], 1.5);
+    storeys(damped_storeys(), vec![("k", 60.0, 300.0), ("c", 0.2, 8.0)], move |&[u, v, w, s, base, below], a| {
+        // The base takes the speed at which the dashpots are in balance with the springs.
+        let speed = (k * (u - base) + c * v - soil * base + far * below) / (c + near + far);
+        let (lower, upper) = (k * (u - base) + c * (v - speed), k * (w - u) + c * (s - v));
+        let dragged = if follows { far * (speed - below) / mass } else { 0.0 };
+        [v, upper - lower - a, s, -upper - a, speed, dragged]
+    })
+}
+
 /// A neighbour beside the upper storey that no model has, behind a gap: one mass on a spring, with the contact of Hunt and
 /// Crossley.
 pub fn neighbour(gap: f64) -> Concealed {

@@ -390,6 +390,9 @@ prior! {
     MAX_ADVANTAGE_OF_WORSE_FIT: f64 = 5.0, "nats";
     /// Advantage of a second effect over another beside the same first effect, at most, where both reach the noise, nats. A choice.
     MAX_SECOND_EFFECT_GAIN: f64 = 20.0, "nats";
+    /// Log likelihood by which a second effect leads every other beside the same first effect, to be named far from the noise:
+    /// odds of 20. A choice.
+    SECOND_EFFECT_LEAD: f64 = 3.0, "nats";
     /// Ratio of the errors of a cause and of a law with another memory from which the other explains more. Right families
     /// led by 1.4 to 18 in a prototype.
     MEMORY_ERROR_RATIO: f64 = 1.5, "ratio";

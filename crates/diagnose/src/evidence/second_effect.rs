@@ -4,7 +4,7 @@ use super::verdict_evidence::{HypothesisEvidence, VerdictEvidence, independent_s
 use super::verdict_weights::PAIR_WEIGHTS;
 use crate::fit::job::ChannelResiduals;
 use crate::fit::phenomena::PhenomenonOnBlocks;
-use crate::prior::{MIN_HOLDOUT_SIGNAL_RATIO, MIN_REPAIR_GAIN, MIN_TAKEN_SHARE};
+use crate::prior::{MIN_HOLDOUT_SIGNAL_RATIO, MIN_REPAIR_GAIN, MIN_TAKEN_SHARE, PREDICTED_SHARE, SECOND_EFFECT_LEAD};
 
 /// The effects of a pair, each alone.
 fn parts_alone<'a>(
@@ -22,26 +22,37 @@ pub fn pair_gain(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     (pair.log_likelihood - alone.max(evidence.log_likelihood_of_none())).clamp(0.0, 1e3)
 }
 
-/// Gain of a pair over the better of its effects alone by all independent samples, nats; `None` where the pair does not reach
-/// the noise, or takes less than half of what its first effect leaves.
+/// Gain of a pair over the better of its effects alone by all independent samples, nats; `None` where the pair takes less than
+/// half of what its first effect leaves, or neither reaches the noise nor takes nearly all, as no other second effect does.
 ///
 /// The likelihood counts few samples, because models are roughly right and their residuals are alike for long. An effect that
-/// lives in a quarter of a cycle is drowned by that. What leaves noise alone has no such residuals.
-fn gain_to_noise(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> Option<f64> {
+/// lives in a quarter of a cycle is drowned by that. What leaves noise alone has no such residuals. A second effect that makes
+/// up for the wrong form of the first leaves a third and more of it.
+fn gain_on_blocks(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> Option<f64> {
     let better = parts_alone(evidence, pair).filter(|h| h.held_back.is_some());
     let better = better.min_by(|a, b| a.held_back.unwrap_or(f64::NAN).total_cmp(&b.held_back.unwrap_or(f64::NAN)))?;
     let (alone, of_pair) = (better.held_back?, pair.held_back?);
     let noise = evidence.recorded.noise.into_iter().chain(pair.unpredicted).reduce(f64::min)?;
-    let reaches = of_pair <= MIN_HOLDOUT_SIGNAL_RATIO * noise && of_pair <= (1.0 - MIN_TAKEN_SHARE) * alone;
+    let takes_half = of_pair <= (1.0 - MIN_TAKEN_SHARE) * alone;
+    let reaches_noise = of_pair <= MIN_HOLDOUT_SIGNAL_RATIO * noise;
+    let takes_nearly_all = alone - of_pair >= PREDICTED_SHARE * (alone - noise);
+    let is_present = takes_half && (reaches_noise || takes_nearly_all && leads_second_effects(evidence, pair));
     let samples = pair.independent_samples?;
     let parameters = pair.parameters.saturating_sub(better.parameters) as f64;
-    reaches.then(|| 0.5 * (samples * (alone / of_pair).ln() - parameters * samples.ln()).clamp(0.0, 1e3))
+    is_present.then(|| 0.5 * (samples * (alone / of_pair).ln() - parameters * samples.ln()).clamp(0.0, 1e3))
+}
+
+/// Returns true if no other second effect beside the first of a pair is as likely within odds of 20.
+fn leads_second_effects(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> bool {
+    let is_other = |h: &&HypothesisEvidence| h.cause == pair.cause && h.also.is_some() && h.also != pair.also;
+    let mut others = evidence.hypotheses.iter().filter(is_other);
+    others.all(|h| h.log_likelihood <= pair.log_likelihood - SECOND_EFFECT_LEAD)
 }
 
 /// Probability that the second effect of a pair is present if the first is.
 pub(super) fn second_effect_probability(evidence: &VerdictEvidence, pair: &HypothesisEvidence) -> f64 {
     let [constant, of_gain] = PAIR_WEIGHTS;
-    let gain = gain_to_noise(evidence, pair).unwrap_or(0.0).max(pair_gain(evidence, pair));
+    let gain = gain_on_blocks(evidence, pair).unwrap_or(0.0).max(pair_gain(evidence, pair));
     1.0 / (1.0 + (-constant - of_gain * gain.ln_1p()).exp())
 }
 
@@ -87,6 +98,27 @@ mod tests {
         // Few independent samples say nothing.
         assert!(!named(Some(1.7e-4), Some(7.3e-5), 7.2e-5, 10.0));
         assert!(!named(None, Some(7.3e-5), 7.2e-5, 1500.0) && !named(Some(1.7e-4), None, 7.2e-5, 1500.0));
+    }
+
+    /// Far from the noise a second effect counts that takes nearly all of what the first leaves, and no other as much.
+    #[test]
+    fn a_second_effect_counts_that_takes_nearly_all() {
+        let named = |pair: f64, rival: f64| {
+            let mut e = evidence(&[
+                ("friction", Some("self_heating"), 80.0),
+                ("friction", Some("pinching"), rival),
+                ("friction", None, 60.0),
+            ]);
+            (e.hypotheses[0].held_back, e.hypotheses[2].held_back) = (Some(pair), Some(1.2e-2));
+            (e.hypotheses[0].unpredicted, e.hypotheses[0].independent_samples) = (Some(1e-3), Some(120.0));
+            e.hypotheses[0].parameters = 5;
+            has_second_effect(&e, "friction", "self_heating")
+        };
+        assert!(named(2.3e-3, 72.0));
+        // Another form of the first effect leaves a third.
+        assert!(!named(4e-3, 72.0));
+        // Another second effect does the same.
+        assert!(!named(2.3e-3, 79.0));
     }
 
     /// A phenomenon is named that predicts blocks better by more than chance.

@@ -2,7 +2,7 @@
 
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
 use super::support_springs::{
-    FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, SupportSpring, carrying_supports, horizontal_dofs,
+    FreedSupports, MAX_JOINT_SUPPORTS, MAX_SINGLE_SUPPORTS, PART, SupportSpring, carrying_supports, horizontal_dofs,
     largest_stiffness,
 };
 use super::yielding_joint::YieldingJoint;
@@ -21,7 +21,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "a longer period than the model's; a base that moves or rocks against the free field",
     parted_by: "the period is longer at small amplitudes too; a record of the footing's rotation tells soil that yields from a hinge above it",
     place: "supports of a shaken model: 6 alone, and groups of 2 to 20",
-    forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields in sliding or rocking; a footing with mass; a footing that lifts off",
+    forms: "horizontal spring, rocking spring, or both, each with a dashpot, and each of them alone without one; a spring that yields in sliding or rocking; a footing with mass; soil that follows the footing; a footing that lifts off",
     needs_clock: false,
     memory: &[],
     materials: &[],
@@ -36,6 +36,8 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("sway_dashpot", "horizontal damping", Dimension::Dashpot),
         Quantity::new("rocking", "rocking stiffness", Dimension::RotationalStiffness),
         Quantity::new("rocking_dashpot", "rocking damping", Dimension::RotationalDashpot),
+        Quantity::new("sway_follows", "part of the dashpot behind which soil follows the footing", Dimension::Ratio),
+        Quantity::new("sway_time", "time in which the soil follows", Dimension::Time),
         Quantity::new("sway_yield", "yield force", Dimension::Force),
         Quantity::new("sway_hardening", "hardening ratio", Dimension::Ratio),
         Quantity::new("rocking_yield", "yield moment", Dimension::Moment),
@@ -50,6 +52,10 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     ],
     propose,
 };
+
+/// Times in which soil follows a footing, s: a half to once the time of shear waves over its radius (Wolf 1994), of 2 to 20 m
+/// in soil of 100 to 400 m/s.
+const FOLLOWING_TIMES: [f64; 2] = [0.003, 0.3];
 
 /// Difference of stiffnesses that count as similar, in parts of the larger one. A choice.
 const SIMILAR_STIFFNESS: f64 = 0.5;
@@ -97,6 +103,8 @@ enum Addition {
     },
     /// A footing with mass.
     Footing,
+    /// Soil that follows the footing: a mass behind a part of the dashpot.
+    FollowingSoil,
     /// Lift-off of the footing, with a scale of its moment.
     Lifting {
         moment: f64,
@@ -128,7 +136,7 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         let mut added = vec![];
         let mut spring = |name: &str, dofs| {
             added.extend(spring_parameters(name, scale_of(dofs, stiffest), addition));
-            SupportSpring { materials: spring_materials(name, addition), dofs }
+            SupportSpring { materials: spring_materials(name, addition), part: spring_part(name, addition), dofs }
         };
         let springs: Vec<_> = springs.iter().map(|(name, dofs)| spring(name, dofs)).collect();
         let is_footing = addition == Addition::Footing;
@@ -150,6 +158,10 @@ fn add_forms(s: &ProposalContext<'_>, supports: &[&Support], out: &mut Vec<Propo
         let force = s.responses.largest_force();
         if force > 0.0 && is_softest && amplitudes_differ(s.study) {
             form("horizontal spring that yields", &[("sway", &horizontal)], Addition::Yielding { force });
+        }
+        if s.has_clock {
+            let follows = Addition::FollowingSoil;
+            form("horizontal spring, and soil that follows the footing", &[("sway", &horizontal)], follows);
         }
         if total > 0.0 {
             form("horizontal spring and a footing with mass", &[("sway", &horizontal)], Addition::Footing);
@@ -198,10 +210,26 @@ fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String
             "ElasticBilin",
             format!("$hy_{name} [expr {{$hy_{name}*$hy_{name}_lifted}}] [expr {{$hy_{name}_lift/$hy_{name}}}]"),
         ),
-        Addition::None | Addition::NoDashpot | Addition::Footing => ("Elastic", format!("$hy_{name}")),
+        Addition::None | Addition::NoDashpot | Addition::Footing | Addition::FollowingSoil => {
+            ("Elastic", format!("$hy_{name}"))
+        }
     };
     let dashpot = addition.has_dashpot().then(|| ("Viscous", format!("$hy_{name}_dashpot 1.0")));
-    std::iter::once(law).chain(dashpot).collect()
+    let follows = (addition == Addition::FollowingSoil)
+        .then(|| ("Parallel", format!("{PART} -factors [expr {{-$hy_{name}_follows}}]")));
+    std::iter::once(law).chain(dashpot).chain(follows).collect()
+}
+
+/// Material inside of those of a spring.
+///
+/// A dashpot c to a mass m, which the ground itself does not drive, has the force c (v - w) at the speeds v and w with
+/// ẇ = (v - w) / τ and τ = m / c. c w is the force of a spring c / τ and a dashpot c in series: that is taken from the dashpot c.
+/// Source of the model: Wolf (1994), Foundation vibration analysis using simple physical models, Prentice Hall.
+fn spring_part(name: &str, addition: Addition) -> Option<(&'static str, String)> {
+    (addition == Addition::FollowingSoil).then(|| {
+        let dashpot = format!("$hy_{name}_dashpot");
+        ("Maxwell", format!("[expr {{{dashpot}/$hy_{name}_time}}] {dashpot} 1.0 1.0"))
+    })
 }
 
 /// Starts of the moment at which a footing lifts off, over the largest moment on the fixed base. A choice.
@@ -211,7 +239,9 @@ const LIFT_STARTS: [f64; 2] = [0.7, 0.25];
 fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedParameter> {
     let mut added = vec![AddedParameter::log(name, 3e-3 * scale, 100.0 * scale, scale)];
     if addition.has_dashpot() {
-        added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, 3e-3 * scale));
+        // A weak dashpot takes no soil with it.
+        let start = if addition == Addition::FollowingSoil { 0.05 } else { 3e-3 };
+        added.push(AddedParameter::log(&format!("{name}_dashpot"), 1e-5 * scale, 0.3 * scale, start * scale));
     }
     match addition {
         Addition::Yielding { force } => {
@@ -224,6 +254,12 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
             // Another mechanism than a spring, which says little of it: the parameter that lifts comes first.
             added.insert(0, AddedParameter { further_starts: LIFT_STARTS.map(|part| part * moment).into(), ..lift });
             added.push(AddedParameter::linear(&format!("{name}_lifted"), 0.0, 0.9, 0.1));
+        }
+        Addition::FollowingSoil => {
+            // Another mechanism than a spring: what follows comes first.
+            added.insert(0, AddedParameter::linear(&format!("{name}_follows"), 0.0, 1.0, 0.7));
+            let [least, most] = FOLLOWING_TIMES;
+            added.push(AddedParameter::log(&format!("{name}_time"), least, most, (least * most).sqrt()));
         }
         Addition::None | Addition::NoDashpot | Addition::Footing => {}
     }

@@ -166,7 +166,7 @@ fn inertia(s: &ProposalContext<'_>, dof: usize) -> f64 {
 /// A layer below some supports.
 fn below_supports(s: &ProposalContext<'_>, supports: &[&Support]) -> Option<Proposal> {
     let layer = Layer::new(s, supports, s.inventory.total_mass(), supports.len())?;
-    let spring = SupportSpring { materials: vec![("Steel01", layer.law.clone())], dofs: &layer.horizontal };
+    let spring = SupportSpring { materials: vec![("Steel01", layer.law.clone())], part: None, dofs: &layer.horizontal };
     let freed = FreedSupports { inventory: s.inventory, supports, purpose: TagPurpose::IsolationLayer };
     let block = freed.commands(&[spring], Some("slab"));
     Some(layer.proposal("yielding spring with the mass of a slab", supports.iter().map(|p| p.node), block))

@@ -2,8 +2,9 @@
 
 use super::context::{HYSTERETIC_PART, STRENGTH, force_parts, strength_part};
 use super::declaration::{Dimension, Measurement, Quantity, Recordable};
-use super::{AddedParameter, Hypothesis, Proposal, ProposalContext};
+use super::{AddedParameter, Hypothesis, MovingGroup, Proposal, ProposalContext};
 use crate::memory::family::Family;
+use hysteron_identify::study::DeviceMaterial;
 
 pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     cause: "self_heating",
@@ -13,7 +14,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     shows: "loops that shrink from cycle to cycle, most where most work is done, and recover after a pause",
     parted_by: "`cyclic_degradation` does not recover",
     place: "nonlinear groups; needs a clock",
-    forms: "`heating` with cooling, as a factor or of the strength; with conduction, of the hysteretic part or the strength",
+    forms: "`heating` with cooling, as a factor or of the strength; with conduction, of the hysteretic part or the strength; of a sliding face where the slider covers it",
     needs_clock: true,
     memory: &[Family::Heat, Family::Temperature],
     materials: &[],
@@ -26,6 +27,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("cooling", "cooling time", Dimension::Time)
             .within("the cooling time, s", [10.0, f64::INFINITY], "lead cores keep their heat for tens of seconds, rubber for hours (Kalpakidis and Constantinou 2009, J. Struct. Eng. 135, \
                 1440-1449)"),
+        Quantity::new("width", "half width of the slider", Dimension::Length),
         Quantity::new("heatCapacity", "heat capacity per volume of rubber", Dimension::Unnamed),
         Quantity::new("coolingTime", "cooling time", Dimension::Time),
         Quantity::new("leadCapacity", "factor on the specific heat of lead", Dimension::Ratio),
@@ -37,6 +39,11 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
 
 /// Softening, 1/degree. Without a thermometer only its ratio to the heat capacity can be found.
 const SOFTENING: f64 = 0.01;
+
+/// Returns true if devices have a sliding face.
+fn slides(s: &ProposalContext<'_>, m: &MovingGroup<'_>) -> bool {
+    s.study.material == Some(DeviceMaterial::Sliding) || m.devices.iter().all(|d| d.slides())
+}
 
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
@@ -66,6 +73,17 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
                 let capacity = AddedParameter::log("capacity", 1e-3 * capacity, 30.0 * capacity, 0.3 * capacity);
                 let conduction = vec![capacity, AddedParameter::log("conduction", 1e-3, 1e3, 10.0)];
                 form("softening, heat conducted away,", "-conduction $hy_conduction", conduction);
+            }
+            if part_name == STRENGTH && slides(s, &m) {
+                // Nothing but the half-space under the face takes heat up; a short time stands for that.
+                let (step, longest) = (s.sampling_interval(), s.longest_run());
+                let capacity = capacity * (step / longest).sqrt();
+                let face = vec![
+                    AddedParameter::log("capacity", 0.02 * capacity, 30.0 * capacity, capacity),
+                    AddedParameter::log("width", 0.1 * m.deformation, m.deformation, 0.6 * m.deformation),
+                ];
+                let loss = format!("-conduction {step:.6e} -halfWidth $hy_width");
+                form("softening of a face that heats under the slider,", &loss, face);
             }
         }
     }

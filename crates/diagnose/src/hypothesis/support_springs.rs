@@ -8,10 +8,15 @@ use crate::inspect::inventory::{ModelInventory, Support, TagPurpose};
 pub(super) const MAX_SINGLE_SUPPORTS: usize = 6;
 pub(super) const MAX_JOINT_SUPPORTS: usize = 20;
 
+/// Place of the tag of a material in the words of others.
+pub(super) const PART: &str = "{part}";
+
 /// A spring in some degrees of freedom, equal at all supports.
 pub(super) struct SupportSpring<'a> {
     /// Kinds of the materials side by side, with their words behind the tag.
     pub(super) materials: Vec<(&'static str, String)>,
+    /// A material that acts only inside of others, which name it [`PART`].
+    pub(super) part: Option<(&'static str, String)>,
     /// Degrees of freedom, from 1.
     pub(super) dofs: &'a [usize],
 }
@@ -31,8 +36,14 @@ impl FreedSupports<'_> {
         let (mut block, mut all_materials, mut all_directions) = (vec![], vec![], vec![]);
         let mut free_tag = first_tag..;
         for spring in springs {
+            let part = spring.part.as_ref().and_then(|(kind, words)| {
+                let tag = free_tag.next()?;
+                block.push(format!("uniaxialMaterial {kind} {tag} {words}"));
+                Some(tag.to_string())
+            });
             let tags: Vec<i32> = free_tag.by_ref().take(spring.materials.len()).collect();
             for (tag, (kind, words)) in tags.iter().zip(&spring.materials) {
+                let words = words.replace(PART, part.as_deref().unwrap_or_default());
                 block.push(format!("uniaxialMaterial {kind} {tag} {words}"));
             }
             for dof in spring.dofs {

@@ -25,6 +25,16 @@ pub(crate) struct Device {
     pub(crate) viscous: bool,
 }
 
+/// Beginnings of the classes of elements that slide.
+const SLIDING_CLASSES: [&str; 5] = ["FlatSlider", "SingleFP", "FPBearing", "TripleFriction", "RJWatson"];
+
+impl Device {
+    /// Returns true for a bearing with a sliding face.
+    pub(crate) fn slides(&self) -> bool {
+        SLIDING_CLASSES.iter().any(|class| self.class.starts_with(class))
+    }
+}
+
 /// A direction of a device.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Direction {

@@ -88,11 +88,13 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             needed("-capacity", "heat capacity C, work per degree", Positive),
             optional("-cooling", "cooling time", Positive, f64::INFINITY),
             optional("-conduction", "time of conduction into a half-space", Positive, f64::INFINITY),
+            optional("-halfWidth", "half width of a slider, whose face heats where it covers", Positive, f64::INFINITY),
         ],
         make: Law(|n, share, _| {
             let (softening, capacity) = (n.get("-softening"), n.get("-capacity"));
             let (cooling, conduction) = (n.get("-cooling"), n.get("-conduction"));
-            Arc::new(Heating { softening, capacity, cooling, conduction, share })
+            let half_width = n.get("-halfWidth");
+            Arc::new(Heating { softening, capacity, cooling, conduction, half_width, share })
         }),
     },
     AmendmentKind {

@@ -9,6 +9,7 @@
 
 mod friction_with_pressure;
 mod friction_with_speed;
+mod friction_with_speed_and_pressure;
 mod gallardo_shear;
 mod hdr_rheology;
 mod kikuchi_aiken_hdr;
@@ -20,6 +21,7 @@ use super::device_commands::device_commands;
 use super::{AddedParameter, Proposal};
 use crate::candidate::proposal::{Switch, TextEdit, WholeLawParts};
 use crate::inspect::inventory::TagPurpose;
+use crate::inspect::response::ResponseRange;
 use hysteron_identify::study::DeviceMaterial;
 use sites::Site;
 
@@ -133,6 +135,7 @@ const LAWS: &[&WholeLaw] = &[
     &pinched_hysteretic::LAW,
     &friction_with_speed::LAW,
     &friction_with_pressure::LAW,
+    &friction_with_speed_and_pressure::LAW,
 ];
 
 impl WholeLaw {
@@ -184,7 +187,9 @@ pub(super) fn proposals(cause: &'static str, s: &ProposalContext<'_>) -> Vec<Pro
     };
     let commands = device_commands(s.text, s.model_end);
     let first_tag = s.inventory.first_tag(TagPurpose::WholeLaws);
-    let axial = group.axial_range(s).map(|x| x.initial_force).filter(|n| *n > 0.0);
+    // A script may bring its weight on with the motion.
+    let at_rest = |x: ResponseRange| if x.initial_force > 0.0 { x.initial_force } else { x.force };
+    let axial = group.axial_range(s).map(at_rest).filter(|n| *n > 0.0);
     laws().filter_map(|law| law.proposal(group, sites::find(law, group, &commands, first_tag)?, axial)).collect()
 }
 

@@ -2,6 +2,7 @@
 
 mod opensees;
 mod responses;
+mod strength;
 
 use super::slack::ForceAndTangent;
 use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
@@ -34,6 +35,8 @@ pub struct Amended {
     law: Arc<dyn Amendment>,
     rows: Vec<BasicRow>,
     axial: Compression,
+    /// Initial stiffness in the directions.
+    stiffness: Pair,
     /// The force of the inner element depends on the number of calls.
     counts_calls: bool,
     /// Responses of the element that are amended when they are read.
@@ -52,9 +55,10 @@ enum Compression {
 }
 
 /// Number of state variables before those of the law: committed deformation, force that was added, withheld
-/// deformation; two of each.
-const HEADER_LEN: usize = 6;
+/// deformation; two of each. Then a factor of strength, and the hysteretic force that it had before.
+const HEADER_LEN: usize = 9;
 const WITHHELD_AT: usize = 4;
+const STRENGTH_AT: usize = 6;
 /// Row of the axial force among those of the two directions.
 const AXIAL_ROW: usize = 2;
 
@@ -90,14 +94,9 @@ impl Amended {
         }
         let axial = find(1).filter(|_| !chosen.contains(&1)).cloned().map_or(Compression::None, Compression::Force);
         let responses = responses::amended(inner.as_ref(), &rows);
-        Ok(Self {
-            law,
-            rows,
-            axial,
-            responses,
-            counts_calls: inner.opensees().calls.is_some(),
-            inner: Inner::new(inner),
-        })
+        let counts_calls = inner.opensees().calls.is_some();
+        let new = Self { law, rows, axial, stiffness: [0.0; 2], responses, counts_calls, inner: Inner::new(inner) };
+        Ok(Self { stiffness: new.initial_stiffness(), ..new })
     }
 
     /// Takes the axial force from another direction than the first, for example the vertical one of springs along
@@ -294,12 +293,8 @@ impl Amended {
         let weakening = self.law.weakening(&own_committed[law_range.clone()]).filter(|_| slack.is_none());
         let slack_share =
             slack.as_ref().map(|slack| self.solve_slack(slack, motion, old, new)).transpose()?.unwrap_or_default();
-        let mut withheld = slack_share.by;
-        if let Some(w) = weakening {
-            for (i, (row, by)) in self.rows.iter().zip(&mut withheld).enumerate() {
-                *by = own_committed[WITHHELD_AT + i] + w.withheld_part() * (row.deformation(motion.disp) - before[i]);
-            }
-        }
+        let withheld =
+            weakening.as_ref().map_or(slack_share.by, |w| self.withheld_by_strength(w, own_committed, motion));
         let disp = self.element_displacements(motion.disp, withheld);
         self.respond_inner(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut output)?;
         let deformation_state =
@@ -326,7 +321,8 @@ impl Amended {
             }
         };
         next[..2].copy_from_slice(&deformation_state.e);
-        next[WITHHELD_AT..HEADER_LEN].copy_from_slice(&withheld);
+        next[WITHHELD_AT..STRENGTH_AT].copy_from_slice(&withheld);
+        strength::note(weakening.as_ref(), &deformation_state, withheld, next);
         for (i, row) in self.rows.iter().enumerate() {
             let added = v.q[i] - deformation_state.q[i];
             next[2 + i] = added;
@@ -447,10 +443,10 @@ impl ElementParameters for Amended {
             }
         }
         new.responses = responses::amended(new.inner.as_ref(), &new.rows);
-        let stiffness = new.initial_stiffness()[0];
+        new.stiffness = new.initial_stiffness();
         // A law with the previous stiffness would leave the difference in parallel.
-        if stiffness != self.initial_stiffness()[0]
-            && let Some(law) = self.law.with_stiffness(stiffness)
+        if new.stiffness[0] != self.stiffness[0]
+            && let Some(law) = self.law.with_stiffness(new.stiffness[0])
         {
             new.law = law;
         }

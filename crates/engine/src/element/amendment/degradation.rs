@@ -42,7 +42,7 @@ impl AmendmentLaw for Degradation {
         let work = self.share.work(d);
         let energy = committed.energy + work.abs();
         let slope = -self.loss * (-energy / self.energy).exp() / self.energy * work.signum();
-        Ok((self.share.scale_by_work(d, self.factor(energy), slope), DegradationState { energy }))
+        Ok((self.share.scale_by_work(d, self.factor(energy), slope, [0.0; 2]), DegradationState { energy }))
     }
 
     fn weakening(&self, committed: &DegradationState) -> Option<Weakening> {

@@ -16,6 +16,9 @@ const LOWEST_DECADE: i32 = -5;
 /// with τ_c = (C/A)² / (k ρ c). A is the contact area; k and ρ c are conductivity and heat capacity per volume of the
 /// half-space. Source: Carslaw and Jaeger, Conduction of Heat in Solids, 1959, section 12.4. The spectrum of rates r of
 /// this decay, 1/(π √r (1 + r)), is sampled at one rate per decade.
+///
+/// The middle of a sliding face is heated only while the slider covers it: at |e| below the half width of the slider. Source:
+/// Constantinou and others, MCEER-07-0008 (2007); Kumar, Whittaker and Constantinou, Earthquake Eng. Struct. Dyn. 44 (2015).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heating {
     /// Coefficient b, 1/temperature.
@@ -26,6 +29,8 @@ pub struct Heating {
     pub cooling: f64,
     /// Time τ_c of conduction; infinite without conduction.
     pub conduction: f64,
+    /// Half width of the sliding body; infinite where all of the work heats.
+    pub half_width: f64,
     /// Parts of the force that s multiplies.
     pub share: Share,
 }
@@ -54,6 +59,22 @@ impl Heating {
         spectrum.iter().map(|(weight, r)| (*weight, 1.0 / self.cooling + r / self.conduction))
     }
 
+    /// Share of a step in which the slider covers the middle of the face, on a path of uniform speed, with its derivative by
+    /// the size of the trial deformation.
+    fn covering(&self, d: &DeformationState) -> [f64; 2] {
+        let (from, to) = (d.before[0].hypot(d.before[1]), d.amplitude());
+        let (near, far) = (from.min(to), from.max(to));
+        if far <= self.half_width {
+            return [1.0, 0.0];
+        }
+        if near >= self.half_width {
+            return [0.0, 0.0];
+        }
+        let length = far - near;
+        let slope = if to > from { near - self.half_width } else { self.half_width - far };
+        [(self.half_width - near) / length, slope / (length * length)]
+    }
+
     /// Factor s at the temperature rise θ.
     fn factor(&self, rise: f64) -> f64 {
         (-self.softening * rise).exp()
@@ -72,12 +93,13 @@ impl AmendmentLaw for Heating {
         // Implicit cooling is stable for any step. The work is that of the force with the committed factor, so energy
         // balances to first order in the step.
         let committed_factor = self.factor(committed.rise.iter().sum());
+        let [covering, by_size] = self.covering(d);
         let heat = committed_factor * self.share.work(d) / self.capacity;
         let (mut next, mut slope) = (HeatingState::default(), 0.0);
         for ((weight, rate), (to, from)) in self.components().zip(next.rise.iter_mut().zip(&committed.rise)) {
             let decay = 1.0 / (1.0 + d.dt * rate);
-            *to = decay * (from + weight * heat);
-            slope += decay * weight * committed_factor / self.capacity;
+            *to = decay * (from + covering * weight * heat);
+            slope += decay * weight;
         }
         let mut rise: f64 = next.rise.iter().sum();
         // Elastic unloading has negative work; θ stays at or above 0.
@@ -85,8 +107,13 @@ impl AmendmentLaw for Heating {
             (next, rise, slope) = (HeatingState::default(), 0.0, 0.0);
         }
         let s = self.factor(rise);
-        let amended = self.share.scale_by_work(d, s, -self.softening * s * slope);
-        Ok((amended, next))
+        let by_rise = -self.softening * s * slope;
+        let by_deformation = match d.amplitude() {
+            0.0 => [0.0; 2],
+            size => d.e.map(|e| by_rise * heat * by_size * e / size),
+        };
+        let by_work = by_rise * covering * committed_factor / self.capacity;
+        Ok((self.share.scale_by_work(d, s, by_work, by_deformation), next))
     }
 
     fn weakening(&self, committed: &HeatingState) -> Option<Weakening> {
@@ -100,20 +127,42 @@ impl AmendmentLaw for Heating {
 
 #[cfg(test)]
 mod tests {
-    use super::Heating;
-    use crate::element::amendment::Share;
+    use super::{Heating, HeatingState};
+    use crate::element::amendment::{AmendmentLaw, DeformationState, Share};
 
     /// Decay of a heat pulse is exp(x) erfc(√x). Reference values: tables of erfc (Abramowitz and Stegun, 1964, tables
     /// 7.1 and 7.3).
     #[test]
     fn a_pulse_spreads_in_a_half_space() {
         let share = Share::default();
-        let h = Heating { softening: 0.01, capacity: 1.0, cooling: f64::INFINITY, conduction: 2.0, share };
+        let (cooling, half_width) = (f64::INFINITY, f64::INFINITY);
+        let h = Heating { softening: 0.01, capacity: 1.0, cooling, conduction: 2.0, half_width, share };
         let pulse = |x: f64| h.components().map(|(weight, rate)| weight * (-rate * 2.0 * x).exp()).sum::<f64>();
         for (x, exact) in
             [(0.0, 1.0), (0.01, 0.89646), (0.1, 0.72358), (1.0, 0.42758), (10.0, 0.17058), (100.0, 0.05614)]
         {
             assert!((pulse(x) - exact).abs() < 0.01, "{x}: {} {exact}", pulse(x));
+        }
+    }
+
+    /// Constant friction F heats over the path inside the half width alone: θ = F s / C.
+    #[test]
+    fn a_face_is_heated_where_the_slider_covers_it() {
+        let (capacity, half_width, friction) = (1e3, 0.11, 10.0);
+        let (cooling, conduction) = (f64::INFINITY, f64::INFINITY);
+        let law = Heating { softening: 1e-6, capacity, cooling, conduction, half_width, share: Share::default() };
+        let (mut state, mut before) = (HeatingState::default(), 0.0f64);
+        let mut rise_at = |e: f64| {
+            let q = friction * (e - before).signum();
+            let d = DeformationState { e: [e, 0.0], before: [before, 0.0], q: [q, 0.0], dt: 0.1, ..Default::default() };
+            (state, before) = (law.amend(&state, &d).expect("a response").1, e);
+            state.rise.iter().sum::<f64>() * capacity / friction
+        };
+        for (e, inside) in
+            [(0.1, 0.1), (0.13, 0.11), (0.2, 0.11), (0.0, 0.22), (-0.3, 0.33), (-0.12, 0.33), (-0.1, 0.34)]
+        {
+            let path = rise_at(e);
+            assert!((path - inside).abs() < 1e-5, "{e}: {path} {inside}");
         }
     }
 }

@@ -21,7 +21,7 @@ pub struct Share {
 
 /// A hysteretic part z with a factor s on its strength and unchanged initial stiffness: s z(∫ de/s), with s at the
 /// committed state. Deformation and force scale alike. The transformation is exact for elastic-plastic and Bouc-Wen
-/// laws with a strength that is constant within a step.
+/// laws with a strength that is constant. Where it changes, the elastic deformation z/k stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weakening {
     /// Factor s of the strength.
@@ -91,9 +91,10 @@ impl Share {
         std::array::from_fn(|i| d.q[i] - self.stiffness * (d.e[i] + de[i]))
     }
 
-    /// The force under a factor s(w) of the work w of the step, with `ds_work` = ds/dw.
-    pub fn scale_by_work(&self, d: &DeformationState, s: f64, ds_work: f64) -> AmendedForce {
-        let by_e = self.work_by_deformation(d).map(|w| ds_work * w);
+    /// The force under a factor s(w, e) of the work w of the step, with `ds_work` = ∂s/∂w and `ds` = ∂s/∂e.
+    pub fn scale_by_work(&self, d: &DeformationState, s: f64, ds_work: f64, ds: Pair) -> AmendedForce {
+        let by_work = self.work_by_deformation(d);
+        let by_e = std::array::from_fn(|i| ds_work * by_work[i] + ds[i]);
         let mut v = self.scale(d, s, by_e, 0.0);
         let (de, by_factor) = (d.increment(), self.by_factor(d));
         for (row, by_factor) in v.by_force.iter_mut().zip(by_factor) {
