@@ -176,3 +176,39 @@ fn the_domain_of_a_number_that_is_refused_is_declared() {
     }
     assert!(undeclared.is_empty(), "{} are not declared:\n{}", undeclared.len(), undeclared.join("\n"));
 }
+
+/// Options of a usage, each once, in its order.
+fn options(usage: &str) -> Vec<&str> {
+    let mut out = vec![];
+    for word in usage.split([' ', '<', '>', '|']) {
+        let is_option = word.strip_prefix('-').is_some_and(|w| w.starts_with(char::is_alphabetic));
+        if is_option && !out.contains(&word) {
+            out.push(word);
+        }
+    }
+    out
+}
+
+/// A message about a word that is no option lists those of the usage, in its order.
+#[test]
+fn a_message_about_an_option_lists_those_of_the_usage() {
+    let (mut listed, mut wrong) = (0, vec![]);
+    for Call { ndm, ndf, words } in calls().iter().filter(|call| !call.words.contains('{')) {
+        let (usage, is_amendment) = (row(made_by(words)), words.starts_with("amend "));
+        let mut check = Script::default();
+        check.mode = Mode::Check;
+        let ran = check.run(&format!("{}{words} -zz\n", context(*ndm, *ndf)));
+        for d in ran.warnings().iter().filter(|d| d.message.contains("\"-zz\"")) {
+            let help = d.help.iter().find_map(|h| h.strip_prefix("known: "));
+            // An amendment lists its own options.
+            let shown = d.label.strip_prefix("expected one of ").or(help).filter(|shown| shown.starts_with('-'));
+            let Some(shown) = shown.filter(|_| !is_amendment) else { continue };
+            listed += 1;
+            let line = format!("{usage}:\n    {shown}");
+            if shown.split(' ').collect::<Vec<_>>() != options(usage) && !wrong.contains(&line) {
+                wrong.push(line);
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {listed} list others:\n{}", wrong.len(), wrong.join("\n"));
+}

@@ -3,7 +3,7 @@
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
-use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, kind, warn};
 use hysteron_engine::analysis::TangentMix;
 use hysteron_engine::analysis::algorithm::{
     Algorithm, ExpressNewton, LineSearch, Linear, ModifiedNewton, Newton, NewtonLineSearch, SearchKind, TangentChoice,
@@ -55,7 +55,7 @@ fn tangent(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(TangentChoice, bool), 
             }
             "-secant" | "-Secant" => no_secant(interp, a)?,
             "-factorOnce" | "-FactorOnce" | "-factoronce" => once = true,
-            _ => ignore_option(interp, a, &["-initial", "-initialThenCurrent", "-Hall", "-factorOnce"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok((choice, once))
@@ -130,7 +130,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         names: &["SecantNewton"],
-        usage: "algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-numTerms $n> \
+        usage: "algorithm SecantNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce> <-numTerms $n> \
                 <-cutOut $R1 $R2>",
         text: Text::new("Modified Newton accelerated by secants.").arguments(&[
             INCREMENT_TANGENT,
@@ -143,7 +143,7 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         names: &["PeriodicNewton"],
-        usage: "algorithm PeriodicNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n>",
+        usage: "algorithm PeriodicNewton <-increment $tangent> <-iterate $tangent> <-maxDim $n> <-factorOnce>",
         text: Text::new("Modified Newton with a new tangent from time to time.")
             .arguments(&[INCREMENT_TANGENT, ITERATE_TANGENT]),
         make: |interp, a| secant(interp, a, true),
@@ -227,7 +227,7 @@ fn line_search(interp: &mut Tcl, a: &mut Args<'_>) -> AlgorithmResult {
             "-minEta" => search.min_eta = a.number(&MIN_ETA_ETA)?,
             "-maxEta" => search.max_eta = a.number(&MAX_ETA_ETA)?,
             "-pFlag" | "-flag" => drop(a.int("print flag")?),
-            _ => ignore_option(interp, a, &["-type", "-tol", "-maxIter", "-minEta", "-maxEta", "-pFlag"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(Box::new(NewtonLineSearch::new(search, TangentChoice::Always(TangentMix::CURRENT))))
@@ -274,9 +274,7 @@ fn accelerated(interp: &mut Tcl, a: &mut Args<'_>, secant: bool) -> Result<Accel
             "-cutOut" | "-cutout" if secant => {
                 o.cut_out = Some((a.number(&CUT_OUT_R1)?, a.number(&CUT_OUT_R2)?));
             }
-            _ => {
-                ignore_option(interp, a, &["-increment", "-iterate", "-maxDim", "-factorOnce", "-numTerms", "-cutOut"])?
-            }
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if t.once && !given {

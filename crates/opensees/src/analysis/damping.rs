@@ -7,7 +7,7 @@ use crate::output::recorders::absent_of;
 use crate::session::Region;
 use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, warn};
 use hysteron_engine::element::damping::{Damped, ElementDamping};
 use hysteron_engine::model::{ElementId, NodeId, Rayleigh};
 use hysteron_engine::record::Missing;
@@ -228,10 +228,7 @@ fn region(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             "-rayleigh" => damping = Some(factors(interp, &mut a)?),
             "-damp" => own = Some(of_tag(interp, &mut a)?),
-            _ => {
-                let known = ["-ele", "-eleOnly", "-eleRange", "-node", "-nodeOnly", "-nodeRange", "-rayleigh", "-damp"];
-                ignore_option(interp, &mut a, &known)?;
-            }
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let check = &mut interp.host.check;

@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Tcl, ignore_option, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::AxesError;
 use hysteron_engine::element::beam::{ElasticBeam, ElasticOptions, Release};
@@ -54,7 +54,7 @@ pub(super) const ELASTIC: Kind = Kind {
     names: &["elasticBeamColumn", "ElasticBeamColumn", "elasticBeam", "PrismFrame"],
     usage: "element elasticBeamColumn $tag $i $j $A $E $Iz <$G $Avy> $transf (in the plane) or \
             $A $E $G $J $Iy $Iz <$Avy $Avz> $transf (in space) or $section $transf or -section $section -transform $transf \
-            <-shear $flag> <-mass $m> <-cMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
+            <-shear $flag> <-mass $m> <-cMass|-lMass> <-release $code> <-releasez $code> <-releasey $code> <-damp $damping>",
     text: Text::new("Elastic beam, Euler-Bernoulli or, with shear areas, Timoshenko.")
         .example("element elasticBeamColumn 2 1 2 1 1 1 1")
         .arguments(&[
@@ -78,7 +78,7 @@ pub(super) const ELASTIC: Kind = Kind {
 
 pub(super) const MODIFIED: Kind = Kind {
     names: &["ModElasticBeam2d", "modElasticBeam2d", "ModElasticBeam", "modElasticBeam"],
-    usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass>",
+    usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass|-lMass>",
     text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane.")
         .example("element ModElasticBeam2d 2 1 2 1 1 1 1 1 1 1")
         .arguments(&[
@@ -96,7 +96,7 @@ pub(super) const MODIFIED: Kind = Kind {
 pub(super) const MODIFIED_SPACE: Kind = Kind {
     names: &["ModElasticBeam3d", "modElasticBeam3d"],
     usage: "element ModElasticBeam3d $tag $i $j $A $E $G $J $Iy $Iz $K11y $K33y $K44y $K11z $K33z $K44z $transf \
-            <-mass $m> <-cMass>",
+            <-mass $m> <-cMass|-lMass>",
     text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space.")
         .example("element ModElasticBeam3d 2 1 2 1 1 1 1 1 1 1 1 1 1 1 1 1")
         .arguments(&[
@@ -119,8 +119,6 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
 
 /// A damping of the element's own.
 type Damping = Option<Arc<ElementDamping>>;
-
-const OPTIONS: &[&str] = &["-mass", "-cMass", "-lMass", "-release", "-releasez", "-releasey", "-damp"];
 
 fn release(a: &mut Args<'_>) -> Result<Release, Exception> {
     Ok(match a.int("code of the release")? {
@@ -145,7 +143,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(ElasticOptions, Dampin
             "-damp" => damping = Some(of_tag(interp, a)?),
             // Of use to thermal loads alone.
             "-alpha" | "-depth" => drop(a.float("value")?),
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok((o, damping))
@@ -319,7 +317,7 @@ fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions
             "-lMass" => o.consistent = false,
             // Of use to thermal loads alone.
             "-alpha" | "-d" => drop(a.float("value")?),
-            _ => ignore_option(interp, a, &["-rho", "-cMass", "-lMass", "-alpha", "-d"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(o)

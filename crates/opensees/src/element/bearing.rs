@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::slips;
 use crate::text::any_command::{ITERATIONS, MASS, SHEAR_DIST, TOLERANCE};
 use crate::text::{Arg, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::axes::Orientation;
 use hysteron_engine::element::bearing::{
@@ -116,8 +116,6 @@ struct Common {
     compat: bool,
 }
 
-const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter"];
-
 /// Materials by their options, which OpenSees wants in this order.
 pub(super) fn materials(interp: &Tcl, a: &mut Args<'_>, wanted: &[&str]) -> Result<Vec<(Material, i32)>, Exception> {
     let mut materials = vec![];
@@ -162,7 +160,7 @@ fn common(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, nodes: Option<Span>) 
                 a.count(&ITERATIONS)?;
                 a.number(&TOLERANCE)?;
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(c)

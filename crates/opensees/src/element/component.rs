@@ -5,7 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{ComponentBeam, ComponentOptions};
 use hysteron_engine::element::transform;
@@ -62,7 +62,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
         match option.as_ref() {
             "-rho" => options.rho = a.number(&RHO_M)?,
             "-cMass" => options.consistent = true,
-            _ => ignore_option(interp, a, &["-rho", "-cMass"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let stand = transform::Ends { place: ends.place, disp: &ends.disp };

@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::load::series::series_of;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, kind};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
 use hysteron_engine::element::{Element, ElementError};
 use hysteron_tcl::{Call, Exception, Value};
@@ -126,7 +126,7 @@ fn with_options(
             "-maxiter" | "-iter" if own.fits() => own.rounds = a.count(&ROUNDS)?.max(1),
             // The filters are not printed.
             "-prttag" | "-print" if own.fits() => {}
-            _ => ignore_option(interp, a, own.known)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(made)

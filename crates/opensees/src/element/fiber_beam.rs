@@ -10,7 +10,7 @@ use crate::slips;
 use crate::text::any_command::{ITERATIONS, TOLERANCE};
 use crate::text::{Arg, Text};
 use crate::things;
-use crate::{Tcl, ignore_option, ignore_unknown, warn};
+use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{
     AxialEquilibrium, CurvatureBased, DisplacementBased, FiberBeam, ForceBased, Formulation, Hinge, Lacking,
@@ -48,8 +48,8 @@ const SECTIONS: &[Arg] = &[
 
 pub(super) const DISPLACEMENT: Kind = Kind {
     names: &["dispBeamColumn", "DispBeamColumn", "CubicFrame"],
-    usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass> <-damp $damping> or \
-            $tag $i $j $n $section $transf <-mass $m> <-cMass> <-integration $rule>",
+    usage: "element dispBeamColumn $tag $i $j $transf $integration <-mass $m> <-cMass|-lMass> <-damp $damping> or \
+            $tag $i $j $n $section $transf <-mass $m> <-cMass|-lMass> <-integration $rule>",
     text: Text::new("Displacement-based beam with sections.")
         .example("element dispBeamColumn 77 1 2 3 1 1")
         .arguments(&[Arg::whole("transf", "tag of a geometric transformation")])
@@ -336,10 +336,7 @@ fn take(
                 force_based.factor = a.float("factor of a subdivision")?.max(1.0);
             }
             "-integration" => rule = named_rule(interp, a)?,
-            _ => {
-                let known = ["-mass", "-iter", "-integration", "-damp", "-cMass"];
-                ignore_option(interp, a, &known[..if by_displacements { 5 } else { 4 }])?;
-            }
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if rule.points(sections.len(), 1.0).is_none() && !matches!(rule, Rule::Hinges(..)) {

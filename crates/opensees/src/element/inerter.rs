@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::model::transform::vector;
 use crate::text::any_command::MASS;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::axes;
 use hysteron_engine::element::{Element, Inerter, InerterOptions};
 use hysteron_engine::shared::Shared;
@@ -41,8 +41,6 @@ pub(super) const INERTER: Kind = Kind {
         ]),
     make: Make::TwoNodes(make),
 };
-
-const OPTIONS: &[&str] = &["-orient", "-pDelta", "-doRayleigh", "-damp", "-mass"];
 
 /// The vectors x and y after `-orient`.
 type Vectors = (Option<Vector3<f64>>, Option<Vector3<f64>>);
@@ -80,7 +78,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-doRayleigh" => options.rayleigh = true,
             "-damp" => options.damping = matrix(a, count, &DAMP)?,
             "-mass" => options.mass = a.number(&MASS)?,
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let line = ends.place.1 - ends.place.0;

@@ -31,7 +31,6 @@ pub(super) const MULTIPLE_SHEAR_SPRING: Kind = Kind {
 };
 
 const NAME: &str = "multipleShearSpring";
-const OPTIONS: [&str; 5] = ["-mat", "-nMat", "-lim", "-orient", "-mass"];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
@@ -59,7 +58,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             }
             "-orient" => orient.take(a)?,
             "-mass" => mass = a.number(&super::MASS_ABOVE_ZERO)?,
-            _ => return Err(a.unknown_name("option", OPTIONS)),
+            _ => return Err(a.unknown_name("option", a.options())),
         }
     }
     let materials = materials.ok_or_else(|| option_missing(a, last, NAME, "-mat", "the tag of a material"))?;

@@ -18,7 +18,7 @@ pub(super) const RHEOLOGY: Kind = Kind {
     names: &["HDRRheologyBearing"],
     usage: "element HDRRheologyBearing $tag $i $j $Gr $Kbulk $D1 $D2 $ts $tr $n -compound $name -temperature $T | $C1eq \
             $C2eq $C3eq $tauCrEq $m $C1oe $C2oe $tauCrOe $a $n <-linear $C> <-heatCapacity $c <-coolingTime $s>> \
-            <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
+            <-conduction $layers $tRubber $tSteel $tPlate $kRubber $cRubber $kSteel $cSteel $film> <-ambient $T> <-beyond hold|error> <-mullins $excess $strain <-heal $fraction $time> <-preload $strain>> <-axial kumar|linear> <-pDelta on|off> \
             <-orient $x1 $x2 $x3 $y1 $y2 $y3> <-kc $kc> <-PhiM $PhiM> <-ac $ac> <-shearDist $sDratio> <-mass $m> \
             <-cover $tc>",
     text: Text::new(
@@ -49,35 +49,12 @@ pub(super) const RHEOLOGY: Kind = Kind {
     make: Make::TwoNodes(make),
 };
 
-const OPTIONS: &[&str] = &[
-    "-compound",
-    "-temperature",
-    "-linear",
-    "-heatCapacity",
-    "-coolingTime",
-    "-conduction",
-    "-ambient",
-    "-beyond",
-    "-mullins",
-    "-heal",
-    "-preload",
-    "-axial",
-    "-pDelta",
-    "-orient",
-    "-kc",
-    "-PhiM",
-    "-ac",
-    "-shearDist",
-    "-mass",
-    "-cover",
-];
-
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     in_space(a, ends)?;
     let mut c = Common::new(a.last_span());
     let mut layers = layers(interp, a, false)?;
     let (mut varies, mut p_delta) = (true, true);
-    let law = rheology(interp, a, OPTIONS, |interp, a, option| {
+    let law = rheology(interp, a, |interp, a, option| {
         match option {
             "-axial" => {
                 varies = match a.word("axial law: kumar or linear")?.as_ref() {

@@ -5,7 +5,7 @@ use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::model::nodes::node_of;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, slips};
+use crate::{Tcl, ignore_unknown, slips};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::shell::{
     Drilling, EnhancedShell, EnhancedShellOptions, Formulation, Shell, UpdatedShell,
@@ -153,8 +153,6 @@ fn make_updated(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<
 /// Share of the drilling penalty of a quadrilateral that is integrated fully, where none is given.
 const DEFAULT_DRILLING_SHARE: f64 = 0.01;
 
-const OPTIONS: &[&str] = &["-corotational", "-noeas", "-drillingStab", "-reducedIntegration", "-drillingNL", "-local"];
-
 fn make_enhanced(
     interp: &mut Tcl,
     a: &mut Args<'_>,
@@ -184,7 +182,7 @@ fn make_enhanced(
                 let axis = [a.number(&LOCAL_X1)?, a.number(&LOCAL_X2)?, a.number(&LOCAL_X3)?];
                 o.axis = axis.iter().any(|x| *x != 0.0).then_some(axis);
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
         if share.is_some() && damaged {
             return Err(a.refuse("-drillingStab and -drillingNL exclude each other", "expected one of them"));

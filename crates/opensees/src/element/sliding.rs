@@ -6,7 +6,7 @@ use crate::args::Args;
 use crate::slips;
 use crate::text::any_command::{ITERATIONS, MASS, TOLERANCE};
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::bearing::sliding::{
     Dish, Kind, PlaneSlider, Setting, SpaceSlider, Substitution, Surface,
@@ -51,8 +51,6 @@ pub(super) const RJ_WATSON: super::Kind = super::Kind {
     make: Make::TwoNodes(|interp, a, ends| make(interp, a, ends, Kind::Springs)),
 };
 
-const OPTIONS: &[&str] = &["-orient", "-shearDist", "-doRayleigh", "-mass", "-iter", "-kFactUplift", "-inclVertDisp"];
-
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     let (friction, _) = a.of(&interp.host.builder.definitions.frictions)?;
@@ -76,11 +74,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
     let uplift = if compat && kind == Kind::Flat { f64::EPSILON } else { 1e-6 };
     let mut setting = Setting { kind, mass: 0.0, rayleigh: false, uplift, rules: Consistent };
     let mut shear_dist = 0.0;
-    let known = match kind {
-        Kind::Flat => &OPTIONS[..5],
-        Kind::Springs => &OPTIONS[..6],
-        _ => OPTIONS,
-    };
+    let known = a.options();
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-orient" => {
@@ -100,7 +94,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends, kind: Kind) -> Result<A
             "-inclVertDisp" | "-inclVertdisp" if known.contains(&"-inclVertDisp") => {
                 dish = dish.map(|d| Dish { rises: true, ..d });
             }
-            _ => ignore_option(interp, a, known)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let surface = Surface { friction, k_init, dish };

@@ -5,7 +5,7 @@ use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::text::{Arg, Text};
 use crate::things;
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::Element;
 use hysteron_engine::element::beam::{TimoshenkoBeam, TimoshenkoOptions};
 use hysteron_engine::element::transform;
@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub(super) const TIMOSHENKO: Kind = Kind {
     names: &["ElasticTimoshenkoBeam", "elasticTimoshenkoBeam"],
     usage: "element ElasticTimoshenkoBeam $tag $i $j $E $G $A $Iz $Avy $transf (in the plane) or \
-            $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass> <-geomNonlinear>",
+            $E $G $A $J $Iy $Iz $Avy $Avz $transf (in space) or $section $transf <-mass $m> <-cMass|-lMass> <-geomNonlinear>",
     text: Text::new("Elastic beam with shear deformation.")
         .example("element ElasticTimoshenkoBeam 2 1 2 1 1 1 1 1 1")
         .arguments(&[
@@ -86,7 +86,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-cMass" => o.consistent = true,
             "-lMass" => o.consistent = false,
             "-geomNonlinear" => o.geometric = true,
-            _ => ignore_option(interp, a, &["-mass", "-cMass", "-lMass", "-geomNonlinear"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     // The transformation gives the axes alone, and displacements count from the nodes' coordinates.

@@ -3,7 +3,7 @@
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::{BarOptions, CorotTruss, Element, Truss};
 use hysteron_engine::material::Material;
 use hysteron_engine::section::Axial;
@@ -38,7 +38,8 @@ pub(super) const COROT_TRUSS: Kind = Kind {
 
 pub(super) const TRUSS_SECTION: Kind = Kind {
     names: &["trussSection", "TrussSection"],
-    usage: "element trussSection $tag $i $j $section | $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag>",
+    usage: "element trussSection $tag $i $j $section | $A $matTag <-rho $rho> <-cMass $flag> <-doRayleigh $flag> \
+            <-useInitialDisp $flag>",
     text: Text::new("Axial bar with a section.").example("element trussSection 2 1 2 1").arguments(&[
         Arg::number("section", "tag of a section"),
         TRUSS_A,
@@ -105,7 +106,6 @@ fn words(
 ) -> Result<(Material, i32, BarOptions), Exception> {
     let (area, material, tag) = axial(interp, a)?;
     let mut options = BarOptions { area, rho: 0.0, consistent: false, rayleigh: false };
-    let known = &["-rho", "-cMass", "-doRayleigh", "-useInitialDisp"][..if initial.is_some() { 4 } else { 3 }];
     while let Some(option) = a.option() {
         match (option.as_ref(), &mut initial) {
             ("-rho", _) => options.rho = a.number(&RHO)?,
@@ -116,7 +116,7 @@ fn words(
                     initial.fill(0.0);
                 }
             }
-            _ => ignore_option(interp, a, known)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {

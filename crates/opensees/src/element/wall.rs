@@ -6,7 +6,7 @@ use crate::material::nd_material::{family, form};
 use crate::model::nodes::node_of;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::element::{
     Element, PLANE_WALL, PanelLaw, SPACE_WALL, WallFibre, WallLines, WallPanel, WallPanels, WallPlate, WallShape,
 };
@@ -150,7 +150,6 @@ struct Strips {
 
 const LINES: &[&str] = &["-thick", "-width", "-rho", "-matConcrete", "-matSteel", "-matShear"];
 const PANELS: &[&str] = &["-thick", "-width", "-mat"];
-const IN_SPACE: &[&str] = &["-CoR", "-ThickMod", "-Poisson", "-Density", "-Eave"];
 
 impl Strips {
     /// Takes the options `needed`, and in space those that may be left out. Defaults are those of OpenSees.
@@ -201,8 +200,7 @@ impl Strips {
                     // The tangent here always has the terms that this option adds.
                     a.int("coupling")?;
                 }
-                _ if in_space => ignore_option(interp, a, &[needed, IN_SPACE].concat())?,
-                _ => ignore_option(interp, a, needed)?,
+                _ => ignore_unknown(interp, a)?,
             }
         }
         let missing = needed.iter().find(|option| match **option {

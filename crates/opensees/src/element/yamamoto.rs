@@ -52,7 +52,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
             "-coRS" => factors = [a.number(&CO_RS_CR)?, a.number(&CO_RS_CS)?],
             "-orient" => orient.take(a)?,
             "-mass" => mass = a.number(&super::MASS_ABOVE_ZERO)?,
-            _ => return Err(a.unknown_name("option", ["-coRS", "-orient", "-mass"])),
+            _ => return Err(a.unknown_name("option", a.options())),
         }
     }
     let (axes, length) = orient.axes(a, ends, nodes)?;

@@ -11,7 +11,7 @@ use crate::session::Session;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, finish, ignore_option, ignore_unknown, kind, warn};
+use crate::{Command, Outcome, Tcl, finish, ignore_unknown, kind, warn};
 use hysteron_engine::element::ElementLoad;
 use hysteron_engine::model::{
     ElementId, Excitation, NodalLoad, Pattern, PatternKind, SupportMotion, Tag, acceleration_of,
@@ -318,7 +318,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                     ["-ele", "-range", "-type", "-beamUniform", "-beamUniformMoment", "-beamPoint"],
                 ));
             }
-            _ => ignore_option(interp, &mut a, &["-ele", "-range", "-type"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let Some(load) = given else {

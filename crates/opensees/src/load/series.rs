@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, ignore_unknown, kind, slips, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
 use hysteron_recordings::{Clock, Measured, Told};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
@@ -198,7 +198,7 @@ fn wave(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Wave, f64), Exception> {
                     warn(interp, d.at(a.last_span(), "expected a fraction, 0 to 1"))?;
                 }
             }
-            _ => ignore_option(interp, a, &["-factor", "-shift", "-zeroShift", "-width"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok((w, width))
@@ -227,25 +227,6 @@ fn rectangular(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> 
     warn_of_end(interp, a, start, end)?;
     Ok(Arc::new(Rectangular { start, end, factor: factor_only(interp, a)? }))
 }
-
-const PATH_OPTIONS: &[&str] = &[
-    "-dt",
-    "-values",
-    "-time",
-    "-filePath",
-    "-fileTime",
-    "-file",
-    "-factor",
-    "-useLast",
-    "-prependZero",
-    "-startTime",
-    "-fileMotion",
-    "-channel",
-    "-quantity",
-    "-unit",
-    "-layout",
-    "-to",
-];
 
 fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
     let (mut values, mut times, mut dt) = (None, None, None);
@@ -278,7 +259,7 @@ fn path(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Series, Exception> {
             "-startTime" | "-tStart" => start = a.number(&START_TIME)?,
             // An old script may give the tag as an option.
             "-tag" => drop(a.int("tag")?),
-            _ => ignore_option(interp, a, PATH_OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if let Some((name, span)) = measured {

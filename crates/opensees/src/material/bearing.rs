@@ -219,7 +219,7 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
                 }
             }
             "-coMSS" => springs = spring_factors(a)?,
-            _ => return Err(a.unknown_name("option", ["-coGHU", "-coMSS"])),
+            _ => return Err(a.unknown_name("option", a.options())),
         }
     }
     let rubber = HighDampingRubber { compound: compound.clone(), area, height, factors };
@@ -252,7 +252,7 @@ fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
             "-T" => p.temperature = a.number(&T_TEMP)?,
             "-coKQ" => p.factors = [factor(a, &RK)?, factor(a, &RQ)?],
             "-coMSS" => springs = spring_factors(a)?,
-            _ => return Err(a.unknown_name("option", ["-T", "-coKQ", "-coMSS"])),
+            _ => return Err(a.unknown_name("option", a.options())),
         }
     }
     Ok(kikuchi_aiken(interp, LeadRubber::new(&p), springs))

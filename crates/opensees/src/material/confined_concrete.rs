@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, slips, warn};
+use crate::{Tcl, ignore_unknown, slips, warn};
 use hysteron_engine::material::{
     Confinement, ConfinementSection, Dilation, FrpConfinedConcrete02, Hoop, Jacket, Material, UltimateStrain,
 };
@@ -166,9 +166,6 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
 
 /// Largest ultimate strain of an envelope, which bounds its points.
 const MAX_STRAIN: f64 = 1.0;
-/// Options of the command.
-const OPTIONS: &[&str] =
-    &["-internal", "-internalT", "-wrap", "-gravel", "-silica", "-tol", "-maxNumIter", "-epscuLimit", "-stRatio"];
 
 fn section(a: &mut Args<'_>) -> Result<ConfinementSection, Exception> {
     use ConfinementSection::*;
@@ -346,7 +343,7 @@ fn options(interp: &mut Tcl, a: &mut Args<'_>, concrete: &mut Confinement) -> Re
                     return Err(a.refuse("the strength ratio stRatio is above 1", "expected a number from 0 to 1"));
                 }
             }
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(limit)

@@ -4,7 +4,7 @@ use super::Kind;
 use super::hysteretic::POINTS as POINT_NAMES;
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::material::{HystereticSm, Material, SmEnvelope};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -103,7 +103,6 @@ fn hysteretic_sm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
         negative = numbers.split_off(numbers.len() / 2);
         positive = numbers;
     }
-    const OPTIONS: &[&str] = &["-posEnv", "-negEnv", "-pinch", "-damage", "-beta", "-degEnv", "-XYorder"];
     while let Some(option) = a.option() {
         match option.trim_start_matches('-') {
             "posEnv" | "Env" | "env" => positive = a.floats("number of the envelope in tension")?,
@@ -122,7 +121,7 @@ fn hysteretic_sm(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Excepti
                 a.floats("limit state")?;
             }
             "printInput" | "print" => {}
-            _ => ignore_option(interp, a, OPTIONS)?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     if xy {

@@ -55,7 +55,7 @@ pub(super) fn series(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, E
             "-relTol" => tolerance.relative = a.number(&SERIES_RELATIVE)?,
             "-absTol" => tolerance.absolute = a.number(&SERIES_ABSOLUTE)?,
             "-verbose" => {}
-            _ => crate::ignore_option(interp, a, &["-weights", "-maxIter", "-relTol", "-absTol", "-verbose"])?,
+            _ => crate::ignore_unknown(interp, a)?,
         }
     }
     Ok(NdMaterial::of_solid("Series3DMaterial", SeriesSolids { laws: WeightedLaws(laws), tolerance }.shared()))

@@ -4,7 +4,7 @@ use super::Kind;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, read_text, warn};
+use crate::{Tcl, ignore_unknown, read_text, warn};
 use hysteron_engine::material::hdr::{Compound, NAMES, Parameters, Stack, Thermal};
 use hysteron_engine::material::{Decay, GallardoShear, HdrRheology, Material, Mullins, Softening};
 use hysteron_engine::shared::Shared;
@@ -111,7 +111,7 @@ pub(super) const KINDS: &[Kind] = &[
         .own()
         .arguments(&[Arg::number("n", "parameter n"), AREA_A, HEIGHT_H])
         .groups(&[RHEOLOGY_ARGUMENTS, &CONDUCTION]),
-        make: |interp, a| Ok(rheology(interp, a, OPTIONS, |_, _, _| Ok(false))?.shared()),
+        make: |interp, a| Ok(rheology(interp, a, |_, _, _| Ok(false))?.shared()),
     },
     Kind {
         names: &["Mullins"],
@@ -168,22 +168,6 @@ pub(crate) const USAGE: &str = "uniaxialMaterial HDRRheology $tag -compound $nam
     $cSteel $film> <-ambient $T> <-beyond hold|error> <-mullins $excess $strain <-heal $fraction $time> <-preload \
     $strain>>";
 
-const OPTIONS: &[&str] = &[
-    "-compound",
-    "-temperature",
-    "-area",
-    "-height",
-    "-linear",
-    "-heatCapacity",
-    "-coolingTime",
-    "-conduction",
-    "-ambient",
-    "-beyond",
-    "-mullins",
-    "-heal",
-    "-preload",
-];
-
 /// The options as far as they have been taken.
 #[derive(Default)]
 struct Options {
@@ -205,17 +189,16 @@ struct Options {
 pub(crate) fn rheology(
     interp: &mut Tcl,
     a: &mut Args<'_>,
-    known: &[&str],
     mut other: impl FnMut(&mut Tcl, &mut Args<'_>, &str) -> Result<bool, Exception>,
 ) -> Result<HdrRheology, Exception> {
-    let mut o = Options::default();
+    let (mut o, known) = (Options::default(), a.options());
     if a.at_number() {
         o.compound = Some((Compound::constant(explicit(a)?), None));
     }
     let explicit = o.compound.is_some();
     while let Some(option) = a.option() {
         match option.as_ref() {
-            option if !known.contains(&option) => ignore_option(interp, a, known)?,
+            option if !known.contains(&option) => ignore_unknown(interp, a)?,
             "-compound" if explicit => {
                 return Err(a.refuse(
                     "the parameters are given already, by number",
@@ -246,7 +229,7 @@ pub(crate) fn rheology(
             "-preload" => preload(a, o.softening.as_mut())?,
             option => {
                 if !other(interp, a, option)? {
-                    ignore_option(interp, a, known)?;
+                    ignore_unknown(interp, a)?;
                 }
             }
         }
@@ -385,7 +368,7 @@ fn mullins(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             "-heal" => heal(a, Some(&mut law))?,
             "-preload" => preload(a, Some(&mut law))?,
             "-power" => law.power = Some(a.number(&POWER_P)?),
-            _ => ignore_option(interp, a, &["-heal", "-preload", "-power"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(Mullins::new(inner, law).shared())

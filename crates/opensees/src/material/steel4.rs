@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::material::{Material, Steel4, Steel4Side};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
@@ -124,7 +124,7 @@ fn steel4(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             })?,
             "-mem" => remembers = a.int(MEM_CYCLES.meaning)? != 0,
             "-init" => initial = a.number(&INIT_SIG0)?,
-            _ => ignore_option(interp, a, &["-asym", "-kin", "-iso", "-ult", "-mem", "-init"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     Ok(Steel4 { fy, e0, sides, plateau, remembers, initial }.shared())

@@ -7,7 +7,7 @@ use crate::checks;
 use crate::host::Mode;
 use crate::model::nodes::node_of;
 use crate::things;
-use crate::{Outcome, Tcl, ignore_option, warn};
+use crate::{Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, NodalLoad, NodeId, Tag};
 use hysteron_engine::number_format::Style;
@@ -21,24 +21,6 @@ pub(super) const USAGE: &str = "recorder Collapse -ele $tag ... | -eleRange $fir
                                 -file_infill $curve -checknodes $bottom $middle $top -global_gravaxis $axis \
                                 <-secondary -ele $tag ...> <-mass $m ...> <-g $acceleration $direction $pattern> \
                                 <-file $file> <-time> <-dT $dt> or recorder Collapse -ele $tag ... -node $node";
-
-const OPTIONS: &[&str] = &[
-    "-ele",
-    "-eleRange",
-    "-region",
-    "-node",
-    "-secondary",
-    "-crit",
-    "-file_infill",
-    "-checknodes",
-    "-global_gravaxis",
-    "-mass",
-    "-g",
-    "-sec",
-    "-file",
-    "-time",
-    "-dT",
-];
 
 /// Criteria whose value is always zero in OpenSees.
 const WITHOUT_VALUE: [&str; 6] = ["minStrain", "maxStrain", "axialDI", "flexureDI", "axialLS", "shearLS"];
@@ -344,7 +326,7 @@ fn other(interp: &mut Tcl, call: &Call<'_>, a: &mut Args<'_>, option: &str, w: &
             make_room(interp, call, (&name, &path), a.last_span())?;
             w.file = Some(name);
         }
-        _ => ignore_option(interp, a, OPTIONS)?,
+        _ => ignore_unknown(interp, a)?,
     }
     Ok(())
 }

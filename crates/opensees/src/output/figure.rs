@@ -5,7 +5,7 @@ use crate::chart::{Curve, Figure, MAX_DRAWN, Mark};
 use crate::effect::Effect;
 use crate::load::motion_file::measured;
 use crate::text::{Arg, Domain};
-use crate::{Command, Outcome, Tcl, ignore_option};
+use crate::{Command, Outcome, Tcl, ignore_unknown};
 use hysteron_recordings::Table;
 use hysteron_tcl::{Call, Exception, Value};
 use std::io::Write as _;
@@ -108,11 +108,7 @@ fn figure(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
                 }
                 f.curves.push(Curve { name, points: xs.into_iter().zip(ys).collect(), mark });
             }
-            _ => ignore_option(
-                interp,
-                &mut a,
-                &["-title", "-x", "-y", "-xrange", "-yrange", "-equal", "-line", "-dots"],
-            )?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     let svg = f.svg().map_err(|e| a.refuse_at(span, format!("figure: {e}"), ""))?;

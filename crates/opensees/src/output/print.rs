@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::effect::Effect;
 use crate::text::{Arg, Domain};
 use crate::things;
-use crate::{Command, Outcome, Tcl, ignore_option, print_error};
+use crate::{Command, Outcome, Tcl, ignore_unknown, print_error};
 use hysteron_engine::model::{ElementEntry, Model, Tag};
 use hysteron_tcl::{Call, Exception, OpenMode, Value};
 use std::collections::BTreeSet;
@@ -56,7 +56,7 @@ fn print(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
             // A word that is no option is the name of a file.
             word if !word.starts_with('-') => w.file = Some(word.to_owned()),
-            _ => ignore_option(interp, &mut a, &["-file", "-JSON", "-node", "-ele", "-integrator", "-algorithm"])?,
+            _ => ignore_unknown(interp, &mut a)?,
         }
     }
     if w.nodes.is_none() && w.elements.is_none() && !w.analysis {

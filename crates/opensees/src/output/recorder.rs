@@ -1,12 +1,12 @@
 //! `recorder` and `record`.
 
-use super::recorder_options::{COMMON, Common, Keep, PRECISION, TIME_STEP, range, region};
+use super::recorder_options::{Common, Keep, PRECISION, SCIENTIFIC, TIME_STEP, TIME_TOLERANCE, range, region};
 use super::{collapse, display, pvd};
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
 use crate::text::{Arg, Domain, Text};
-use crate::{Command, Outcome, Tcl, ignore_option, kind, slips, warn};
+use crate::{Command, Outcome, Tcl, ignore_unknown, kind, slips, warn};
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::model::{ElementId, Tag};
 use hysteron_engine::record::{Drift, ElementResponse, Misspelled, NodeQuantity, NodeResponse, Recorder};
@@ -23,6 +23,8 @@ pub(crate) const COMMANDS: &[Command] = &[
         .about("Records responses in a file.")
         .arguments(&[
             TIME_STEP,
+            TIME_TOLERANCE,
+            SCIENTIFIC,
             Arg::of("-file", "file", "name of the file"),
             Arg::flag("-file", "text, columns separated by blanks"),
             Arg::flag("-csv", "text, columns separated by commas"),
@@ -52,7 +54,8 @@ type Kind = kind::Kind<fn(&mut Tcl, &Call<'_>, Args<'_>) -> Outcome>;
 const KINDS: &[Kind] = &[
     Kind {
         names: &["Node"],
-        usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+        usage: "recorder Node -file|-csv|-xml|-binary $file <-time> <-precision $n> <-scientific> <-dT $dt> \
+                <-rTolDt $tolerance> <-closeOnWrite> \
                 <-timeSeries $tag ...> -node $tag ... | -nodeRange $first $last | -region $tag -dof $dof ... $response",
         text: Text::new("Records responses of nodes.").arguments(&[PRECISION, Arg::of(
             "-dof",
@@ -86,7 +89,8 @@ const KINDS: &[Kind] = &[
     },
     Kind {
         names: &["Element"],
-        usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-dT $dt> <-closeOnWrite> \
+        usage: "recorder Element -file|-csv|-xml|-binary $file <-time> <-precision $n> <-scientific> <-dT $dt> \
+                <-rTolDt $tolerance> <-closeOnWrite> \
                 -ele $tag ... | -eleRange $first $last | -region $tag <-dof $column ...> $response ...",
         text: Text::new("Records responses of elements.").arguments(&[PRECISION]),
         make: |interp, call, a| element(interp, call, a, Recorder::history),
@@ -215,8 +219,7 @@ fn node(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outco
                 }
             }
             word if word.starts_with('-') => {
-                let known = [COMMON, &["-node", "-nodeRange", "-region", "-dof", "-timeSeries"]].concat();
-                ignore_option(interp, &mut a, &known)?;
+                ignore_unknown(interp, &mut a)?;
             }
             word => {
                 // `eigen 1` may come as one word or as two.
@@ -339,8 +342,7 @@ fn drift(interp: &mut Tcl, call: &Call<'_>, mut a: Args<'_>, keep: Keep) -> Outc
             "-dof" => dof = Some(a.dof(DOF.meaning, 6)?),
             "-perpDirn" | "-perpDirection" => across = Some(a.dof(PERP_DIRN_DIRECTION.meaning, 3)?),
             _ => {
-                let known = [COMMON, &["-iNode", "-jNode", "-dof", "-perpDirn"]].concat();
-                ignore_option(interp, &mut a, &known)?;
+                ignore_unknown(interp, &mut a)?;
             }
         }
     }

@@ -17,7 +17,10 @@ use std::collections::BTreeMap;
 
 pub(super) const PRECISION: Arg = Arg::of("-precision", "n", "number of digits").within(Domain::Count);
 pub(super) const TIME_STEP: Arg = Arg::of("-dT", "dt", "step of time dT").within(Domain::NotNegative);
-const TIME_TOLERANCE: Arg = Arg::of("-rTolDt", "tolerance", "tolerance rTolDt").within(Domain::NotNegative);
+pub(super) const TIME_TOLERANCE: Arg = Arg::of("-rTolDt", "tolerance", "tolerance rTolDt").within(Domain::NotNegative);
+
+/// Numbers are written with an exponent.
+pub(super) const SCIENTIFIC: Arg = Arg::flag("-scientific", "numbers with an exponent");
 
 /// A recorder that keeps rows in one way.
 pub(super) type Keep = fn(Box<dyn Source>, Box<dyn Output>, Cadence) -> Recorder;
@@ -35,9 +38,6 @@ pub(super) struct Common {
     /// None of the elements that are there has the response, which has been said.
     pub(super) knows_missing_response: bool,
 }
-
-pub(super) const COMMON: &[&str] =
-    &["-file", "-csv", "-xml", "-binary", "-time", "-dT", "-rTolDt", "-closeOnWrite", "-precision", "-scientific"];
 
 impl Common {
     pub(super) fn new(interp: &Tcl) -> Self {

@@ -5,7 +5,7 @@ use super::{Kind, Make};
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::material::{NdMaterial, SharedMultiaxial};
 use hysteron_engine::section::{NdFiber, NdFiberSection, SharedSection};
 use hysteron_engine::shared::Shared;
@@ -22,8 +22,6 @@ pub(super) const ND_FIBER: Kind = Kind {
     make: Make::Beam(make),
 };
 
-const OPTIONS: &[&str] = &["-noCentroid", "-alpha", "-shape"];
-
 /// The words of the section before its body.
 pub(crate) struct NdFiberOptions {
     alpha: f64,
@@ -39,7 +37,7 @@ impl NdFiberOptions {
             match a.option().as_deref().unwrap_or_default() {
                 "-noCentroid" => options.origin = true,
                 "-alpha" | "-shape" => options.alpha = a.number(&ALPHA)?,
-                _ => ignore_option(interp, a, OPTIONS)?,
+                _ => ignore_unknown(interp, a)?,
             }
         }
         Ok(options)

@@ -18,6 +18,7 @@ pub(super) const ANY_COMMAND: &[Arg] = &[
     Arg::of("-doRayleigh", "flag", "1: the element takes part in Rayleigh damping; 0: it does not")
         .within(Domain::Whole),
     Arg::flag("-cMass", "consistent mass matrix in place of a lumped one"),
+    Arg::flag("-lMass", "lumped mass matrix (default)"),
     Arg::of("-cMass", "flag", "1: consistent mass matrix; 0: lumped").within(Domain::Whole),
     Arg::of("-useInitialDisp", "flag", "1: strain counts from the displacements at hand; 0: from zero")
         .within(Domain::Whole),

@@ -4,7 +4,7 @@ use super::trapezoidal::{ALPHA_I_ABOVE_0, generalized, operator_splitting, split
 use super::{ALPHA_F, ALPHA_I, BETA, GAMMA, IntegratorResult, Kind, RHO_INF, RHO_INF_TO_1, THETA, alpha_parameters};
 use crate::args::Args;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::analysis::integrator::{
     AlphaOs, AlphaParameters, Collocation, FixedIterations, Form, GeneralizedAlpha, Integrator, Newmark, Restrained,
     Restraint, Trapezoidal,
@@ -158,7 +158,7 @@ fn implicit(
                     return Err(a.refuse(format!("the order of the polynomial is {order}"), "expected 1, 2 or 3"));
                 }
             }
-            _ => ignore_option(interp, a, &["-normType", "-polyOrder"])?,
+            _ => ignore_unknown(interp, a)?,
         }
     }
     let (restraint, parameters) = match (increments, numbers.split_last()) {

@@ -6,7 +6,7 @@ use super::{
 use crate::args::Args;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
-use crate::{Tcl, ignore_option, ignore_unknown};
+use crate::{Tcl, ignore_unknown};
 use hysteron_engine::analysis::integrator::{
     AlphaParameters, KrAlpha, Trapezoidal, TrapezoidalExplicit, TrapezoidalSplitting,
 };
@@ -79,7 +79,7 @@ const EXPLICIT: [&Arg; 4] = [&ALPHA_I_ABOVE_0, &ALPHA_F, &ANY_BETA, &GAMMA];
 fn numbers(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Vec<f64>, Exception> {
     let numbers = a.floats("parameter")?;
     while a.option().is_some() {
-        ignore_option(interp, a, &[])?;
+        ignore_unknown(interp, a)?;
     }
     Ok(numbers)
 }
