@@ -97,7 +97,7 @@ const TABLE: &[Row] = &[
     ("late pier", "late_support", "late_support", 95),
     ("passing wave", "late_support", "late_support", 95),
     ("bridge at one time", "none", "none", 85),
-    ("yielding footing", "foundation_flexibility", "superstructure_yielding", 50),
+    ("yielding footing", "foundation_flexibility", "foundation_flexibility", 50),
     ("louder pier", "unknown", "unknown", 55),
     ("cracking infill", "unknown", "unknown", 40),
     ("added damper", "damping", "damping", 75),
