@@ -128,7 +128,7 @@ fn forces_at_the_start_of_a_step_are_kept() {
 fn words_that_do_not_fit_are_refused() {
     for (words, message) in [
         ("HHT_TP", "parameters"),
-        ("HHT_TP -0.5", "greater than 0"),
+        ("HHT_TP -0.5", "alpha of the forces at the end is -0.5"),
         ("HHTGeneralized_TP 0.5 0.5", "parameters"),
         ("KRAlphaExplicit_TP 1.5", "spectral radius"),
         ("HHTGeneralizedExplicit_TP 0.8 1.0", "alphaF"),

@@ -124,8 +124,9 @@ pub(super) struct ElementMatrices {
     renewed: (Vec<usize>, Vec<f64>),
     /// The tangents are those of the trial state.
     pub is_current: bool,
-    /// The histories are those of evaluations with this plan: elements that keep their tangent there may give it.
-    pub has_evaluated: bool,
+    /// A step with this plan has ended, and nothing has changed the state since: elements that keep their tangent in the
+    /// history may give it.
+    pub has_stepped: bool,
     /// Damping forces use the current tangents.
     pub residual_needs_tangent: bool,
     /// The integrator multiplies the tangents with displacements of its own, so that all columns are read.
@@ -413,7 +414,7 @@ impl Workspace {
     /// Forget tangents and factors, which are those of another state.
     pub(super) fn forget(&mut self) {
         self.elements.is_current = false;
-        self.elements.has_evaluated = false;
+        self.elements.has_stepped = false;
         self.solver.forget();
     }
 

@@ -214,6 +214,7 @@ impl Engine {
                 }
                 self.speeds.note_step(&self.model, &self.committed);
                 work.renew_tangents(&self.model, &self.committed);
+                work.elements.has_stepped = true;
                 Ok(())
             }
             Err(mut failure) => {

@@ -99,7 +99,7 @@ impl System<'_> {
         let tangents = want_tangent && !self.work.elements.is_current;
         let all = self.moved || tangents;
         let evaluated_before = self.evaluated_at.take() == Some(self.new.time);
-        let at_rest = !self.moved && self.work.elements.has_evaluated;
+        let at_rest = !self.moved && self.work.elements.has_stepped;
         let mut evaluated = false;
         if all && self.work.small_beams.count > 0 {
             let work = &mut *self.work;
@@ -122,7 +122,6 @@ impl System<'_> {
         self.summed &= !evaluated && !work.counts_updates();
         if all {
             self.evaluated_at = Some(self.new.time);
-            work.elements.has_evaluated = true;
             work.evaluated.disp.copy_from_slice(&self.new.disp);
         }
         Ok(())

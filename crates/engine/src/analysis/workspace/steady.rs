@@ -145,7 +145,7 @@ impl SteadyMatrices {
 impl Workspace {
     /// Look at the motion again: a script has changed it.
     pub(in crate::analysis) fn motion_changed(&mut self) {
-        self.elements.has_evaluated = false;
+        self.elements.has_stepped = false;
         self.steady.iter_mut().for_each(|s| s.follows = None);
     }
 

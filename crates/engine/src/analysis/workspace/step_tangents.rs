@@ -9,14 +9,14 @@ pub(super) struct StepTangents {
     damping: Vec<f64>,
     axial: Vec<f64>,
     is_current: bool,
-    has_evaluated: bool,
+    has_stepped: bool,
 }
 
 impl ElementMatrices {
     /// Keep the tangents at the start of a step.
     pub(in crate::analysis) fn keep_start(&mut self) {
         let start = &mut self.at_start;
-        (start.is_current, start.has_evaluated) = (self.is_current, self.has_evaluated);
+        (start.is_current, start.has_stepped) = (self.is_current, self.has_stepped);
         if start.is_current {
             start.tangent.clone_from(&self.tangent);
             start.damping.clone_from(&self.damping);
@@ -28,7 +28,7 @@ impl ElementMatrices {
     /// no increment may be the elastic one, and those of the step are of states that were given up.
     pub(in crate::analysis) fn revert_to_start(&mut self) {
         let start = &self.at_start;
-        (self.is_current, self.has_evaluated) = (start.is_current, start.has_evaluated);
+        (self.is_current, self.has_stepped) = (start.is_current, start.has_stepped);
         if start.is_current {
             self.tangent.clone_from(&start.tangent);
             self.damping.clone_from(&start.damping);
