@@ -42,7 +42,7 @@ const SOFTENING: f64 = 0.01;
 
 /// Returns true if devices have a sliding face.
 fn slides(s: &ProposalContext<'_>, m: &MovingGroup<'_>) -> bool {
-    s.study.material == Some(DeviceMaterial::Sliding) || m.devices.iter().all(|d| d.slides())
+    s.study.material == Some(DeviceMaterial::Sliding) || m.devices.iter().all(|d| d.slides)
 }
 
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {

@@ -4,7 +4,7 @@ use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
 use super::frame_members::{FrameMember, columns, girders};
 use super::heights::HeightRule;
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::{BasicRow, Element, ElementInput, ElementOutput, MatrixMask};
+use hysteron_engine::element::{BasicRow, Bearing, Element, ElementInput, ElementOutput, MatrixMask};
 use hysteron_engine::model::{Model, NodeId, PatternKind};
 use std::collections::BTreeMap;
 
@@ -23,16 +23,8 @@ pub(crate) struct Device {
     pub(crate) linear: bool,
     /// True if the force depends on the rate of deformation.
     pub(crate) viscous: bool,
-}
-
-/// Beginnings of the classes of elements that slide.
-const SLIDING_CLASSES: [&str; 5] = ["FlatSlider", "SingleFP", "FPBearing", "TripleFriction", "RJWatson"];
-
-impl Device {
-    /// Returns true for a bearing with a sliding face.
-    pub(crate) fn slides(&self) -> bool {
-        SLIDING_CLASSES.iter().any(|class| self.class.starts_with(class))
-    }
+    /// True for a bearing with a sliding face.
+    pub(crate) slides: bool,
 }
 
 /// A direction of a device.
@@ -195,7 +187,8 @@ impl ModelInventory {
             let directions: Vec<Direction> = all.iter().filter(|d| d.stiffness > 0.0).cloned().collect();
             let linear = traits.linear || is_elastic(e.element.as_ref(), &rows);
             let (tag, class) = (e.tag, e.element.class().name);
-            let device = Device { tag, class, nodes, directions, linear, viscous: traits.viscous };
+            let slides = e.element.bearing() == Some(Bearing::Sliding);
+            let device = Device { tag, class, nodes, directions, linear, viscous: traits.viscous, slides };
             if device.viscous && device.directions.is_empty() {
                 out.dashpots.push(Device { directions: all, ..device.clone() });
             }

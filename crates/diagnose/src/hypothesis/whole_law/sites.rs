@@ -205,7 +205,15 @@ mod tests {
 
     /// The script after a law has taken the place of that of element 1, which moves in some directions.
     fn edited(law: &WholeLaw, text: &str, directions: &[usize]) -> Option<String> {
-        let device = Device { tag: 1, class: "", nodes: [1, 2], directions: vec![], linear: false, viscous: false };
+        let device = Device {
+            tag: 1,
+            class: "",
+            nodes: [1, 2],
+            directions: vec![],
+            linear: false,
+            viscous: false,
+            slides: false,
+        };
         let group = MovingGroup {
             devices: vec![&device],
             dir_option: String::new(),

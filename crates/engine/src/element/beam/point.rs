@@ -200,8 +200,8 @@ pub(super) fn read_all<const N: usize, const B: usize, const M: usize>(
     trial: &[f64],
     stiffness: Stiffness,
 ) -> Result<(), MaterialError> {
-    let places = member.sections.iter().zip(points);
-    places.map(|(section, point)| point.read(section, trial, stiffness)).collect()
+    let mut places = member.sections.iter().zip(points);
+    places.try_for_each(|(section, point)| point.read(section, trial, stiffness))
 }
 
 impl<const N: usize, const B: usize> Member<N, B> {

@@ -31,7 +31,7 @@ impl<const N: usize, const B: usize> Member<N, B> {
                 places().for_each(|(slot, e)| slot.set_deformation(e, trial));
                 section.update_joined(&self.sections, committed, dt, trial)
             }
-            None => places().map(|(slot, e)| slot.update(committed, e, dt, trial)).collect(),
+            None => places().try_for_each(|(slot, e)| slot.update(committed, e, dt, trial)),
         }
     }
 }
