@@ -36,6 +36,8 @@ mod inelastic;
 mod late_support;
 #[path = "analysis/lockstep.rs"]
 mod lockstep;
+#[path = "analysis/lockstep_in_time.rs"]
+mod lockstep_in_time;
 #[path = "analysis/materials.rs"]
 mod materials;
 #[path = "analysis/model.rs"]

@@ -30,7 +30,7 @@ fn assert_same(rows: &Rows, alone: &Rows, script: &str) {
 }
 
 /// Checks that all scripts go side by side, or each by itself, with the rows that each has alone.
-fn check(scripts: &[String], analysis: u64, expected: Execution) {
+pub(super) fn check(scripts: &[String], analysis: u64, expected: Execution) {
     for (script, (made, rows)) in scripts.iter().zip(side_by_side(scripts, analysis)) {
         assert_eq!(made, expected, "{script}");
         let alone = run(script).tables;
@@ -40,7 +40,7 @@ fn check(scripts: &[String], analysis: u64, expected: Execution) {
 }
 
 /// Checks that some scripts fail and the others go side by side, with the rows that each has alone.
-fn check_failures(scripts: &[String], fails: impl Fn(usize) -> bool) {
+pub(super) fn check_failures(scripts: &[String], fails: impl Fn(usize) -> bool) {
     for (i, ((made, rows), script)) in side_by_side(scripts, 1).into_iter().zip(scripts).enumerate() {
         let alone = Script::default().run(script);
         assert_eq!(alone.tables["disp.out"].len() < 120, fails(i), "{i}");

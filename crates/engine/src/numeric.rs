@@ -7,19 +7,21 @@ pub mod wide;
 
 pub use dual::Dual;
 
+use wide::Real;
+
 /// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
 #[inline(always)]
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot<T: Real>(a: &[T], b: &[T]) -> T {
     let n = a.len().min(b.len());
     let (head_a, tail_a) = a[..n].as_chunks::<4>();
     let (head_b, tail_b) = b[..n].as_chunks::<4>();
-    let mut sum = [0.0; 4];
+    let mut sum = [T::ZERO; 4];
     for (x, y) in head_a.iter().zip(head_b) {
         for ((s, x), y) in sum.iter_mut().zip(x).zip(y) {
-            *s += x * y;
+            *s += *x * *y;
         }
     }
-    let rest: f64 = tail_a.iter().zip(tail_b).map(|(x, y)| x * y).sum();
+    let rest = tail_a.iter().zip(tail_b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y);
     (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest
 }
 

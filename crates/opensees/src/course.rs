@@ -15,8 +15,8 @@ pub struct Course {
     analyses: u64,
     /// A command has followed the last analysis that may need its results.
     followed: bool,
-    /// Steps of the analysis that waits.
-    steps: Option<usize>,
+    /// Number and length of the steps of the analysis that waits.
+    steps: Option<(usize, f64)>,
 }
 
 impl Course {
@@ -30,13 +30,13 @@ impl Course {
         (self.analyses > 0 && !self.followed).then_some(self.analyses)
     }
 
-    /// Steps of the analysis that waits, where the run has come to its end.
-    pub(crate) fn waiting_steps(&self) -> Option<usize> {
+    /// Number and length of the steps of the analysis that waits, where the run has come to its end.
+    pub(crate) fn waiting_steps(&self) -> Option<(usize, f64)> {
         if self.followed { None } else { self.steps }
     }
 
     /// An analysis begins. Returns true if it is to wait.
-    pub(crate) fn begin_analysis(&mut self, steps: usize, can_wait: bool) -> bool {
+    pub(crate) fn begin_analysis(&mut self, steps: (usize, f64), can_wait: bool) -> bool {
         self.analyses += 1;
         self.followed = !can_wait;
         let waits = self.analyses == self.waiting && can_wait;

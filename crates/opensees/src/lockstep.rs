@@ -8,8 +8,9 @@ use crate::run::Run;
 use hysteron_engine::analysis::{LockstepRows, Recorded, lockstep};
 
 impl Run {
-    /// Steps of the analysis that the run waits with, having come to its end; `None` where it does not wait.
-    pub fn waits(&self) -> Option<usize> {
+    /// Number and length of the steps of the analysis that the run waits with, having come to its end; `None` where it does
+    /// not wait. Static steps have the length 0.
+    pub fn waits(&self) -> Option<(usize, f64)> {
         self.interp.host.course.and_then(|course| course.waiting_steps())
     }
 }
@@ -39,9 +40,9 @@ pub fn analyze(runs: &mut [&mut Run]) -> Vec<Execution> {
 
 /// Make the analysis of a run by itself.
 fn by_itself(run: &mut Run) -> Execution {
-    let Some(steps) = run.waits() else { return Execution::No };
+    let Some((steps, dt)) = run.waits() else { return Execution::No };
     let session = &mut run.interp.host;
-    let done = session.engine.analyze(steps, 0.0, &mut session.output.recorders);
+    let done = session.engine.analyze(steps, dt, &mut session.output.recorders);
     if done.is_ok() { Execution::ByItself } else { Execution::No }
 }
 

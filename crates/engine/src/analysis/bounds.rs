@@ -63,14 +63,16 @@ impl Bounds {
         Self { stretched: stretched.map(|(i, _)| i).collect(), extent, imposed: 0.0 }
     }
 
-    /// Displacement of a degree of freedom below which no law is refused for its stretch.
-    pub(super) fn safe_displacement(model: &Model) -> f64 {
+    /// Displacement of a degree of freedom below which no law is refused for its stretch, and in a transient analysis no node
+    /// is far outside of the model.
+    pub(super) fn safe_displacement(&self, model: &Model, dynamic: bool) -> f64 {
+        let within = if dynamic && self.extent > 0.0 { SUSPECT_EXTENTS * self.extent } else { f64::INFINITY };
         let limits = model.elements.iter().filter_map(|e| {
             let rest = vec![0.0; e.dofs.len()];
             e.element.stretch(&rest).map(|s| s.refused * s.size)
         });
         // Both nodes, in two directions.
-        limits.fold(f64::INFINITY, f64::min) / (2.0 * 2.0f64.sqrt())
+        within.min(limits.fold(f64::INFINITY, f64::min) / (2.0 * 2.0f64.sqrt()))
     }
 }
 

@@ -98,6 +98,12 @@ impl GroundInertia {
         }
     }
 
+    /// Index of the pattern that gives the acceleration, and the forces on all degrees of freedom per unit of it: of the masses
+    /// of nodes, and of elements. `None` where OpenSees counts some once more.
+    pub(super) fn terms(&self) -> Option<(usize, [&[f64]; 2])> {
+        self.again.is_empty().then_some((self.pattern, [&self.nodes, &self.elements]))
+    }
+
     /// Take those that OpenSees counts once more off `out`; with `elements` all those of the elements.
     pub(super) fn take_off(&self, factors: &[f64], elements: bool, out: &mut [f64]) {
         let a = factors[self.pattern];

@@ -181,9 +181,14 @@ impl Loads {
         self.imposed.iter().chain(&self.linked).fold(0.0f64, |m, i| m.max(self.imposed_value(i).abs()))
     }
 
-    /// Returns true if all loads are forces on nodes and displacements without rates.
+    /// Returns true if all loads are forces on nodes and displacements that follow the factors of their patterns.
     pub(super) fn acts_on_nodes_only(&self) -> bool {
-        self.inertia.is_empty() && self.elements.is_empty() && self.imposed.iter().all(|i| i.ground.is_none())
+        self.elements.is_empty() && self.linked.is_empty() && self.imposed.iter().all(|i| i.ground.is_none())
+    }
+
+    /// Inertia forces of uniform ground motions.
+    pub(super) fn ground_inertia(&self) -> &[GroundInertia] {
+        &self.inertia
     }
 
     /// Returns true if the loads of another model are at the same places, and their patterns have the same factors at all

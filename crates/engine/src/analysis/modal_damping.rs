@@ -16,6 +16,11 @@ pub(super) struct DampedModes {
 }
 
 impl DampedModes {
+    /// Returns true if no mode is damped.
+    pub(super) fn is_empty(&self) -> bool {
+        self.modes.is_empty()
+    }
+
     pub(super) fn new(model: &Model, condense: impl Fn(&[f64], &mut [f64]), equations: usize) -> Self {
         let d = &model.modal_damping;
         let modes = d.modes.iter().map(|(factor, shape)| {

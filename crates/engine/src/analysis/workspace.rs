@@ -1,5 +1,6 @@
 //! Data of an analysis between two changes of the model: plan, factors, matrices of the elements, buffers.
 
+mod constant_parts;
 mod forces;
 mod led;
 mod steady;
@@ -18,9 +19,10 @@ use crate::assembly::{DofError, Handler, MpScope, Plan};
 use crate::element::{Mass, MatrixMask, OpenSeesTraits, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver, Threads};
+pub(super) use constant_parts::{ConstantMass, ConstantParts};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use steady::SteadyMatrices;
+pub(super) use steady::{MatrixRows, SteadyMatrices};
 use step_tangents::StepTangents;
 
 /// Stiffness in the tangent.

@@ -148,9 +148,9 @@ impl Plan {
 
     /// Subtract other forces of an element, whose own begin at `start` among those of all elements.
     #[inline]
-    pub fn subtract_force(&self, element: usize, start: usize, force: &[f64], equations: &mut [f64]) {
+    pub fn subtract_force<T: Real>(&self, element: usize, start: usize, force: &[T], equations: &mut [T]) {
         for t in &self.forces[self.scatters[element].forces.clone()] {
-            equations[t.equation as usize] -= t.coef * force[t.from as usize - start];
+            equations[t.equation as usize] -= force[t.from as usize - start] * t.coef;
         }
     }
 

@@ -12,11 +12,10 @@ pub type LockstepMaker = fn(&[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn Locks
 
 /// An element together with its counterparts in other models, which differ from it in numbers alone.
 ///
-/// Its force and its tangent follow from the committed history and the trial motion, which has no velocities, and from
-/// nothing else. It has no loads of its own.
+/// Its force and its matrices follow from the committed history and the trial motion, and from nothing else. It has no loads
+/// of its own.
 pub trait LockstepElement: fmt::Debug {
-    /// Force and tangent for trial displacements from the committed history, as [`Element::respond`] has them model by
-    /// model. Models without an answer have forces that are no numbers.
+    /// Force and matrices for a trial motion from the committed history, as [`Element::respond`] has them model by model. Models without an answer have forces that are no numbers.
     fn respond(&self, motion: LockstepMotion<'_>, output: LockstepOutput<'_>);
 }
 
@@ -25,6 +24,8 @@ pub trait LockstepElement: fmt::Debug {
 pub struct LockstepMotion<'a> {
     /// Trial displacements of its degrees of freedom.
     pub disp: &'a [Wide],
+    /// Its trial velocities in a transient analysis; `None` in a static one, where nothing has any.
+    pub vel: Option<&'a [Wide]>,
     /// Its committed history.
     pub committed: &'a [Wide],
     /// Domain time since the committed state.
@@ -44,6 +45,8 @@ pub struct LockstepOutput<'a> {
     pub force: &'a mut [Wide],
     /// Tangent stiffness n x n by rows, of which the rows of `part` have been set to zero; `None` where it is not needed.
     pub tangent: Option<&'a mut [Wide]>,
+    /// Damping matrix n x n by rows, set to zero before, of elements that are viscous.
+    pub damping: Option<&'a mut [Wide]>,
     /// Rows and columns of the tangent that are read.
     pub part: MatrixMask,
 }
@@ -62,7 +65,7 @@ pub(crate) fn alike<'a, E: Element>(all: &[&'a Arc<dyn Element>; WIDTH]) -> Opti
 /// Elements that are evaluated one after the other.
 struct OneByOne {
     elements: [Arc<dyn Element>; WIDTH],
-    /// Committed and trial history and tangent of one of them, kept from one evaluation to the next.
+    /// Committed and trial history, tangent and damping matrix of one of them, kept from one evaluation to the next.
     buffer: Cell<Vec<f64>>,
 }
 
@@ -88,14 +91,22 @@ static AT_REST: [f64; MAX_DOFS] = [0.0; MAX_DOFS];
 impl LockstepElement for OneByOne {
     fn respond(&self, motion: LockstepMotion<'_>, output: LockstepOutput<'_>) {
         let (n, words) = (motion.disp.len(), motion.committed.len());
-        let (mut disp, mut force) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS]);
+        let (mut disp, mut vel, mut force) = ([0.0; MAX_DOFS], AT_REST, [0.0; MAX_DOFS]);
         let mut buffer = self.buffer.take();
-        buffer.resize(2 * words + n * n, 0.0);
+        buffer.resize(2 * words + 2 * n * n, 0.0);
         let (committed, rest) = buffer.split_at_mut(words);
-        let (trial, matrix) = rest.split_at_mut(words);
-        let LockstepOutput { trial: all_trial, force: all_force, tangent: mut all_tangent, part } = output;
+        let (trial, matrices) = rest.split_at_mut(words);
+        let (matrix, damping) = matrices.split_at_mut(n * n);
+        let LockstepOutput {
+            trial: all_trial,
+            force: all_force,
+            tangent: mut all_tangent,
+            damping: mut all_damping,
+            part,
+        } = output;
         for (lane, element) in self.elements.iter().enumerate().filter(|(lane, _)| is_set(motion.lanes, *lane)) {
             disp.iter_mut().zip(motion.disp).for_each(|(own, all)| *own = all.0[lane]);
+            vel.iter_mut().zip(motion.vel.unwrap_or_default()).for_each(|(own, all)| *own = all.0[lane]);
             committed.iter_mut().zip(motion.committed).for_each(|(own, all)| *own = all.0[lane]);
             trial.iter_mut().zip(&*all_trial).for_each(|(own, all)| *own = all.0[lane]);
             force[..n].fill(0.0);
@@ -105,16 +116,18 @@ impl LockstepElement for OneByOne {
             });
             let input = ElementInput {
                 disp: &disp[..n],
-                vel: &AT_REST[..n],
+                vel: &vel[..n],
                 accel: &[],
                 load: &[],
-                still: true,
+                still: motion.vel.is_none(),
                 opensees: None,
                 dt: motion.dt,
                 time: motion.time,
-                dynamic: false,
+                dynamic: motion.vel.is_some(),
             };
-            let answer = ElementOutput { force: &mut force[..n], tangent, damping: None, part };
+            damping.fill(0.0);
+            let viscous = all_damping.is_some().then_some(&mut *damping);
+            let answer = ElementOutput { force: &mut force[..n], tangent, damping: viscous, part };
             if element.respond(&input, committed, trial, answer).is_err() {
                 force[..n].fill(f64::NAN);
             }
@@ -125,6 +138,9 @@ impl LockstepElement for OneByOne {
                     let row = i * n..(i + 1) * n;
                     all[row.clone()].iter_mut().zip(&matrix[row]).for_each(|(all, own)| all.0[lane] = *own);
                 }
+            }
+            if let Some(all) = &mut all_damping {
+                all.iter_mut().zip(&*damping).for_each(|(all, own)| all.0[lane] = *own);
             }
         }
         self.buffer.set(buffer);

@@ -1,5 +1,7 @@
 //! Common part of `zeroLength` and `twoNodeLink`: uniaxial springs in parallel.
 
+mod side_by_side;
+
 use super::damping::BasicForces;
 use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};

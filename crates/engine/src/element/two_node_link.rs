@@ -2,10 +2,12 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
+    Snapshot, alike, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::material::{Material, Slot};
+use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -196,6 +198,14 @@ const LOCAL_DISP: u32 = 101;
 
 crate::watches_columns!(TwoNodeLink => |s| in s.springs.slots());
 
+/// The springs side by side where nothing else acts; else the elements one after the other.
+fn lockstep(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+    let own = alike::<TwoNodeLink>(all)?;
+    let springs_alone = own.iter().all(|link| link.p_delta.is_empty() && link.per_node == own[0].per_node);
+    let springs = || Springs::side_by_side(&own.map(|link| &link.springs), 2 * own[0].per_node);
+    springs_alone.then(springs).flatten().or_else(|| one_by_one::<TwoNodeLink>(all))
+}
+
 impl Element for TwoNodeLink {
     fn class(&self) -> Class {
         Class::new("TwoNodeLink", 86)
@@ -244,7 +254,7 @@ impl Element for TwoNodeLink {
             mass: Some(self),
             parameters: Some(self),
             basic_rows: Some(self),
-            lockstep: Some(one_by_one::<Self>),
+            lockstep: Some(lockstep),
             force_labels: ForceLabels::Numbered,
             ..Roles::default()
         }

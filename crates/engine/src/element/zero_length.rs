@@ -2,10 +2,12 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Snapshot,
+    alike, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Roles};
 use crate::material::{Material, Slot};
+use crate::numeric::wide::WIDTH;
 use crate::parameter::Changed;
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -84,6 +86,14 @@ pub(super) fn direction_row(direction: usize, ndm: usize, per_node: usize, axes:
 
 crate::watches_columns!(ZeroLength => |s| in s.springs.slots());
 
+/// The springs side by side where their deformations are the same; else the elements one after the other.
+fn lockstep(all: &[&Arc<dyn Element>; WIDTH]) -> Option<Box<dyn LockstepElement>> {
+    let own = alike::<ZeroLength>(all)?;
+    let springs = || Springs::side_by_side(&own.map(|e| &e.springs), own[0].dofs);
+    let same = own.iter().all(|e| e.dofs == own[0].dofs);
+    same.then(springs).flatten().or_else(|| one_by_one::<ZeroLength>(all))
+}
+
 impl Element for ZeroLength {
     fn class(&self) -> Class {
         Class::new("ZeroLength", 19)
@@ -119,7 +129,7 @@ impl Element for ZeroLength {
         Roles {
             parameters: Some(self),
             basic_rows: Some(self),
-            lockstep: Some(one_by_one::<Self>),
+            lockstep: Some(lockstep),
             basic_forces: Some(&self.springs),
             ..Roles::default()
         }

@@ -41,13 +41,19 @@ const OWN: u32 = 100;
 
 crate::watches_columns!(Slot => |s| at [(s.own(), &s.material)]);
 
-/// Writes the header of linear materials of several models side by side, as [`Slot::update`] does; its length.
+/// Writes the header of linear materials of several models side by side, as [`Slot::update`] does for a strain and its rate;
+/// the length of the header.
 #[inline(always)]
-pub(crate) fn write_linear(stiffness: Wide, strain: Wide, committed: &[Wide], trial: &mut [Wide]) -> usize {
+pub(crate) fn write_linear(
+    stiffness: Wide,
+    (strain, rate): (Wide, Wide),
+    committed: &[Wide],
+    trial: &mut [Wide],
+) -> usize {
     let stress = stiffness * strain;
     let work = (committed[STRESS] + stress) * 0.5 * (strain - committed[STRAIN]);
     trial[STRAIN] = strain;
-    trial[RATE] = Wide::all(0.0);
+    trial[RATE] = rate;
     trial[STRESS] = stress;
     trial[TANGENT] = stiffness;
     trial[ENERGY] = committed[ENERGY] + work;

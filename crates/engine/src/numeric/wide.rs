@@ -33,6 +33,7 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
     + AddAssign
     + SubAssign
     + Neg<Output = Self>

@@ -7,6 +7,7 @@ use crate::material::Slot;
 use crate::model::{ElementId, Tag};
 use crate::probe::Probe;
 use crate::section::SectionSlot;
+use crate::series::Series;
 
 /// A response of some elements.
 #[derive(Debug)]
@@ -230,14 +231,14 @@ impl Source for ElementResponse {
         self.found.iter().map(group).collect()
     }
 
-    fn numbers(&self, engine: &Engine) -> Option<Vec<Recorded>> {
+    fn numbers(&self, engine: &Engine) -> Option<Vec<(Recorded, Option<Series>)>> {
         let mut numbers = vec![];
         for (id, _, answer) in &self.found {
             let e = &engine.model().elements[id.0];
             if !matches!(answer, Response::Force(_)) || e.element.undamped().is_some() {
                 return None;
             }
-            numbers.extend(self.chosen(e.force.len()).map(|i| Recorded::Force(e.force.start + i)));
+            numbers.extend(self.chosen(e.force.len()).map(|i| (Recorded::Force(e.force.start + i), None)));
         }
         Some(numbers)
     }

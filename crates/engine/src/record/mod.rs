@@ -16,6 +16,7 @@ mod text;
 mod xml;
 
 use crate::analysis::{Engine, LockstepRows, Recorded};
+use crate::series::Series;
 use output::{TIME, TIME_OUTPUT};
 use std::fmt;
 use std::ops::Range;
@@ -74,8 +75,9 @@ pub trait Source: fmt::Debug + Send {
         false
     }
 
-    /// Numbers of the committed state that make up the row, where it is made up of them.
-    fn numbers(&self, _: &Engine) -> Option<Vec<Recorded>> {
+    /// Numbers of the committed state that make up the row, where it is made up of them, and the series that is added to
+    /// each.
+    fn numbers(&self, _: &Engine) -> Option<Vec<(Recorded, Option<Series>)>> {
         None
     }
 
@@ -119,6 +121,8 @@ pub struct Recorder {
     row: Vec<f64>,
     /// Times of several rows at once.
     due: Vec<f64>,
+    /// Series that are added to columns of these rows.
+    added: Vec<(usize, Series)>,
     /// An envelope is another one than the output has.
     changed: bool,
     /// Responses that are not in the model.
@@ -137,6 +141,7 @@ impl Recorder {
             found: None,
             row: vec![],
             due: vec![],
+            added: vec![],
             changed: false,
             missing: vec![],
         }
@@ -213,13 +218,17 @@ impl Recorder {
         self.find(engine).ok()?;
         let all = matches!(self.keep, Keep::History).then(|| self.source.numbers(engine))??;
         let first = usize::from(self.cadence.time);
-        Some(match self.output.columns() {
+        let (time_first, all) = match self.output.columns() {
             None => (self.cadence.time, all),
             Some(columns) => {
-                let numbers = columns.iter().filter(|c| **c >= first).map(|c| all.get(c - first).copied());
+                let numbers = columns.iter().filter(|c| **c >= first).map(|c| all.get(c - first).cloned());
                 (self.cadence.time && columns.first() == Some(&0), numbers.collect::<Option<_>>()?)
             }
-        })
+        };
+        let (numbers, series): (Vec<_>, Vec<_>) = all.into_iter().unzip();
+        let columns = series.into_iter().enumerate();
+        self.added = columns.filter_map(|(i, s)| Some((i + usize::from(time_first), s?))).collect();
+        Some((time_first, numbers))
     }
 
     /// Record steps of a model that is analysed side by side with others: the time if it is the first column, and the columns
@@ -260,6 +269,10 @@ impl Recorder {
                     self.row.extend(numbers[columns.clone()].iter().map(|n| n.0[model]));
                 }
             }
+        }
+        for (column, series) in &self.added {
+            let numbers = self.row.iter_mut().skip(*column).step_by(row_width);
+            numbers.zip(&self.due).for_each(|(x, time)| *x += series.factor(*time));
         }
         self.output.rows(&self.due, &self.row)
     }

@@ -221,9 +221,15 @@ impl Source for NodeResponse {
         self.mode > 0
     }
 
-    fn numbers(&self, _: &Engine) -> Option<Vec<Recorded>> {
-        let plain = self.quantity == NodeQuantity::Disp && self.series.iter().all(Option::is_none);
-        self.found.iter().map(|dof| dof.filter(|_| plain).map(Recorded::Disp)).collect()
+    fn numbers(&self, _: &Engine) -> Option<Vec<(Recorded, Option<Series>)>> {
+        let number = match self.quantity {
+            NodeQuantity::Disp => Recorded::Disp,
+            NodeQuantity::Vel => Recorded::Vel,
+            NodeQuantity::Accel => Recorded::Accel,
+            _ => return None,
+        };
+        let series = |i: usize| self.series.get(i % self.width.max(1)).cloned().flatten();
+        self.found.iter().enumerate().map(|(i, dof)| dof.map(|dof| (number(dof), series(i)))).collect()
     }
 
     fn row(&mut self, engine: &mut Engine, row: &mut Vec<f64>) -> Result<(), RecordError> {

@@ -114,6 +114,11 @@ pub trait Integrator: fmt::Debug + Send {
         None
     }
 
+    /// Itself, where it is Newmark's method.
+    fn newmark(&self) -> Option<&Newmark> {
+        None
+    }
+
     /// Returns true if a step can be made in parts, by giving `begin` parts of its length.
     fn divides(&self) -> bool {
         !self.is_static()

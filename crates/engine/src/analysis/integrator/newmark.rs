@@ -4,6 +4,7 @@ use super::Integrator;
 use crate::analysis::failure::Failure;
 use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
+use crate::numeric::wide::Real;
 
 /// Unknown of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +32,25 @@ impl Newmark {
         Self { gamma, beta, form, c: Coefficients::default() }
     }
 
+    /// Unknown of the equations.
+    pub(in crate::analysis) fn form(&self) -> Form {
+        self.form
+    }
+
+    /// Coefficients of a step of length `dt`.
+    pub(in crate::analysis) fn coefficients_of_step(&self, dt: f64) -> Coefficients {
+        Self::coefficients(self.gamma, self.beta, self.form, dt)
+    }
+
+    /// Velocity and acceleration at the end of a step of length `dt` in which the displacement does not change, from those at
+    /// its begin.
+    #[inline(always)]
+    pub(in crate::analysis) fn predict<T: Real>(&self, dt: f64, vel: T, accel: T) -> (T, T) {
+        let (gamma, beta) = (self.gamma, self.beta);
+        let next_vel = vel * (1.0 - gamma / beta) + accel * (dt * (1.0 - 0.5 * gamma / beta));
+        (next_vel, -vel / (beta * dt) + accel * (1.0 - 0.5 / beta))
+    }
+
     /// Displacement, velocity and acceleration per unit of the unknown.
     pub(super) fn coefficients(gamma: f64, beta: f64, form: Form, dt: f64) -> Coefficients {
         match form {
@@ -46,6 +66,10 @@ impl Integrator for Newmark {
         "Newmark"
     }
 
+    fn newmark(&self) -> Option<&Newmark> {
+        Some(self)
+    }
+
     fn opensees_begin(&self) -> Option<Parts> {
         let unknown_is_not = |form| self.form != form;
         Some([Form::Displacement, Form::Velocity, Form::Acceleration].map(unknown_is_not))
@@ -55,17 +79,14 @@ impl Integrator for Newmark {
     /// are held keep their velocity and acceleration.
     fn begin(&mut self, s: &mut System<'_>, dt: f64) -> Result<(), Failure> {
         let (gamma, beta) = (self.gamma, self.beta);
-        self.c = Self::coefficients(gamma, beta, self.form, dt);
+        self.c = self.coefficients_of_step(dt);
         s.coefficients = self.c;
         s.moved |= self.form != Form::Displacement;
         let (old, new, held) = (s.old, &mut *s.new, &s.work.plan.map.held);
         for i in (0..held.len()).filter(|&i| !held[i]) {
             let (v, a) = (old.vel[i], old.accel[i]);
             match self.form {
-                Form::Displacement => {
-                    new.vel[i] = (1.0 - gamma / beta) * v + dt * (1.0 - 0.5 * gamma / beta) * a;
-                    new.accel[i] = -v / (beta * dt) + (1.0 - 0.5 / beta) * a;
-                }
+                Form::Displacement => (new.vel[i], new.accel[i]) = self.predict(dt, v, a),
                 Form::Velocity => {
                     new.disp[i] = old.disp[i] + dt * v + dt * dt * (0.5 - beta / gamma) * a;
                     new.accel[i] = (1.0 - 1.0 / gamma) * a;

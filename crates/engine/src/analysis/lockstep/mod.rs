@@ -1,9 +1,9 @@
 //! Analyses of several models that differ in numbers alone, step by step side by side in vector instructions.
 //!
-//! The models of a calibration come from one script with different parameters. Their static analyses make the same steps
-//! here: each number of the engine becomes [`WIDTH`] numbers, one a model. A model that has converged waits for the others;
+//! The models of a calibration come from one script with different parameters. Their analyses make the same steps here: each number of the engine becomes [`WIDTH`] numbers, one a model. A model that has converged waits for the others;
 //! one that fails is left to be analysed by itself. The numbers of a model do not depend on the others.
 
+mod dynamics;
 mod setup;
 mod stepping;
 
@@ -14,6 +14,7 @@ use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
 use crate::numeric::wide::{ALL, Flags, WIDTH, Wide, is_set};
 use crate::solve::DenseLu;
+use dynamics::Dynamics;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -23,6 +24,10 @@ use std::sync::atomic::AtomicBool;
 pub enum Recorded {
     /// Displacement of a degree of freedom.
     Disp(usize),
+    /// Velocity of a degree of freedom.
+    Vel(usize),
+    /// Its acceleration, relative to the ground.
+    Accel(usize),
     /// Entry of the forces of all elements, as [`State::force`](super::State) has them.
     Force(usize),
 }
@@ -36,20 +41,22 @@ pub struct LockstepRows {
     pub numbers: Vec<Wide>,
 }
 
-/// Make static steps of up to [`WIDTH`] models side by side, whose engines come to the end of them. `take` receives the
-/// recorded numbers of the steps, some steps at a time; what it receives of a model that fails is worth nothing.
+/// Make steps of up to [`WIDTH`] models side by side, whose engines come to the end of them. Steps of a transient analysis
+/// have the length `dt`. `take` receives the recorded numbers of the steps, some steps at a time; what it receives of a model
+/// that fails is worth nothing.
 ///
 /// Returns true for each model that has failed: its engine is left as it was, and its analysis is to be made by itself.
 /// `None` where the models or their analyses are not made for it, and nothing has changed then: everything but steps of
-/// load control by Newton's method under a simple test, single-point constraints, equations few enough for
-/// a dense matrix, and elements that have a [`LockstepElement`].
+/// load control, or of Newmark's method for displacements, by Newton's method under a simple test, single-point constraints,
+/// equations few enough for a dense matrix, and elements that have a [`LockstepElement`] and no Rayleigh damping by
+/// stiffness that changes.
 pub fn lockstep(
     engines: &mut [&mut Engine],
-    steps: usize,
+    (steps, dt): (usize, f64),
     recorded: &[Recorded],
     take: &mut dyn FnMut(&LockstepRows),
 ) -> Option<[bool; WIDTH]> {
-    let mut models = Models::new(engines)?;
+    let mut models = Models::new(engines, dt)?;
     models.analyze(steps, recorded, take);
     for (lane, engine) in engines.iter_mut().enumerate().filter(|(lane, _)| !is_set(models.failed, *lane)) {
         models.finish(lane, engine, steps);
@@ -74,6 +81,8 @@ struct ImposedTerm {
     initial: Wide,
     value: Wide,
     constant: bool,
+    /// Velocity and acceleration are imposed too.
+    rates: bool,
 }
 
 /// An element of all models.
@@ -86,8 +95,14 @@ struct Entry {
     /// Its part of the forces.
     force: Range<usize>,
     part: MatrixMask,
-    /// The force depends on the time that passes.
+    /// The force depends on velocities or on the time that passes.
     rates: bool,
+    /// The tangent never changes, and is part of the constant entries.
+    linear: bool,
+    /// Place of the damping matrix of viscous materials.
+    damping: Option<Range<usize>>,
+    /// Constant damping matrix in the tangent, n x n by rows; empty where there is none.
+    damping_in_tangent: Vec<Wide>,
 }
 
 /// Models side by side, with their analyses.
@@ -105,14 +120,16 @@ struct Models {
     norm: Norm,
     tolerance: f64,
     max_iterations: usize,
-    /// Step of the load factor.
+    /// Step of the load factor, or of time.
     increment: f64,
+    /// `None` in a static analysis.
+    dynamics: Option<Dynamics>,
     /// Time of the trial state, and of the committed one.
     time: f64,
     start: f64,
-    /// Committed displacements and histories; the forces are those of the beginning.
+    /// Committed motion and histories; the forces are those of the beginning.
     committed: Motion,
-    /// Trial displacements, histories and forces.
+    /// Trial motion, histories and forces.
     trial: Motion,
     work: Work,
     flags: Course,
@@ -123,10 +140,12 @@ struct Models {
     failed: Flags,
 }
 
-/// Displacements, histories and forces of all models.
+/// Motion, histories and forces of all models.
 #[derive(Clone, Debug, Default)]
 struct Motion {
     disp: Vec<Wide>,
+    vel: Vec<Wide>,
+    accel: Vec<Wide>,
     history: Vec<Wide>,
     force: Vec<Wide>,
 }
@@ -134,23 +153,30 @@ struct Motion {
 /// Buffers of a step.
 #[derive(Debug)]
 struct Work {
-    /// Forces on all degrees of freedom.
+    /// Loads on all degrees of freedom.
     nodal: Vec<Wide>,
+    /// Loads less inertia and damping of the nodes.
+    full: Vec<Wide>,
     /// Unbalance.
     b: Vec<Wide>,
     /// Correction.
     x: Vec<Wide>,
     matrix: Vec<Wide>,
+    /// Constant entries of the matrix.
+    base: Vec<Wide>,
     /// Factors, matrix and correction of one model.
     factors: DenseLu,
     values: Vec<f64>,
     solution: Vec<f64>,
-    /// Displacements of an element.
+    /// Displacements of an element, and its velocities.
     disp: Vec<Wide>,
+    vel: Vec<Wide>,
     /// Tangents of the elements, one after the other.
     tangents: Vec<Wide>,
-    /// Displacements at the last evaluation of each element, laid out as the forces.
-    evaluated: Vec<Wide>,
+    /// Damping matrices of viscous elements, one after the other.
+    damping: Vec<Wide>,
+    /// Displacements and velocities at the last evaluation of each element, laid out as the forces.
+    evaluated: [Vec<Wide>; 2],
     /// Part of a displacement by which it has not moved.
     slack: Wide,
     /// Numbers of models that are not evaluated with others.

@@ -34,6 +34,8 @@ impl Lanes for Steps<'_> {
             for number in self.recorded {
                 self.rows.numbers.push(match *number {
                     Recorded::Disp(i) => self.models.committed.disp[i],
+                    Recorded::Vel(i) => self.models.committed.vel[i],
+                    Recorded::Accel(i) => self.models.committed.accel[i],
                     Recorded::Force(i) => self.models.trial.force[i],
                 });
             }
@@ -74,6 +76,7 @@ impl Models {
         let mut waits = self.failed;
         let wants = !self.flags.balanced;
         self.start = self.time;
+        self.begin();
         self.apply_loads(self.start + self.increment);
         self.flags.evaluated = 0;
         self.work.slack = Wide::all(0.0);
@@ -83,7 +86,9 @@ impl Models {
         for iteration in 1.. {
             let none = if iteration == 1 { self.flags.balanced } else { 0 };
             self.solve(waits | none);
-            self.correct(iteration, waits | none);
+            // Newmark's method evaluates the elements after a correction of zero too.
+            let idle = if self.dynamics.is_some() { 0 } else { none };
+            self.correct(iteration, waits | idle);
             self.judge(iteration, &mut waits);
             if waits == ALL {
                 return;
@@ -106,9 +111,16 @@ impl Models {
             for l in &self.loads {
                 self.work.nodal[l.dof] += l.value * factor(l.pattern, l.constant);
             }
+            if let Some(dynamics) = &self.dynamics {
+                dynamics.add_ground(&self.factors, &mut self.work.nodal);
+            }
         }
         for i in &self.imposed {
             self.trial.disp[i.dof] = i.initial + i.value * factor(i.pattern, i.constant);
+            if self.dynamics.is_some() && i.rates {
+                let [vel, accel] = if i.constant { [0.0; 2] } else { self.drives[i.pattern].derivatives(time) };
+                (self.trial.vel[i.dof], self.trial.accel[i.dof]) = (i.value * vel, i.value * accel);
+            }
         }
         self.time = time;
     }
@@ -128,13 +140,14 @@ impl Models {
             at += n * n;
             for (k, &dof) in e.dofs.iter().enumerate() {
                 self.work.disp[k] = self.trial.disp[dof as usize];
+                self.work.vel[k] = self.trial.vel[dof as usize];
             }
             let mut lanes = if e.rates { !waits } else { considered };
             if self.flags.evaluated != 0 {
                 lanes &= !(self.flags.evaluated & !tangents & self.has_not_moved(i));
             }
             if lanes != 0 {
-                self.respond_one(i, tangent_at, lanes, wants != 0);
+                self.respond_one(i, tangent_at, lanes, wants);
                 evaluated |= lanes;
             }
         }
@@ -151,27 +164,35 @@ impl Models {
         let e = &self.elements[i];
         // Within a step the others stay where they are.
         for k in e.part.rows.among(e.dofs.len()) {
-            let (new, old) = (self.work.disp[k], self.work.evaluated[e.force.start + k]);
-            let limit = self.work.slack * old.abs();
-            let by = (new - old).abs();
-            near &= by.at_most(limit);
+            near &= self.is_near(self.work.disp[k], self.work.evaluated[0][e.force.start + k]);
+            if self.dynamics.is_some() {
+                near &= self.is_near(self.work.vel[k], self.work.evaluated[1][e.force.start + k]);
+            }
         }
         near
     }
 
-    /// Evaluate an element in some models.
+    /// Models in which a number is what it was, or differs by round-off that the test accepts.
     #[inline(always)]
-    fn respond_one(&mut self, i: usize, tangent_at: usize, lanes: Flags, want_tangent: bool) {
+    fn is_near(&self, new: Wide, old: Wide) -> Flags {
+        (new - old).abs().at_most(self.work.slack * old.abs())
+    }
+
+    /// Evaluate an element in some models, with tangents where it is in models that want them.
+    #[inline(always)]
+    fn respond_one(&mut self, i: usize, tangent_at: usize, lanes: Flags, wants: Flags) {
         let (e, work) = (&self.elements[i], &mut self.work);
         let n = e.dofs.len();
+        let want_tangent = wants != 0 && !e.linear;
         let force = &mut self.trial.force[e.force.clone()];
         let trial = &mut self.trial.history[e.state.clone()];
         let tangent = &mut work.tangents[tangent_at..tangent_at + n * n];
-        let partly = lanes != ALL;
+        let partly = lanes != ALL || want_tangent && wants != ALL;
         if partly {
             work.saved.clear();
             work.saved.extend_from_slice(force);
             work.saved.extend_from_slice(trial);
+            work.saved.extend(e.damping.iter().flat_map(|at| &work.damping[at.clone()]));
         }
         if want_tangent {
             for row in e.part.rows.among(n) {
@@ -183,37 +204,40 @@ impl Models {
             }
         }
         force.fill(Wide::all(0.0));
+        if let Some(at) = &e.damping {
+            work.damping[at.clone()].fill(Wide::all(0.0));
+        }
         let committed = &self.committed.history[e.state.clone()];
         let (time, dt) = (self.time, self.time - self.start);
-        let motion = LockstepMotion { disp: &work.disp[..n], committed, dt, time, lanes };
-        let output = LockstepOutput { trial, force, tangent: want_tangent.then_some(&mut *tangent), part: e.part };
+        let vel = self.dynamics.is_some().then_some(&work.vel[..n]);
+        let damping = e.damping.as_ref().map(|at| &mut work.damping[at.clone()]);
+        let motion = LockstepMotion { disp: &work.disp[..n], vel, committed, dt, time, lanes };
+        let tangent = want_tangent.then_some(&mut *tangent);
+        let output = LockstepOutput { trial, force, tangent, damping, part: e.part };
         e.element.respond(motion, output);
-        let evaluated = &mut work.evaluated[e.force.clone()];
         if partly {
             let mut saved = work.saved.iter();
             let new = Wide::of_flags(lanes);
             restore(new, &mut saved, &mut self.trial.force[e.force.clone()]);
             restore(new, &mut saved, &mut self.trial.history[e.state.clone()]);
+            if let Some(at) = &e.damping {
+                restore(new, &mut saved, &mut work.damping[at.clone()]);
+            }
+            let with_tangents = Wide::of_flags(lanes & wants);
             for row in e.part.rows.among(if want_tangent { n } else { 0 }) {
                 let row = tangent_at + row * n..tangent_at + (row + 1) * n;
-                restore(new, &mut saved, &mut work.tangents[row]);
+                restore(with_tangents, &mut saved, &mut work.tangents[row]);
             }
-            for (old, disp) in evaluated.iter_mut().zip(&work.disp) {
-                *old = new.where_equal(Wide::all(1.0), *disp, *old);
+            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]) {
+                for (old, motion) in old[e.force.clone()].iter_mut().zip(motion) {
+                    *old = new.where_equal(Wide::all(1.0), *motion, *old);
+                }
             }
         } else {
-            evaluated.copy_from_slice(&work.disp[..n]);
+            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]) {
+                old[e.force.clone()].copy_from_slice(&motion[..n]);
+            }
         }
-    }
-
-    /// Sum loads and resisting forces to the unbalance.
-    #[inline(always)]
-    fn sum_forces(&mut self) {
-        let map = &self.plan.map;
-        for (b, &dof) in self.work.b.iter_mut().zip(&map.dof_of) {
-            *b = self.work.nodal[dof];
-        }
-        self.plan.subtract_forces(&self.trial.force, &mut self.work.b);
     }
 
     /// Note the models in which no force is left over.
@@ -237,13 +261,7 @@ impl Models {
         if lack != 0 {
             self.respond(!lack, lack, true);
         }
-        self.work.matrix.fill(Wide::all(0.0));
-        let mut at = 0;
-        for (i, e) in self.elements.iter().enumerate() {
-            let len = e.dofs.len().pow(2);
-            self.plan.add_element(i, &self.work.tangents[at..at + len], 1.0, &mut self.work.matrix);
-            at += len;
-        }
+        self.assemble();
         if self.work.b.len() == 1 {
             let correction = self.work.b[0] / self.work.matrix[0];
             self.work.x[0] = correction.where_flag(!idle, Wide::all(0.0));
@@ -251,6 +269,28 @@ impl Models {
             self.solve_one_by_one(idle);
         }
         self.flags.is_factored |= !idle;
+    }
+
+    /// Assemble the tangent.
+    #[inline(always)]
+    fn assemble(&mut self) {
+        let work = &mut self.work;
+        let c = self.dynamics.as_ref().map_or(0.0, |d| d.coefficients.c);
+        work.matrix.copy_from_slice(&work.base);
+        let mut at = 0;
+        for (i, e) in self.elements.iter().enumerate() {
+            let len = e.dofs.len().pow(2);
+            if !e.linear {
+                self.plan.add_element(i, &work.tangents[at..at + len], 1.0, &mut work.matrix);
+                if !e.damping_in_tangent.is_empty() {
+                    self.plan.add_element(i, &e.damping_in_tangent, 1.0, &mut work.matrix);
+                }
+                if let Some(damping) = e.damping.clone().filter(|_| c != 0.0) {
+                    self.plan.add_element(i, &work.damping[damping], c, &mut work.matrix);
+                }
+            }
+            at += len;
+        }
     }
 
     /// Find the corrections model by model: rows are exchanged in some and not in others.
@@ -283,6 +323,10 @@ impl Models {
         }
         for (x, &dof) in self.work.x.iter().zip(&self.plan.map.dof_of) {
             self.trial.disp[dof] += *x;
+            if let Some(dynamics) = &self.dynamics {
+                self.trial.vel[dof] += *x * dynamics.coefficients.c;
+                self.trial.accel[dof] += *x * dynamics.coefficients.m;
+            }
         }
         self.respond(idle, !idle & !expected, true);
         self.sum_forces();
@@ -350,6 +394,8 @@ impl Models {
             }
         }
         self.committed.disp.copy_from_slice(&self.trial.disp);
+        self.committed.vel.copy_from_slice(&self.trial.vel);
+        self.committed.accel.copy_from_slice(&self.trial.accel);
         self.committed.history.copy_from_slice(&self.trial.history);
     }
 }

@@ -5,6 +5,7 @@ use crate::analysis::state::State;
 use crate::assembly::{Pattern, Plan};
 use crate::element::MAX_DOFS;
 use crate::model::Model;
+use crate::numeric::wide::Real;
 
 /// Fewer elements are not worth a matrix.
 const FEW: usize = 8;
@@ -15,9 +16,9 @@ const ROUND_OFF: f64 = 1e-9;
 /// Damping matrix and mass of the elements whose own never change: elastic ones, and those that are damped by the stiffness
 /// of the virgin state.
 #[derive(Debug)]
-pub(super) struct SteadyMatrices {
-    damping: MatrixRows,
-    mass: MatrixRows,
+pub(in crate::analysis) struct SteadyMatrices {
+    pub(in crate::analysis) damping: MatrixRows<f64>,
+    pub(in crate::analysis) mass: MatrixRows<f64>,
     /// Elements with other damping.
     others: Vec<usize>,
     /// Time of the motion that was last looked at, and whether it follows that of the equations.
@@ -27,13 +28,13 @@ pub(super) struct SteadyMatrices {
 
 /// Entries of a matrix that are not zero, by rows.
 #[derive(Debug)]
-struct MatrixRows {
+pub(in crate::analysis) struct MatrixRows<T> {
     start: Vec<usize>,
     columns: Vec<u32>,
-    values: Vec<f64>,
+    values: Vec<T>,
 }
 
-impl MatrixRows {
+impl MatrixRows<f64> {
     /// Rows of a matrix with a pattern.
     fn new(pattern: &Pattern, values: &[f64]) -> Self {
         let mut rows = vec![vec![]; pattern.n];
@@ -51,19 +52,40 @@ impl MatrixRows {
         matrix
     }
 
+    /// The matrices of several models as one; `None` where their entries are at different places.
+    pub(in crate::analysis) fn joined<T>(all: &[&Self], join: impl Fn(usize) -> T) -> Option<MatrixRows<T>> {
+        let first = all.first()?;
+        let alike = |m: &&Self| m.start == first.start && m.columns == first.columns;
+        let values = || (0..first.values.len()).map(join).collect();
+        all.iter().all(alike).then(|| MatrixRows {
+            start: first.start.clone(),
+            columns: first.columns.clone(),
+            values: values(),
+        })
+    }
+
+    /// Value of an entry.
+    pub(in crate::analysis) fn value(&self, i: usize) -> f64 {
+        self.values[i]
+    }
+}
+
+impl<T: Real> MatrixRows<T> {
     /// y -= factor A x. The sums are made of four side by side.
-    fn subtract_product(&self, factor: f64, x: &[f64], y: &mut [f64]) {
+    #[inline(always)]
+    pub(in crate::analysis) fn subtract_product(&self, factor: f64, x: &[T], y: &mut [T]) {
         for (y, row) in y.iter_mut().zip(self.start.windows(2)) {
             let (columns, rest_of_columns) = self.columns[row[0]..row[1]].as_chunks::<4>();
             let (values, rest_of_values) = self.values[row[0]..row[1]].as_chunks::<4>();
-            let mut sums = [0.0; 4];
+            let mut sums = [T::ZERO; 4];
             for (columns, values) in columns.iter().zip(values) {
                 for i in 0..4 {
                     sums[i] += values[i] * x[columns[i] as usize];
                 }
             }
-            let rest: f64 = rest_of_columns.iter().zip(rest_of_values).map(|(&c, v)| v * x[c as usize]).sum();
-            *y -= factor * ((sums[0] + sums[1]) + (sums[2] + sums[3]) + rest);
+            let rest =
+                rest_of_columns.iter().zip(rest_of_values).fold(T::ZERO, |sum, (&c, v)| sum + *v * x[c as usize]);
+            *y -= ((sums[0] + sums[1]) + (sums[2] + sums[3]) + rest) * factor;
         }
     }
 }
@@ -149,12 +171,17 @@ impl Workspace {
         self.steady.iter_mut().for_each(|s| s.follows = None);
     }
 
-    /// Subtract damping and a share of the inertia of the elements from the unbalance of the equations.
-    pub(super) fn subtract_dynamic(&mut self, model: &Model, state: &State, inertia: f64) {
+    /// Find damping and inertia that never change, once for a plan.
+    pub(super) fn find_steady(&mut self, model: &Model) {
         if !self.looked_for_steady {
             self.looked_for_steady = true;
             self.steady = SteadyMatrices::new(self, model).map(Box::new);
         }
+    }
+
+    /// Subtract damping and a share of the inertia of the elements from the unbalance of the equations.
+    pub(super) fn subtract_dynamic(&mut self, model: &Model, state: &State, inertia: f64) {
+        self.find_steady(model);
         let Some(mut steady) = self.steady.take() else {
             return (0..model.elements.len()).for_each(|i| self.subtract_dynamic_of(i, model, state, inertia));
         };

@@ -79,7 +79,7 @@ impl Workspace {
         }
     }
 
-    fn assemble_base(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
+    pub(super) fn assemble_base(&mut self, model: &Model, c: Coefficients, mix: TangentMix) {
         self.matrix.base.fill(0.0);
         let mut diagonal = [0.0; MAX_DOFS * MAX_DOFS];
         for (i, (e, m)) in model.elements.iter().zip(&self.elements.entries).enumerate() {

@@ -48,12 +48,13 @@ impl<L: ShearLockstep<S>, const N: usize, const B: usize, const M: usize, const 
         let (motion, output) = (self.motion, &mut self.output);
         let local = link.local_motion(motion.disp);
         let u = link.deformation_of(&local);
+        let rate = motion.vel.map_or([Wide::all(0.0); B], |vel| link.deformation(vel));
         let mut q = [Wide::all(0.0); B];
         let mut at = Shear::<S>::LEN;
         for (m, k) in springs.iter().enumerate() {
             let i = if m == 0 { 0 } else { m + S };
             q[i] = *k * u[i];
-            at += write_linear(*k, u[i], &motion.committed[at..], &mut output.trial[at..]);
+            at += write_linear(*k, (u[i], rate[i]), &motion.committed[at..], &mut output.trial[at..]);
         }
         let mut shear_u = [Wide::all(0.0); S];
         shear_u.copy_from_slice(&u[1..=S]);
