@@ -10,6 +10,7 @@ mod ordering;
 mod pivoted;
 mod refine;
 mod threads;
+mod wide_lu;
 
 use crate::assembly::{Pattern, Storage};
 pub(crate) use dense::DenseLu;
@@ -19,6 +20,7 @@ use lu::Lu;
 use pivoted::PivotedLu;
 use refine::Gmres;
 pub use threads::Threads;
+pub(crate) use wide_lu::WideLu;
 
 /// A pivot of this fraction of the diagonal it came from means that the equations are singular to round-off.
 pub const SINGULAR: f64 = 1e-14;

@@ -13,7 +13,7 @@ use crate::assembly::Plan;
 use crate::element::{LockstepElement, MatrixMask};
 use crate::model::Drive;
 use crate::numeric::wide::{ALL, Flags, WIDTH, Wide, is_set};
-use crate::solve::DenseLu;
+use crate::solve::{DenseLu, WideLu};
 use dynamics::Dynamics;
 use std::ops::Range;
 use std::sync::Arc;
@@ -164,6 +164,8 @@ struct Work {
     matrix: Vec<Wide>,
     /// Constant entries of the matrix.
     base: Vec<Wide>,
+    /// Factors of all models that exchange the same rows.
+    wide_factors: WideLu,
     /// Factors, matrix and correction of one model.
     factors: DenseLu,
     values: Vec<f64>,

@@ -14,7 +14,7 @@ use crate::assembly::{Handler, Plan, Storage};
 use crate::element::{Element, MatrixMask, Rows};
 use crate::model::{Drive, Model};
 use crate::numeric::wide::{WIDTH, Wide};
-use crate::solve::DenseLu;
+use crate::solve::{DenseLu, WideLu};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -273,6 +273,7 @@ impl Work {
             x: zeros(n),
             matrix: zeros(n * n),
             base: wides_of(&all.map(|p| p.constant.base)),
+            wide_factors: WideLu::new(n),
             factors: DenseLu::new(n),
             values: vec![0.0; n * n],
             solution: vec![0.0; n],

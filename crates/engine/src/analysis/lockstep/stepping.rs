@@ -262,11 +262,13 @@ impl Models {
             self.respond(!lack, lack, true);
         }
         self.assemble();
-        if self.work.b.len() == 1 {
-            let correction = self.work.b[0] / self.work.matrix[0];
-            self.work.x[0] = correction.where_flag(!idle, Wide::all(0.0));
-        } else {
+        let work = &mut self.work;
+        work.x.copy_from_slice(&work.b);
+        if !work.wide_factors.solve(&work.matrix, &mut work.x, !idle) {
             self.solve_one_by_one(idle);
+        }
+        for x in &mut self.work.x {
+            *x = x.where_flag(!idle, Wide::all(0.0));
         }
         self.flags.is_factored |= !idle;
     }
