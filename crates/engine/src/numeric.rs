@@ -21,7 +21,10 @@ pub fn dot<T: Real>(a: &[T], b: &[T]) -> T {
             *s += *x * *y;
         }
     }
-    let rest = tail_a.iter().zip(tail_b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y);
+    let mut rest = T::ZERO;
+    for (x, y) in tail_a.iter().zip(tail_b) {
+        rest += *x * *y;
+    }
     (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest
 }
 

@@ -86,6 +86,13 @@ impl WideLu {
 
     #[inline(always)]
     fn product(&self, a: &[Wide], b: &[Wide]) -> Wide {
-        if self.n <= SMALL { a.iter().zip(b).fold(Wide::all(0.0), |sum, (a, b)| sum + *a * *b) } else { dot(a, b) }
+        if self.n > SMALL {
+            return dot(a, b);
+        }
+        let mut sum = Wide::all(0.0);
+        for (a, b) in a.iter().zip(b) {
+            sum += *a * *b;
+        }
+        sum
     }
 }

@@ -145,10 +145,16 @@ impl Dynamics {
     #[inline(always)]
     pub(super) fn subtract_elements(&mut self, plan: &Plan, motion: &Motion, b: &mut [Wide]) {
         match &mut self.forces {
-            ElementForces::Each(elements) => elements.iter().for_each(|e| e.subtract(plan, motion, b)),
+            ElementForces::Each(elements) => {
+                for e in elements {
+                    e.subtract(plan, motion, b);
+                }
+            }
             ElementForces::Matrices { damping, mass, motion: own } => {
                 for (matrix, field) in [(damping, &motion.vel), (mass, &motion.accel)] {
-                    own.iter_mut().zip(&plan.map.dof_of).for_each(|(m, &dof)| *m = field[dof]);
+                    for (m, &dof) in own.iter_mut().zip(&plan.map.dof_of) {
+                        *m = field[dof];
+                    }
                     matrix.subtract_product(1.0, own, b);
                 }
             }
@@ -227,7 +233,11 @@ impl DynamicElement {
         }
         match &self.mass {
             Mass::None => {}
-            Mass::Lumped(m) => out.iter_mut().zip(m).zip(&a).for_each(|((o, m), a)| *o += *m * *a),
+            Mass::Lumped(m) => {
+                for ((o, m), a) in out.iter_mut().zip(m).zip(&a) {
+                    *o += *m * *a;
+                }
+            }
             Mass::Consistent(m) => {
                 for (o, row) in out.iter_mut().zip(m.chunks_exact(n)) {
                     *o += dot(row, &a[..n]);

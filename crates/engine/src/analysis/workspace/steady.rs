@@ -83,8 +83,10 @@ impl<T: Real> MatrixRows<T> {
                     sums[i] += values[i] * x[columns[i] as usize];
                 }
             }
-            let rest =
-                rest_of_columns.iter().zip(rest_of_values).fold(T::ZERO, |sum, (&c, v)| sum + *v * x[c as usize]);
+            let mut rest = T::ZERO;
+            for (&c, v) in rest_of_columns.iter().zip(rest_of_values) {
+                rest += *v * x[c as usize];
+            }
             *y -= ((sums[0] + sums[1]) + (sums[2] + sums[3]) + rest) * factor;
         }
     }

@@ -94,7 +94,11 @@ impl SpringSideBySide {
     #[inline(always)]
     fn measure(&self, motion: &[Wide]) -> Wide {
         // As a sum of numbers begins.
-        self.terms.iter().fold(Wide::all(-0.0), |sum, &(i, r)| sum + motion[i] * r)
+        let mut sum = Wide::all(-0.0);
+        for &(i, r) in &self.terms {
+            sum += motion[i] * r;
+        }
+        sum
     }
 
     #[inline(always)]
@@ -182,10 +186,12 @@ impl Lanes for Response<'_> {
         // Sum over springs with the same deformation.
         let (mut strain, mut sum) = (None, WideStress::default());
         for s in self.springs {
-            let at = *strain.get_or_insert_with(|| WideStrain {
-                value: s.measure(motion.disp) - Wide::all(s.initial),
-                rate: s.measure(vel),
-            });
+            // A closure would not be compiled for vector instructions.
+            let at = match strain {
+                Some(at) => at,
+                None => WideStrain { value: s.measure(motion.disp) - Wide::all(s.initial), rate: s.measure(vel) },
+            };
+            strain = Some(at);
             let stress = s.law.update(motion.committed, at, output.trial, of_models);
             sum.value += stress.value;
             sum.tangent += stress.tangent;

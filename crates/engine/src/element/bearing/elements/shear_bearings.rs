@@ -48,7 +48,10 @@ impl<L: ShearLockstep<S>, const N: usize, const B: usize, const M: usize, const 
         let (motion, output) = (self.motion, &mut self.output);
         let local = link.local_motion(motion.disp);
         let u = link.deformation_of(&local);
-        let rate = motion.vel.map_or([Wide::all(0.0); B], |vel| link.deformation(vel));
+        let rate = match motion.vel {
+            Some(vel) => link.deformation(vel),
+            None => [Wide::all(0.0); B],
+        };
         let mut q = [Wide::all(0.0); B];
         let mut at = Shear::<S>::LEN;
         for (m, k) in springs.iter().enumerate() {
