@@ -33,7 +33,10 @@ BEARINGS = {
     "boucwen": ([("kInit", 2e6, 8e6, 5e6), ("qd", 4e4, 1.2e5, 8e4), ("alpha", 0.05, 0.3, 0.1)], 0.02, 6),
     "hdr": ([("a1", 5e5, 2e6, 1.1e6), ("b1", 5e3, 4e4, 1.8e4), ("b2", 1e5, 8e5, 4e5)], 0.02, 6),
     "kikuchi": ([("cg", 0.7, 1.4, 1.0), ("ch", 0.7, 1.4, 1.0), ("cu", 0.7, 1.4, 1.0)], 0.02, 6),
+    # Storeys on a bearing that the ground shakes: the amplitude is an acceleration.
+    "storeys": ([("kInit", 1000.0, 6000.0, 3000.0), ("qd", 10.0, 100.0, 40.0), ("alpha", 0.05, 0.3, 0.1)], 1.0, 3),
 }
+SHAKEN = {"storeys"}
 
 
 def analysis(tolerance, step):
@@ -43,8 +46,31 @@ def analysis(tolerance, step):
     ]
 
 
+def storeys(p, path):
+    """Two storeys on a bearing under a motion of the ground."""
+    vertical = ["-dir", 2, "-orient", 0, 1, 0, -1, 0, 0]
+    levels = [(2, 0.3), (3, 3.3), (4, 6.3)]
+    script = [["model", "basic", "-ndm", 2, "-ndf", 3], ["node", 1, 0.0, 0.0], ["fix", 1, 1, 1, 1]]
+    for tag, height in levels:
+        script += [["node", tag, 0.0, height], ["fix", tag, 0, 1, 1], ["mass", tag, 100.0, 1e-9, 1e-9]]
+    return script + [
+        ["uniaxialMaterial", "Elastic", 1, 1.0e7], ["uniaxialMaterial", "Elastic", 2, 1.0e3], ["uniaxialMaterial", "Elastic", 3, 4.0e4],
+        ["element", "elastomericBearingBoucWen", 1, 1, 2, *p, 0.0, 1.0, 1.0, 0.5, 0.5,
+         "-P", 1, "-Mz", 2, "-orient", 0, 1, 0, -1, 0, 0],
+        ["element", "twoNodeLink", 2, 2, 3, "-mat", 3, *vertical, "-doRayleigh"],
+        ["element", "twoNodeLink", 3, 3, 4, "-mat", 3, *vertical, "-doRayleigh"],
+        ["region", 1, "-ele", 2, 3, "-rayleigh", 0.0, 0.0, 0.002, 0.0],
+        ["timeSeries", "Path", 2, "-dt", DT, *path],
+        ["pattern", "UniformExcitation", 2, 1, "-accel", 2],
+        ["constraints", "Plain"], ["numberer", "Plain"], ["system", "BandGeneral"],
+        ["test", "NormUnbalance", 1.0e-8, 25], ["algorithm", "Newton"], ["integrator", "Newmark", 0.5, 0.25], ["analysis", "Transient"],
+    ]
+
+
 def commands(bearing, p, path):
     """The script up to its last `analyze`, once for both programs: `p` are values or Tcl's variables, `path` is the path's option."""
+    if bearing == "storeys":
+        return storeys(p, path)
     if bearing == "plane":
         script = [
             ["model", "basic", "-ndm", 2, "-ndf", 3],
@@ -103,14 +129,19 @@ def motion(amplitude):
     return amplitude * (1 + np.floor(t / 3)) * np.sin(2 * math.pi * t / 1.5)
 
 
+def step_length(bearing):
+    return [DT] if bearing in SHAKEN else []
+
+
 def peer_force(ops, bearing, values, path):
     """The force in openseespy, read after each step: quicker than its recorder and the file of that."""
     ops.wipe()
     call(ops, commands(bearing, [float(v) for v in values], ["-values", *path]))
     at = BEARINGS[bearing][2]
     force = np.empty(STEPS)
+    length = step_length(bearing)
     for i in range(STEPS):
-        if ops.analyze(1) != 0:
+        if ops.analyze(1, *length) != 0:
             return None
         force[i] = ops.eleResponse(1, "force")[at]
     return force
@@ -156,7 +187,7 @@ def write_study(folder, bearing, path, recorded):
     script = commands(bearing, [f"${name}" for name, *_ in parameters], ["-filePath", "motion.dat"])
     (folder / "model.tcl").write_text(
         f"wipe\n{psets}{tcl(script)}recorder Element -file force.out -time -ele 1 force\n"
-        f'if {{[analyze {STEPS}] != 0}} {{error "no convergence at [getTime]"}}\n')
+        f'if {{[analyze {" ".join(map(str, [STEPS, *step_length(bearing)]))}] != 0}} {{error "no convergence at [getTime]"}}\n')
     (folder / "motion.dat").write_text("\n".join(map(repr, path)))
     rows = "".join(f"{(i + 1) * DT:.4f},{f!r}\n" for i, f in enumerate(recorded.tolist()))
     (folder / "test.csv").write_text("time[s],force[-]\n" + rows)

@@ -3,7 +3,7 @@
 
     benches/side_by_side.py [--generations N] [--repeats N] [BEARING ...]
 
-The studies are those of `calibrate.py` (plane, boucwen, hdr), with a recording by hysteron itself. One study of each pair reads a
+The studies are those of `calibrate.py` (plane, boucwen, hdr, storeys), with a recording by hysteron itself. One study of each pair reads a
 result after its last analysis, which keeps its candidates from going side by side. Both must find the same objectives. Times are of
 the processor, in ms an evaluation on one thread, the best of some repeats in turns. HYSTERON names another binary.
 """
@@ -46,7 +46,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--generations", type=int, default=calibrate.GENERATIONS)
     parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("bearings", nargs="*", default=["plane", "boucwen", "hdr"], metavar="BEARING")
+    parser.add_argument("bearings", nargs="*", default=["plane", "boucwen", "hdr", "storeys"], metavar="BEARING")
     args = parser.parse_args()
     calibrate.GENERATIONS = args.generations
     print("| bearing | one by one | side by side | ratio |\n| --- | --- | --- | --- |")

@@ -221,26 +221,41 @@ impl DynamicElement {
 
     #[inline(always)]
     fn subtract(&self, plan: &Plan, motion: &Motion, b: &mut [Wide]) {
+        // Short arrays take no time to clear.
+        match self.dofs.len() {
+            0..=6 => self.subtract_of::<6>(plan, motion, b),
+            7..=12 => self.subtract_of::<12>(plan, motion, b),
+            _ => self.subtract_of::<MAX_DOFS>(plan, motion, b),
+        }
+    }
+
+    /// The same with at most `N` degrees of freedom.
+    #[inline(always)]
+    fn subtract_of<const N: usize>(&self, plan: &Plan, motion: &Motion, b: &mut [Wide]) {
         let n = self.dofs.len();
         let zero = Wide::all(0.0);
-        let (mut v, mut a, mut out) = ([zero; MAX_DOFS], [zero; MAX_DOFS], [zero; MAX_DOFS]);
-        for (k, &dof) in self.dofs.iter().enumerate() {
-            v[k] = motion.vel[dof as usize];
-            a[k] = self.alpha_m * v[k] + motion.accel[dof as usize];
+        let (mut v, mut out) = ([zero; N], [zero; N]);
+        for (v, &dof) in v.iter_mut().zip(&self.dofs) {
+            *v = motion.vel[dof as usize];
         }
         for (o, row) in out.iter_mut().zip(self.stiffness.chunks_exact(n)) {
             *o += self.factor * dot(row, &v[..n]);
         }
+        if !matches!(self.mass, Mass::None) {
+            for (v, &dof) in v.iter_mut().zip(&self.dofs) {
+                *v = self.alpha_m * *v + motion.accel[dof as usize];
+            }
+        }
         match &self.mass {
             Mass::None => {}
             Mass::Lumped(m) => {
-                for ((o, m), a) in out.iter_mut().zip(m).zip(&a) {
+                for ((o, m), a) in out.iter_mut().zip(m).zip(&v) {
                     *o += *m * *a;
                 }
             }
             Mass::Consistent(m) => {
                 for (o, row) in out.iter_mut().zip(m.chunks_exact(n)) {
-                    *o += dot(row, &a[..n]);
+                    *o += dot(row, &v[..n]);
                 }
             }
         }

@@ -140,7 +140,11 @@ impl Models {
             at += n * n;
             for (k, &dof) in e.dofs.iter().enumerate() {
                 self.work.disp[k] = self.trial.disp[dof as usize];
-                self.work.vel[k] = self.trial.vel[dof as usize];
+            }
+            if self.dynamics.is_some() {
+                for (k, &dof) in e.dofs.iter().enumerate() {
+                    self.work.vel[k] = self.trial.vel[dof as usize];
+                }
             }
             let mut lanes = if e.rates { !waits } else { considered };
             if self.flags.evaluated != 0 {
@@ -187,7 +191,9 @@ impl Models {
         let force = &mut self.trial.force[e.force.clone()];
         let trial = &mut self.trial.history[e.state.clone()];
         let tangent = &mut work.tangents[tangent_at..tangent_at + n * n];
-        let partly = lanes != ALL || want_tangent && wants != ALL;
+        // Elsewhere a tangent that nobody wants is made anew before it is used.
+        let new_tangents = if e.rates { wants } else { ALL };
+        let partly = lanes != ALL || want_tangent && new_tangents != ALL;
         if partly {
             work.saved.clear();
             work.saved.extend_from_slice(force);
@@ -215,6 +221,8 @@ impl Models {
         let tangent = want_tangent.then_some(&mut *tangent);
         let output = LockstepOutput { trial, force, tangent, damping, part: e.part };
         e.element.respond(motion, output);
+        // Displacements, and in time velocities.
+        let parts = 1 + usize::from(self.dynamics.is_some());
         if partly {
             let mut saved = work.saved.iter();
             let new = Wide::of_flags(lanes);
@@ -223,18 +231,18 @@ impl Models {
             if let Some(at) = &e.damping {
                 restore(new, &mut saved, &mut work.damping[at.clone()]);
             }
-            let with_tangents = Wide::of_flags(lanes & wants);
+            let with_tangents = Wide::of_flags(lanes & new_tangents);
             for row in e.part.rows.among(if want_tangent { n } else { 0 }) {
                 let row = tangent_at + row * n..tangent_at + (row + 1) * n;
                 restore(with_tangents, &mut saved, &mut work.tangents[row]);
             }
-            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]) {
+            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]).take(parts) {
                 for (old, motion) in old[e.force.clone()].iter_mut().zip(motion) {
                     *old = new.where_equal(Wide::all(1.0), *motion, *old);
                 }
             }
         } else {
-            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]) {
+            for (old, motion) in work.evaluated.iter_mut().zip([&work.disp, &work.vel]).take(parts) {
                 old[e.force.clone()].copy_from_slice(&motion[..n]);
             }
         }
@@ -396,8 +404,10 @@ impl Models {
             }
         }
         self.committed.disp.copy_from_slice(&self.trial.disp);
-        self.committed.vel.copy_from_slice(&self.trial.vel);
-        self.committed.accel.copy_from_slice(&self.trial.accel);
+        if self.dynamics.is_some() {
+            self.committed.vel.copy_from_slice(&self.trial.vel);
+            self.committed.accel.copy_from_slice(&self.trial.accel);
+        }
         self.committed.history.copy_from_slice(&self.trial.history);
     }
 }
