@@ -14,8 +14,8 @@ use hysteron::measure::CycleDetection;
 use hysteron::opensees::{Mode, NoFiles, Tcl};
 use hysteron::protocol::{Bearing, Motion, Protocol, RecordedPath};
 use hysteron::recordings::series::{channel_names, find_channel};
-use hysteron::recordings::told::Key;
 use hysteron::recordings::unit::{Quantity, Unit};
+use hysteron::recordings::user_statements::Key;
 use hysteron::recordings::{Clock, Fault, Measured, Series, Table as Columns, Way};
 use hysteron::report::{Column, Record, Table};
 use hysteron::run::{End, Run, Settings};
@@ -172,7 +172,7 @@ impl BearingArgs {
         let measured = Measured::read_beside(file, &bytes, &hysteron_files::read_beside(file));
         let measured = measured.map_err(|e| of_file(e.to_string()))?;
         measured.notes.iter().for_each(|note| eprintln!("warning: \"{file}\": {note}"));
-        let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
+        let all = measured.stated_series(&told).map_err(|e| of_file(e.to_string()))?;
         let length = self.report.length_unit();
         let path = recorded_path(&measured, all, self.told.channels(), length).map_err(|e| of_file(e.to_string()))?;
         if length.is_none() {

@@ -8,9 +8,9 @@ use hysteron::recordings::check::doubts;
 use hysteron::recordings::convert::{Baseline, derivative, integral, turned};
 use hysteron::recordings::export::{NamedColumn, csv, npz, path_file};
 use hysteron::recordings::series::find_channel;
-use hysteron::recordings::told::unit_of;
 use hysteron::recordings::unit::{self, Quantity, Unit};
-use hysteron::recordings::{Clock, Layout, Measured, Series, Told, Way};
+use hysteron::recordings::user_statements::unit_of;
+use hysteron::recordings::{Clock, Layout, Measured, Series, UserStatements, Way};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -36,13 +36,13 @@ pub(super) struct ToldArgs {
 
 impl ToldArgs {
     /// What is said.
-    pub(super) fn told(&self) -> Result<Told, String> {
+    pub(super) fn told(&self) -> Result<UserStatements, String> {
         if self.dt.is_some_and(|dt| dt <= 0.0 || !dt.is_finite()) {
             return Err("--dt: expected more than 0".into());
         }
         let layout = self.layout.as_deref().map(Layout::named).transpose()?;
         let (unit, quantity) = (self.unit.clone(), self.quantity.clone());
-        Ok(Told { unit, dt: self.dt, quantity, layout, way: Way::CommandLine })
+        Ok(UserStatements { unit, dt: self.dt, quantity, layout, way: Way::CommandLine })
     }
 
     /// Channels that are wanted; empty for all.
@@ -97,7 +97,7 @@ pub(super) fn recording(a: &RecordingArgs) -> Result<String, String> {
     let measured = Measured::read_beside(&file.to_string_lossy(), &bytes, &hysteron_files::read_beside(file));
     let measured = measured.map_err(|e| of_file(e.to_string()))?;
     let told = a.told.told()?;
-    let all = measured.told_series(&told).map_err(|e| of_file(e.to_string()))?;
+    let all = measured.stated_series(&told).map_err(|e| of_file(e.to_string()))?;
     measured.notes.iter().for_each(|note| eprintln!("warning: \"{shown}\": {note}"));
     // What is doubtful about accelerations; other series have no such bounds.
     let accelerations = measured.accelerations(&told, false).map(|found| found.channels).unwrap_or_default();

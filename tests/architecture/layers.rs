@@ -88,7 +88,7 @@ pub const LAYERS: &[Layers] = &[
             "number",
             "way",
             "series",
-            "told",
+            "user_statements",
             "text",
             "convert",
             "sheet",

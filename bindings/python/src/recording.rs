@@ -1,8 +1,8 @@
 //! Measured files of any format, as arrays.
 
-use hysteron_recordings::told::unit_of;
+use hysteron_recordings::user_statements::unit_of;
 use hysteron_recordings::unit::Quantity;
-use hysteron_recordings::{Clock, Layout, Measured, Series, Told, Way};
+use hysteron_recordings::{Clock, Layout, Measured, Series, UserStatements, Way};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -113,13 +113,13 @@ pub(crate) fn read_recording(
     let shown = path.display().to_string();
     let refused = |e: String| PyValueError::new_err(format!("{shown}: {e}"));
     let layout = layout.map(Layout::named).transpose().map_err(|e| refused(e.to_string()))?;
-    let told = Told { unit, dt, quantity, layout, way: Way::Python };
+    let told = UserStatements { unit, dt, quantity, layout, way: Way::Python };
     let bytes =
         hysteron_files::read_input(&path).map_err(|e| PyOSError::new_err(format!("cannot read {shown}: {e}")))?;
     let beside = hysteron_files::read_beside(&path);
     let read = py.detach(|| {
         let measured = Measured::read_beside(&shown, &bytes, &beside)?;
-        let series = measured.told_series(&told)?;
+        let series = measured.stated_series(&told)?;
         Ok((measured, series))
     });
     let (measured, series) = read.map_err(|e: hysteron_recordings::Fault| refused(e.to_string()))?;

@@ -6,19 +6,19 @@ use crate::measured::Measured;
 use crate::series::{Clock, Origin, Series, uneven};
 use crate::sheet::{Column, Sheet, head};
 use crate::stated::Stated;
-use crate::told::{Key, Layout, Statement, Told, Way};
 use crate::unit::{self, Quantity, Unit};
+use crate::user_statements::{Key, Layout, Statement, UserStatements, Way};
 
 impl Measured {
     /// The channels, with what the file and the user say about them.
     ///
     /// # Errors
     /// The times are none, or do not increase, or rows of numbers may be one channel or several.
-    pub fn series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
+    pub fn series(&self, told: &UserStatements) -> Result<Vec<Series>, Fault> {
         match &self.content {
             Content::Series { series, .. } => {
                 let with_step = |s: &Series| {
-                    let clock = told_clock(s.clock.clone(), told, &|i| format!("sample {}", i + 1))?;
+                    let clock = stated_clock(s.clock.clone(), told, &|i| format!("sample {}", i + 1))?;
                     Ok(Series { clock, ..s.clone() })
                 };
                 series.iter().map(with_step).collect()
@@ -31,21 +31,21 @@ impl Measured {
     ///
     /// # Errors
     /// As [`Measured::series`]; and what the user says has no meaning or contradicts the file.
-    pub fn told_series(&self, told: &Told) -> Result<Vec<Series>, Fault> {
+    pub fn stated_series(&self, told: &UserStatements) -> Result<Vec<Series>, Fault> {
         let mut all = self.series(told)?;
         Statement::of(told)?.complete(&mut all)?;
         Ok(all)
     }
 }
 
-fn of_sheet(m: &Measured, sheet: &Sheet, told: &Told) -> Result<Vec<Series>, Fault> {
+fn of_sheet(m: &Measured, sheet: &Sheet, told: &UserStatements) -> Result<Vec<Series>, Fault> {
     let time = TimeColumn::find(sheet);
     let stated = Stated::of(&sheet.header);
     let clock = match &time {
         Some(t) => t.clock(sheet, told)?,
         None => stated.dt.map_or(Clock::Unknown, |dt| Clock::Steps { start: 0.0, dt }),
     };
-    let clock = told_clock(clock, told, &|i| sheet.row_name(i))?;
+    let clock = stated_clock(clock, told, &|i| sheet.row_name(i))?;
     let is_time = |i: usize| time.as_ref().is_some_and(|t| t.columns.contains(&i));
     let lines = sheet.lines.first().map_or(0, |l| *l as usize)..sheet.lines.last().map_or(0, |l| *l as usize + 1);
     let origin = |column| Origin { file: m.file.clone(), lines: lines.clone(), bytes: 0..m.size, column };
@@ -150,7 +150,7 @@ impl TimeColumn {
         (0..sheet.rows()).map(|k| self.columns.iter().map(|i| seconds(*i, k)).sum()).collect()
     }
 
-    fn clock(&self, sheet: &Sheet, told: &Told) -> Result<Clock, Fault> {
+    fn clock(&self, sheet: &Sheet, told: &UserStatements) -> Result<Clock, Fault> {
         let times = self.times(sheet);
         if let Some(i) = times.iter().position(|t| !t.is_finite()) {
             return Err(Fault::new(format!("{} has no time", sheet.row_name(i))));
@@ -193,7 +193,7 @@ pub(crate) fn time_unit_of(c: &Column) -> Option<Unit> {
 const TOLD_TOLERANCE: f64 = 1e-3;
 
 /// The clock of the file, or of the step that the user says where the file gives none. One that contradicts is an error.
-pub(crate) fn told_clock(clock: Clock, told: &Told, row: &dyn Fn(usize) -> String) -> Result<Clock, Fault> {
+pub(crate) fn stated_clock(clock: Clock, told: &UserStatements, row: &dyn Fn(usize) -> String) -> Result<Clock, Fault> {
     let Some(said) = told.dt else { return Ok(clock) };
     match clock {
         Clock::Unknown => Ok(Clock::Steps { start: 0.0, dt: said }),

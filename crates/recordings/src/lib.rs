@@ -2,7 +2,7 @@
 //!
 //! A measured series is data with its meaning: quantity, unit, times, channel, direction, station, event, and the place in
 //! its file. Nothing of that is guessed. It is known from the format, the header, the name of a column with a unit, or
-//! told by the user ([`Told`]); otherwise the fault shows the header and what to say.
+//! told by the user ([`UserStatements`]); otherwise the fault shows the header and what to say.
 //!
 //! [`Measured::read`] recognises the format ([`FORMATS`]). [`Measured::series`] gives the channels,
 //! [`Measured::accelerations`] those of a motion in m/s², [`Table`] the columns as written, [`Recording`] the channels of a
@@ -26,8 +26,8 @@ pub mod sheet;
 mod stated;
 mod table;
 pub mod text;
-pub mod told;
 pub mod unit;
+pub mod user_statements;
 mod way;
 
 pub use content::MAX_UNPACKED;
@@ -39,4 +39,4 @@ pub use recording::{Column, Recording};
 pub use series::{Clock, Origin, Series};
 pub use sheet::Sheet;
 pub use table::Table;
-pub use told::{Layout, Statement, Told, Way};
+pub use user_statements::{Layout, Statement, UserStatements, Way};

@@ -5,8 +5,8 @@ use crate::fault::Fault;
 use crate::interpret::uneven_fault;
 use crate::measured::Measured;
 use crate::series::{Clock, Series};
-use crate::told::{Key, Statement, Told, Way};
 use crate::unit::{Quantity, Unit};
+use crate::user_statements::{Key, Statement, UserStatements, Way};
 
 /// A channel at equal steps in the SI unit of its quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +56,7 @@ impl Measured {
     /// # Errors
     /// A unit, a step or a quantity that neither the file nor the user says, or that they contradict each other about;
     /// a sample or a time that is missing.
-    pub fn accelerations(&self, told: &Told, differentiate: bool) -> Result<Channels, Fault> {
+    pub fn accelerations(&self, told: &UserStatements, differentiate: bool) -> Result<Channels, Fault> {
         let said = Statement::of(told)?;
         if let Some(u) = said.unit.filter(|u| !is_motion(u.quantity)) {
             return Err(Fault::new(format!("{} is {}, and a motion needs accelerations", u.name, u.quantity)));
@@ -121,7 +121,13 @@ struct Chosen {
     notes: Vec<String>,
 }
 
-fn choose(m: &Measured, all: Vec<Series>, told: &Told, said: Statement, differentiate: bool) -> Result<Chosen, Fault> {
+fn choose(
+    m: &Measured,
+    all: Vec<Series>,
+    told: &UserStatements,
+    said: Statement,
+    differentiate: bool,
+) -> Result<Chosen, Fault> {
     let of = |s: &Series| s.quantity;
     let is_acceleration = |s: &Series| of(s) == Some(Quantity::Acceleration);
     let mut notes = vec![];

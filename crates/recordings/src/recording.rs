@@ -3,12 +3,12 @@
 use crate::content::Content;
 use crate::fault::Fault;
 use crate::format::Beside;
-use crate::interpret::{time_unit_of, told_clock};
+use crate::interpret::{stated_clock, time_unit_of};
 use crate::measured::Measured;
 use crate::series::{Clock, Series};
 use crate::sheet::{Column as SheetColumn, Form, Sheet, SheetError, head};
-use crate::told::{Statement, Told};
 use crate::unit::{self, Quantity};
+use crate::user_statements::{Statement, UserStatements};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap};
 
 /// A measured channel.
@@ -37,7 +37,7 @@ impl Recording {
     /// # Errors
     /// The bytes are none of a recording. The message about a text has the location.
     pub fn read(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Self, Box<Diagnostic>> {
-        Self::read_told(name, bytes, &Told::default(), &|_| None, sources)
+        Self::read_told(name, bytes, &UserStatements::default(), &|_| None, sources)
     }
 
     /// As [`Recording::read`], of a file about which the user says something: the step where the file has no times, the
@@ -49,7 +49,7 @@ impl Recording {
     pub fn read_told(
         name: &str,
         bytes: &[u8],
-        told: &Told,
+        told: &UserStatements,
         beside: Beside<'_>,
         sources: &mut SourceMap,
     ) -> Result<Self, Box<Diagnostic>> {
@@ -90,16 +90,16 @@ impl Recording {
     }
 
     /// With the step that the user says, if the times agree.
-    fn with_step(mut self, told: &Told, sheet: &Sheet) -> Result<Self, Fault> {
+    fn with_step(mut self, told: &UserStatements, sheet: &Sheet) -> Result<Self, Fault> {
         if told.dt.is_some() {
-            let clock = told_clock(Clock::Times(self.times.as_slice().into()), told, &|i| sheet.row_name(i))?;
+            let clock = stated_clock(Clock::Times(self.times.as_slice().into()), told, &|i| sheet.row_name(i))?;
             self.times = (0..self.times.len()).filter_map(|i| clock.time(i)).collect();
         }
         Ok(self)
     }
 
     /// With the unit that the user says for the channels that have none.
-    fn with_unit(mut self, told: &Told) -> Result<Self, Fault> {
+    fn with_unit(mut self, told: &UserStatements) -> Result<Self, Fault> {
         let said = Statement::of(told)?;
         said.complete_each(
             &mut self.columns,
@@ -133,7 +133,7 @@ fn whole_name(fault: Fault, name: &str) -> Fault {
     Fault { message: fault.message.replace(&format!(" {short} "), &format!(" {name} ")), ..fault }
 }
 
-fn of_series(m: &Measured, name: &str, series: Vec<Series>, told: &Told) -> Result<Recording, Fault> {
+fn of_series(m: &Measured, name: &str, series: Vec<Series>, told: &UserStatements) -> Result<Recording, Fault> {
     let Some(first) = series.first().cloned() else { return Err(Fault::new(format!("{name} has no channel"))) };
     let times: Option<Vec<f64>> = (0..first.values.len()).map(|i| first.clock.time(i)).collect();
     let times = times.ok_or_else(|| m.no_step(told.way))?;

@@ -6,18 +6,18 @@
 mod support;
 
 use hysteron_recordings::unit::{Quantity, unit};
-use hysteron_recordings::{Clock, FORMATS, Series, Told};
+use hysteron_recordings::{Clock, FORMATS, Series, UserStatements};
 use support::{File, Known, Random, WRITERS};
 
 /// Formats that state no unit or no step, so that the test says them.
-fn told(format: &str, k: &Known) -> Told {
+fn told(format: &str, k: &Known) -> UserStatements {
     let unit = matches!(format, "NumPy" | "MATLAB" | "SAC" | "miniSEED" | "Tcl list" | "counted list")
         .then(|| k.unit.to_owned());
-    Told { unit, dt: (format == "NumPy").then_some(k.dt), ..Told::default() }
+    UserStatements { unit, dt: (format == "NumPy").then_some(k.dt), ..UserStatements::default() }
 }
 
 /// Values in SI units and the step of the channel of a quantity.
-fn channel<'a>(all: &'a [Series], k: &Known, told: &Told) -> Option<(Vec<f64>, f64, &'a Series)> {
+fn channel<'a>(all: &'a [Series], k: &Known, told: &UserStatements) -> Option<(Vec<f64>, f64, &'a Series)> {
     let known = unit(k.unit).expect("a unit");
     let s = all
         .iter()

@@ -1,7 +1,7 @@
 //! Tables `[[motion]]` of studies and plans.
 
 use super::read::ReadOptions;
-use hysteron_recordings::{Layout, Told, Way};
+use hysteron_recordings::{Layout, UserStatements, Way};
 use serde::Deserialize;
 
 /// The files of a motion, and what they do not say themselves.
@@ -46,7 +46,7 @@ impl MotionEntry {
         }
         let layout = self.layout.as_deref().map(Layout::named).transpose()?;
         let (unit, quantity) = (self.unit.clone(), self.quantity.clone());
-        let told = Told { unit, dt: self.dt, quantity, layout, way: Way::Study };
+        let told = UserStatements { unit, dt: self.dt, quantity, layout, way: Way::Study };
         Ok(ReadOptions { told, channels: self.channels.clone(), differentiate: self.differentiate })
     }
 

@@ -3,13 +3,13 @@
 use super::Motion;
 use hysteron_recordings::check::doubts;
 use hysteron_recordings::series::find_channel;
-use hysteron_recordings::{Beside, Channel, Measured, Told};
+use hysteron_recordings::{Beside, Channel, Measured, UserStatements};
 
 /// Statements of the user about files that do not state them.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Unit, step, quantity, layout.
-    pub told: Told,
+    pub told: UserStatements,
     /// Names or numbers of the channels that are taken; all accelerations if it is empty.
     pub channels: Vec<String>,
     /// Differentiate velocities and displacements where a file has no accelerations.
@@ -64,7 +64,7 @@ fn chosen(all: Vec<Channel>, which: &[String]) -> Result<Vec<Channel>, String> {
 #[cfg(test)]
 mod tests {
     use super::{ReadOptions, read};
-    use hysteron_recordings::Told;
+    use hysteron_recordings::UserStatements;
 
     fn one(text: &str) -> super::Motion {
         read("f", text.as_bytes(), &ReadOptions::default(), &|_| None).expect("a motion").motions.remove(0)
@@ -106,7 +106,7 @@ mod tests {
         let m = one("t[s],a[cm/s2]\n0,1\n0.5,2\n");
         assert!((m.acceleration[1] - 0.02).abs() < 1e-12);
         let options = |unit: &str, dt| ReadOptions {
-            told: Told { unit: Some(unit.into()), dt, ..Told::default() },
+            told: UserStatements { unit: Some(unit.into()), dt, ..UserStatements::default() },
             ..ReadOptions::default()
         };
         let wrapped =

@@ -8,7 +8,7 @@ use super::run::{Role, Run, Setting};
 use super::study_file::{ParameterTable, RunTable, SourceSpans, StudyFile, StudySpans};
 use super::unknown_key::UnknownKey;
 use exmex::Express as _;
-use hysteron_recordings::{Layout, Recording, Told, Way};
+use hysteron_recordings::{Layout, Recording, UserStatements, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceId, SourceMap, Span, nearest};
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -307,14 +307,14 @@ fn read_run(
 }
 
 /// What a run says about a recording that does not say it.
-fn read_told(spans: &SourceSpans, t: &RunTable) -> Result<Told, StudyError> {
+fn read_told(spans: &SourceSpans, t: &RunTable) -> Result<UserStatements, StudyError> {
     let dt = t.dt.as_ref();
     let dt = dt.map(|dt| spans.number("the step", dt, |x| x > 0.0, "expected a step in s, more than 0")).transpose()?;
     let layout = match &t.layout {
         Some(word) => Some(Layout::named(word.get_ref()).map_err(|e| spans.error(word, e.message, &e.expected))?),
         None => None,
     };
-    Ok(Told { unit: t.unit.clone(), dt, quantity: t.quantity.clone(), layout, way: Way::Study })
+    Ok(UserStatements { unit: t.unit.clone(), dt, quantity: t.quantity.clone(), layout, way: Way::Study })
 }
 
 /// Value of a variable that a run sets.

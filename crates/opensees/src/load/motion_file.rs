@@ -8,9 +8,9 @@ use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_unknown, warn};
 use hysteron_engine::series::{self, Path};
 use hysteron_recordings::series::{channel_names, find_channel};
-use hysteron_recordings::told::{self, Key};
 use hysteron_recordings::unit::{Quantity, Unit};
-use hysteron_recordings::{Beside, Clock, Fault, Layout, Measured, Series, Statement, Told, Way};
+use hysteron_recordings::user_statements::{self, Key};
+use hysteron_recordings::{Beside, Clock, Fault, Layout, Measured, Series, Statement, UserStatements, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::cell::RefCell;
@@ -63,10 +63,10 @@ impl FileOptions {
     pub(super) fn take(&mut self, option: &str, a: &mut Args<'_>) -> Result<bool, Exception> {
         match option {
             "-channel" => self.channel = Some(a.word(CHANNEL_NAME.meaning)?.into_owned()),
-            "-quantity" => self.quantity = Some(take(a, "quantity", told::quantity_of)?),
-            "-unit" => self.unit = Some(take(a, "unit", told::unit_of)?),
+            "-quantity" => self.quantity = Some(take(a, "quantity", user_statements::quantity_of)?),
+            "-unit" => self.unit = Some(take(a, "unit", user_statements::unit_of)?),
             "-layout" => self.layout = Some(take(a, "layout", Layout::named)?),
-            "-to" => self.to = Some(take(a, "unit", told::unit_of)?),
+            "-to" => self.to = Some(take(a, "unit", user_statements::unit_of)?),
             _ => return Ok(false),
         }
         Ok(true)
@@ -116,7 +116,7 @@ pub(super) fn read(
     (name, span): (&str, Option<Span>),
     options: &FileOptions,
 ) -> Result<FileSeries, Exception> {
-    let told = Told { dt: options.dt, layout: options.layout, way: Way::Script, ..Told::default() };
+    let told = UserStatements { dt: options.dt, layout: options.layout, way: Way::Script, ..UserStatements::default() };
     let read = measured(interp, name, |bytes, beside| {
         let m = Measured::read_beside(name, bytes, beside)?;
         Ok((m.series(&told)?, m))

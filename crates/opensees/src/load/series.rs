@@ -7,7 +7,7 @@ use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, ignore_unknown, kind, slips, warn};
 use hysteron_engine::series::{Constant, Linear, Path, PathTimes, Pulse, Rectangular, Series, Triangle, Trig, Wave};
-use hysteron_recordings::{Clock, Measured, Told};
+use hysteron_recordings::{Clock, Measured, UserStatements};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
@@ -437,7 +437,7 @@ fn report_non_number(
     let place = Span { source, start: at, end: at + word.len() as u32 };
     let mut d = if read == 0 {
         let d = Diagnostic::error(format!("\"{name}\" does not begin with a number: \"{word}\""));
-        let series = Measured::read(name, text.as_bytes()).and_then(|m| m.series(&Told::default()));
+        let series = Measured::read(name, text.as_bytes()).and_then(|m| m.series(&UserStatements::default()));
         let has_step = series.is_ok_and(|all| all.iter().any(|s| s.clock.dt().is_some()));
         d.help(if has_step {
             format!("\"motionFile $series {name}\" reads this file of a ground motion with its step of time")

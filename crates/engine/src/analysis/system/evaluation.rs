@@ -17,7 +17,7 @@ const SIDE_BY_SIDE: usize = 6;
 
 /// An evaluation of the elements.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked {
+pub(super) struct Request {
     /// Tangents are asked for.
     pub(super) tangent: bool,
     /// Tangents are asked for, and those at hand are of another motion.
@@ -39,7 +39,7 @@ pub(super) enum Lack {
     Everything,
 }
 
-impl Asked {
+impl Request {
     /// Returns true for an element that is meant, but for those that count their calls.
     #[inline]
     fn concerns(self, m: &ElementWorkspace) -> bool {
@@ -109,7 +109,7 @@ impl System<'_> {
             work.evaluated.calls += work.small_beams.count;
             evaluated = true;
         }
-        let asked = Asked { tangent: want_tangent, lacks_tangents: tangents, all, evaluated_before, at_rest };
+        let asked = Request { tangent: want_tangent, lacks_tangents: tangents, all, evaluated_before, at_rest };
         evaluated |= match self.work.side_by_side() {
             true => self.respond_side_by_side(asked, dt)?,
             false => self.respond_in_turn(asked, dt)?,
@@ -128,7 +128,7 @@ impl System<'_> {
     }
 
     /// Evaluate the elements one after the other; `true` if there was one to be evaluated.
-    fn respond_in_turn(&mut self, asked: Asked, dt: f64) -> Result<bool, Failure> {
+    fn respond_in_turn(&mut self, asked: Request, dt: f64) -> Result<bool, Failure> {
         let mut evaluated = false;
         for at in 0..self.work.small_beams.others.len() {
             let i = self.work.small_beams.others[at];
@@ -162,7 +162,7 @@ impl System<'_> {
 
     /// Part of an element's answer that is to be found.
     #[inline]
-    fn lack(&self, asked: Asked, i: usize) -> Lack {
+    fn lack(&self, asked: Request, i: usize) -> Lack {
         let (e, m) = (&self.model.elements[i], &self.work.elements.entries[i]);
         let last = &self.work.evaluated.elements[m.motion..m.motion + 2 * e.dofs.len()];
         let new = &*self.new;

@@ -3,7 +3,7 @@
 //! Each element writes to places of its own, so that the results are the same for any number of threads.
 
 use super::element_call::{Call, Nodes, Places};
-use super::evaluation::{Asked, Lack};
+use super::evaluation::{Lack, Request};
 use super::{Failure, System};
 use crate::analysis::workspace::{ElementMatrices, ElementWorkspace};
 use crate::element::{ElementError, MatrixMask};
@@ -57,7 +57,7 @@ struct Calls<'a> {
     committed: &'a [f64],
     nodes: Nodes<'a>,
     load: &'a [f64],
-    asked: Asked,
+    asked: Request,
     /// All columns of the matrices are read.
     multiplies: bool,
     settled: bool,
@@ -75,7 +75,7 @@ struct Done {
 
 impl System<'_> {
     /// Evaluate the elements on several threads; `true` if there was one to be evaluated.
-    pub(super) fn respond_side_by_side(&mut self, asked: Asked, dt: f64) -> Result<bool, Failure> {
+    pub(super) fn respond_side_by_side(&mut self, asked: Request, dt: f64) -> Result<bool, Failure> {
         let (work, new) = (&mut *self.work, &mut *self.new);
         let ElementMatrices { entries, tangent, damping, multiplies, .. } = &mut work.elements;
         let calls = Calls {

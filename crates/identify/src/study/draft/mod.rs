@@ -13,7 +13,7 @@ use super::trace::Trace;
 use hysteron_engine::analysis::Options;
 use hysteron_opensees::run::End;
 use hysteron_recordings::unit::Quantity;
-use hysteron_recordings::{Recording, Told, Way};
+use hysteron_recordings::{Recording, UserStatements, Way};
 use hysteron_tcl::diagnostic::{Diagnostic, SourceMap, VARIABLE};
 use hysteron_tcl::top_level;
 use matching::{Candidate, Match};
@@ -81,7 +81,7 @@ pub fn draft_study(
     for path in recordings {
         let shown = path.display().to_string();
         let bytes = hysteron_files::read_input(path).map_err(|e| unreadable(path, e))?;
-        let told = Told { way: Way::Study, ..Told::default() };
+        let told = UserStatements { way: Way::Study, ..UserStatements::default() };
         let beside = hysteron_files::read_beside(path);
         let recording = Recording::read_told(&shown, &bytes, &told, &beside, sources)?;
         let stem = path.file_stem().map_or("run".into(), |s| s.to_string_lossy().into_owned());

@@ -7,7 +7,7 @@ pub use crate::way::{Key, Way};
 
 /// Statements of the user about a file that does not make them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Told {
+pub struct UserStatements {
     /// Unit of the values.
     pub unit: Option<String>,
     /// Step of time in s.
@@ -91,7 +91,7 @@ impl Statement {
     ///
     /// # Errors
     /// A word is not known, or the unit is one of another quantity.
-    pub fn of(told: &Told) -> Result<Self, Fault> {
+    pub fn of(told: &UserStatements) -> Result<Self, Fault> {
         let unit = told.unit.as_deref().map(unit_of).transpose()?;
         Self::new(unit, told.quantity.as_deref().map(quantity_of).transpose()?)
     }
@@ -165,12 +165,16 @@ impl Statement {
 
 #[cfg(test)]
 mod tests {
-    use super::{Key, Statement, Told, Way};
+    use super::{Key, Statement, UserStatements, Way};
     use crate::series::Series;
     use crate::unit::{Quantity, unit};
 
-    fn told(unit: Option<&str>, quantity: Option<&str>) -> Told {
-        Told { unit: unit.map(str::to_owned), quantity: quantity.map(str::to_owned), ..Told::default() }
+    fn told(unit: Option<&str>, quantity: Option<&str>) -> UserStatements {
+        UserStatements {
+            unit: unit.map(str::to_owned),
+            quantity: quantity.map(str::to_owned),
+            ..UserStatements::default()
+        }
     }
 
     fn channels() -> Vec<Series> {
