@@ -1,7 +1,7 @@
 //! Measured files of any format, as arrays.
 
-use hysteron_recordings::user_statements::unit_of;
 use hysteron_recordings::unit::Quantity;
+use hysteron_recordings::user_statements::unit_of;
 use hysteron_recordings::{Clock, Layout, Measured, Series, UserStatements, Way};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
