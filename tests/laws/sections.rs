@@ -10,7 +10,7 @@ use hysteron::element::transform::{Ends, TransformKind, TransformSpec};
 use hysteron::material::{Concrete02, Elastic as ElasticMaterial, Material, Steel02};
 use hysteron::section::{
     Aggregator, Elastic, ElasticSection, Elliptical, Fiber, FiberBending, FiberSection, Resultant, Section as _,
-    SharedSection,
+    SectionStep, SharedSection,
 };
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
@@ -101,7 +101,8 @@ fn fibers_of_one_height_share_a_state() {
         let (mut s, mut k) = ([0.0; 2], [0.0; 4]);
         for e in [[1e-3, 0.05], [-2e-3, -0.08], [5e-4, 0.02]] {
             let mut next = committed.clone();
-            section.update(&committed, &e, 0.0, &mut next, &mut s, &mut k).expect("a response");
+            let step = SectionStep { committed: &committed, e: &e, dt: 0.0, next: &mut next, s: &mut s, k: &mut k };
+            section.update(step).expect("a response");
             committed = next;
         }
         [s[0], s[1], k[0], k[1], k[2], k[3]]
@@ -276,7 +277,7 @@ fn tangent_of_an_elliptical_yield_surface() {
     };
     let respond = |committed: &[f64], e: [f64; 2]| {
         let (mut next, mut s, mut k) = (vec![0.0; law.state_len()], [0.0; 2], [0.0; 4]);
-        law.update(committed, &e, 0.0, &mut next, &mut s, &mut k).unwrap();
+        law.update(SectionStep { committed, e: &e, dt: 0.0, next: &mut next, s: &mut s, k: &mut k }).unwrap();
         (next, s, k)
     };
     let mut committed = vec![0.0; law.state_len()];

@@ -9,7 +9,7 @@ use crate::words::words;
 use hysteron_engine::analysis::{Options, RecoveryStrategy, Threads};
 use hysteron_opensees::checks::output::NO_RESPONSE;
 use hysteron_opensees::run::{Run, Settings};
-use hysteron_opensees::{Again, Mode, Session};
+use hysteron_opensees::{Continued, Mode, Session};
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Exception, OsFiles, Value};
 use hysteron_view::Units;
@@ -96,7 +96,7 @@ impl Domain {
 
     /// Make steps of an analysis: without a look at the words, and holding Python's interpreter, where it is short and goes on
     /// from the last call.
-    pub(crate) fn analyze_again(
+    pub(crate) fn continue_analysis(
         &self,
         py: Python<'_>,
         entry: &'static Entry,
@@ -112,8 +112,8 @@ impl Domain {
         inner.reactions = None;
         let run = inner.owned.run();
         run.interp.interrupt.store(false, Ordering::Relaxed);
-        match run.analyze_again(steps, dt) {
-            Some(Again::Silent) => {
+        match run.continue_analysis(steps, dt) {
+            Some(Continued::Silent) => {
                 if !inner.owned.log.again(steps, dt) {
                     let mut words = all()?;
                     inner.owned.put_name(entry, &mut words);
@@ -121,7 +121,7 @@ impl Domain {
                 }
                 Ok(PyInt::new(py, 0).into_any().unbind())
             }
-            Some(Again::Told(done)) => {
+            Some(Continued::Told(done)) => {
                 let mut words = all()?;
                 inner.owned.put_name(entry, &mut words);
                 let outcome = inner.owned.run().conclude(done, &words);

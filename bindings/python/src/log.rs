@@ -2,7 +2,7 @@
 
 use hysteron_opensees::effect::{Effect, effect};
 use hysteron_opensees::run::Run;
-use hysteron_opensees::{Again, Command};
+use hysteron_opensees::{Continued, Command};
 use hysteron_tcl::{Exception, Form, Value};
 
 /// Words that are kept at most: some 30 MB. A model that was told more cannot be copied.
@@ -113,11 +113,11 @@ impl CallLog {
 
     fn make_one(told: &Told, run: &mut Run) -> Result<Value, Exception> {
         if let Some((steps, dt)) = steps_of(told.command, &told.words)
-            && let Some(again) = run.analyze_again(steps, dt)
+            && let Some(again) = run.continue_analysis(steps, dt)
         {
             return match again {
-                Again::Silent => Ok(Value::EMPTY),
-                Again::Told(done) => run.conclude(done, &told.words),
+                Continued::Silent => Ok(Value::EMPTY),
+                Continued::Told(done) => run.conclude(done, &told.words),
             };
         }
         run.call(told.command, &told.words)

@@ -101,7 +101,7 @@ impl Domain {
             None => Entry::of("analyze").map(|e| *ANALYZE.get_or_init(|| e))?,
         };
         match given.steps() {
-            Some((steps, dt)) => self.analyze_again(py, entry, steps, dt, || words(entry, &given.all(py)?)),
+            Some((steps, dt)) => self.continue_analysis(py, entry, steps, dt, || words(entry, &given.all(py)?)),
             None => self.enter(py, entry, &given.all(py)?),
         }
     }

@@ -126,7 +126,7 @@ impl Run {
     /// The command is rejected. The places in the message are those of [`CallNumbers`].
     pub fn call(&mut self, command: &'static Command, words: &[Value]) -> Outcome {
         let (source, number) = next_number(&mut self.interp);
-        self.interp.host.analysis_checks.again = None;
+        self.interp.host.analysis_checks.passed = None;
         let is_open = self.interp.host.builder.open_section.is_some();
         if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             open::settle(&mut self.interp)?;
@@ -141,7 +141,7 @@ impl Run {
     /// The check was interrupted, or the command ends it.
     pub fn check(&mut self, command: &'static Command, call: &PlacedCall<'_>) -> Outcome {
         let interp = &mut self.interp;
-        interp.host.analysis_checks.again = None;
+        interp.host.analysis_checks.passed = None;
         let is_open = interp.host.builder.open_section.is_some();
         if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             let settled = open::settle(interp);

@@ -96,11 +96,6 @@ pub struct Index {
 }
 
 impl Index {
-    /// The command that begins and ends at a place.
-    pub fn command_at(&self, span: Span) -> Option<&CalledCommand> {
-        self.by_place.get(&span).map(|i| &self.commands[*i])
-    }
-
     /// Note a call whose command has been run; `done` if it was not rejected.
     pub(crate) fn note(&mut self, command: &'static Command, call: &Call<'_>, done: bool) {
         let Some(span) = call.whole_span() else { return };

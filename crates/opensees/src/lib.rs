@@ -46,7 +46,7 @@ use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value, decode};
 use std::io::{Error, ErrorKind};
 
-pub use analysis::again::Again;
+pub use analysis::continued::Continued;
 pub use analysis::isolator_damping::may_isolate;
 pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;

@@ -26,6 +26,13 @@ pub struct OpenSeesTraits<'a> {
     pub ground_inertia: Option<f64>,
 }
 
+impl OpenSeesTraits<'_> {
+    /// Of an element whose mass, if it has any, is counted once.
+    pub(crate) fn of_mass(has_mass: bool) -> Self {
+        Self { ground_inertia: has_mass.then_some(1.0), ..Self::default() }
+    }
+}
+
 /// State variables that the elements of a class share: static members of the class in OpenSees. They are zero in a new
 /// model, and are empty where an element is evaluated outside of an analysis.
 pub type SharedState = [Cell<f64>];

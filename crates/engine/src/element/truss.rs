@@ -112,10 +112,7 @@ impl Element for Truss {
             parameters: Some(self),
             basic_rows: Some(self),
             lockstep: Some(one_by_one::<Self>),
-            opensees: OpenSeesTraits {
-                ground_inertia: (self.bar.options.rho != 0.0).then_some(1.0),
-                ..OpenSeesTraits::default()
-            },
+            opensees: OpenSeesTraits::of_mass(self.bar.options.rho != 0.0),
             ..Roles::default()
         }
     }

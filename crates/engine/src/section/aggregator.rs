@@ -1,7 +1,7 @@
 //! Sections composed of uniaxial materials.
 
 use super::plain_methods::plain_methods;
-use super::{MAX_ORDER, Resultant, Section, SharedSection};
+use super::{MAX_ORDER, Resultant, Section, SectionStep, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, WatchesColumns};
 use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
@@ -84,20 +84,20 @@ impl Section for Aggregator {
             || self.additions.iter().any(|s| s.material.depends_on_time())
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, dt, next, s, k } = step;
         let (n, order) = (self.base_order(), self.resultants.len());
         if let Some(base) = &self.base {
             let mut small = [0.0; MAX_ORDER * MAX_ORDER];
             let words = base.state_len();
-            base.update(&committed[..words], &e[..n], dt, &mut next[..words], &mut s[..n], &mut small[..n * n])?;
+            base.update(SectionStep {
+                committed: &committed[..words],
+                e: &e[..n],
+                dt,
+                next: &mut next[..words],
+                s: &mut s[..n],
+                k: &mut small[..n * n],
+            })?;
             self.spread(&small[..n * n], k);
         }
         for (i, slot) in self.additions.iter().enumerate() {

@@ -2,7 +2,7 @@
 //! 1998, section 3.3).
 
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section};
+use super::{Resultant, Section, SectionStep};
 use crate::material::MaterialError;
 
 /// Two resultants that yield together.
@@ -46,15 +46,8 @@ impl Section for Bidirectional {
         <History as crate::state_struct::StateStruct>::LEN
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        _: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, next, s, k, .. } = step;
         use crate::state_struct::StateStruct;
         let mut h = History::read(committed);
         let stiffness = self.e;

@@ -1,7 +1,7 @@
 //! Elastic cross-sections.
 
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section, SharedSection};
+use super::{Resultant, Section, SectionStep, SharedSection};
 use crate::material::MaterialError;
 use crate::parameter::{Changed, exchange, existing, first};
 use std::sync::Arc;
@@ -103,15 +103,7 @@ impl Section for Elastic {
         true
     }
 
-    fn update(
-        &self,
-        _: &[f64],
-        e: &[f64],
-        _: f64,
-        _: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, SectionStep { e, s, k, .. }: SectionStep<'_>) -> Result<(), MaterialError> {
         self.initial_stiffness(k);
         for ((s, e), r) in s.iter_mut().zip(e).zip(&self.resultants) {
             *s = self.stiffness(*r) * e;

@@ -2,7 +2,7 @@
 //! Hughes, 1998, section 3.3, for a metric of the yield surface).
 
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section};
+use super::{Resultant, Section, SectionStep};
 use crate::material::MaterialError;
 use crate::state_struct::StateStruct as _;
 
@@ -119,15 +119,8 @@ impl Section for Elliptical {
         History::LEN
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        _: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, next, s, k, .. } = step;
         let mut h = History::read(committed);
         let force = |plastic: &[f64; 2]| [0, 1].map(|i| self.e[i] * (e[i] - plastic[i]));
         let elastic = force(&h.plastic);

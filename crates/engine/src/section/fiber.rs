@@ -6,7 +6,7 @@ mod runs;
 
 use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section, SharedSection};
+use super::{Resultant, Section, SectionStep, SharedSection};
 use crate::material::{
     LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
 };
@@ -178,28 +178,22 @@ impl FiberSection {
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
-    fn integrate<const M: usize>(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        (s, k): (&mut [f64], &mut [f64]),
-    ) -> Result<(), MaterialError> {
+    fn integrate<const M: usize>(&self, step: &mut SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, dt, next, s, k } = step;
         let n = self.points.len();
         if self.linear {
             let (rows, stiffness) = (self.resultants().len(), self.virgin_stiffness.chunks_exact(M));
             next[..M].copy_from_slice(&e[..M]);
             for ((s, k), own) in s.iter_mut().zip(k.chunks_exact_mut(rows)).zip(stiffness) {
-                *s = own.iter().zip(e).map(|(k, e)| k * e).sum();
+                *s = own.iter().zip(*e).map(|(k, e)| k * e).sum();
                 k[..M].copy_from_slice(own);
             }
             return Ok(());
         }
         let (old, mut new) = (Parts::of(committed, n), Parts::of_mut(next, n));
         self.strain::<M>(e, &mut new);
-        self.blocks.iter().try_for_each(|block| self.update_block(block, &old, dt, &mut new))?;
-        self.sum::<M>(old, new, (s, k));
+        self.blocks.iter().try_for_each(|block| self.update_block(block, &old, *dt, &mut new))?;
+        self.sum::<M>(step);
         Ok(())
     }
 
@@ -232,28 +226,24 @@ impl FiberSection {
     }
 
     /// Adds up resultants and tangent, and writes the energies.
-    fn sum<const M: usize>(&self, old: Parts<&[f64]>, new: Parts<&mut [f64]>, (s, k): (&mut [f64], &mut [f64])) {
+    fn sum<const M: usize>(&self, step: &mut SectionStep<'_>) {
+        let n = self.points.len();
+        let (old, new) = (Parts::of(step.committed, n), Parts::of_mut(step.next, n));
         let history = points::Work {
             strains: [old.strain, new.strain],
             stresses: [old.stress, new.stress],
             energies: (old.energy, new.energy),
         };
         let sums = self.points.integrate::<M>(new.tangent, history);
-        sums.write(self.resultants().len(), s, k);
+        sums.write(self.resultants().len(), step.s, step.k);
     }
 
     /// Adds the torsion in space.
-    fn add_torsion(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        (s, k): (&mut [f64], &mut [f64]),
-    ) -> Result<(), MaterialError> {
+    fn add_torsion(&self, step: &mut SectionStep<'_>) -> Result<(), MaterialError> {
         if let Some(torsion) = &self.torsion {
-            let stress = torsion.update(committed, Strain { value: e[3], rate: 0.0, dt }, next)?;
-            (s[3], k[15]) = (stress.value, stress.tangent);
+            let strain = Strain { value: step.e[3], rate: 0.0, dt: step.dt };
+            let stress = torsion.update(step.committed, strain, step.next)?;
+            (step.s[3], step.k[15]) = (stress.value, stress.tangent);
         }
         Ok(())
     }
@@ -344,20 +334,12 @@ impl Section for FiberSection {
         self.slots().any(|s| s.material.depends_on_time())
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, mut step: SectionStep<'_>) -> Result<(), MaterialError> {
         if !self.biaxial {
-            return self.integrate::<2>(committed, e, dt, next, (s, k));
+            return self.integrate::<2>(&mut step);
         }
-        self.integrate::<3>(committed, e, dt, next, (&mut *s, &mut *k))?;
-        self.add_torsion(committed, e, dt, next, (s, k))
+        self.integrate::<3>(&mut step)?;
+        self.add_torsion(&mut step)
     }
 
     /// A section with blocks of a few points, which fill vectors together with those of other places.

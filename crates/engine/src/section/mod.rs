@@ -97,6 +97,23 @@ impl Resultant {
     }
 }
 
+/// A step of a section of n resultants from a committed state to trial deformations, and the places of its answer.
+#[derive(Debug)]
+pub struct SectionStep<'a> {
+    /// The committed state.
+    pub committed: &'a [f64],
+    /// Deformations, of length n.
+    pub e: &'a [f64],
+    /// Domain time since the committed state.
+    pub dt: f64,
+    /// The trial state, every variable of which is written.
+    pub next: &'a mut [f64],
+    /// Resultants, of length n; zero before.
+    pub s: &'a mut [f64],
+    /// Tangent, n x n by rows; zero before.
+    pub k: &'a mut [f64],
+}
+
 /// A cross-section. No method has a default: a section around others decides on every one of them.
 pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     /// Class name in OpenSees.
@@ -112,20 +129,11 @@ pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     /// Returns true if the resultants depend on the elapsed time.
     fn depends_on_time(&self) -> bool;
 
-    /// Computes resultants `s` (length n) and tangent `k` (n x n by rows) for the deformations `e`, and writes every
-    /// variable of `next`. The caller sets `s` and `k` to zero. `dt` is the domain time since the committed state.
+    /// Writes resultants, tangent and every variable of `next`.
     ///
     /// # Errors
     /// A material has no response at these deformations.
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError>;
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError>;
 
     /// Writes the tangent of the virgin section (n x n by rows) to a zero matrix.
     fn initial_stiffness(&self, k: &mut [f64]);

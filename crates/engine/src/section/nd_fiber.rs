@@ -2,7 +2,7 @@
 
 use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section};
+use super::{Resultant, Section, SectionStep};
 use crate::material::{MaterialError, SharedMultiaxial};
 use crate::parameter::{Changed, ParameterError};
 use crate::probe::Probe;
@@ -145,15 +145,8 @@ impl<const N: usize> Section for NdFiberSection<N> {
         self.fibers.iter().any(|f| f.fiber.law.0.depends_on_time())
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, dt, next, s, k } = step;
         for f in &self.fibers {
             let range = f.at..f.at + 2 * N + f.fiber.law.0.state_len();
             let (head, history) = next[range.clone()].split_at_mut(2 * N);

@@ -1,7 +1,7 @@
 //! Sections side by side.
 
 use super::plain_methods::plain_methods;
-use super::{MAX_ORDER, Resultant, Section, SectionSlot, SharedSection};
+use super::{MAX_ORDER, Resultant, Section, SectionSlot, SectionStep, SharedSection};
 use crate::material::MaterialError;
 use crate::parameter::{Changed, existing, last_of};
 use crate::probe::Probe;
@@ -72,15 +72,8 @@ impl Section for ParallelSections {
         self.sections.iter().any(|s| s.section.depends_on_time())
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        dt: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, dt, next, s, k } = step;
         for (slot, places) in self.each() {
             let mut of_section = [0.0; MAX_ORDER];
             of_section.iter_mut().zip(places).for_each(|(o, at)| *o = e[*at]);

@@ -1,6 +1,6 @@
 //! Storage of a section's state in an element, with the responses that every section has.
 
-use super::{MAX_ORDER, Resultant, SharedSection};
+use super::{MAX_ORDER, Resultant, SectionStep, SharedSection};
 use crate::material::MaterialError;
 use crate::numeric::invert;
 use crate::parameter::ParameterError;
@@ -73,7 +73,8 @@ impl SectionSlot {
         let none = [0.0; MAX_ORDER];
         let (mut s, mut k) = ([0.0; MAX_ORDER], [0.0; MAX_ORDER * MAX_ORDER]);
         let (n, mut next) = (self.order, own.to_vec());
-        if self.section.update(own, &none[..n], 0.0, &mut next, &mut s[..n], &mut k[..n * n]).is_ok() {
+        let (e, next, s, k) = (&none[..n], &mut next[..], &mut s[..n], &mut k[..n * n]);
+        if self.section.update(SectionStep { committed: own, e, dt: 0.0, next, s, k }).is_ok() {
             head[n..2 * n].copy_from_slice(&s[..n]);
         }
     }
@@ -94,8 +95,14 @@ impl SectionSlot {
     /// A material has no response at these deformations.
     pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> Result<(), MaterialError> {
         self.set_deformation(e, trial);
+        self.section.update(self.step(committed, dt, trial))
+    }
+
+    /// The step to the trial deformations that a state holds.
+    #[inline]
+    pub(crate) fn step<'a>(&self, committed: &'a [f64], dt: f64, trial: &'a mut [f64]) -> SectionStep<'a> {
         let ([e, s, k], next) = self.split(trial);
-        self.section.update(self.own(committed), e, dt, next, s, k)
+        SectionStep { committed: self.own(committed), e, dt, next, s, k }
     }
 
     /// Writes trial deformations `e`, with zeros for resultants and tangent.

@@ -2,7 +2,7 @@
 //! load (Ryan, Kelly and Chopra, 2005).
 
 use super::plain_methods::plain_methods;
-use super::{Resultant, Section};
+use super::{Resultant, Section, SectionStep};
 use crate::material::MaterialError;
 use crate::state_struct::StateStruct;
 use nalgebra::{SMatrix, SVector};
@@ -117,15 +117,8 @@ impl Section for TwoSpringIsolator {
         History::LEN
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64],
-        _: f64,
-        next: &mut [f64],
-        s: &mut [f64],
-        k: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+        let SectionStep { committed, e, next, s, k, .. } = step;
         let c = History::read(committed);
         let (u, h) = ([e[0], e[1]], self.height);
         let mut x = Vector5::from(c.springs);

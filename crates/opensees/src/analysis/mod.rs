@@ -1,8 +1,8 @@
 //! Commands that set up and run an analysis.
 
-pub(crate) mod again;
 pub(crate) mod algorithm;
 pub(crate) mod analyze;
+pub(crate) mod continued;
 pub(crate) mod damping;
 mod failure;
 pub(crate) mod integrator;

@@ -1,6 +1,6 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
-use super::again::Checked;
+use super::continued::Checked;
 use super::{massless_floors, unloaded_bearings};
 use crate::checks;
 use crate::host::Mode;
@@ -25,14 +25,14 @@ const STABILITY_MARGIN: f64 = 1.001;
 /// Work beyond this that a step of the model may take for its highest frequency.
 const MAX_EQUATIONS: usize = 200_000;
 
-/// Patterns and steps that have been looked at.
+/// Patterns and steps that have been examined.
 #[derive(Debug, Default)]
 pub(crate) struct AnalysisChecks {
     /// Analysis that a host may go on with, without the checks before it.
-    pub(crate) again: Option<Checked>,
+    pub(crate) passed: Option<Checked>,
     /// Patterns that a transient analysis has begun with.
     patterns: BTreeSet<Tag>,
-    /// Revision of the model and step of time that were looked at before an analysis. Scripts may call it for each step.
+    /// Revision of the model and step of time that were examined before an analysis. Scripts may call it for each step.
     before: Option<(u64, f64)>,
     /// Revision of the model and step for which the stability of an explicit integrator was examined.
     stability: Option<(u64, f64)>,
@@ -95,12 +95,12 @@ pub(super) fn is_plausible(session: &mut Session) -> bool {
 
 /// Look at the Euler loads of the beams, which are worked out once for a revision of the model.
 fn euler_loads<T>(session: &mut Session, look: impl FnOnce(&Engine, &[(ElementId, f64)]) -> T) -> T {
-    let Session { engine, analysis_checks: looked, .. } = session;
+    let Session { engine, analysis_checks: checks, .. } = session;
     let revision = engine.model().revision();
-    if looked.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
-        looked.euler_loads = Some((revision, engine.euler_loads()));
+    if checks.euler_loads.as_ref().is_none_or(|(of, _)| *of != revision) {
+        checks.euler_loads = Some((revision, engine.euler_loads()));
     }
-    look(engine, looked.euler_loads.as_ref().map_or(&[], |(_, loads)| loads))
+    look(engine, checks.euler_loads.as_ref().map_or(&[], |(_, loads)| loads))
 }
 
 /// Warn once in a script for each check.
@@ -135,16 +135,16 @@ const STEPS_AHEAD: f64 = 1000.0;
 ///
 /// In a check also one that follows a path: a run tells of it where a step fails.
 fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
-    let Session { engine, analysis_checks: looked, mode, .. } = &mut interp.host;
+    let Session { engine, analysis_checks: checks, mode, .. } = &mut interp.host;
     let (model, time) = (engine.model(), engine.state().time);
     let Some(setup) = engine.setup() else { return Ok(()) };
     let plain = |p: &Pattern| matches!(p.kind, PatternKind::Plain { .. }) && p.held.is_none() && p.has_loads();
     let going = || model.patterns.iter().filter(|(_, p)| plain(p)).map(|(tag, _)| *tag);
     if setup.kind == Kind::Static && setup.integrator.elapses() {
-        looked.static_patterns = going().collect();
+        checks.static_patterns = going().collect();
         return Ok(());
     }
-    let has_new = going().any(|tag| !looked.static_patterns.contains(&tag));
+    let has_new = going().any(|tag| !checks.static_patterns.contains(&tag));
     if setup.kind == Kind::Static && (*mode == Mode::Run || !has_new) {
         return Ok(());
     }
@@ -154,7 +154,7 @@ fn growing_pattern(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), 
         let at = |steps: f64| pattern.factor(time + steps * step).abs();
         at(0.0) < at(1.0) && at(1.0) < at(STEPS_AHEAD) && series(pattern).is_none_or(|s| s.end().is_none())
     };
-    let Some(tag) = going().filter(|tag| looked.static_patterns.contains(tag)).find(grows) else { return Ok(()) };
+    let Some(tag) = going().filter(|tag| checks.static_patterns.contains(tag)).find(grows) else { return Ok(()) };
     let factor = model.patterns[&tag].factor(time);
     let message = format!(
         "pattern {tag} still grows with the time: its factor is {factor} after the static analysis, and is not held"
@@ -180,10 +180,10 @@ fn series(pattern: &Pattern) -> Option<&Series> {
 fn excitations(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
     let mut warnings: Vec<Diagnostic> = vec![];
     let session = &mut interp.host;
-    let (engine, looked) = (&session.engine, &mut session.analysis_checks);
+    let (engine, checks) = (&session.engine, &mut session.analysis_checks);
     let (model, time): (&Model, f64) = (engine.model(), engine.state().time);
     for (tag, pattern) in &model.patterns {
-        let is_new = looked.patterns.insert(*tag);
+        let is_new = checks.patterns.insert(*tag);
         let Some(series) = series(pattern) else { continue };
         if let Some(end) = series.end().filter(|end| is_new && *end > series.start() && time >= *end) {
             let message =

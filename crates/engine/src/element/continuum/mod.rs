@@ -290,10 +290,7 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
     fn roles(&self) -> Roles<'_> {
         Roles {
             mass: Some(self),
-            opensees: OpenSeesTraits {
-                ground_inertia: (self.body.mass != Mass::None).then_some(1.0),
-                ..OpenSeesTraits::default()
-            },
+            opensees: OpenSeesTraits::of_mass(self.body.mass != Mass::None),
             basic_forces: Some(self),
             force_labels: ForceLabels::DirectionAndNode(if S < SOLID { 2 } else { 3 }),
             ..Roles::default()

@@ -441,10 +441,7 @@ impl Element for EnhancedShell {
     fn roles(&self) -> Roles<'_> {
         Roles {
             mass: Some(self),
-            opensees: OpenSeesTraits {
-                ground_inertia: (!self.mass.is_empty()).then_some(1.0),
-                ..OpenSeesTraits::default()
-            },
+            opensees: OpenSeesTraits::of_mass(!self.mass.is_empty()),
             force_labels: ForceLabels::Numbered,
             ..Roles::default()
         }

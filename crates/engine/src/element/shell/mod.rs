@@ -275,10 +275,7 @@ impl Element for Shell {
     fn roles(&self) -> Roles<'_> {
         Roles {
             mass: Some(self),
-            opensees: OpenSeesTraits {
-                ground_inertia: (!self.mass.is_empty()).then_some(1.0),
-                ..OpenSeesTraits::default()
-            },
+            opensees: OpenSeesTraits::of_mass(!self.mass.is_empty()),
             basic_forces: Some(self),
             force_labels: ForceLabels::Numbered,
             ..Roles::default()

@@ -71,18 +71,17 @@ impl FiberSection {
     ) -> Result<(), MaterialError> {
         let n = self.points.len();
         for slot in slots {
-            let ([e, ..], next) = slot.split(trial);
-            let (old, mut new) = (Parts::of(slot.own(committed), n), Parts::of_mut(next, n));
-            self.strain::<M>(e, &mut new);
+            let step = slot.step(committed, dt, trial);
+            let (old, mut new) = (Parts::of(step.committed, n), Parts::of_mut(step.next, n));
+            self.strain::<M>(step.e, &mut new);
             let mut alone = self.blocks.iter().filter(|b| !b.is_few(&self.runs));
             alone.try_for_each(|block| self.update_block(block, &old, dt, &mut new))?;
         }
         GATHERED.with_borrow_mut(|gathered| self.update_few(gathered, slots, committed, dt, trial))?;
         for slot in slots {
-            let ([e, s, k], next) = slot.split(trial);
-            let committed = slot.own(committed);
-            self.sum::<M>(Parts::of(committed, n), Parts::of_mut(next, n), (&mut *s, &mut *k));
-            self.add_torsion(committed, e, dt, next, (s, k))?;
+            let mut step = slot.step(committed, dt, trial);
+            self.sum::<M>(&mut step);
+            self.add_torsion(&mut step)?;
         }
         Ok(())
     }

@@ -149,18 +149,6 @@ fn sense(deformation: f64) -> f64 {
 }
 
 impl Variable {
-    /// Returns true if it depends on the deformation of the moment.
-    pub fn is_instantaneous(self) -> bool {
-        let is_of_deformation = matches!(self, Self::Deformation { .. } | Self::Side | Self::Place { .. });
-        let is_within_largest = matches!(self, Self::Virgin { .. } | Self::Pinching { .. });
-        is_of_deformation || is_within_largest || self.is_of_side()
-    }
-
-    /// Returns true if it differs between the sides of the deformation.
-    pub fn is_of_side(self) -> bool {
-        matches!(self, Self::LargestOfSide | Self::LargestDecayOfSide { .. } | Self::SideOver { .. })
-    }
-
     /// Returns true if it depends on the slip level of the law.
     pub fn depends_on_level(self) -> bool {
         matches!(

@@ -126,8 +126,7 @@ impl Element for MultipleNormalSpring {
             opensees: OpenSeesTraits {
                 calls: self.counts_calls.then_some(self as &dyn CallDependent),
                 keeps_first_damping: true,
-                ground_inertia: (self.mass != 0.0).then_some(1.0),
-                ..OpenSeesTraits::default()
+                ..OpenSeesTraits::of_mass(self.mass != 0.0)
             },
             force_labels: ForceLabels::Frame,
             ..Roles::default()

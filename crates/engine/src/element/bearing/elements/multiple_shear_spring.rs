@@ -179,10 +179,7 @@ impl<R: Rules> Element for MultipleShearSpring<R> {
             bearing: Some(Bearing::Rubber),
             mass: Some(self),
             basic_rows: Some(self),
-            opensees: {
-                let ground_inertia = (self.mass != 0.0).then_some(1.0);
-                OpenSeesTraits { keeps_first_damping: true, ground_inertia, ..OpenSeesTraits::default() }
-            },
+            opensees: OpenSeesTraits { keeps_first_damping: true, ..OpenSeesTraits::of_mass(self.mass != 0.0) },
             force_labels: ForceLabels::Frame,
             ..Roles::default()
         }

@@ -364,8 +364,7 @@ impl Element for KikuchiBearing {
                     calls: follows.then_some(self as &dyn CallDependent),
                     initial_is_current: follows,
                     keeps_first_damping: true,
-                    ground_inertia: (self.mass != 0.0).then_some(1.0),
-                    ..OpenSeesTraits::default()
+                    ..OpenSeesTraits::of_mass(self.mass != 0.0)
                 }
             },
             force_labels: ForceLabels::Frame,

@@ -26,12 +26,12 @@ impl Session {
             && !self.parts.variable_steps
             && self.output.recorders.journal.is_none()
             && self.changes.is_empty();
-        self.analysis_checks.again = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
+        self.analysis_checks.passed = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
     }
 }
 
 /// Outcome of an analysis that was gone on with.
-pub enum Again {
+pub enum Continued {
     /// The steps are made, and nothing is to be said.
     Silent,
     /// [`Run::conclude`] has the messages and the code.
@@ -43,9 +43,9 @@ impl Run {
     /// no such analysis, or another command has been called since.
     ///
     /// A static analysis takes no `dt`. The receiver of progress is told of no step.
-    pub fn analyze_again(&mut self, steps: usize, dt: Option<f64>) -> Option<Again> {
+    pub fn continue_analysis(&mut self, steps: usize, dt: Option<f64>) -> Option<Continued> {
         let session = &mut self.interp.host;
-        let dt = match (session.analysis_checks.again?, dt) {
+        let dt = match (session.analysis_checks.passed?, dt) {
             (Checked { kind: Kind::Static, .. }, _) => 0.0,
             (checked, Some(dt)) if checked.dt == dt => dt,
             _ => return None,
@@ -59,10 +59,10 @@ impl Run {
         recorders.progress = progress;
         if done.is_ok() && is_silent(session) {
             session.last_failure = None;
-            return Some(Again::Silent);
+            return Some(Continued::Silent);
         }
-        session.analysis_checks.again = None;
-        Some(Again::Told(done))
+        session.analysis_checks.passed = None;
+        Some(Continued::Told(done))
     }
 
     /// Give the messages about an analysis that was gone on with, and its code. `words` are those of its command.
