@@ -18,6 +18,8 @@ mod imposed;
 mod invariance;
 #[path = "verdicts/parts.rs"]
 mod parts;
+#[path = "verdicts/rubber.rs"]
+mod rubber;
 #[path = "verdicts/shaken.rs"]
 mod shaken;
 #[path = "verdicts/structures.rs"]
@@ -27,6 +29,7 @@ mod studies;
 
 use bearings::Dependences;
 use hysteron::diagnose::Settings;
+use rubber::Filled;
 use std::fmt::Write as _;
 use std::fs;
 use std::sync::Mutex;
@@ -83,6 +86,18 @@ const TABLE: &[Row] = &[
     ("pressed fast pendulum", "rate_dependence + varying_axial_load", "rate_dependence + varying_axial_load", 95),
     ("pressed warm fast pendulum", "rate_dependence + varying_axial_load + self_heating", "self_heating", 85),
     ("pendulum of varying weight", "none", "none", 85),
+    ("filled rubber", "mullins_softening + cyclic_degradation + strain_stiffening", "mullins_softening", 60),
+    ("filled rubber that wears not", "mullins_softening + strain_stiffening", "gap_impact + mullins_softening", 80),
+    ("filled rubber that stiffens not", "mullins_softening + cyclic_degradation", "mullins_softening", 80),
+    ("plain rubber", "none", "none", 85),
+    ("creep", "rate_dependence", "pinching", 65),
+    ("held forces", "none", "strain_stiffening", 75),
+    ("permanent set", "unknown", "unknown", 90),
+    ("held deformations", "none", "none", 85),
+    ("crystallising", "changed_condition", "changed_condition", 90),
+    ("cold without crystals", "none", "none", 85),
+    ("pulled rubber", "none", "none", 85),
+    ("pulled rubber that cavitates", "cavitation", "cavitation", 95),
     ("incoherent piers", "unknown", "unknown", 40),
     ("rocking ground", "unknown", "unknown", 60),
     ("turning floor", "unknown", "unknown", 90),
@@ -137,6 +152,9 @@ const TABLE: &[Row] = &[
 const CONSTANT: Dependences = Dependences { heat: false, speed: false, pressure: false, weight_varies: false };
 const VARYING: Dependences = Dependences { weight_varies: true, ..CONSTANT };
 
+/// Rubber with all of its phenomena.
+const FILLED: Filled = Filled { softens: true, wears: true, stiffens: true };
+
 /// Functions that make the studies.
 const STUDIES: &[Named] = &[
     ("slow noise", imposed::slow_noise),
@@ -173,6 +191,18 @@ const STUDIES: &[Named] = &[
         bearings::pendulum(Dependences { pressure: true, speed: true, heat: true, ..VARYING })
     }),
     ("pendulum of varying weight", || bearings::pendulum(VARYING)),
+    ("filled rubber", || rubber::filled(FILLED)),
+    ("filled rubber that wears not", || rubber::filled(Filled { wears: false, ..FILLED })),
+    ("filled rubber that stiffens not", || rubber::filled(Filled { stiffens: false, ..FILLED })),
+    ("plain rubber", || rubber::filled(Filled::default())),
+    ("creep", || rubber::creep(0.25)),
+    ("held forces", || rubber::creep(0.0)),
+    ("permanent set", || rubber::permanent_set(0.3)),
+    ("held deformations", || rubber::permanent_set(0.0)),
+    ("crystallising", || rubber::crystallising(0.5)),
+    ("cold without crystals", || rubber::crystallising(0.0)),
+    ("pulled rubber", || rubber::pulled(false)),
+    ("pulled rubber that cavitates", || rubber::pulled(true)),
     ("incoherent piers", || structures::incoherent_piers(0.5)),
     ("rocking ground", || structures::rocking_ground(0.4)),
     ("turning floor", structures::turning_floor),

@@ -13,7 +13,7 @@ pub const K: f64 = 260.0;
 pub const NOISE: f64 = 0.3;
 
 /// An elastic-plastic spring.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 pub struct Plastic {
     plastic: f64,
 }
