@@ -53,8 +53,10 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// Times in which soil follows a footing, s: a half to once the time of shear waves over its radius (Wolf 1994), of 2 to 20 m
-/// in soil of 100 to 400 m/s.
+/// Times in which soil follows a footing, s. The cone that a footing rotates is exactly this model with the time z₀/c from its
+/// apex (Meek and Wolf 1993, Earthquake Engineering and Structural Dynamics 22, 759-771; Wolf 1994). With the static stiffness
+/// of a disk it is (9π/32)(1 - ν)(c/cₛ) r/cₛ in rocking and (9π/32) r/cₛ in torsion: 0.88 to 1.25 times the time of shear waves
+/// over the radius. Radii are 2 to 20 m, soils have 100 to 400 m/s.
 const FOLLOWING_TIMES: [f64; 2] = [0.003, 0.3];
 
 /// Difference of stiffnesses that count as similar, in parts of the larger one. A choice.
@@ -268,9 +270,10 @@ fn spring_parameters(name: &str, scale: f64, addition: Addition) -> Vec<AddedPar
 
 #[cfg(test)]
 mod tests {
-    use super::propose;
+    use super::{FOLLOWING_TIMES, propose};
     use crate::inspect::response::ResponseRanges;
     use crate::test_support::{pad_study, proposal_context, shaken_inventory};
+    use std::f64::consts::PI;
 
     /// A footing lifts off where the column above it bends, at a moment on the scale of that; springs come with a dashpot and
     /// without one.
@@ -301,5 +304,21 @@ mod tests {
         let lifts = "rocking spring of a footing that lifts off: \
                      hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";
         assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], yields, lifts]);
+    }
+
+    /// From the rocking stiffness 8 G r³ / (3 (1 - ν)) of a disk and 3 ρ c² I / z₀ of a cone, with c the speed of waves of
+    /// compression, at most twice that of shear.
+    #[test]
+    fn rocking_cones_have_times_between_the_bounds() {
+        for poisson in [0.0f64, 0.2, 1.0 / 3.0, 0.45, 0.5] {
+            let ratio = if poisson > 1.0 / 3.0 { 2.0 } else { (2.0 * (1.0 - poisson) / (1.0 - 2.0 * poisson)).sqrt() };
+            for (radius, speed) in [(2.0f64, 400.0), (20.0, 100.0)] {
+                let disk = 8.0 * radius.powi(3) / (3.0 * (1.0 - poisson));
+                let apex = 3.0 * ratio * ratio * PI * radius.powi(4) / 4.0 / disk;
+                let time = apex / (ratio * speed);
+                assert!((FOLLOWING_TIMES[0]..FOLLOWING_TIMES[1]).contains(&time), "{poisson}, {radius}: {time}");
+                assert!((0.88..1.26).contains(&(time * speed / radius)), "{poisson}");
+            }
+        }
     }
 }
