@@ -16,8 +16,9 @@ const STAGE: &str = "the model as it is";
 
 /// Starts of the baseline in n coordinates besides the user's values: the middle of the cube, and four vertices of a smaller one.
 fn baseline_starts(n: usize) -> Vec<Vec<f64>> {
-    let vertex = |k: usize| (0..n).map(|i| if (i + k) % 2 == k / 2 { 0.2 } else { 0.8 }).collect();
-    std::iter::once(vec![0.5; n]).chain((0..4).map(vertex)).collect()
+    let (low, high) = (0.2, 0.8);
+    let vertex = |even, odd| (0..n).map(|i| if i % 2 == 0 { even } else { odd }).collect();
+    vec![vec![0.5; n], vertex(low, high), vertex(high, low), vertex(low, low), vertex(high, high)]
 }
 
 /// The user's model fitted from several starts. The step of differences that fits best is kept for all later jobs.
@@ -72,4 +73,17 @@ pub(crate) fn refit_baseline(
     let fitted = scheduler.fit(STAGE, vec![job])?.pop().flatten();
     let fitted = fitted.ok_or("the model has no answer with shorter steps")?;
     Ok(FittedHypothesis::new(baseline.variant.clone(), fitted))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::baseline_starts;
+
+    #[test]
+    fn starts_differ() {
+        for n in 2..5 {
+            let starts = baseline_starts(n);
+            assert!(starts.iter().enumerate().all(|(i, a)| starts[..i].iter().all(|b| a != b)), "{n}: {starts:?}");
+        }
+    }
 }
