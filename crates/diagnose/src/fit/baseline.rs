@@ -1,6 +1,7 @@
 //! Fit of the user's model.
 
 use super::fitted::FittedHypothesis;
+use super::global_search::global_search;
 use super::job::{FittedModel, Job};
 use super::scheduler::Scheduler;
 use super::search_settings::{
@@ -21,7 +22,7 @@ fn baseline_starts(n: usize) -> Vec<Vec<f64>> {
     vec![vec![0.5; n], vertex(low, high), vertex(high, low), vertex(low, low), vertex(high, high)]
 }
 
-/// The user's model fitted from several starts. The step of differences that fits best is kept for all later jobs.
+/// The user's model fitted from several starts, and from the best of evenly spread points where it is poor. The step of differences that fits best is kept for all later jobs.
 ///
 /// # Errors
 /// The model has no result for any values, or the user cancelled.
@@ -50,7 +51,14 @@ pub(crate) fn fit_baseline(
         }
     }
     scheduler.set_difference_step(best.0);
-    Ok(FittedHypothesis::new(variant, best.1))
+    let baseline = FittedHypothesis::new(variant.clone(), best.1);
+    if !is_poor(&baseline) {
+        return Ok(baseline);
+    }
+    // A minimum of the model itself that no start has come to would be taken for physics that is missing.
+    let mut fitted = vec![baseline.clone()];
+    global_search(scheduler, STAGE, &baseline, &[variant], LAST_ITERATIONS, &mut fitted)?;
+    Ok(fitted.swap_remove(0))
 }
 
 /// Returns true if the error of a baseline is too large to trust its parameters.
