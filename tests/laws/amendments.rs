@@ -9,7 +9,7 @@ use hysteron::element::amendment::{
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
-use hysteron::element::{BarOptions, Element, ElementError, ElementInput, ElementOutput, Truss};
+use hysteron::element::{BarOptions, Element, ElementError, ElementInput, ElementOutput, Histories, Truss};
 use hysteron::material::{Elastic, Material, Softening, Steel01};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -467,8 +467,7 @@ fn zero_time_causes_no_relaxation() {
     element
         .respond(
             &motion,
-            &state,
-            &mut next,
+            &mut Histories { committed: &state, trial: &mut next },
             ElementOutput { force: &mut force, tangent: None, damping: None, part: hysteron::element::MatrixMask::ALL },
         )
         .unwrap();

@@ -1,6 +1,6 @@
 //! Drivers for single materials and elements.
 
-use hysteron::element::{Element, ElementInput, ElementOutput, MatrixMask};
+use hysteron::element::{Element, ElementInput, ElementOutput, Histories, MatrixMask};
 use hysteron::material::{Material, Strain, Stress};
 use std::sync::Arc;
 
@@ -84,7 +84,9 @@ impl SingleElement {
         };
         let response =
             ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
-        self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
+        self.element
+            .respond(&motion, &mut Histories { committed: &self.state, trial: &mut self.next }, response)
+            .unwrap();
         (force, tangent)
     }
 
@@ -106,7 +108,9 @@ impl SingleElement {
             dynamic: true,
         };
         let response = ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part };
-        self.element.respond(&motion, &self.state, &mut self.next, response).unwrap();
+        self.element
+            .respond(&motion, &mut Histories { committed: &self.state, trial: &mut self.next }, response)
+            .unwrap();
         tangent
     }
 

@@ -6,7 +6,7 @@ use super::every_bearing;
 use super::parts::{PARTS, parts};
 use super::script::run;
 use super::shapes::{Shape, element_words, node_words, nodes, rigid};
-use hysteron::element::{ElementInput, ElementOutput, MatrixMask};
+use hysteron::element::{ElementInput, ElementOutput, Histories, MatrixMask};
 use hysteron::opensees::kinds;
 use nalgebra::Vector3;
 
@@ -215,7 +215,7 @@ fn step(e: &mut SingleElement, next: &mut [f64], u: f64, from: f64) -> (f64, f64
         damping: Some(&mut damping),
         part: MatrixMask::ALL,
     };
-    e.element.respond(&motion, &e.state, next, response).unwrap();
+    e.element.respond(&motion, &mut Histories { committed: &e.state, trial: next }, response).unwrap();
     (force[1], tangent[3] + damping[3] / DT)
 }
 

@@ -1,6 +1,7 @@
 //! Kikuchi bearings and normal springs.
 
 use super::driver::{SingleElement, difference, path};
+use hysteron::element::Histories;
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
     Balance, Distribution, KikuchiBearing, KikuchiParameters, Layout, Link, Mean, MultipleNormalSpring, NormalSprings,
@@ -333,8 +334,10 @@ fn tangent_becomes_negative_where_koh_and_kelly_predict() {
     let section = NormalSprings::new(normal.clone(), &layout, 0.5 * RUBBER, 0);
     let mut virgin = vec![0.0; section.state_len()];
     section.init(&mut virgin);
-    let respond =
-        |x: f64, tilt: f64| section.respond(&virgin, [x, tilt, 0.0], [0.0; 3], 0.0, &mut virgin.clone()).unwrap();
+    let respond = |x: f64, tilt: f64| {
+        let h = &mut Histories { committed: &virgin, trial: &mut virgin.clone() };
+        section.respond(h, [x, tilt, 0.0], [0.0; 3], 0.0).unwrap()
+    };
     let moment = |tilt: f64| {
         let mut x = -load * 0.5 * RUBBER / (MODULUS * SIZE * SIZE);
         for _ in 0..60 {

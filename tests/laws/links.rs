@@ -5,7 +5,8 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{Link, PlaneBearing, PlasticShear, SpaceBearing};
 use hysteron::element::roles::Inertance;
 use hysteron::element::{
-    Element, ElementInput, ElementOutput, Inerter, InerterOptions, LinkOptions, Mass, MatrixMask, TwoNodeLink,
+    Element, ElementInput, ElementOutput, Histories, Inerter, InerterOptions, LinkOptions, Mass, MatrixMask,
+    TwoNodeLink,
 };
 use hysteron::material::{Elastic, ElasticPP, Material};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -198,7 +199,7 @@ fn inerter_force(e: &Inerter, [disp, vel, accel]: [&[f64]; 3]) -> (Vec<f64>, Vec
         part: MatrixMask::ALL,
     };
     let mut state = vec![0.0; e.state_len()];
-    e.respond(&input, &state.clone(), &mut state, output).unwrap();
+    e.respond(&input, &mut Histories { committed: &state.clone(), trial: &mut state }, output).unwrap();
     tangent.extend(damping);
     (force, tangent)
 }

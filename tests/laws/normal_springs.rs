@@ -1,5 +1,6 @@
 //! Normal-spring sections in uniaxial bending, where one spring represents a line of springs.
 
+use hysteron::element::Histories;
 use hysteron::element::bearing::{Distribution, Layout, Mean, NormalSprings, Section, Shape};
 use hysteron::material::{AxialParameters, AxialSp, Material, Steel01, Viscous};
 
@@ -20,7 +21,8 @@ impl SectionState {
         Self { trial: committed.clone(), committed, springs }
     }
     fn evaluate(&mut self, e: [f64; 3]) -> Section {
-        self.springs.respond(&self.committed, e, [0.0; 3], 0.0, &mut self.trial).unwrap()
+        let h = &mut Histories { committed: &self.committed, trial: &mut self.trial };
+        self.springs.respond(h, e, [0.0; 3], 0.0).unwrap()
     }
     fn advance(&mut self, e: [f64; 3]) -> Section {
         let s = self.evaluate(e);
@@ -165,7 +167,9 @@ fn dampers_have_an_out_of_plane_moment() {
     let SectionState { springs, committed, mut trial } =
         SectionState::new(NormalSprings::new(damper, &layout, LENGTH, 0));
     // Bending about y at the start of a rotation about z.
-    let s = springs.respond(&committed, [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2], 0.0, &mut trial).unwrap();
+    let s = springs
+        .respond(&mut Histories { committed: &committed, trial: &mut trial }, [0.0, 1e-3, 0.0], [0.0, 0.0, 0.2], 0.0)
+        .unwrap();
     let inertia: f64 = layout.area.iter().zip(&layout.y).map(|(a, y)| a * y * y).sum();
     assert!((s.force[2] / (1e6 * 0.2 * inertia / LENGTH) - 1.0).abs() < 1e-12, "{s:?}");
 }

@@ -5,7 +5,7 @@ use super::every_kind::{ELEMENTS, element};
 use super::script::run;
 use hysteron::element::amendment::{Amended, Damping, Hinged};
 use hysteron::element::damping::{Damped, DampingLaw, ElementDamping};
-use hysteron::element::{Element, ElementInput, ElementLoad, ElementOutput, MatrixMask, Roles};
+use hysteron::element::{Element, ElementInput, ElementLoad, ElementOutput, Histories, MatrixMask, Roles};
 use hysteron::material::{Elastic, Material};
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -188,7 +188,7 @@ fn tangents_in_a_history_are_those_of_the_evaluation() {
         };
         let output =
             ElementOutput { force: &mut force, tangent: Some(&mut tangent), damping: None, part: MatrixMask::ALL };
-        e.respond(&motion, &committed, &mut next, output).expect("a response");
+        e.respond(&motion, &mut Histories { committed: &committed, trial: &mut next }, output).expect("a response");
         e.roles().kept_tangent.expect("asked above").add_kept_tangent(&disp, &next, &mut kept);
         assert_eq!(kept, tangent, "{}", e.class().name);
         assert!(kept.iter().any(|k| *k != 0.0));

@@ -5,7 +5,7 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{
     AxialLaw, GrantShear, Layers, LeadCore, Link, PI, Rubber, RubberBearing, RubberBoucWen, RubberShear,
 };
-use hysteron::element::{ElementInput, ElementOutput};
+use hysteron::element::{ElementInput, ElementOutput, Histories};
 use hysteron::rules::Consistent;
 use nalgebra::{Rotation3, Vector3};
 
@@ -356,7 +356,7 @@ fn viscous_part_is_in_the_damping_matrix() {
             damping: Some(&mut damping),
             part: hysteron::element::MatrixMask::ALL,
         };
-        e.element.respond(&motion, &e.state, &mut next, response).unwrap();
+        e.element.respond(&motion, &mut Histories { committed: &e.state, trial: &mut next }, response).unwrap();
         (force, damping)
     };
     let (still, damping) = respond(&[0.0; 12]);

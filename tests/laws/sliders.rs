@@ -9,7 +9,7 @@ use hysteron::element::bearing::sliding::{
 use hysteron::element::friction::{
     Coulomb, Friction, VelDepMultiLinear, VelDependent, VelNormalFrcDep, VelPressureDep,
 };
-use hysteron::element::{ElementInput, ElementOutput};
+use hysteron::element::{ElementInput, ElementOutput, Histories};
 use hysteron::material::{Elastic, Material, NoTension};
 use hysteron::rules::Consistent;
 use nalgebra::{Rotation3, Vector3};
@@ -165,8 +165,7 @@ fn response(e: &SingleElement, disp: &[f64], vel: &[f64]) -> (Vec<f64>, Vec<f64>
                 time: 0.01,
                 dynamic: true,
             },
-            &e.state,
-            &mut next,
+            &mut Histories { committed: &e.state, trial: &mut next },
             response,
         )
         .unwrap();

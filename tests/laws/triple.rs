@@ -5,7 +5,7 @@ use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::triple::{Chain, Increments, Segment, TriplePendulum, TripleSetting};
 use hysteron::element::bearing::{Link, PlaneBearing, UfrpShear};
 use hysteron::element::friction::{Coulomb, Friction, VelDependent};
-use hysteron::element::{ElementInput, ElementOutput};
+use hysteron::element::{ElementInput, ElementOutput, Histories};
 use hysteron::material::{Elastic, Material};
 use hysteron::rules::Consistent;
 use nalgebra::Vector3;
@@ -224,8 +224,7 @@ fn rolling_bearing_has_consistent_tangents() {
                 time: 1.0,
                 dynamic: true,
             },
-            &e.state,
-            &mut next,
+            &mut Histories { committed: &e.state, trial: &mut next },
             response,
         )
         .unwrap();

@@ -1,7 +1,7 @@
 //! A bearing of a model tested by itself: cycles of shear from its state under gravity.
 
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::{ElementInput, ElementOutput, MatrixMask};
+use hysteron_engine::element::{ElementInput, ElementOutput, Histories, MatrixMask};
 use hysteron_engine::model::ElementId;
 use hysteron_identify::measure::Loop;
 use std::f64::consts::TAU;
@@ -96,7 +96,9 @@ pub(super) fn shear_test(
         };
         let mut force = vec![0.0; n];
         let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
-        element.respond(&input, &committed, &mut trial, output).map_err(|e| e.to_string())?;
+        element
+            .respond(&input, &mut Histories { committed: &committed, trial: &mut trial }, output)
+            .map_err(|e| e.to_string())?;
         element.commit(&trial, &mut committed);
         f[step] = force[at];
     }

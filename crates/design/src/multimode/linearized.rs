@@ -2,7 +2,7 @@
 
 use hysteron_engine::element::roles::{Inertia, Roles};
 use hysteron_engine::element::{
-    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
 };
 use hysteron_engine::probe::Probe;
 
@@ -64,14 +64,8 @@ impl Element for Linearized {
     fn traits(&self) -> ElementTraits {
         ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: false }
     }
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        trial.copy_from_slice(committed);
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        h.trial.copy_from_slice(h.committed);
         for (f, row) in output.force.iter_mut().zip(self.matrix.chunks(self.n)) {
             *f += row.iter().zip(motion.disp).map(|(k, u)| k * u).sum::<f64>();
         }

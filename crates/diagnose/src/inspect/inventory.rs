@@ -4,7 +4,7 @@ use super::adjacent_structures::{AdjacentNodes, adjacent_nodes};
 use super::frame_members::{FrameMember, columns, girders};
 use super::heights::HeightRule;
 use hysteron_engine::analysis::Engine;
-use hysteron_engine::element::{BasicRow, Bearing, Element, ElementInput, ElementOutput, MatrixMask};
+use hysteron_engine::element::{BasicRow, Bearing, Element, ElementInput, ElementOutput, Histories, MatrixMask};
 use hysteron_engine::model::{Model, NodeId, PatternKind};
 use std::collections::BTreeMap;
 
@@ -384,7 +384,7 @@ fn is_elastic(element: &dyn Element, rows: &[BasicRow]) -> bool {
             };
             let mut force = vec![0.0; n];
             let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
-            element.respond(&motion, &state, &mut next, output).ok()?;
+            element.respond(&motion, &mut Histories { committed: &state, trial: &mut next }, output).ok()?;
             Some(row.force(&force) / size)
         };
         let initial = stiffness(SMALLEST_DEFORMATION);

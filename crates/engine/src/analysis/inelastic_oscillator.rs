@@ -1,5 +1,6 @@
 //! Oscillator of unit mass on a nonlinear spring, by the average acceleration (Newmark, 1959).
 
+use crate::element::Histories;
 use crate::material::{Slot, Strain};
 use std::f64::consts::TAU;
 
@@ -48,7 +49,8 @@ impl InelasticOscillator {
         for next in ground.iter().copied().skip(1).chain(std::iter::repeat_n(0.0, rest)) {
             for part in 1..=parts as usize {
                 let a = last + (next - last) * part as f64 / parts;
-                motion = self.step(h, c, a, motion, (&committed, &mut trial), &mut force)?;
+                let history = &mut Histories { committed: &committed, trial: &mut trial };
+                motion = self.step(h, c, a, motion, history, &mut force)?;
                 std::mem::swap(&mut committed, &mut trial);
                 largest = largest.max(motion.disp.abs());
             }
@@ -64,7 +66,7 @@ impl InelasticOscillator {
         c: f64,
         ground: f64,
         from: Motion,
-        (committed, trial): (&[f64], &mut [f64]),
+        history: &mut Histories<'_>,
         scale: &mut f64,
     ) -> Result<Motion, String> {
         let (inertia, slope) = (4.0 / (h * h), 2.0 / h);
@@ -79,7 +81,7 @@ impl InelasticOscillator {
             let now = at(disp);
             let stress = self
                 .law
-                .update(committed, Strain { value: disp, rate: now.vel, dt: h }, trial)
+                .update(history.committed, Strain { value: disp, rate: now.vel, dt: h }, history.trial)
                 .map_err(|e| e.to_string())?;
             let unbalance = -ground - now.accel - c * now.vel - stress.value;
             *scale = scale.max(stress.value.abs()).max(ground.abs());

@@ -1,6 +1,9 @@
 //! Joint of beams and columns with bar slip and interface shear: `beamColumnJoint`.
 
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, OpenSeesTraits,
+    Snapshot,
+};
 use crate::element::roles::{ForceLabels, Roles};
 use crate::material::{Material, MaterialError, Slot, Strain};
 use crate::probe::Probe;
@@ -87,13 +90,12 @@ impl BeamColumnJoint {
         &self,
         (outer, inner): (&Outer, &Vector4<f64>),
         dt: f64,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<(Forces, Forces, Vector4<f64>), MaterialError> {
         let strain = self.outer * outer + self.inner * inner;
         let (mut force, mut tangent) = ([0.0; JOINT_SPRINGS], [0.0; JOINT_SPRINGS]);
         for (i, spring) in self.springs.iter().enumerate() {
-            let s = spring.update(committed, Strain { value: strain[i], rate: 0.0, dt }, trial)?;
+            let s = spring.update(h.committed, Strain { value: strain[i], rate: 0.0, dt }, h.trial)?;
             (force[i], tangent[i]) = (s.value, s.tangent);
         }
         let unbalance = self.inner.transpose() * SVector::from(force);
@@ -111,11 +113,10 @@ impl BeamColumnJoint {
         outer: &Outer,
         start: &Vector4<f64>,
         dt: f64,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<Option<Balance>, MaterialError> {
         let mut inner = *start;
-        let (mut force, mut tangent, mut unbalance) = self.evaluate((outer, &inner), dt, committed, trial)?;
+        let (mut force, mut tangent, mut unbalance) = self.evaluate((outer, &inner), dt, h)?;
         for _ in 0..MAX_ITERATIONS {
             let size = self.largest(&force);
             let step = self.inner_stiffness(&tangent).lu().solve(&-unbalance);
@@ -128,7 +129,7 @@ impl BeamColumnJoint {
             let mut part = 1.0;
             for halving in 0..=MAX_HALVINGS {
                 let next = inner + part * step;
-                (force, tangent, unbalance) = self.evaluate((outer, &next), dt, committed, trial)?;
+                (force, tangent, unbalance) = self.evaluate((outer, &next), dt, h)?;
                 if unbalance.norm() < before || halving == MAX_HALVINGS {
                     inner = next;
                     break;
@@ -146,19 +147,19 @@ impl BeamColumnJoint {
     }
 
     /// The same in one part or in several, from the committed state.
-    fn condense(&self, outer: &Outer, dt: f64, committed: &[f64], trial: &mut [f64]) -> Result<Balance, ElementError> {
-        let start = Vector4::from_column_slice(&committed[..INNER]);
-        let before = Outer::from_column_slice(&committed[INNER..INNER + OUTER]);
+    fn condense(&self, outer: &Outer, dt: f64, h: &mut Histories<'_>) -> ElementResult<Balance> {
+        let start = Vector4::from_column_slice(&h.committed[..INNER]);
+        let before = Outer::from_column_slice(&h.committed[INNER..INNER + OUTER]);
         'parts: for parts in PARTS {
             let mut at = start;
             for k in 1..parts {
                 let share = k as f64 / parts as f64;
-                match self.solve(&(before + share * (outer - before)), &at, dt, committed, trial)? {
+                match self.solve(&(before + share * (outer - before)), &at, dt, h)? {
                     Some(found) => at = found.inner,
                     None => continue 'parts,
                 }
             }
-            if let Some(found) = self.solve(outer, &at, dt, committed, trial)? {
+            if let Some(found) = self.solve(outer, &at, dt, h)? {
                 return Ok(found);
             }
         }
@@ -166,7 +167,7 @@ impl BeamColumnJoint {
     }
 
     /// Tangent of the nodes for tangents of the springs, added to a matrix n x n by rows.
-    fn add_tangent(&self, tangent: &Forces, out: &mut [f64]) -> Result<(), ElementError> {
+    fn add_tangent(&self, tangent: &Forces, out: &mut [f64]) -> ElementResult {
         let by_outer = SMatrix::<f64, JOINT_SPRINGS, OUTER>::from_fn(|i, j| tangent[i] * self.outer[(i, j)]);
         let mixed = self.inner.transpose() * by_outer;
         let Some(follows) = self.inner_stiffness(tangent).lu().solve(&mixed) else {
@@ -266,17 +267,11 @@ impl Element for BeamColumnJoint {
         ElementTraits { linear: false, viscous: false, ..ElementTraits::of(self.springs.iter()) }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let outer = self.plane_displacements(motion.disp);
-        let Balance { inner, force, tangent } = self.condense(&outer, motion.dt, committed, trial)?;
-        trial[..INNER].copy_from_slice(inner.as_slice());
-        trial[INNER..INNER + OUTER].copy_from_slice(outer.as_slice());
+        let Balance { inner, force, tangent } = self.condense(&outer, motion.dt, h)?;
+        h.trial[..INNER].copy_from_slice(inner.as_slice());
+        h.trial[INNER..INNER + OUTER].copy_from_slice(outer.as_slice());
         let nodes = self.outer.transpose() * SVector::from(force);
         if self.to_plane.is_empty() {
             output.force.iter_mut().zip(nodes.iter()).for_each(|(o, f)| *o += f);

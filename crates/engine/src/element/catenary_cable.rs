@@ -1,7 +1,9 @@
 //! Elastic cable under a uniform load: `CatenaryCable` (Thai and Kim, 2011, <https://doi.org/10.1016/j.finel.2010.10.005>).
 
 use super::load::ElementLoad;
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
+};
 use crate::element::roles::{ElementLoads, Inertia, Roles};
 use crate::probe::Probe;
 use nalgebra::{Matrix3, Vector3};
@@ -89,7 +91,7 @@ impl CatenaryCable {
     }
 
     /// Force at end i for a span.
-    fn solve(&self, span: &Vector3<f64>, load: &Vector3<f64>) -> Result<Vector3<f64>, ElementError> {
+    fn solve(&self, span: &Vector3<f64>, load: &Vector3<f64>) -> ElementResult<Vector3<f64>> {
         let failed =
             || ElementError("its shape is not found: the load is zero, or the cable far too long or short".into());
         let mut next = self.guess(span, load);
@@ -147,13 +149,7 @@ impl Element for CatenaryCable {
         ElementTraits { linear: false, symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        _: &[f64],
-        _: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, _: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let load = self.load(motion.load);
         let f = self.solve(&self.span_of(motion.disp), &load)?;
         let other = -f - load * self.length;
@@ -208,7 +204,7 @@ impl ElementLoads for CatenaryCable {
         4
     }
     /// A uniform load replaces the weight: its parts along local y, z and x are those along global x, y and z.
-    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, words: &mut [f64]) -> ElementResult {
         match load {
             ElementLoad::Distributed { span: (0.0, 1.0), y, z, x } if y.0 == y.1 && z.0 == z.1 && x.0 == x.1 => {
                 words.copy_from_slice(&[factor * y.0, factor * z.0, factor * x.0, 1.0]);

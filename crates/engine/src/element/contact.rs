@@ -1,7 +1,9 @@
 //! Contact of two nodes with Coulomb friction by penalties: `zeroLengthContact2D` and `zeroLengthContact3D`; the friction
 //! of `zeroLengthImpact3D` (Simo and Laursen, 1992, Computers and Structures 42, 97-116).
 
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use super::{
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot, add_outer, dot,
+};
 use crate::element::roles::Roles;
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -198,14 +200,8 @@ impl Element for Contact {
         ElementTraits { linear: false, symmetric: false, viscous: false, elapses: false, rayleigh: false }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.contact(m.disp, &State::read(committed), output.force, output.tangent).write(trial);
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        self.contact(m.disp, &State::read(h.committed), output.force, output.tangent).write(h.trial);
         Ok(())
     }
 

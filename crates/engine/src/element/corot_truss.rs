@@ -1,7 +1,10 @@
 //! Axial bar with large displacements: `corotTruss`.
 
 use super::bar::{Bar, BarOptions};
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, one_by_one};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
+    one_by_one,
+};
 use crate::element::roles::{ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
 use crate::parameter::Changed;
@@ -36,7 +39,7 @@ impl CorotTruss {
         line: &[f64],
         per_node: usize,
         options: BarOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let mut full = [0.0; 3];
         full[..line.len()].copy_from_slice(line);
         let length = norm(&full);
@@ -53,7 +56,7 @@ impl CorotTruss {
         std::array::from_fn(|i| if i < self.bar.ndm { field[self.bar.per_node + i] - field[i] } else { 0.0 })
     }
 
-    fn chord(&self, disp: &[f64]) -> Result<Chord, ElementError> {
+    fn chord(&self, disp: &[f64]) -> ElementResult<Chord> {
         let u = self.relative(disp);
         let d: [f64; 3] = std::array::from_fn(|i| self.line[i] + u[i]);
         let length = norm(&d);
@@ -103,13 +106,7 @@ impl Element for CorotTruss {
         ElementTraits { linear: false, ..self.bar.traits() }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let chord = self.chord(motion.disp)?;
         let n = &chord.direction;
         let v = self.relative(motion.vel);
@@ -118,7 +115,7 @@ impl Element for CorotTruss {
             rate: n.iter().zip(&v).map(|(n, v)| n * v).sum::<f64>() / self.bar.length,
             dt: motion.dt,
         };
-        let s = self.bar.slot.update(committed, strain, trial)?;
+        let s = self.bar.slot.update(h.committed, strain, h.trial)?;
         let area = self.bar.options.area;
         let axial = area * s.value;
         for (i, n) in n.iter().enumerate().take(self.bar.ndm) {

@@ -1,6 +1,6 @@
 //! One spring for two directions: `CoupledZeroLength`.
 
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use super::{Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot};
 use crate::element::roles::{ElementParameters, Roles};
 use crate::material::{Material, Slot, Strain};
 use crate::parameter::Changed;
@@ -82,26 +82,20 @@ impl Element for CoupledZeroLength {
         ElementTraits { linear: false, rayleigh: self.rayleigh, ..ElementTraits::of(std::iter::once(&self.slot)) }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let rate = self.offset(motion.vel);
         let mut d = self.offset(motion.disp);
         d.iter_mut().zip(&self.initial).for_each(|(d, initial)| *d -= initial);
         let size = d[0].hypot(d[1]);
         let value = if d[0] + d[1] < 0.0 { -size } else { size };
         let strain = Strain { value, rate: rate[0].hypot(rate[1]), dt: motion.dt };
-        let s = self.slot.update(committed, strain, trial)?;
-        let last = [committed[0], committed[1]];
+        let s = self.slot.update(h.committed, strain, h.trial)?;
+        let last = [h.committed[0], h.committed[1]];
         // At zero deformation the force keeps its last direction.
         let direction = if value != 0.0 { d.map(|d| d / value) } else { last };
         let turns = value != 0.0 && s.value != 0.0;
         let unit = direction.map(|x| x * s.value.signum());
-        trial[..2].copy_from_slice(&if turns { unit } else { last });
+        h.trial[..2].copy_from_slice(&if turns { unit } else { last });
         for (at, share) in self.directions.iter().zip(direction) {
             output.force[*at] -= share * s.value;
             output.force[self.per_node + at] += share * s.value;

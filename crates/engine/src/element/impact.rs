@@ -2,7 +2,7 @@
 //! the normal law is that of Muthukumar and DesRoches, 2006, Earthquake Engineering and Structural Dynamics 35, 811-828).
 
 use super::contact::{CONTACT_DOFS as DOFS, ContactDirection, ContactFriction, in_space};
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use super::{Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot};
 use crate::element::roles::Roles;
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -105,15 +105,9 @@ impl Element for Impact {
         ElementTraits { linear: false, symmetric: false, viscous: false, elapses: false, rayleigh: false }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         output.force.fill(0.0);
-        self.contact(m.disp, &ContactState::read(committed), output.force, output.tangent).write(trial);
+        self.contact(m.disp, &ContactState::read(h.committed), output.force, output.tangent).write(h.trial);
         Ok(())
     }
 

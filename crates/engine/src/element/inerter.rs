@@ -1,7 +1,10 @@
 //! Forces in proportion to relative accelerations of two nodes: `inerter`.
 
 use super::two_node_link::{global_matrix, local_axes, p_delta_forces, pull_back};
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, add_outer};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
+    add_outer,
+};
 use crate::element::roles::{ForceLabels, Inertance, Inertia, OwnDamping, Roles};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
@@ -59,7 +62,7 @@ impl Inerter {
         axes: Matrix3<f64>,
         length: f64,
         options: InerterOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let InerterOptions { directions, inertance, damping, p_delta, mass, rayleigh } = options;
         let m = directions.len();
         if directions.iter().any(|d| *d == 0 || *d > per_node) {
@@ -182,14 +185,8 @@ impl Element for Inerter {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        _: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        let (disp, rates) = trial.split_at_mut(self.rows.len());
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        let (disp, rates) = h.trial.split_at_mut(self.rows.len());
         let (vel, accel) = rates.split_at_mut(self.rows.len());
         self.relative(motion.disp, disp);
         rates_of(motion.dynamic, motion.vel, vel, |v, out| self.relative(v, out));

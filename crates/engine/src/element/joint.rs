@@ -1,7 +1,9 @@
 //! Joint of beams and columns in the plane: `Joint2D`.
 
 use super::springs::Springs;
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, OpenSeesTraits, Snapshot};
+use super::{
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, OpenSeesTraits, Snapshot,
+};
 use crate::element::roles::Roles;
 use crate::material::{Material, Slot};
 use crate::probe::Probe;
@@ -63,14 +65,8 @@ impl Element for Joint {
         ElementTraits { rayleigh: false, ..self.springs.traits() }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.springs.respond(motion, committed, trial, &mut output)
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
+        self.springs.respond(motion, h, &mut out)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

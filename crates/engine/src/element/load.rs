@@ -1,6 +1,6 @@
 //! Loads on elements (`eleLoad`).
 
-use super::ElementError;
+use super::{ElementError, ElementResult};
 
 /// A load on an element in its local axes, constant in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +87,7 @@ impl ElementLoad {
     ///
     /// # Errors
     /// The load is a moment along the beam.
-    pub(crate) fn refuse_moment(&self, class: &str) -> Result<(), ElementError> {
+    pub(crate) fn refuse_moment(&self, class: &str) -> ElementResult {
         match self {
             Self::Moment { .. } => Err(ElementError(format!("{class} takes no moments along its length").into())),
             _ => Ok(()),

@@ -1,6 +1,6 @@
 //! An element of several models, evaluated side by side.
 
-use super::{Element, ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
+use super::{Element, ElementInput, ElementOutput, Histories, MAX_DOFS, MatrixMask};
 use crate::numeric::wide::{Flags, WIDTH, Wide, is_set};
 use std::any::Any;
 use std::cell::Cell;
@@ -128,7 +128,7 @@ impl LockstepElement for OneByOne {
             damping.fill(0.0);
             let viscous = all_damping.is_some().then_some(&mut *damping);
             let answer = ElementOutput { force: &mut force[..n], tangent, damping: viscous, part };
-            if element.respond(&input, committed, trial, answer).is_err() {
+            if element.respond(&input, &mut Histories { committed, trial }, answer).is_err() {
                 force[..n].fill(f64::NAN);
             }
             all_trial.iter_mut().zip(&*trial).for_each(|(all, own)| all.0[lane] = *own);

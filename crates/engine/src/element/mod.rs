@@ -46,6 +46,7 @@ pub(crate) use crate::numeric::dot;
 use crate::probe::Probe;
 use std::any::Any;
 use std::fmt;
+use std::slice::SliceIndex;
 
 pub use amendment::OutsideRange;
 pub use bar::BarOptions;
@@ -232,6 +233,30 @@ impl Mass {
     }
 }
 
+/// History of an element, or of a part of it: that of the committed state and that of a trial state, of equal lengths.
+#[derive(Debug)]
+pub struct Histories<'a> {
+    /// Committed.
+    pub committed: &'a [f64],
+    /// Trial, to be overwritten.
+    pub trial: &'a mut [f64],
+}
+
+impl Histories<'_> {
+    /// A range of both.
+    #[inline]
+    pub fn part(&mut self, range: impl SliceIndex<[f64], Output = [f64]> + Clone) -> Histories<'_> {
+        Histories { committed: &self.committed[range.clone()], trial: &mut self.trial[range] }
+    }
+
+    /// The parts before and from an index.
+    #[inline]
+    pub fn split_at(&mut self, index: usize) -> (Histories<'_>, Histories<'_>) {
+        let ((a, b), (c, d)) = (self.committed.split_at(index), self.trial.split_at_mut(index));
+        (Histories { committed: a, trial: c }, Histories { committed: b, trial: d })
+    }
+}
+
 /// Constant properties of an element, by which the analysis saves work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ElementTraits {
@@ -254,6 +279,9 @@ impl ElementTraits {
         Self { linear, symmetric: true, viscous, elapses, rayleigh: false }
     }
 }
+
+/// Answer of an element that may find no force.
+pub type ElementResult<T = ()> = Result<T, ElementError>;
 
 /// Reason why an element found no force.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -330,13 +358,7 @@ pub trait Element: WatchesColumns + fmt::Debug + Send + Sync + Any {
     fn traits(&self) -> ElementTraits;
 
     /// Force and tangent for a trial motion from the committed history; writes every variable of `trial`.
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        answer: ElementOutput<'_>,
-    ) -> Result<(), ElementError>;
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, answer: ElementOutput<'_>) -> ElementResult;
 
     /// Take over the history of a trial state. An element with many state variables may leave out unused ones.
     fn commit(&self, trial: &[f64], committed: &mut [f64]) {

@@ -7,8 +7,8 @@
 use super::damping::BasicForces;
 use super::lockstep::LockstepMaker;
 use super::{
-    BasicRow, Element, ElementError, ElementLoad, LockstepElement, Mass, OpenSeesTraits, OutsideRange, Overload,
-    SmallBeam, Snapshot, Softening, Stretch,
+    BasicRow, Element, ElementError, ElementLoad, ElementResult, LockstepElement, Mass, OpenSeesTraits, OutsideRange,
+    Overload, SmallBeam, Snapshot, Softening, Stretch,
 };
 use crate::numeric::wide::WIDTH;
 use crate::parameter::{Changed, ParameterError};
@@ -94,7 +94,7 @@ pub trait ElementLoads: fmt::Debug {
     ///
     /// # Errors
     /// The element does not take a load of this kind.
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError>;
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult;
 }
 
 /// Numbers of an element that a script may change.
@@ -272,7 +272,7 @@ impl dyn Element {
     ///
     /// # Errors
     /// The element does not take the load.
-    pub fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+    pub fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult {
         match self.roles().loads {
             Some(loads) => loads.add_load(load, factor, sums),
             None => Err(ElementError(format!("{} takes no element loads", self.class().name).into())),

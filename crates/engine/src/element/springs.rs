@@ -3,7 +3,7 @@
 mod side_by_side;
 
 use super::damping::BasicForces;
-use super::{BasicRow, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot};
+use super::{BasicRow, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::parameter::{ParameterError, existing, index, last_of};
 use crate::probe::Probe;
@@ -144,10 +144,9 @@ impl Springs {
     pub(super) fn respond(
         &self,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         output: &mut ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         // Sum over springs with the same deformation.
         let (mut strain, mut sum) = (None, Stress::default());
         for s in &self.springs {
@@ -155,13 +154,13 @@ impl Springs {
                 let value = s.measure(motion.disp) - s.initial;
                 Strain { value, rate: s.measure(motion.vel), dt: motion.dt }
             });
-            let stress = s.slot.update(committed, at, trial)?;
+            let stress = s.slot.update(h.committed, at, h.trial)?;
             sum.value += stress.value;
             sum.tangent += stress.tangent;
             sum.damping += stress.damping;
             if let Some(d) = &s.damper {
                 // The strain of a damper is a rate, so its tangent is the damping.
-                let c = d.update(committed, Strain { value: at.rate, rate: 0.0, dt: motion.dt }, trial)?;
+                let c = d.update(h.committed, Strain { value: at.rate, rate: 0.0, dt: motion.dt }, h.trial)?;
                 sum.value += c.value;
                 sum.damping += c.tangent;
             }

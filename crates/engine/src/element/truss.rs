@@ -2,8 +2,8 @@
 
 use super::bar::{Bar, BarOptions};
 use super::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
-    add_outer, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass,
+    OpenSeesTraits, Snapshot, add_outer, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
@@ -34,7 +34,7 @@ impl Truss {
         per_node: usize,
         initial: &[f64],
         options: BarOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let length = dot(line, line).sqrt();
         if length == 0.0 {
             return Err(ElementError("the truss has no length".into()));
@@ -76,19 +76,13 @@ impl Element for Truss {
         self.bar.traits()
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let strain = Strain {
             value: dot(&self.row, motion.disp) - self.initial,
             rate: dot(&self.row, motion.vel),
             dt: motion.dt,
         };
-        let s = self.bar.slot.update(committed, strain, trial)?;
+        let s = self.bar.slot.update(h.committed, strain, h.trial)?;
         let volume = self.volume();
         for (f, r) in output.force.iter_mut().zip(&self.row) {
             *f += volume * s.value * r;

@@ -1,6 +1,9 @@
 //! Flexibility of the joint of a brace and a chord of an offshore platform: `ElasticTubularJoint`.
 
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, add_outer, dot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot,
+    add_outer, dot,
+};
 use crate::element::roles::{ForceLabels, Roles};
 use crate::probe::Probe;
 use std::f64::consts::FRAC_PI_2;
@@ -39,7 +42,7 @@ impl TubularJoint {
     ///
     /// # Errors
     /// The nodes are at one place, or the dimensions give no flexibility.
-    pub fn new(o: &TubularJointOptions, [dx, dy]: [f64; 2]) -> Result<Self, ElementError> {
+    pub fn new(o: &TubularJointOptions, [dx, dy]: [f64; 2]) -> ElementResult<Self> {
         if dx.hypot(dy) == 0.0 {
             return Err(ElementError("ElasticTubularJoint: its nodes are at one place".into()));
         }
@@ -77,13 +80,7 @@ impl Element for TubularJoint {
         ElementTraits { linear: true, symmetric: true, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        _: &[f64],
-        _: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, _: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         for (row, k) in self.rows.iter().zip(self.stiffness) {
             let force = k * dot(row, motion.disp);
             output.force.iter_mut().zip(row).for_each(|(f, r)| *f += force * r);

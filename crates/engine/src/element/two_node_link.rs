@@ -2,8 +2,8 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
-    Snapshot, alike, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories,
+    LockstepElement, Mass, Snapshot, alike, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::material::{Material, Slot};
@@ -55,7 +55,7 @@ impl TwoNodeLink {
         axes: Matrix3<f64>,
         length: f64,
         options: &LinkOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let local = local_axes(&axes, ndm, per_node);
         let mut made = Springs::new(axes);
         for (material, tag, direction) in springs {
@@ -134,7 +134,7 @@ pub(super) fn p_delta_forces(
     ratios: [f64; 4],
     (ndm, per_node): (usize, usize),
     length: f64,
-) -> Result<Vec<f64>, ElementError> {
+) -> ElementResult<Vec<f64>> {
     let n = 2 * per_node;
     let mut g = vec![0.0; n * n];
     let has = |d: usize| directions.contains(&(d + 1));
@@ -225,20 +225,14 @@ impl Element for TwoNodeLink {
         ElementTraits { linear: traits.linear && !p_delta, symmetric: !p_delta, ..traits }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.springs.respond(motion, committed, trial, &mut output)?;
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
+        self.springs.respond(motion, h, &mut out)?;
         if !self.p_delta.is_empty() {
-            let axial = self.springs.force_in(1, trial);
-            self.add_p_delta(axial, motion.disp, output.force);
+            let axial = self.springs.force_in(1, h.trial);
+            self.add_p_delta(axial, motion.disp, out.force);
             // The derivative of the axial force is omitted: with Rayleigh damping from the tangent it would act as
             // damping.
-            if let Some(k) = output.tangent {
+            if let Some(k) = out.tangent {
                 k.iter_mut().zip(&self.p_delta).for_each(|(k, g)| *k += axial * g);
             }
         }

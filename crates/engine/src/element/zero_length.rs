@@ -2,8 +2,8 @@
 
 use super::springs::Springs;
 use super::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Snapshot,
-    alike, dot, one_by_one,
+    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories,
+    LockstepElement, Snapshot, alike, dot, one_by_one,
 };
 use crate::element::roles::{BasicDeformations, ElementParameters, Roles};
 use crate::material::{Material, Slot};
@@ -47,7 +47,7 @@ impl ZeroLength {
         axes: Matrix3<f64>,
         initial: &[f64],
         damping: RayleighDamping,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let mut made = Springs::new(axes);
         for (k, (material, tag, direction)) in springs.into_iter().enumerate() {
             let half = direction_row(direction, ndm, per_node, &axes)
@@ -111,14 +111,8 @@ impl Element for ZeroLength {
         ElementTraits { rayleigh: self.rayleigh, ..self.springs.traits() }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.springs.respond(motion, committed, trial, &mut output)
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
+        self.springs.respond(motion, h, &mut out)
     }
 
     fn initial_tangent(&self, tangent: &mut [f64]) {

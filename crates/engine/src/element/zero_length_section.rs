@@ -1,7 +1,7 @@
 //! A section between two nodes at one location: `zeroLengthSection`.
 
 use super::zero_length::direction_row;
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use super::{Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot, dot};
 use crate::element::roles::{ElementParameters, ForceLabels, Roles};
 use crate::parameter::Changed;
 use crate::probe::Probe;
@@ -90,21 +90,15 @@ impl Element for ZeroLengthSection {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let mut e = [0.0; MAX_ORDER];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = dot(row, motion.disp));
-        self.slot.update(committed, &e, motion.dt, trial)?;
-        for (s, row) in self.slot.resultant(trial).iter().zip(&self.rows) {
+        self.slot.update(h.committed, &e, motion.dt, h.trial)?;
+        for (s, row) in self.slot.resultant(h.trial).iter().zip(&self.rows) {
             output.force.iter_mut().zip(row).for_each(|(f, a)| *f += s * a);
         }
         if let Some(tangent) = output.tangent {
-            self.add_stiffness(self.slot.stiffness(trial), tangent);
+            self.add_stiffness(self.slot.stiffness(h.trial), tangent);
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, ignore_unknown, kind};
 use hysteron_engine::element::damping::{Damped, DampingLaw, ElementDamping, Filters, user_defined};
-use hysteron_engine::element::{Element, ElementError};
+use hysteron_engine::element::{Element, ElementResult};
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
@@ -223,7 +223,7 @@ pub(crate) fn optional(interp: &Tcl, a: &mut Args<'_>) -> Result<Option<Arc<Elem
 pub(crate) fn damped(
     element: Arc<dyn Element>,
     damping: Option<Arc<ElementDamping>>,
-) -> Result<Arc<dyn Element>, ElementError> {
+) -> ElementResult<Arc<dyn Element>> {
     Ok(match damping {
         Some(damping) => Arc::new(Damped::new(element, damping)?),
         None => element,

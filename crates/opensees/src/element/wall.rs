@@ -253,7 +253,7 @@ impl Strips {
         &self,
         corners: &[Vector3<f64>; 4],
         modulus: impl Fn(usize) -> f64,
-    ) -> Result<WallShape<SPACE_WALL>, hysteron_engine::element::ElementError> {
+    ) -> hysteron_engine::element::ElementResult<WallShape<SPACE_WALL>> {
         let (area, width) = (self.area(), self.width.iter().sum::<f64>());
         let mean =
             self.thickness.iter().zip(&self.width).enumerate().map(|(i, (t, w))| modulus(i) * t * w / area).sum();

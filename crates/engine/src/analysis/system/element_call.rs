@@ -2,7 +2,7 @@
 
 use super::evaluation::ROUND_OFF;
 use crate::analysis::workspace::ElementWorkspace;
-use crate::element::{ElementError, ElementInput, ElementOutput, MAX_DOFS, MatrixMask, OpenSeesCall};
+use crate::element::{ElementInput, ElementOutput, ElementResult, Histories, MAX_DOFS, MatrixMask, OpenSeesCall};
 use crate::model::ElementEntry;
 
 /// Velocities where nothing moves.
@@ -71,8 +71,7 @@ pub(super) struct Places<'a> {
     pub(super) force: &'a mut [f64],
     pub(super) tangent: Option<&'a mut [f64]>,
     pub(super) damping: Option<&'a mut [f64]>,
-    /// Its trial history.
-    pub(super) trial: &'a mut [f64],
+    pub(super) histories: Histories<'a>,
 }
 
 impl Call<'_> {
@@ -85,12 +84,11 @@ impl Call<'_> {
         &self,
         e: &ElementEntry,
         m: &ElementWorkspace,
-        committed: &[f64],
         opensees: Option<OpenSeesCall<'_>>,
         places: Places<'_>,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         let (n, nodes, part) = (e.dofs.len(), self.nodes, self.part);
-        let Places { motion, force, mut tangent, mut damping, trial } = places;
+        let Places { motion, force, mut tangent, mut damping, mut histories } = places;
         nodes.write_motion(e, motion);
         let (disp, vel) = motion.split_at(n);
         let mut accelerations;
@@ -119,6 +117,6 @@ impl Call<'_> {
             time: self.time,
             dynamic: self.dynamic,
         };
-        e.element.respond(&input, committed, trial, ElementOutput { force, tangent, damping, part })
+        e.element.respond(&input, &mut histories, ElementOutput { force, tangent, damping, part })
     }
 }

@@ -4,7 +4,7 @@ use super::element_call::{Call, Nodes, Places};
 use super::{Cause, Failure, System};
 use crate::analysis::opensees::{CountedElement, Updates};
 use crate::analysis::workspace::ElementWorkspace;
-use crate::element::{ElementError, OpenSeesCall};
+use crate::element::{ElementError, Histories, OpenSeesCall};
 use crate::model::ElementEntry;
 use std::cell::Cell;
 use std::sync::atomic::Ordering;
@@ -258,10 +258,12 @@ impl System<'_> {
             force: &mut new.force[e.force.clone()],
             tangent: (want_tangent && !m.linear).then(|| &mut work.elements.tangent[m.at..m.at + n * n]),
             damping: m.damping.map(|at| &mut work.elements.damping[at..at + n * n]),
-            trial: &mut new.history[e.state.clone()],
+            histories: Histories {
+                committed: &self.old.history[e.state.clone()],
+                trial: &mut new.history[e.state.clone()],
+            },
         };
-        call.make(e, m, &self.old.history[e.state.clone()], opensees, places)
-            .map_err(|error| self.element_failed(i, error))
+        call.make(e, m, opensees, places).map_err(|error| self.element_failed(i, error))
     }
 
     #[cold]

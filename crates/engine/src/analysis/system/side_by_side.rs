@@ -6,7 +6,7 @@ use super::element_call::{Call, Nodes, Places};
 use super::evaluation::{Lack, Request};
 use super::{Failure, System};
 use crate::analysis::workspace::{ElementMatrices, ElementWorkspace};
-use crate::element::{ElementError, MatrixMask};
+use crate::element::{ElementError, ElementResult, Histories, MatrixMask};
 use crate::model::{ElementEntry, Model};
 
 /// State variables from which on several threads are quicker than one: the work of elements grows with their number.
@@ -167,7 +167,7 @@ impl Calls<'_> {
         Done { calls, failed: None }
     }
 
-    fn call(&self, e: &ElementEntry, m: &ElementWorkspace, span: &mut Span<'_>) -> Result<(), ElementError> {
+    fn call(&self, e: &ElementEntry, m: &ElementWorkspace, span: &mut Span<'_>) -> ElementResult {
         let n = e.dofs.len();
         let call = Call {
             nodes: self.nodes,
@@ -182,8 +182,11 @@ impl Calls<'_> {
             force: span.force.range(e.force.start, e.force.len()),
             tangent: (self.asked.tangent && !m.linear).then(|| span.tangent.range(m.at, n * n)),
             damping: m.damping.map(|at| span.damping.range(at, n * n)),
-            trial: span.trial.range(e.state.start, e.state.len()),
+            histories: Histories {
+                committed: &self.committed[e.state.clone()],
+                trial: span.trial.range(e.state.start, e.state.len()),
+            },
         };
-        call.make(e, m, &self.committed[e.state.clone()], None, places)
+        call.make(e, m, None, places)
     }
 }

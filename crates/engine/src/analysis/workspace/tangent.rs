@@ -3,7 +3,7 @@
 use super::{ElementMatrices, MassPlace, TangentMix, Workspace};
 use crate::analysis::state::State;
 use crate::analysis::system::Coefficients;
-use crate::element::{ElementInput, ElementOutput, MAX_DOFS, MatrixMask};
+use crate::element::{ElementInput, ElementOutput, Histories, MAX_DOFS, MatrixMask};
 use crate::model::Model;
 use crate::numeric::dot;
 
@@ -75,7 +75,8 @@ impl Workspace {
                 ElementOutput { force: &mut force[..n], tangent: Some(tangent), damping: None, part: MatrixMask::ALL };
             let committed = &state.history[e.state.clone()];
             // The same state was evaluated in the last iteration.
-            let _ = e.element.respond(&input, committed, &mut room[..committed.len()], output);
+            let h = &mut Histories { committed, trial: &mut room[..committed.len()] };
+            let _ = e.element.respond(&input, h, output);
         }
     }
 

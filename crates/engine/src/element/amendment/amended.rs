@@ -9,8 +9,8 @@ use super::{AmendedForce, Amendment, DeformationState, Pair, Slack, SlackShare};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, LawRange, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MAX_DOFS,
-    MatrixMask, OpenSeesTraits, OutsideRange, Snapshot, dot,
+    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits,
+    Histories, MAX_DOFS, MatrixMask, OpenSeesTraits, OutsideRange, Snapshot, dot,
 };
 use crate::parameter::Changed;
 use crate::probe::Probe;
@@ -74,7 +74,7 @@ impl Amended {
     ///
     /// # Errors
     /// A direction that the element does not have; more than two directions.
-    pub fn new(inner: Arc<dyn Element>, law: Arc<dyn Amendment>, directions: &[usize]) -> Result<Self, ElementError> {
+    pub fn new(inner: Arc<dyn Element>, law: Arc<dyn Amendment>, directions: &[usize]) -> ElementResult<Self> {
         let has = inner.basic_rows();
         let find = |direction: usize| has.iter().find(|r| r.direction == direction);
         let shear: Vec<usize>;
@@ -104,7 +104,7 @@ impl Amended {
     ///
     /// # Errors
     /// A direction that the element does not have, or that is amended.
-    pub fn with_axial(self, direction: usize, reversed: bool) -> Result<Self, ElementError> {
+    pub fn with_axial(self, direction: usize, reversed: bool) -> ElementResult<Self> {
         let has = self.inner.basic_rows();
         if self.rows.iter().any(|r| r.direction == direction) {
             return Err(ElementError(format!("direction {direction} is amended itself").into()));
@@ -215,13 +215,12 @@ impl Amended {
         &self,
         slack: &Slack,
         motion: &ElementInput<'_>,
-        old: &[f64],
-        new: &mut [f64],
-    ) -> Result<SlackShare, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<SlackShare> {
         let n = self.inner.dofs();
         let mut e = [0.0; 2];
         e.iter_mut().zip(&self.rows).for_each(|(e, row)| *e = row.deformation(motion.disp));
-        slack.solve(e, |by| -> Result<ForceAndTangent, ElementError> {
+        slack.solve(e, |by| -> ElementResult<ForceAndTangent> {
             let (mut force, mut tangent) = ([0.0; MAX_DOFS], [0.0; MAX_DOFS * MAX_DOFS]);
             let disp = self.element_displacements(motion.disp, by);
             let mut output = ElementOutput {
@@ -230,7 +229,7 @@ impl Amended {
                 damping: None,
                 part: MatrixMask::ALL,
             };
-            self.respond_inner(&ElementInput { disp: &disp[..n], ..*motion }, old, new, &mut output)?;
+            self.respond_inner(&ElementInput { disp: &disp[..n], ..*motion }, h, &mut output)?;
             let mut q = [0.0; 2];
             q.iter_mut().zip(&self.rows).for_each(|(q, row)| *q = row.force(&force[..n]));
             Ok((q, self.by_deformation(&tangent[..n * n])))
@@ -277,26 +276,24 @@ impl Amended {
     fn respond_amended(
         &self,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         // The correction below reads every entry of the tangent.
         if let Some(tangent) = output.tangent.as_deref_mut() {
             tangent.fill(0.0);
         }
-        let (old, own_committed) = committed.split_at(self.inner.len());
-        let (new, next) = trial.split_at_mut(self.inner.len());
+        let (mut inner, mut own) = h.split_at(self.inner.len());
         let law_range = HEADER_LEN..HEADER_LEN + self.law.state_len();
-        let before = [own_committed[0], own_committed[1]];
-        let slack = self.law.slack(&own_committed[law_range.clone()]);
-        let weakening = self.law.weakening(&own_committed[law_range.clone()]).filter(|_| slack.is_none());
+        let before = [own.committed[0], own.committed[1]];
+        let slack = self.law.slack(&own.committed[law_range.clone()]);
+        let weakening = self.law.weakening(&own.committed[law_range.clone()]).filter(|_| slack.is_none());
         let slack_share =
-            slack.as_ref().map(|slack| self.solve_slack(slack, motion, old, new)).transpose()?.unwrap_or_default();
+            slack.as_ref().map(|slack| self.solve_slack(slack, motion, &mut inner)).transpose()?.unwrap_or_default();
         let withheld =
-            weakening.as_ref().map_or(slack_share.by, |w| self.withheld_by_strength(w, own_committed, motion));
+            weakening.as_ref().map_or(slack_share.by, |w| self.withheld_by_strength(w, own.committed, motion));
         let disp = self.element_displacements(motion.disp, withheld);
-        self.respond_inner(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, old, new, &mut output)?;
+        self.respond_inner(&ElementInput { disp: &disp[..motion.disp.len()], ..*motion }, &mut inner, &mut output)?;
         let deformation_state =
             DeformationState { slack: slack_share, ..self.deformation_state(motion, output.force, before) };
         let v = match weakening {
@@ -309,23 +306,20 @@ impl Amended {
                     q: std::array::from_fn(|i| deformation_state.q[i] + w.stiffness * withheld[i]),
                     ..deformation_state
                 };
-                let mut v =
-                    self.law.amend(&own_committed[law_range.clone()], &at_total, &mut next[law_range.clone()])?;
+                let mut v = self.law.amend(&mut own.part(law_range), &at_total)?;
                 for (by_e, by_q) in v.by_deformation.iter_mut().zip(&v.by_force) {
                     by_e.iter_mut().zip(by_q).for_each(|(e, q)| *e += q * w.stiffness * w.withheld_part());
                 }
                 v
             }
-            None => {
-                self.law.amend(&own_committed[law_range.clone()], &deformation_state, &mut next[law_range.clone()])?
-            }
+            None => self.law.amend(&mut own.part(law_range), &deformation_state)?,
         };
-        next[..2].copy_from_slice(&deformation_state.e);
-        next[WITHHELD_AT..STRENGTH_AT].copy_from_slice(&withheld);
-        strength::note(weakening.as_ref(), &deformation_state, withheld, next);
+        own.trial[..2].copy_from_slice(&deformation_state.e);
+        own.trial[WITHHELD_AT..STRENGTH_AT].copy_from_slice(&withheld);
+        strength::note(weakening.as_ref(), &deformation_state, withheld, own.trial);
         for (i, row) in self.rows.iter().enumerate() {
             let added = v.q[i] - deformation_state.q[i];
-            next[2 + i] = added;
+            own.trial[2 + i] = added;
             output.force.iter_mut().zip(&row.row).for_each(|(f, a)| *f += added * a);
         }
         if let Some(tangent) = output.tangent {
@@ -370,22 +364,16 @@ impl Element for Amended {
         ElementTraits { linear: false, symmetric: false, elapses, ..inner }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         if !self.counts_calls {
-            return self.respond_amended(motion, committed, trial, output);
+            return self.respond_amended(motion, h, output);
         }
         let mut tangent = [0.0; MAX_DOFS * MAX_DOFS];
         let tangent = &mut tangent[..self.tangent_len()];
         let ElementOutput { force, tangent: tangent_out, damping, part } = output;
         let stored = ElementOutput { force, tangent: Some(&mut *tangent), damping, part };
-        self.respond_amended(motion, committed, trial, stored)?;
-        trial[self.tangent_at()..].copy_from_slice(tangent);
+        self.respond_amended(motion, h, stored)?;
+        h.trial[self.tangent_at()..].copy_from_slice(tangent);
         if let Some(tangent_out) = tangent_out {
             tangent_out.copy_from_slice(tangent);
         }
@@ -402,7 +390,8 @@ impl Element for Amended {
             return;
         }
         let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
-        if let Ok(v) = self.law.amend(&virgin, &DeformationState { slack, ..DeformationState::default() }, &mut next) {
+        let h = &mut Histories { committed: &virgin, trial: &mut next };
+        if let Ok(v) = self.law.amend(h, &DeformationState { slack, ..DeformationState::default() }) {
             self.add_tangent(&v, tangent);
         }
     }

@@ -1,7 +1,7 @@
 //! Loss of lateral stiffness under axial load.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// s = (1 - (P / P_cr)ᵖ) / (1 - (P_ref / P_cr0)ᵖ) with the compression P. The critical load P_cr = P_cr0 (1 - |e| / D)
 /// falls with the overlap of the plates. P = 0 in tension.
@@ -33,7 +33,7 @@ impl AmendmentLaw for Axial {
     type State = ();
     const NAME: &'static str = "axial";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let p = self.load.unwrap_or(d.axial).max(0.0);
         let overlap = (1.0 - d.amplitude() / self.width).max(MIN_OVERLAP);
         let ratio = p / (self.critical * overlap);

@@ -1,7 +1,7 @@
 //! Friction with presliding deformation (bristles) and breakaway force.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// f' = k (e' - |e'| f / g) with g = F + F_b (1 - w) exp(-(v / v_s)²), isotropic in two directions.
 ///
@@ -63,11 +63,7 @@ impl AmendmentLaw for Bristles {
     type State = BristlesState;
     const NAME: &'static str = "bristles";
 
-    fn amend(
-        &self,
-        committed: &BristlesState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, BristlesState), ElementError> {
+    fn amend(&self, committed: &BristlesState, d: &DeformationState) -> ElementResult<(AmendedForce, BristlesState)> {
         let de = d.increment();
         let increment_size = de[0].hypot(de[1]);
         let mut v = AmendedForce::unchanged(d.q);

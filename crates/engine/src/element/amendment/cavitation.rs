@@ -1,7 +1,7 @@
 //! Tensile cavitation of rubber and its damage.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// In tension the force of a direction has an envelope beyond the cavitation strength F_c, which is reached at the
 /// extension u_c,
@@ -69,7 +69,7 @@ impl AmendmentLaw for Cavitation {
         &self,
         committed: &CavitationState,
         d: &DeformationState,
-    ) -> Result<(AmendedForce, CavitationState), ElementError> {
+    ) -> ElementResult<(AmendedForce, CavitationState)> {
         let u = self.sign * d.e[0];
         let (limit, slope) = self.limit(u, committed.largest);
         let mut v = AmendedForce::unchanged(d.q);

@@ -1,7 +1,7 @@
 //! One yield surface for two directions.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 use crate::element::bearing::{BoucWenShear, Shear, ShearLaw};
 
 /// The law of `elastomericBearingBoucWen` in both directions, in place of two uncoupled springs. The force of the
@@ -16,7 +16,7 @@ impl AmendmentLaw for Coupling {
     type State = Shear<2>;
     const NAME: &'static str = "coupling";
 
-    fn amend(&self, committed: &Shear<2>, d: &DeformationState) -> Result<(AmendedForce, Shear<2>), ElementError> {
+    fn amend(&self, committed: &Shear<2>, d: &DeformationState) -> ElementResult<(AmendedForce, Shear<2>)> {
         let virgin = *committed == Shear::default();
         let next = if virgin { self.law.step(&self.law.virgin(), d.e) } else { self.law.step(committed, d.e) }?;
         Ok((AmendedForce { q: next.q, by_deformation: next.k, ..AmendedForce::default() }, next))

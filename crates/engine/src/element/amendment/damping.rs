@@ -1,7 +1,7 @@
 //! Viscous damping in parallel.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// A dashpot f = c |ė|ⁿ sign(ė) in each direction. The rate ė is Δe over the increment of domain time, in static
 /// analyses too. The force is 0 if no time passes.
@@ -21,7 +21,7 @@ impl AmendmentLaw for Damping {
     type State = ();
     const NAME: &'static str = "damping";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let mut v = AmendedForce::unchanged(d.q);
         if d.dt <= 0.0 {
             return Ok((v, ()));

@@ -1,7 +1,7 @@
 //! Strength lost with accumulated damage.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// s = 1 - loss (1 - exp(-E / E₀)), where E is the absolute work of the hysteretic part. The damage index of Park and
 /// Ang, J. Struct. Eng. 111 (1985), also sums the energy without sign.
@@ -38,7 +38,7 @@ impl AmendmentLaw for Degradation {
         &self,
         committed: &DegradationState,
         d: &DeformationState,
-    ) -> Result<(AmendedForce, DegradationState), ElementError> {
+    ) -> ElementResult<(AmendedForce, DegradationState)> {
         let work = self.share.work(d);
         let energy = committed.energy + work.abs();
         let slope = -self.loss * (-energy / self.energy).exp() / self.energy * work.signum();

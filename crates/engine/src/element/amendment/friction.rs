@@ -1,7 +1,7 @@
 //! Coulomb friction in parallel, such as that of a guide or a test rig.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// f = k (e - e_s) with |f| ≤ F: Coulomb's law regularised as elastic-plastic, isotropic in two directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,11 +24,7 @@ impl AmendmentLaw for Friction {
     type State = FrictionState;
     const NAME: &'static str = "friction";
 
-    fn amend(
-        &self,
-        committed: &FrictionState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, FrictionState), ElementError> {
+    fn amend(&self, committed: &FrictionState, d: &DeformationState) -> ElementResult<(AmendedForce, FrictionState)> {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);

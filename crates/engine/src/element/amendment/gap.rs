@@ -1,7 +1,7 @@
 //! Contact after a gap closes: pounding, moat wall, stopper.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// Contact beyond the deformation `at`, separately in each direction: f = k d^p (1 + c ḋ) ≥ 0 with the penetration d.
 /// The rate ḋ is Δd over the increment of domain time.
@@ -56,7 +56,7 @@ impl AmendmentLaw for Gap {
     type State = ();
     const NAME: &'static str = "gap";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let mut v = AmendedForce::unchanged(d.q);
         for i in 0..2 {
             let mut add = |sign: f64| {

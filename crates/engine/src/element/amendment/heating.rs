@@ -1,7 +1,7 @@
 //! Self-heating: dissipated energy raises the temperature and lowers stiffness and strength.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 use std::sync::LazyLock;
 
 /// Number of rates in the spectrum of conduction, one a decade, in units of 1/τ_c. `LOWEST_DECADE` is the decadic exponent of
@@ -85,11 +85,7 @@ impl AmendmentLaw for Heating {
     type State = HeatingState;
     const NAME: &'static str = "heating";
 
-    fn amend(
-        &self,
-        committed: &HeatingState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, HeatingState), ElementError> {
+    fn amend(&self, committed: &HeatingState, d: &DeformationState) -> ElementResult<(AmendedForce, HeatingState)> {
         // Implicit cooling is stable for any step. The work is that of the force with the committed factor, so energy
         // balances to first order in the step.
         let committed_factor = self.factor(committed.rise.iter().sum());

@@ -3,7 +3,8 @@
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, Roles};
 use crate::element::{
-    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot, dot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, MatrixMask,
+    Snapshot, dot,
 };
 use crate::material::{Material, Strain, WatchesColumns};
 use crate::parameter::{Changed, ParameterError};
@@ -66,13 +67,6 @@ struct HingeMoments {
     tangent: PerHinge,
 }
 
-/// State variables of the hinges in a step: committed and trial.
-struct Histories<'a> {
-    old: &'a [f64],
-    next: &'a mut [f64],
-    dt: f64,
-}
-
 impl Hinged {
     /// Adds hinges at some of the `ends` of a beam: 0 for node i, 1 for node j. The chord is a vector along the beam of
     /// any length. Nodes have three degrees of freedom in the plane, six in space. The material gives the moment (force
@@ -85,7 +79,7 @@ impl Hinged {
         chord: Vector3<f64>,
         ends: &[usize],
         material: Material,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let n = inner.dofs();
         let class = inner.class().name;
         if !inner.basic_rows().is_empty() {
@@ -129,7 +123,7 @@ impl Hinged {
     }
 
     /// Sets the tolerance of moments from the stiffness of the beam.
-    fn scaled(mut self) -> Result<Self, ElementError> {
+    fn scaled(mut self) -> ElementResult<Self> {
         let mut stiffness = vec![0.0; self.inner.dofs().pow(2)];
         self.inner.initial_tangent(&mut stiffness);
         let own = self.stiffness(&stiffness).diagonal();
@@ -172,18 +166,18 @@ impl Hinged {
     }
 
     /// Moment and tangent of hinge `i` at a rotation; writes its trial state variables.
-    fn hinge_response(&self, i: usize, rotation: f64, h: &mut Histories<'_>) -> Result<(f64, f64), ElementError> {
+    fn hinge_response(&self, i: usize, rotation: f64, h: &mut Histories<'_>, dt: f64) -> ElementResult<(f64, f64)> {
         let range = i * self.hinge_len..(i + 1) * self.hinge_len;
-        let (old, next) = (&h.old[range.clone()], &mut h.next[range]);
+        let (old, next) = (&h.committed[range.clone()], &mut h.trial[range]);
         next[0] = rotation;
-        let s = self.material.update(&old[1..], Strain { value: rotation, rate: 0.0, dt: h.dt }, &mut next[1..])?;
+        let s = self.material.update(&old[1..], Strain { value: rotation, rate: 0.0, dt }, &mut next[1..])?;
         Ok((s.value, s.tangent))
     }
 
-    fn hinge_responses(&self, rotations: &PerHinge, h: &mut Histories<'_>) -> Result<HingeMoments, ElementError> {
+    fn hinge_responses(&self, rotations: &PerHinge, h: &mut Histories<'_>, dt: f64) -> ElementResult<HingeMoments> {
         let mut out = HingeMoments { moment: PerHinge::zeros(), tangent: PerHinge::zeros() };
         for i in 0..self.hinges.len() {
-            (out.moment[i], out.tangent[i]) = self.hinge_response(i, rotations[i], h)?;
+            (out.moment[i], out.tangent[i]) = self.hinge_response(i, rotations[i], h, dt)?;
         }
         Ok(out)
     }
@@ -198,11 +192,12 @@ impl Hinged {
         moments: &PerHinge,
         from: &PerHinge,
         h: &mut Histories<'_>,
-    ) -> Result<PerHinge, ElementError> {
+        dt: f64,
+    ) -> ElementResult<PerHinge> {
         let mut theta = *from;
         let tolerance = self.moment_tolerance + ROUND_OFF * moments.amax();
         for _ in 0..MAX_NEWTON_STEPS {
-            let hinges_now = self.hinge_responses(&theta, h)?;
+            let hinges_now = self.hinge_responses(&theta, h, dt)?;
             let residual = moments - k * (theta - from) - hinges_now.moment;
             if residual.rows(0, self.hinges.len()).amax() <= tolerance {
                 return Ok(theta);
@@ -217,7 +212,7 @@ impl Hinged {
             let before = theta;
             for i in 0..self.hinges.len() {
                 let others = (k.row(i) * (theta - from))[0] - k[(i, i)] * (theta[i] - from[i]);
-                theta[i] = self.solve_hinge(i, (moments[i] - others, from[i], k[(i, i)]), theta[i], h)?;
+                theta[i] = self.solve_hinge(i, (moments[i] - others, from[i], k[(i, i)]), theta[i], h, dt)?;
             }
             let moment_change = k.diagonal().component_mul(&(theta - before));
             if moment_change.amax() <= tolerance {
@@ -235,11 +230,12 @@ impl Hinged {
         (moment, at, k): (f64, f64, f64),
         start: f64,
         h: &mut Histories<'_>,
-    ) -> Result<f64, ElementError> {
+        dt: f64,
+    ) -> ElementResult<f64> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut theta = start;
         for _ in 0..MAX_HINGE_STEPS {
-            let (own, tangent) = self.hinge_response(i, theta, h)?;
+            let (own, tangent) = self.hinge_response(i, theta, h, dt)?;
             let residual = moment - k * (theta - at) - own;
             if residual.abs() <= self.moment_tolerance + ROUND_OFF * own.abs() {
                 break;
@@ -316,46 +312,38 @@ impl Element for Hinged {
         ElementTraits { linear: false, elapses: inner.elapses || self.material.depends_on_time(), ..inner }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
         let n = self.dofs();
-        let (old, hinge_states) = committed.split_at(self.inner.len());
-        let (new, next) = trial.split_at_mut(self.inner.len());
-        let mut rotations = self.rotations(hinge_states);
-        let mut histories = Histories { old: hinge_states, next, dt: motion.dt };
+        let (mut inner, mut hinges) = h.split_at(self.inner.len());
+        let (mut rotations, h, dt) = (self.rotations(hinges.committed), &mut hinges, motion.dt);
         let mut own = [0.0; SPACE * SPACE];
         for _ in 0..MAX_LINEARIZATIONS {
-            output.force.fill(0.0);
-            if let Some(damping) = output.damping.as_deref_mut() {
+            out.force.fill(0.0);
+            if let Some(damping) = out.damping.as_deref_mut() {
                 damping.fill(0.0);
             }
             let tangent = &mut own[..n * n];
             tangent.fill(0.0);
             let disp = self.beam_displacements(motion.disp, &rotations);
             let asked = ElementOutput {
-                force: &mut *output.force,
+                force: &mut *out.force,
                 tangent: Some(&mut *tangent),
-                damping: output.damping.as_deref_mut(),
+                damping: out.damping.as_deref_mut(),
                 part: MatrixMask::ALL,
             };
-            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, old, new, asked)?;
+            self.inner.respond(&ElementInput { disp: &disp[..n], ..*motion }, &mut inner, asked)?;
             let mut moments = PerHinge::zeros();
-            moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, output.force));
-            let hinges_now = self.hinge_responses(&rotations, &mut histories)?;
+            moments.iter_mut().zip(&self.hinges).for_each(|(m, hinge)| *m = dot(&hinge.row, out.force));
+            let hinges_now = self.hinge_responses(&rotations, h, dt)?;
             let size = moments.amax() + hinges_now.moment.amax();
             if (moments - hinges_now.moment).amax() <= 10.0 * self.moment_tolerance + ROUND_OFF * size {
-                if let Some(out) = output.tangent {
+                if let Some(whole) = out.tangent {
                     self.condense(tangent, &hinges_now.tangent);
-                    out.copy_from_slice(tangent);
+                    whole.copy_from_slice(tangent);
                 }
                 return Ok(());
             }
-            rotations = self.solve(&self.stiffness(tangent), &moments, &rotations, &mut histories)?;
+            rotations = self.solve(&self.stiffness(tangent), &moments, &rotations, h, dt)?;
         }
         Err(ElementError("its hinges find no equilibrium in this step".into()))
     }

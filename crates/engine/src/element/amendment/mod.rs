@@ -31,7 +31,7 @@ mod stiffening;
 mod temperature;
 mod yielding;
 
-use super::ElementError;
+use super::{ElementResult, Histories};
 use crate::state_struct::StateStruct;
 use std::fmt;
 use std::sync::Arc;
@@ -143,11 +143,7 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     ///
     /// # Errors
     /// The law's equation has no solution for the step.
-    fn amend(
-        &self,
-        committed: &Self::State,
-        demand: &DeformationState,
-    ) -> Result<(AmendedForce, Self::State), ElementError>;
+    fn amend(&self, committed: &Self::State, demand: &DeformationState) -> ElementResult<(AmendedForce, Self::State)>;
 
     /// Slack in series with the element.
     fn slack(&self, _committed: &Self::State) -> Option<Slack> {
@@ -181,16 +177,11 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     fn state_len(&self) -> usize;
     /// Writes the virgin state variables.
     fn init(&self, state: &mut [f64]);
-    /// Amended force; writes all entries of `next`.
+    /// Amended force; writes the whole trial history.
     ///
     /// # Errors
     /// The law's equation has no solution for the step.
-    fn amend(
-        &self,
-        committed: &[f64],
-        demand: &DeformationState,
-        next: &mut [f64],
-    ) -> Result<AmendedForce, ElementError>;
+    fn amend(&self, h: &mut Histories<'_>, demand: &DeformationState) -> ElementResult<AmendedForce>;
     /// Slack in series with the element.
     fn slack(&self, committed: &[f64]) -> Option<Slack>;
     /// Loss of strength of the element, at the committed state.
@@ -213,14 +204,9 @@ impl<L: AmendmentLaw> Amendment for L {
     fn init(&self, state: &mut [f64]) {
         L::State::default().write(state);
     }
-    fn amend(
-        &self,
-        committed: &[f64],
-        demand: &DeformationState,
-        next: &mut [f64],
-    ) -> Result<AmendedForce, ElementError> {
-        let (amended, state) = AmendmentLaw::amend(self, &L::State::read(committed), demand)?;
-        state.write(next);
+    fn amend(&self, h: &mut Histories<'_>, demand: &DeformationState) -> ElementResult<AmendedForce> {
+        let (amended, state) = AmendmentLaw::amend(self, &L::State::read(h.committed), demand)?;
+        state.write(h.trial);
         Ok(amended)
     }
     fn slack(&self, committed: &[f64]) -> Option<Slack> {

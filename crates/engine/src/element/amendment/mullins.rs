@@ -1,7 +1,7 @@
 //! Mullins softening (scragging): rubber is stiffer at first loading to a strain than at reloading.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 use crate::material::{Peak, Softening};
 use crate::numeric::Dual;
 
@@ -29,11 +29,7 @@ impl AmendmentLaw for Mullins {
     type State = MullinsState;
     const NAME: &'static str = "mullins";
 
-    fn amend(
-        &self,
-        committed: &MullinsState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, MullinsState), ElementError> {
+    fn amend(&self, committed: &MullinsState, d: &DeformationState) -> ElementResult<(AmendedForce, MullinsState)> {
         let size = Dual { value: d.amplitude(), slope: 1.0 };
         let old = Peak { now: Dual::constant(committed.largest), ever: committed.ever };
         let peak = self.softening.advance(old, size, d.dt.abs());

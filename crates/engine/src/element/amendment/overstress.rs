@@ -1,7 +1,7 @@
 //! Viscous overstress: a force that depends on the rate of deformation.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::{ElementError, ElementResult};
 
 /// A Maxwell element in parallel, with a power-law dashpot: f' = k e' - k v₀ (|f| / F₀)^(1/n) f/|f|. At a constant
 /// speed v the overstress is F₀ (v / v₀)ⁿ. The dashpot is linear for n = 1. Small n gives the overstress of high
@@ -31,7 +31,7 @@ crate::state_struct! {
 impl Overstress {
     /// Overstress after a step from its value with a locked dashpot, and its derivative. Backward Euler: x + k dt v₀ (x
     /// / F₀)^(1/n) = x_tr.
-    fn relax(&self, trial: f64, dt: f64) -> Result<(f64, f64), ElementError> {
+    fn relax(&self, trial: f64, dt: f64) -> ElementResult<(f64, f64)> {
         if dt <= 0.0 || trial == 0.0 {
             return Ok((trial, 1.0));
         }
@@ -62,7 +62,7 @@ impl AmendmentLaw for Overstress {
         &self,
         committed: &OverstressState,
         d: &DeformationState,
-    ) -> Result<(AmendedForce, OverstressState), ElementError> {
+    ) -> ElementResult<(AmendedForce, OverstressState)> {
         let de = d.increment();
         let trial: Pair = std::array::from_fn(|i| committed.force[i] + self.stiffness * de[i]);
         let size = trial[0].hypot(trial[1]);

@@ -1,7 +1,7 @@
 //! Yielding of an elastic member with peak-oriented reloading, as in reinforced concrete.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// Stiffness k up to the yield force F_y, then b k. The unloading stiffness is k (e_y/e_max)^a, where e_max is the
 /// largest deformation on the side of unloading. After the force has changed its sign, reloading aims at the largest
@@ -75,11 +75,7 @@ impl AmendmentLaw for PeakOriented {
     type State = PeakOrientedState;
     const NAME: &'static str = "peakOriented";
 
-    fn amend(
-        &self,
-        c: &PeakOrientedState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, PeakOrientedState), ElementError> {
+    fn amend(&self, c: &PeakOrientedState, d: &DeformationState) -> ElementResult<(AmendedForce, PeakOrientedState)> {
         let (mut v, mut next) = (AmendedForce::unchanged(d.q), *c);
         for i in 0..2 {
             let (e, before) = (d.e[i], d.before[i]);

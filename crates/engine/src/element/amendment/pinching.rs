@@ -1,7 +1,7 @@
 //! Pinching: slip or crack closing narrows the loops close to zero deformation.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// s = 1 - depth exp(-(|e| / (width (e_max - onset)))²) for e_max > onset, otherwise 1. The largest deformation e_max
 /// is that of the committed state. The shape is that of the slip-lock element of Baber and Noori, J. Eng. Mech. 111
@@ -30,11 +30,7 @@ impl AmendmentLaw for Pinching {
     type State = PinchingState;
     const NAME: &'static str = "pinching";
 
-    fn amend(
-        &self,
-        committed: &PinchingState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, PinchingState), ElementError> {
+    fn amend(&self, committed: &PinchingState, d: &DeformationState) -> ElementResult<(AmendedForce, PinchingState)> {
         let r = d.amplitude();
         let largest = committed.largest.max(r);
         // Pinching depends on earlier damage, so the committed peak is used.

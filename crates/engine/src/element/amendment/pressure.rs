@@ -1,7 +1,7 @@
 //! Strength proportional to a power of the axial force, as of a slider.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// s = (P / P₀)ᵖ with the compression P = N + c e; s = 0 in tension. With the hysteretic part alone ([`Share`]) and p =
 /// 1, the strength obeys Coulomb's law. The term c e is the axial force from overturning, which N, the axial force of
@@ -24,7 +24,7 @@ impl AmendmentLaw for Pressure {
     type State = ();
     const NAME: &'static str = "pressure";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let compression = self.load.unwrap_or(d.axial) + self.lever * d.e[0];
         if compression <= 0.0 {
             return Ok((self.share.scale(d, 0.0, [0.0; 2], 0.0), ()));

@@ -1,7 +1,7 @@
 //! Relaxation of the force: quasi-linear viscoelasticity.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// Number of relaxation times.
 const TIME_COUNT: usize = 4;
@@ -51,7 +51,7 @@ impl AmendmentLaw for Relaxation {
         &self,
         committed: &RelaxationState,
         d: &DeformationState,
-    ) -> Result<(AmendedForce, RelaxationState), ElementError> {
+    ) -> ElementResult<(AmendedForce, RelaxationState)> {
         let mut next = RelaxationState { force: d.q, ..*committed };
         let change: Pair = std::array::from_fn(|i| d.q[i] - committed.force[i]);
         let mut v = AmendedForce::unchanged(d.q);

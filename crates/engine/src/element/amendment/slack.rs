@@ -1,7 +1,7 @@
 //! Slack in series with an element.
 
 use super::Pair;
-use crate::element::ElementError;
+use crate::element::{ElementError, ElementResult};
 
 /// Slack s(z) = ½ size tanh(z / width) in each direction. The force z = q(e - s) - k (e - s) is that of the element at
 /// e - s without its elastic part. The flexibility ds/dz has its maximum at z = 0 and vanishes for large |z|.
@@ -51,8 +51,8 @@ impl Slack {
     pub(super) fn solve(
         &self,
         e: Pair,
-        mut evaluate: impl FnMut(Pair) -> Result<ForceAndTangent, ElementError>,
-    ) -> Result<SlackShare, ElementError> {
+        mut evaluate: impl FnMut(Pair) -> ElementResult<ForceAndTangent>,
+    ) -> ElementResult<SlackShare> {
         let half = 0.5 * self.size;
         let size = self.size.max(f64::MIN_POSITIVE);
         let mut s = self.committed.map(|s| s.clamp(-half, half));

@@ -1,7 +1,7 @@
 //! Friction smoothed over speed.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// Coulomb friction f = F v / √(|v|² + v₀²), isotropic in two directions; 0 at zero speed. This is a usual
 /// regularisation of the sign function, and the drag of lubricated guides. The velocity is Δe over the increment of
@@ -18,7 +18,7 @@ impl AmendmentLaw for Sliding {
     type State = ();
     const NAME: &'static str = "sliding";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let mut out = AmendedForce::unchanged(d.q);
         if d.dt <= 0.0 {
             return Ok((out, ()));

@@ -1,7 +1,7 @@
 //! Slip in series with the hysteretic part.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair, Share, Slack};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// The hysteretic part z = q - k e has slack s(z) in series: q' = q(e - s) + k s. The slip-lock element in series is
 /// that of Baber and Noori, J. Eng. Mech. 111 (1985). The slack is `size` plus `growth` times the largest deformation;
@@ -37,7 +37,7 @@ impl AmendmentLaw for Slip {
         Some(Slack { size, width: self.width, stiffness: self.share.stiffness, committed: committed.slip })
     }
 
-    fn amend(&self, committed: &SlipState, d: &DeformationState) -> Result<(AmendedForce, SlipState), ElementError> {
+    fn amend(&self, committed: &SlipState, d: &DeformationState) -> ElementResult<(AmendedForce, SlipState)> {
         let k = self.share.stiffness;
         let slip = d.slack.by;
         let m = d.slack.follows;

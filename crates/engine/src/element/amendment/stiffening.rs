@@ -1,7 +1,7 @@
 //! Hardening at large deformation.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// An elastic force in parallel: factor (|e| - from)ᵖ along e, if |e| > `from`. Filled rubber stiffens by the finite
 /// extensibility of its chains.
@@ -19,7 +19,7 @@ impl AmendmentLaw for Stiffening {
     type State = ();
     const NAME: &'static str = "stiffening";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         let r = d.amplitude();
         let beyond = r - self.from;
         let mut v = AmendedForce::unchanged(d.q);

@@ -1,7 +1,7 @@
 //! Temperature that differs from the reference temperature of the parameters.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Share, Weakening};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// s = exp(-b (T - T₀)). Stiffness and strength of rubber and lead fall about exponentially with the temperature. The
 /// form is that of the temperature factors of the AASHTO guide specifications. For lead it is also that of Kalpakidis
@@ -28,7 +28,7 @@ impl AmendmentLaw for Temperature {
     type State = ();
     const NAME: &'static str = "temperature";
 
-    fn amend(&self, (): &(), d: &DeformationState) -> Result<(AmendedForce, ()), ElementError> {
+    fn amend(&self, (): &(), d: &DeformationState) -> ElementResult<(AmendedForce, ())> {
         Ok((self.share.scale(d, self.factor(), [0.0; 2], 0.0), ()))
     }
 

@@ -1,7 +1,7 @@
 //! Yielding of an elastic member.
 
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 
 /// Plastic deformation e_p with kinematic hardening: q' = q - k e_p and |q' - H e_p| ≤ F_y. With H = b k / (1 - b), b
 /// is the ratio of post-yield to elastic stiffness. Radial return is exact for the step (Simo and Hughes, Computational
@@ -28,11 +28,7 @@ impl AmendmentLaw for Yielding {
     type State = YieldingState;
     const NAME: &'static str = "yielding";
 
-    fn amend(
-        &self,
-        committed: &YieldingState,
-        d: &DeformationState,
-    ) -> Result<(AmendedForce, YieldingState), ElementError> {
+    fn amend(&self, committed: &YieldingState, d: &DeformationState) -> ElementResult<(AmendedForce, YieldingState)> {
         let k = self.stiffness;
         let h = self.hardening / (1.0 - self.hardening) * k;
         let ep = committed.deformation;

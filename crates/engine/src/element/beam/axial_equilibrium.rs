@@ -4,7 +4,7 @@ use super::basic::Basic;
 use super::displacement_based::{DisplacementBased, row};
 use super::member::{Formulation, Lacking, Member};
 use super::per_section::PerSection;
-use crate::element::{Class, ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput, ElementResult, Histories};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant, SectionSlot};
 
@@ -65,15 +65,14 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         let length = member.length();
         let mean = |strains: &PerSection<f64>| -> f64 {
             member.along().zip(strains).map(|((_, _, weight), e)| weight / length * e).sum()
         };
         let mut strains: PerSection<f64> =
-            member.along().map(|(section, ..)| section.deformation(committed)[axial(section)]).collect();
+            member.along().map(|(section, ..)| section.deformation(h.committed)[axial(section)]).collect();
         let more = v[0] / length - mean(&strains);
         (&mut strains).into_iter().for_each(|e| *e += more);
         let mut iteration = 0;
@@ -83,9 +82,9 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
                 for (e, r) in e.iter_mut().zip(section.resultants()) {
                     *e = if *r == Resultant::P { *axial_strain } else { dot(&row::<B>(*r, x, length), v) };
                 }
-                section.update(committed, &e, motion.dt, trial)?;
+                section.update(h.committed, &e, motion.dt, h.trial)?;
             }
-            let forces: PerSection<f64> = member.along().map(|(s, ..)| s.resultant(trial)[axial(s)]).collect();
+            let forces: PerSection<f64> = member.along().map(|(s, ..)| s.resultant(h.trial)[axial(s)]).collect();
             let pairs = (&forces).into_iter().zip((&forces).into_iter().skip(1));
             let unbalance: f64 = pairs.map(|(force, next)| (next - force).abs()).sum();
             if unbalance < self.tolerance {
@@ -95,7 +94,7 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
                 return Err(ElementError("the sections of the beam find no common axial force".into()));
             }
             iteration += 1;
-            let stiff = |s: &SectionSlot| s.stiffness(trial)[axial(s) * (s.order() + 1)];
+            let stiff = |s: &SectionSlot| s.stiffness(h.trial)[axial(s) * (s.order() + 1)];
             let (mut flexibility, mut sum) = (0.0, v[0] / length - mean(&strains));
             for ((section, _, weight), force) in member.along().zip(&forces) {
                 flexibility += weight / length / stiff(section);
@@ -108,11 +107,11 @@ impl<const N: usize, const B: usize> Formulation<N, B> for AxialEquilibrium {
         let mut q = [0.0; B];
         q.copy_from_slice(&motion.load[..B]);
         for (section, x, weight) in member.along() {
-            for (r, s) in section.resultants().iter().zip(section.resultant(trial)) {
+            for (r, s) in section.resultants().iter().zip(section.resultant(h.trial)) {
                 axpy(weight * s, &row::<B>(*r, x, length), &mut q);
             }
         }
-        let k = stiffness(member, member.along().map(|(s, ..)| s.stiffness(trial)))
+        let k = stiffness(member, member.along().map(|(s, ..)| s.stiffness(h.trial)))
             .ok_or_else(|| ElementError("a section of the beam has no axial stiffness".into()))?;
         Ok(Basic { q, k })
     }

@@ -4,7 +4,7 @@ use super::elastic::{Bending, Release, add_clamped_load, consistent_mass, lumped
 use crate::element::roles::{ElementLoads, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
-    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, Snapshot,
+    Class, Element, ElementInput, ElementLoad, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
 };
 use crate::material::{Slot, Strain};
 use crate::probe::Probe;
@@ -124,16 +124,10 @@ impl ComponentBeam {
     ///
     /// # Errors
     /// Errors of the materials.
-    fn solve(
-        &self,
-        rotation: [f64; 2],
-        clamped: [f64; 2],
-        dt: f64,
-        (committed, trial): (&[f64], &mut [f64]),
-    ) -> Result<Ends, ElementError> {
-        let start = [committed[0], committed[1]];
-        let (k, strain) = (self.springs(Slot::tangent, committed), self.springs(Slot::strain, committed));
-        let mut residual = self.residual(self.moments(committed), start, clamped);
+    fn solve(&self, rotation: [f64; 2], clamped: [f64; 2], dt: f64, h: &mut Histories<'_>) -> ElementResult<Ends> {
+        let start = [h.committed[0], h.committed[1]];
+        let (k, strain) = (self.springs(Slot::tangent, h.committed), self.springs(Slot::strain, h.committed));
+        let mut residual = self.residual(self.moments(h.committed), start, clamped);
         for i in [0, 1] {
             residual[i] -= k[i] * (rotation[i] - start[i] + SIGN[i] * strain[i]);
         }
@@ -145,12 +139,12 @@ impl ComponentBeam {
             for (i, spring) in self.springs.iter().enumerate() {
                 if let Some(slot) = spring {
                     let value = SIGN[i] * (inner[i] - rotation[i]);
-                    slot.update(committed, Strain { value, rate: 0.0, dt }, trial)?;
+                    slot.update(h.committed, Strain { value, rate: 0.0, dt }, h.trial)?;
                 }
             }
-            trial[..INNER_ROTATIONS].copy_from_slice(&inner);
-            let k = self.springs(Slot::tangent, trial);
-            let spring = self.moments(trial);
+            h.trial[..INNER_ROTATIONS].copy_from_slice(&inner);
+            let k = self.springs(Slot::tangent, h.trial);
+            let spring = self.moments(h.trial);
             let residual = self.residual(spring, inner, clamped);
             ends = self.condense(k, spring, residual);
             let norm = residual[0].hypot(residual[1]);
@@ -225,21 +219,15 @@ impl Element for ComponentBeam {
         }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.transform.advance(m.disp, committed, trial)?;
-        let v = self.transform.deformation(m.disp, trial);
-        let ends = self.solve([v[1], v[2]], [m.load[1], m.load[2]], m.dt, (committed, trial))?;
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        self.transform.advance(m.disp, h)?;
+        let v = self.transform.deformation(m.disp, h.trial);
+        let ends = self.solve([v[1], v[2]], [m.load[1], m.load[2]], m.dt, h)?;
         let axial = self.options.ea / self.transform.length() * v[0] + m.load[0];
         let q = [axial, ends.moment[0], ends.moment[1]];
-        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), output.force);
+        self.transform.add_force(m.disp, h.trial, &q, &Self::reactions(m.load), output.force);
         if let Some(k) = output.tangent {
-            self.transform.add_tangent(m.disp, trial, &self.basic_stiffness(&ends), &q, k);
+            self.transform.add_tangent(m.disp, h.trial, &self.basic_stiffness(&ends), &q, k);
         }
         Ok(())
     }
@@ -314,7 +302,7 @@ impl ElementLoads for ComponentBeam {
     fn load_len(&self) -> usize {
         3 + 5
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult {
         load.refuse_moment(self.class().name)?;
         add_clamped_load::<3>(load, factor, &self.bending(), self.transform.length(), sums);
         Ok(())

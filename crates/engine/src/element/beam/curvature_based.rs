@@ -8,7 +8,7 @@ use super::force_based::{ACCURATE, ForceBased, INTERNAL, MAX_EXTRA_ITERATIONS, R
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::point::SUPPORT;
 use super::shortfall::{Miss, Shortfall};
-use crate::element::{Class, ElementError, ElementInput};
+use crate::element::{Class, ElementInput, ElementResult, Histories};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, eliminate, invert};
 use crate::rules::{Consistent, OpenSees};
@@ -68,8 +68,7 @@ pub trait Rules: Clone + fmt::Debug + Send + Sync + 'static {
         _member: &Member<N, B>,
         _trace: &Trace<N, B>,
         _motion: &ElementInput<'_>,
-        _committed: &[f64],
-        _trial: &mut [f64],
+        _h: &mut Histories<'_>,
     ) -> Result<Option<Basic<B>>, MaterialError> {
         Ok(None)
     }
@@ -321,12 +320,11 @@ impl<R: Rules> CurvatureBased<R> {
         member: &Member<N, B>,
         e: &Deformations,
         dt: f64,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<(), MaterialError> {
         let mut at = 0;
         for (section, ..) in member.along() {
-            section.update(committed, &e[at..], dt, trial)?;
+            section.update(h.committed, &e[at..], dt, h.trial)?;
             at += section.resultants().len();
         }
         Ok(())
@@ -342,20 +340,21 @@ impl<R: Rules> CurvatureBased<R> {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
+        h: &mut Histories<'_>,
         (parts, support): (usize, f64),
     ) -> Result<Basic<B>, Miss> {
         let body = member.body();
-        trial[body..].copy_from_slice(&committed[body..]);
-        let mut basic = Basic::read(&committed[member.head()..]);
-        let start = Sections::new(self, member, committed, None).basic_deformations();
+        h.trial[body..].copy_from_slice(&h.committed[body..]);
+        let mut basic = Basic::read(&h.committed[member.head()..]);
+        let start = Sections::new(self, member, h.committed, None).basic_deformations();
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
             let (mut iteration, mut extra_iterations) = (0, 0);
             loop {
-                let s = Sections::new(self, member, trial, None);
+                let s = Sections::new(self, member, h.trial, None);
                 let loading = (&basic.q, motion.load);
-                let Some(mut l) = self.linear(member, &s, loading, &resultants(member, trial), (trial, support)) else {
+                let Some(mut l) = self.linear(member, &s, loading, &resultants(member, h.trial), (h.trial, support))
+                else {
                     return Err(Miss::Incompatible);
                 };
                 if !invert(l.f.as_flattened_mut(), B) {
@@ -387,7 +386,7 @@ impl<R: Rules> CurvatureBased<R> {
                     return Err(worst.map_or(Miss::Incompatible, Miss::Unbalanced));
                 }
                 iteration += 1;
-                Self::update(member, &e, motion.dt, committed, trial)?;
+                Self::update(member, &e, motion.dt, h)?;
             }
         }
         Ok(basic)
@@ -416,25 +415,24 @@ impl<const N: usize, const B: usize, R: Rules> Formulation<N, B> for CurvatureBa
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         let mut miss: Option<Miss> = None;
-        let trace = R::CALL_DEPENDENT.then(|| Trace::next(member, v, motion, trial));
+        let trace = R::CALL_DEPENDENT.then(|| Trace::next(member, v, motion, h.trial));
         for (parts, support) in [(0, 0.0), (1, 0.0), (10, 0.0), (100, 0.0), (1, SUPPORT), (10, SUPPORT), (100, SUPPORT)]
         {
             let found = match (parts, &trace) {
                 (0, None) => continue,
-                (0, Some(trace)) => match R::first(self, member, trace, motion, committed, trial) {
+                (0, Some(trace)) => match R::first(self, member, trace, motion, h) {
                     Ok(found) => found.ok_or(Miss::Incompatible),
                     Err(error) => Err(Miss::Section(error)),
                 },
-                (parts, _) => self.attempt(member, v, motion, (committed, trial), (parts, support)),
+                (parts, _) => self.attempt(member, v, motion, h, (parts, support)),
             };
             match found {
                 Ok(basic) if basic.q.iter().all(|q| q.is_finite()) => {
                     if let Some(trace) = &trace {
-                        trace.write(&mut trial[member.own_words()..]);
+                        trace.write(&mut h.trial[member.own_words()..]);
                     }
                     return Ok(basic);
                 }

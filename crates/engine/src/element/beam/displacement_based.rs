@@ -6,7 +6,7 @@ use super::member::{Formulation, Lacking, LoadSums, Member, bending_at, set};
 use super::per_section::PerSection;
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{Class, ElementError, ElementInput};
+use crate::element::{Class, ElementInput, ElementResult, Histories};
 use crate::numeric::{axpy, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -63,8 +63,8 @@ impl DisplacementBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         let mut basic = Basic { q: [0.0; B], k: [[0.0; B]; B] };
         basic.q.copy_from_slice(&motion.load[..B]);
         let interpolations: PerSection<Interpolation<B, M>> = member
@@ -72,12 +72,12 @@ impl DisplacementBased {
             .map(|(section, x, _)| Interpolation::new(section.resultants(), x, member.length()))
             .collect();
         let e = (&interpolations).into_iter().map(|of_section| product(&of_section.rows, v)).collect();
-        member.update_sections(committed, &e, motion.dt, trial)?;
+        member.update_sections(h, &e, motion.dt)?;
         for ((section, _, weight), interpolation) in member.along().zip(&interpolations) {
-            for (row, s) in interpolation.rows.iter().zip(section.resultant(trial)) {
+            for (row, s) in interpolation.rows.iter().zip(section.resultant(h.trial)) {
                 axpy(weight * s, row, &mut basic.q);
             }
-            interpolation.add_stiffness(section.order(), section.stiffness(trial), weight, &mut basic.k);
+            interpolation.add_stiffness(section.order(), section.stiffness(h.trial), weight, &mut basic.k);
         }
         Ok(basic)
     }
@@ -109,14 +109,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for DisplacementBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         match member.order() {
-            ..=2 => Self::respond_of_order::<N, B, 2>(member, v, motion, (committed, trial)),
-            3 => Self::respond_of_order::<N, B, 3>(member, v, motion, (committed, trial)),
-            4 => Self::respond_of_order::<N, B, 4>(member, v, motion, (committed, trial)),
-            _ => Self::respond_of_order::<N, B, MAX_ORDER>(member, v, motion, (committed, trial)),
+            ..=2 => Self::respond_of_order::<N, B, 2>(member, v, motion, h),
+            3 => Self::respond_of_order::<N, B, 3>(member, v, motion, h),
+            4 => Self::respond_of_order::<N, B, 4>(member, v, motion, h),
+            _ => Self::respond_of_order::<N, B, MAX_ORDER>(member, v, motion, h),
         }
     }
 

@@ -5,8 +5,8 @@ use crate::element::load::{ElementLoad, EndActions};
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, LinearBeam, Roles};
 use crate::element::transform::{Frame, Reactions, Transform, axis_probe};
 use crate::element::{
-    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, PDeltaParts,
-    SmallBeam, Snapshot,
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, OpenSeesTraits,
+    PDeltaParts, SmallBeam, Snapshot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -345,21 +345,15 @@ impl<const N: usize, const B: usize> Element for ElasticBeam<N, B> {
         ElementTraits { linear: self.transform.is_linear(), symmetric, viscous: false, elapses: false, rayleigh: true }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        self.transform.advance(m.disp, committed, trial)?;
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        self.transform.advance(m.disp, h)?;
         // Forces from deformations: the round-off of stiffness times displacements is not in equilibrium. A stiff beam
         // that moves with a soft structure would load it.
-        let q = self.basic_force(m.disp, trial, m.load);
-        self.transform.add_force(m.disp, trial, &q, &Self::reactions(m.load), output.force);
+        let q = self.basic_force(m.disp, h.trial, m.load);
+        self.transform.add_force(m.disp, h.trial, &q, &Self::reactions(m.load), output.force);
         match (output.tangent, &self.constant) {
             (Some(tangent), Some(c)) => c.add_tangent(q[0], tangent),
-            (Some(tangent), None) => self.transform.add_tangent(m.disp, trial, &self.kb, &q, tangent),
+            (Some(tangent), None) => self.transform.add_tangent(m.disp, h.trial, &self.kb, &q, tangent),
             (None, _) => {}
         }
         Ok(())
@@ -458,7 +452,7 @@ impl<const N: usize, const B: usize> ElementLoads for ElasticBeam<N, B> {
     fn load_len(&self) -> usize {
         B + 5
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult {
         if N == 12 {
             load.refuse_moment(self.class().name)?;
         }

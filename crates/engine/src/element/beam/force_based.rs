@@ -8,7 +8,7 @@ use super::point::{Point, Stiffness, read_all};
 use super::shortfall::{Miss, Shortfall};
 use crate::element::load::ElementLoad;
 use crate::element::transform::Reactions;
-use crate::element::{Class, ElementError, ElementInput};
+use crate::element::{Class, ElementInput, ElementResult, Histories};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::{MAX_ORDER, Resultant};
 
@@ -218,23 +218,23 @@ impl ForceBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
+        h: &mut Histories<'_>,
         (from, parts, correction): (Start, usize, Correction),
     ) -> Result<Basic<B>, Miss> {
         let body = member.body();
         // The last trial has written every state variable already.
         let mut updated = from == Start::LastTrial;
-        let mut basic = Basic::read(if updated { &trial[member.head()..] } else { &committed[member.head()..] });
+        let mut basic = Basic::read(if updated { &h.trial[member.head()..] } else { &h.committed[member.head()..] });
         if !updated {
             // State variables are written by the first update; without one they are those of the committed state.
             member
                 .along()
-                .for_each(|(section, ..)| section.response_mut(trial).copy_from_slice(section.response(committed)));
+                .for_each(|(section, ..)| section.response_mut(h.trial).copy_from_slice(section.response(h.committed)));
         }
         let length = member.length();
         let mut start = [0.0; B];
         for (section, x, weight) in member.along() {
-            for (e, r) in section.deformation(committed).iter().zip(section.resultants()) {
+            for (e, r) in section.deformation(h.committed).iter().zip(section.resultants()) {
                 axpy(weight * e, &row::<B>(*r, x, length), &mut start);
             }
         }
@@ -243,7 +243,7 @@ impl ForceBased {
         let mut points = PerSection::new();
         for (i, (section, x, _)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
-            points.push(Point::<B, M>::new(section, ((x, length), internal), trial, correction.stiffness())?);
+            points.push(Point::<B, M>::new(section, ((x, length), internal), h.trial, correction.stiffness())?);
         }
         for part in 1..=parts {
             let share = part as f64 / parts as f64;
@@ -289,16 +289,16 @@ impl ForceBased {
                     Correction::Initial => true,
                 };
                 if initial {
-                    read_all(member, &mut points, trial, Stiffness::Virgin)?;
+                    read_all(member, &mut points, h.trial, Stiffness::Virgin)?;
                 }
                 let e = (&points).into_iter().map(|point| point.deformations(&basic.q)).collect();
-                member.update_sections(committed, &e, motion.dt, trial)?;
-                read_all(member, &mut points, trial, correction.stiffness())?;
+                member.update_sections(h, &e, motion.dt)?;
+                read_all(member, &mut points, h.trial, correction.stiffness())?;
                 updated = true;
             }
         }
         if !updated {
-            trial[body..].copy_from_slice(&committed[body..]);
+            h.trial[body..].copy_from_slice(&h.committed[body..]);
         }
         Ok(basic)
     }
@@ -309,10 +309,10 @@ impl ForceBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         if self.compat {
-            let found = self.iterate_from_trial::<N, B, M>(member, v, motion, committed, trial)?;
+            let found = self.iterate_from_trial::<N, B, M>(member, v, motion, h)?;
             return found.ok_or_else(|| Miss::Incompatible.error(member));
         }
         let mut miss: Option<Miss> = None;
@@ -322,7 +322,7 @@ impl ForceBased {
             if limited && !miss.as_ref().is_some_and(Miss::is_of_a_section) || beyond && attempt.1 == MANY {
                 continue;
             }
-            match self.attempt::<N, B, M>(member, v, motion, (committed, trial), attempt) {
+            match self.attempt::<N, B, M>(member, v, motion, h, attempt) {
                 Ok(basic) => return Ok(basic),
                 Err(new) => miss = Some(new.or(miss)),
             }
@@ -388,14 +388,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for ForceBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         match member.order() {
-            ..=2 => self.respond_of_order::<N, B, 2>(member, v, motion, (committed, trial)),
-            3 => self.respond_of_order::<N, B, 3>(member, v, motion, (committed, trial)),
-            4 => self.respond_of_order::<N, B, 4>(member, v, motion, (committed, trial)),
-            _ => self.respond_of_order::<N, B, MAX_ORDER>(member, v, motion, (committed, trial)),
+            ..=2 => self.respond_of_order::<N, B, 2>(member, v, motion, h),
+            3 => self.respond_of_order::<N, B, 3>(member, v, motion, h),
+            4 => self.respond_of_order::<N, B, 4>(member, v, motion, h),
+            _ => self.respond_of_order::<N, B, MAX_ORDER>(member, v, motion, h),
         }
     }
 

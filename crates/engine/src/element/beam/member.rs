@@ -5,8 +5,8 @@ use crate::element::load::ElementLoad;
 use crate::element::roles::{ElementLoads, ElementParameters, EulerLoad, ForceLabels, Inertia, Roles, SectionCapacity};
 use crate::element::transform::{Reactions, Transform, axis_probe};
 use crate::element::{
-    CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, MatrixMask,
-    OpenSeesTraits, SharedState, Snapshot,
+    CallDependent, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass,
+    MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::numeric::norm;
 use crate::parameter::{Changed, exchange, existing, index, last_of};
@@ -83,9 +83,8 @@ pub trait Formulation<const N: usize, const B: usize>: Clone + fmt::Debug + Send
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError>;
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>>;
 
     /// Evaluates the virgin beam once, as OpenSees does when it is made.
     fn settle(&self, _member: &Member<N, B>, _state: &mut [f64]) {}
@@ -305,23 +304,17 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Element for FiberBeam
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let m = &self.member;
         let head = m.head();
-        m.transform.advance(motion.disp, &committed[..head], &mut trial[..head])?;
-        let v = m.transform.deformation(motion.disp, &trial[..head]);
-        let basic = self.formulation.respond(m, &v, motion, committed, trial)?;
-        basic.write(&mut trial[head..]);
+        m.transform.advance(motion.disp, &mut h.part(..head))?;
+        let v = m.transform.deformation(motion.disp, &h.trial[..head]);
+        let basic = self.formulation.respond(m, &v, motion, h)?;
+        basic.write(&mut h.trial[head..]);
         let p0 = F::Loads::reactions(motion.load);
-        m.transform.add_force(motion.disp, &trial[..head], &basic.q, &p0, output.force);
+        m.transform.add_force(motion.disp, &h.trial[..head], &basic.q, &p0, output.force);
         if let Some(tangent) = output.tangent {
-            self.add_tangent(motion.disp, &trial[..head], &basic, tangent);
+            self.add_tangent(motion.disp, &h.trial[..head], &basic, tangent);
         }
         Ok(())
     }
@@ -455,7 +448,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementLoads for Fibe
     fn load_len(&self) -> usize {
         F::Loads::load_len(self.member.sections.len())
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult {
         if N == 12 {
             load.refuse_moment(self.class().name)?;
         }

@@ -5,7 +5,7 @@ use super::force_based::{ForceBased, internal_forces};
 use super::member::{Formulation, Lacking, Member, Trace};
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness, read_all};
-use crate::element::{Class, ElementError, ElementInput};
+use crate::element::{Class, ElementError, ElementInput, ElementResult, Histories};
 use crate::numeric::{axpy, dot, invert, product};
 use crate::section::MAX_ORDER;
 
@@ -82,25 +82,25 @@ impl Mixed {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         let (own, length) = (member.own_words(), member.length());
         let projection = Projection::new(member);
         let singular = || ElementError("the sections of the beam have no stiffness".into());
-        let last = Trace::<N, B>::read(&trial[own..]);
+        let last = Trace::<N, B>::read(&h.trial[own..]);
         let mut trace = Trace::<N, B> { v: *v, dv: std::array::from_fn(|i| v[i] - last.v[i]), disp: [0.0; N] };
         trace.disp.copy_from_slice(motion.disp);
-        trace.write(&mut trial[own..]);
+        trace.write(&mut h.trial[own..]);
         let natural = own + Trace::<N, B>::LEN;
         let (mut q, mut missing) = ([0.0; B], [0.0; B]);
-        q.copy_from_slice(&trial[natural..natural + B]);
-        missing.copy_from_slice(&trial[natural + B..natural + NATURAL * B]);
+        q.copy_from_slice(&h.trial[natural..natural + B]);
+        missing.copy_from_slice(&h.trial[natural + B..natural + NATURAL * B]);
         axpy(1.0, &projection.of(&trace.dv), &mut missing);
         let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
         let mut points = PerSection::new();
         for (i, (section, x, weight)) in member.along().enumerate() {
             let internal = internal_forces(motion.load, i);
-            let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), trial, Stiffness::Current)?;
+            let point = Point::<B, MAX_ORDER>::new(section, ((x, length), internal), h.trial, Stiffness::Current)?;
             point.add(weight, &point.e(), &mut f, &mut gathered);
             points.push(point);
         }
@@ -110,8 +110,8 @@ impl Mixed {
         axpy(1.0, &product(&f, &missing), &mut q);
         (f, gathered) = ([[0.0; B]; B], [0.0; B]);
         let e = (&points).into_iter().map(|point| point.deformations(&q)).collect();
-        member.update_sections(committed, &e, motion.dt, trial)?;
-        read_all(member, &mut points, trial, Stiffness::Current)?;
+        member.update_sections(h, &e, motion.dt)?;
+        read_all(member, &mut points, h.trial, Stiffness::Current)?;
         for ((.., weight), point) in member.along().zip(&points) {
             point.add(weight, &point.deformations(&q), &mut f, &mut gathered);
         }
@@ -120,8 +120,8 @@ impl Mixed {
         }
         let wanted = projection.of(v);
         missing = std::array::from_fn(|i| wanted[i] - gathered[i]);
-        trial[natural..natural + B].copy_from_slice(&q);
-        trial[natural + B..natural + NATURAL * B].copy_from_slice(&missing);
+        h.trial[natural..natural + B].copy_from_slice(&q);
+        h.trial[natural + B..natural + NATURAL * B].copy_from_slice(&missing);
         axpy(1.0, &product(&f, &missing), &mut q);
         Ok(Basic { q: projection.transposed().of(&q), k: projection.of_stiffness(&f) })
     }
@@ -142,14 +142,13 @@ impl<const N: usize, const B: usize> Formulation<N, B> for Mixed {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<B>> {
         if Formulation::<N, B>::continues_from_last_trial(self) {
-            return Self::iterate(member, v, motion, (committed, trial));
+            return Self::iterate(member, v, motion, h);
         }
         let projection = Projection::new(member);
-        let natural = self.natural.respond(member, &projection.of(v), motion, committed, trial)?;
+        let natural = self.natural.respond(member, &projection.of(v), motion, h)?;
         Ok(Basic { q: projection.transposed().of(&natural.q), k: projection.of_stiffness(&natural.k) })
     }
 

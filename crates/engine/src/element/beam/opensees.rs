@@ -8,7 +8,7 @@ use super::force_based::{ForceBased, add_torsion, internal_forces};
 use super::member::{Formulation, LoadSums, Member, Trace};
 use super::per_section::PerSection;
 use super::point::{Point, Stiffness, read_all};
-use crate::element::ElementInput;
+use crate::element::{ElementInput, Histories};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert, norm, product};
 use crate::section::SectionSlot;
@@ -43,7 +43,7 @@ pub(super) fn settle<const N: usize, const B: usize>(
     let accel = &[];
     let motion =
         ElementInput { disp, vel, accel, load, still: true, opensees: None, dt: 0.0, time: 0.0, dynamic: false };
-    match formulation.respond(member, &[0.0; B], &motion, &virgin, state) {
+    match formulation.respond(member, &[0.0; B], &motion, &mut Histories { committed: &virgin, trial: state }) {
         Ok(basic) => basic.write(&mut state[member.head()..]),
         Err(_) => state.copy_from_slice(&virgin),
     }
@@ -65,25 +65,24 @@ impl ForceBased {
         member: &Member<N, B>,
         v: &[f64; B],
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<Option<Basic<B>>, MaterialError> {
-        let mut basic = Basic::read(&trial[member.head()..]);
-        let trace = Trace::next(member, v, motion, trial);
-        trace.write(&mut trial[member.own_words()..]);
-        if trace.is_at_rest(motion) && !is_prestressed(member, &basic, trial) {
+        let mut basic = Basic::read(&h.trial[member.head()..]);
+        let trace = Trace::next(member, v, motion, h.trial);
+        trace.write(&mut h.trial[member.own_words()..]);
+        if trace.is_at_rest(motion) && !is_prestressed(member, &basic, h.trial) {
             return Ok(Some(basic));
         }
         let mut remaining = trace.dv;
         let (mut from, mut increment, mut reductions) = (std::array::from_fn(|i| v[i] - remaining[i]), remaining, 0);
-        let mut sections = member.responses(trial);
+        let mut sections = member.responses(h.trial);
         let (mut failure, mut done) = (None, 0);
         while reductions < self.parts && done < MAX_INCREMENTS {
             let to = std::array::from_fn(|i| from[i] + increment[i]);
             let mut found = None;
             for scheme in SCHEMES {
-                member.set_responses(&sections, trial);
-                match self.iterate::<N, B, M>(member, (&basic, &increment, &to), scheme, motion, (committed, trial)) {
+                member.set_responses(&sections, h.trial);
+                match self.iterate::<N, B, M>(member, (&basic, &increment, &to), scheme, motion, h) {
                     Ok(None) => {}
                     Ok(converged) => {
                         found = converged;
@@ -103,7 +102,7 @@ impl ForceBased {
                 return Ok(Some(basic));
             }
             (from, increment, reductions, done) = (to, remaining, 0, done + 1);
-            sections = member.responses(trial);
+            sections = member.responses(h.trial);
         }
         failure.map_or(Ok(None), Err)
     }
@@ -115,7 +114,7 @@ impl ForceBased {
         (from, increment, to): (&Basic<B>, &[f64; B], &[f64; B]),
         (flexibility, times): (Flexibility, usize),
         motion: &ElementInput<'_>,
-        (committed, trial): (&[f64], &mut [f64]),
+        h: &mut Histories<'_>,
     ) -> Result<Option<Basic<B>>, MaterialError> {
         let length = member.length();
         let mut basic = *from;
@@ -125,7 +124,7 @@ impl ForceBased {
         for (i, (section, x, _)) in member.along().enumerate() {
             let place = ((x, length), internal_forces(motion.load, i));
             let stiffness = if flexibility == Flexibility::Current { Stiffness::Current } else { Stiffness::Virgin };
-            points.push(Point::<B, M>::new(section, place, trial, stiffness)?);
+            points.push(Point::<B, M>::new(section, place, h.trial, stiffness)?);
         }
         for iteration in 0..times * self.max_iterations {
             let initial = match flexibility {
@@ -135,11 +134,11 @@ impl ForceBased {
             };
             let (mut f, mut gathered) = ([[0.0; B]; B], [0.0; B]);
             if initial && iteration > 0 {
-                read_all(member, &mut points, trial, Stiffness::Virgin)?;
+                read_all(member, &mut points, h.trial, Stiffness::Virgin)?;
             }
             let e = (&points).into_iter().map(|point| point.deformations(&basic.q)).collect();
-            member.update_sections(committed, &e, motion.dt, trial)?;
-            read_all(member, &mut points, trial, Stiffness::Current)?;
+            member.update_sections(h, &e, motion.dt)?;
+            read_all(member, &mut points, h.trial, Stiffness::Current)?;
             for ((.., weight), point) in member.along().zip(&points) {
                 point.add(weight, &point.deformations(&basic.q), &mut f, &mut gathered);
             }

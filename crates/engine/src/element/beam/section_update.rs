@@ -2,6 +2,7 @@
 
 use super::member::Member;
 use super::per_section::PerSection;
+use crate::element::Histories;
 use crate::material::MaterialError;
 use crate::section::{FiberSection, SectionSlot};
 use std::sync::Arc;
@@ -20,18 +21,17 @@ impl<const N: usize, const B: usize> Member<N, B> {
     /// A material has no response at these deformations.
     pub(super) fn update_sections<const M: usize>(
         &self,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         e: &PerSection<[f64; M]>,
         dt: f64,
-        trial: &mut [f64],
     ) -> Result<(), MaterialError> {
         let places = || self.sections.iter().zip(e);
         match self.joined() {
             Some(section) => {
-                places().for_each(|(slot, e)| slot.set_deformation(e, trial));
-                section.update_joined(&self.sections, committed, dt, trial)
+                places().for_each(|(slot, e)| slot.set_deformation(e, h.trial));
+                section.update_joined(&self.sections, h.committed, dt, h.trial)
             }
-            None => places().try_for_each(|(slot, e)| slot.update(committed, e, dt, trial)),
+            None => places().try_for_each(|(slot, e)| slot.update(h.committed, e, dt, h.trial)),
         }
     }
 }

@@ -5,8 +5,8 @@ use super::{Bending, Release};
 use crate::element::roles::{ElementLoads, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::element::transform::{Frame, Reactions, axis_probe};
 use crate::element::{
-    Class, Element, ElementError, ElementInput, ElementLoad, ElementOutput, ElementTraits, Mass, OpenSeesTraits,
-    Snapshot, dot,
+    Class, Element, ElementInput, ElementLoad, ElementOutput, ElementResult, ElementTraits, Histories, Mass,
+    OpenSeesTraits, Snapshot, dot,
 };
 use crate::numeric::axpy;
 use crate::parameter::{Changed, exchange, existing, first};
@@ -186,13 +186,7 @@ impl<const N: usize, const B: usize> Element for TimoshenkoBeam<N, B> {
     }
 
     /// The tangent omits the derivative of the axial force by the displacements, as with P-Delta.
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        _: &[f64],
-        _: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, _: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let q = self.basic_force(m.disp);
         self.frame.add_basic_force(&q, output.force);
         for (row, load) in self.frame.local.iter().zip(m.load) {
@@ -279,7 +273,7 @@ impl<const N: usize, const B: usize> ElementLoads for TimoshenkoBeam<N, B> {
     fn load_len(&self) -> usize {
         N
     }
-    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> Result<(), ElementError> {
+    fn add_load(&self, load: &ElementLoad, factor: f64, sums: &mut [f64]) -> ElementResult {
         load.refuse_moment(self.class().name)?;
         let length = self.frame.length;
         let (y, z, (axial, axial_j)) = load.end_actions(length);

@@ -1,7 +1,7 @@
 //! The eight-node bricks `stdBrick` and `bbarBrick`.
 
-use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, Mass, Rows, least_distance};
+use crate::element::{Class, ElementError};
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -87,7 +87,7 @@ impl Continuum<SOLID, DOFS> {
         corners: &[Vector3<f64>; NODES],
         law: &SharedMultiaxial<SOLID>,
         options: &BrickOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let rho = law.density();
         let mut body = Body {
             class: if options.mean_dilatation { Class::new("BbarBrick", 57) } else { Class::new("Brick", 56) },

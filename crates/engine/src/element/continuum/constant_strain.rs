@@ -2,8 +2,8 @@
 //! mass is lumped.
 
 use super::quad::QuadOptions;
-use super::{Body, Continuum, ElementError, least_distance, lumped, plane_rows};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, least_distance, lumped, plane_rows};
+use crate::element::{Class, ElementError};
 use crate::material::{PLANE, SharedMultiaxial};
 
 /// Derivatives by x and y of the shape functions of the nodes, and the volume that belongs to each node.
@@ -46,7 +46,7 @@ impl Continuum<PLANE, 8> {
         corners: &[[f64; 2]; 4],
         law: &SharedMultiaxial<PLANE>,
         options: &QuadOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         const XI: [f64; 4] = [-1.0, 1.0, 1.0, -1.0];
         const ETA: [f64; 4] = [-1.0, -1.0, 1.0, 1.0];
         let sum = |signs: [f64; 4], d: usize| -> f64 { signs.iter().zip(corners).map(|(s, c)| s * c[d]).sum() };
@@ -95,7 +95,7 @@ impl Continuum<PLANE, 6> {
         corners: &[[f64; 2]; 3],
         law: &SharedMultiaxial<PLANE>,
         options: &QuadOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let side = |i: usize| [0, 1].map(|d| corners[(i + 2) % 3][d] - corners[(i + 1) % 3][d]);
         let area = 0.5 * (side(0)[0] * side(1)[1] - side(0)[1] * side(1)[0]);
         if area <= 0.0 {

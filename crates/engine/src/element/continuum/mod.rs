@@ -9,7 +9,8 @@ mod tetrahedron;
 
 use super::damping::BasicForces;
 use super::{
-    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, OpenSeesTraits,
+    Snapshot, dot,
 };
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::material::{SOLID, SharedMultiaxial, Tangent};
@@ -240,13 +241,7 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
         ElementTraits { linear, symmetric: self.symmetric, viscous: false, elapses: self.elapses, rayleigh: true }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let (force, mut tangent) = (output.force, output.tangent);
         force.copy_from_slice(&self.body.load_force);
         match &self.law {
@@ -261,11 +256,11 @@ impl<const S: usize, const D: usize> Element for Continuum<S, D> {
                 }
             }
             PointLaw::General(law) => {
-                let histories = committed.chunks_exact(self.point_len).zip(trial.chunks_exact_mut(self.point_len));
-                for ((rows, volume), (committed, trial)) in self.body.points.iter().zip(histories) {
+                let histories = h.committed.chunks_exact(self.point_len).zip(h.trial.chunks_exact_mut(self.point_len));
+                for ((rows, volume), (old, new)) in self.body.points.iter().zip(histories) {
                     let strain = rows.each_ref().map(|row| dot(row, m.disp));
-                    let (own, next) = trial.split_at_mut(S);
-                    let (stress, slope) = law.update(&committed[S..], &strain, m.dt, next)?;
+                    let (own, next) = new.split_at_mut(S);
+                    let (stress, slope) = law.update(&old[S..], &strain, m.dt, next)?;
                     own.copy_from_slice(&law.shown_stress(next, stress));
                     add_force(rows, *volume, &stress, force);
                     if let Some(k) = tangent.as_deref_mut() {

@@ -1,7 +1,7 @@
 //! The four-node quadrilateral `quad`.
 
-use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::element::{Class, ElementError};
 use crate::material::{PLANE, SharedMultiaxial, THICK_PLANE};
 use crate::numeric::axpy;
 
@@ -58,11 +58,7 @@ impl Continuum<PLANE, 8> {
     ///
     /// # Errors
     /// The corners are not counterclockwise or not convex.
-    pub fn quad(
-        corners: &[[f64; 2]; 4],
-        law: &SharedMultiaxial<PLANE>,
-        options: &QuadOptions,
-    ) -> Result<Self, ElementError> {
+    pub fn quad(corners: &[[f64; 2]; 4], law: &SharedMultiaxial<PLANE>, options: &QuadOptions) -> ElementResult<Self> {
         if SIGNS.iter().any(|at| shape(corners, *at).2 <= 0.0) {
             return Err(ElementError("the corners do not make a convex quadrilateral against the clock".into()));
         }
@@ -109,7 +105,7 @@ impl Continuum<THICK_PLANE, 8> {
         corners: &[[f64; 2]; 4],
         law: &SharedMultiaxial<THICK_PLANE>,
         thickness: f64,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         if SIGNS.iter().any(|at| shape(corners, *at).2 <= 0.0) {
             return Err(ElementError("the corners do not make a convex quadrilateral against the clock".into()));
         }

@@ -2,8 +2,8 @@
 //! `enhancedQuad`.
 
 use super::quad::{QuadOptions, SIGNS};
-use super::{Body, Continuum, ElementError, Mass, Rows, least_distance, lumped, plane_rows};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, Mass, Rows, least_distance, lumped, plane_rows};
+use crate::element::{Class, ElementError};
 use crate::material::{PLANE, SharedMultiaxial};
 use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2};
 
@@ -126,7 +126,7 @@ impl<const D: usize> Continuum<PLANE, D> {
         nodes: &[[f64; 2]],
         law: &SharedMultiaxial<PLANE>,
         options: &QuadOptions,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let rho = options.density(law);
         let (mut points, mut load, mut mass) = (vec![], [0.0; D], [0.0; D]);
         for ([s, t], weight) in shape.points() {
@@ -181,11 +181,7 @@ impl Continuum<PLANE, 8> {
     ///
     /// # Errors
     /// The corners are not counterclockwise or not convex.
-    pub fn enhanced(
-        corners: &[[f64; 2]; 4],
-        law: &SharedMultiaxial<PLANE>,
-        thickness: f64,
-    ) -> Result<Self, ElementError> {
+    pub fn enhanced(corners: &[[f64; 2]; 4], law: &SharedMultiaxial<PLANE>, thickness: f64) -> ElementResult<Self> {
         let bilinear = |[s, t]: [f64; 2]| -> Vec<Function> {
             let of = |[a, b]: [f64; 2]| {
                 let (p, q) = (0.25 * (1.0 + a * s), 1.0 + b * t);

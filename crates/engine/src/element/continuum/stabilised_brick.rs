@@ -1,8 +1,8 @@
 //! The eight-node brick with one point of integration and stabilised hourglass modes: `SSPbrick`.
 
 use super::brick::{DOFS, NODES, SIGNS, gauss_points, mean_derivatives, strain_rows};
-use super::{Body, Continuum, ElementError, Mass, least_distance};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, Mass, least_distance};
+use crate::element::{Class, ElementError};
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -154,7 +154,7 @@ impl Continuum<SOLID, DOFS> {
         corners: &[Vector3<f64>; NODES],
         law: &SharedMultiaxial<SOLID>,
         body: [f64; 3],
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let wrong = || ElementError("the corners do not make a brick of positive volume".into());
         let sum = |values: [f64; NODES]| -> Vector3<f64> { corners.iter().zip(values).map(|(x, v)| v * x).sum() };
         let axis = |a: usize| sum(SIGNS.map(|s| 0.125 * s[a]));

@@ -1,8 +1,8 @@
 //! The tetrahedra `FourNodeTetrahedron` and `TenNodeTetrahedron`.
 
 use super::brick::strain_rows;
-use super::{Body, Continuum, ElementError, Mass, Rows, least_distance};
-use crate::element::Class;
+use super::{Body, Continuum, ElementResult, Mass, Rows, least_distance};
+use crate::element::{Class, ElementError};
 use crate::material::{SOLID, SharedMultiaxial};
 use nalgebra::{Matrix3, Vector3};
 
@@ -35,7 +35,7 @@ impl<const D: usize> Continuum<SOLID, D> {
         nodes: &[Vector3<f64>],
         law: &SharedMultiaxial<SOLID>,
         (force, weight): ([f64; 3], f64),
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let quadratic = nodes.len() > 4;
         // Points of degree 1 and 2 (Hammer, Marlowe and Stroud, 1956).
         let (far, near) = (0.25 + 0.15 * 5.0f64.sqrt(), 0.25 - 0.05 * 5.0f64.sqrt());

@@ -1,6 +1,7 @@
 //! Laws of the damping of an element: the damping force of its basic forces.
 
 use super::fit::Filters;
+use crate::element::Histories;
 use crate::series::Series;
 
 /// Damping forces as a function of the history of the basic forces of an element.
@@ -67,54 +68,46 @@ impl ElementDamping {
 
     /// Writes the trial state for the basic forces `q`. Returns the tangent of the damping forces, as a multiple of that
     /// of the basic forces.
-    pub fn update(&self, q: &[f64], at: DampingTime, committed: &[f64], trial: &mut [f64]) -> f64 {
+    pub fn update(&self, q: &[f64], at: DampingTime, h: &mut Histories<'_>) -> f64 {
         let n = q.len();
-        trial.copy_from_slice(committed);
+        h.trial.copy_from_slice(h.committed);
         if at.dynamic && at.dt <= 0.0 {
             return 0.0;
         }
         match &self.law {
             DampingLaw::SecantStiffness { beta } => {
                 // As in OpenSees, the forces of a static analysis leave no trace.
-                trial[n..2 * n].fill(0.0);
+                h.trial[n..2 * n].fill(0.0);
                 if !at.dynamic {
                     return 0.0;
                 }
-                trial[..n].copy_from_slice(q);
+                h.trial[..n].copy_from_slice(q);
                 if !self.acts(at) {
                     return 0.0;
                 }
                 let rate = beta / at.dt;
                 let factor = self.factor(at.time);
-                for i in 0..n {
-                    trial[n + i] = rate * (q[i] - committed[i]) * factor;
+                for (i, q) in q.iter().enumerate() {
+                    h.trial[n + i] = rate * (q - h.committed[i]) * factor;
                 }
                 rate
             }
-            DampingLaw::Filters { filters, loss } => self.filter(filters, loss.unwrap_or(1.0), q, at, committed, trial),
+            DampingLaw::Filters { filters, loss } => self.filter(filters, loss.unwrap_or(1.0), q, at, h),
         }
     }
 
-    fn filter(
-        &self,
-        filters: &Filters,
-        loss: f64,
-        q: &[f64],
-        at: DampingTime,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> f64 {
+    fn filter(&self, filters: &Filters, loss: f64, q: &[f64], at: DampingTime, h: &mut Histories<'_>) -> f64 {
         let n = q.len();
-        trial[..n].copy_from_slice(q);
-        trial[n..2 * n].fill(0.0);
+        h.trial[..n].copy_from_slice(q);
+        h.trial[n..2 * n].fill(0.0);
         if !at.dynamic || at.time <= self.window[0] && at.time < self.window[1] {
-            trial[2 * n..].chunks_exact_mut(n).for_each(|low| low.copy_from_slice(q));
+            h.trial[2 * n..].chunks_exact_mut(n).for_each(|low| low.copy_from_slice(q));
             return 0.0;
         }
         if at.time >= self.window[1] {
             return 0.0;
         }
-        let (old, low) = committed.split_at(2 * n);
+        let (old, low) = h.committed.split_at(2 * n);
         let mut stiffness = 0.0;
         for (k, (cutoff, coefficient)) in filters.cutoff.iter().zip(&filters.coefficient).enumerate() {
             let step = at.dt * cutoff;
@@ -123,13 +116,13 @@ impl ElementDamping {
             let (passed, kept) = (step / (2.0 + step), (2.0 - step) / (2.0 + step));
             for i in 0..n {
                 let (both, low) = (old[i] + q[i], low[k * n + i]);
-                trial[n + i] += gain * (both - 2.0 * low);
-                trial[(2 + k) * n + i] = passed * both + kept * low;
+                h.trial[n + i] += gain * (both - 2.0 * low);
+                h.trial[(2 + k) * n + i] = passed * both + kept * low;
             }
         }
         let factor = self.factor(at.time);
         for i in 0..n {
-            trial[n + i] = (trial[n + i] - old[n + i]) * factor;
+            h.trial[n + i] = (h.trial[n + i] - old[n + i]) * factor;
         }
         stiffness * factor
     }

@@ -3,7 +3,10 @@
 mod fit;
 mod law;
 
-use super::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask, Snapshot};
+use super::{
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, MatrixMask,
+    Snapshot,
+};
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, OwnDamping, Roles};
 use crate::parameter::{Changed, ParameterError, exchange};
@@ -56,7 +59,7 @@ impl Damped {
     ///
     /// # Errors
     /// The element has no basic forces that could be damped.
-    pub fn new(inner: Arc<dyn Element>, damping: Arc<ElementDamping>) -> Result<Self, ElementError> {
+    pub fn new(inner: Arc<dyn Element>, damping: Arc<ElementDamping>) -> ElementResult<Self> {
         let inner = inner.undamped().unwrap_or(inner);
         let Some(basic) = inner.roles().basic_forces else {
             return Err(ElementError(format!("{} takes no damping of its own", inner.class().name).into()));
@@ -108,30 +111,23 @@ impl Element for Damped {
         ElementTraits { linear: false, elapses: true, ..self.inner.traits() }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        let (old, old_filters) = committed.split_at(self.inner.len());
-        let (new, new_filters) = trial.split_at_mut(self.inner.len());
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
+        let (mut own, mut filters) = h.split_at(self.inner.len());
         let inner = ElementOutput {
-            force: &mut *output.force,
-            tangent: output.tangent.as_deref_mut(),
-            damping: output.damping,
+            force: &mut *out.force,
+            tangent: out.tangent.as_deref_mut(),
+            damping: out.damping,
             part: MatrixMask::ALL,
         };
-        self.inner.respond(motion, old, new, inner)?;
+        self.inner.respond(motion, &mut own, inner)?;
         let (basic, mut q) = (self.basic(), [0.0; MAX_BASIC_FORCES]);
         let q = &mut q[..self.len];
-        basic.basic_forces(motion.disp, new, motion.load, q);
+        basic.basic_forces(motion.disp, own.trial, motion.load, q);
         let at = DampingTime { time: motion.time, dt: motion.dt, dynamic: motion.dynamic };
-        let factor = self.damping.update(q, at, old_filters, new_filters);
-        basic.add_global(motion.disp, new, self.damping.forces(self.len, new_filters), output.force);
-        if let Some(tangent) = output.tangent.filter(|_| factor != 0.0) {
-            basic.scale_stiffness(motion.disp, new, factor, tangent);
+        let factor = self.damping.update(q, at, &mut filters);
+        basic.add_global(motion.disp, own.trial, self.damping.forces(self.len, filters.trial), out.force);
+        if let Some(tangent) = out.tangent.filter(|_| factor != 0.0) {
+            basic.scale_stiffness(motion.disp, own.trial, factor, tangent);
         }
         Ok(())
     }

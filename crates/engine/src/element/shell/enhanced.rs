@@ -8,7 +8,10 @@ mod point;
 mod quadrilateral;
 mod triangle;
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot};
+use super::{
+    Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, OpenSeesTraits,
+    Snapshot, dot,
+};
 use super::{MAX, NODE, PROBE_NAMES, Row, probe, read_points, work};
 use crate::element::Class;
 use crate::element::roles::{ForceLabels, Inertia, Roles};
@@ -90,7 +93,7 @@ impl EnhancedShell {
         section: SharedPlateSection,
         options: EnhancedShellOptions,
         initial: &[f64],
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let frame = Frame::new(nodes)?;
         let geometry = frame.geometry(nodes);
         let k = section.initial_stiffness();
@@ -174,8 +177,8 @@ impl EnhancedShell {
         points: &[LocalPoint],
         (u, q): (&Row, &Vector4<f64>),
         dt: f64,
-        (committed, trial): (&[f64], &mut [f64]),
-    ) -> Result<Sum, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Sum> {
         let mut sum = Sum {
             force: [0.0; MAX],
             internal_force: Vector4::zeros(),
@@ -185,7 +188,7 @@ impl EnhancedShell {
             of_force: [[0.0; MAX]; INTERNAL],
             tangents: [[[0.0; PLATE_ORDER]; PLATE_ORDER]; 4],
         };
-        let histories = committed.chunks_exact(self.words).zip(trial.chunks_exact_mut(self.words));
+        let histories = h.committed.chunks_exact(self.words).zip(h.trial.chunks_exact_mut(self.words));
         for ((p, (old, new)), k) in points.iter().zip(histories).zip(&mut sum.tangents) {
             let e: [f64; PLATE_ORDER] = std::array::from_fn(|i| dot(&p.rows[i], u) + dot(&p.internal[i], q.as_slice()));
             let mut s = [0.0; PLATE_ORDER];
@@ -258,12 +261,12 @@ impl EnhancedShell {
         points: &[LocalPoint],
         u: &Row,
         dt: f64,
-        (committed, trial): (&[f64], &mut [f64]),
+        h: &mut Histories<'_>,
         tangent: Option<&mut [f64]>,
-    ) -> Result<Row, ElementError> {
+    ) -> ElementResult<Row> {
         let at = self.internal_at();
-        let mut q = Vector4::from_column_slice(&committed[at..at + INTERNAL]);
-        let mut sum = self.sum(points, (u, &q), dt, (&committed[..at], &mut trial[..at]))?;
+        let mut q = Vector4::from_column_slice(&h.committed[at..at + INTERNAL]);
+        let mut sum = self.sum(points, (u, &q), dt, &mut h.part(..at))?;
         let mut inverse = None;
         if self.has_internal() {
             for _ in 0..ITERATIONS {
@@ -276,15 +279,15 @@ impl EnhancedShell {
                     break;
                 }
                 q -= inverse.unwrap_or_default() * sum.internal_force;
-                sum = self.sum(points, (u, &q), dt, (&committed[..at], &mut trial[..at]))?;
+                sum = self.sum(points, (u, &q), dt, &mut h.part(..at))?;
             }
             // What the last iteration has left.
             let rest = inverse.unwrap_or_default() * sum.internal_force;
             (0..INTERNAL).for_each(|a| axpy(-rest[a], &sum.of_force[a], &mut sum.force));
         }
-        trial[at..at + INTERNAL].copy_from_slice(q.as_slice());
+        h.trial[at..at + INTERNAL].copy_from_slice(q.as_slice());
         if let Some(tangent) = tangent {
-            let damage = |point: usize| committed[point * self.words + 2 * PLATE_ORDER];
+            let damage = |point: usize| h.committed[point * self.words + 2 * PLATE_ORDER];
             for (i, (p, k)) in points.iter().zip(&sum.tangents).enumerate() {
                 self.add_stiffness(p, k, damage(i), tangent);
             }
@@ -327,27 +330,27 @@ impl EnhancedShell {
         &self,
         u: &Row,
         dt: f64,
-        (committed, trial): (&[f64], &mut [f64]),
+        h: &mut Histories<'_>,
         tangent: Option<&mut [f64]>,
-    ) -> Result<Row, ElementError> {
+    ) -> ElementResult<Row> {
         let n = self.dofs;
         let at = self.internal_at() + INTERNAL;
-        let from = if self.options.by_trials { &trial[at..] } else { &committed[at..] };
+        let from = if self.options.by_trials { &h.trial[at..] } else { &h.committed[at..] };
         let mut turns = NodalTurns::read(from);
         let next = turns.advanced(self.nodes.len(), u);
-        next.write(&mut trial[at..]);
+        next.write(&mut h.trial[at..]);
         if self.options.by_trials {
             turns = next;
         }
         let following = Following { nodes: &self.nodes, frame: &self.frame, turns: &turns };
         let (frame, local) = following.local(u)?;
         let Some(tangent) = tangent else {
-            let force = self.condensed(&self.moving, &local, dt, (committed, trial), None)?;
+            let force = self.condensed(&self.moving, &local, dt, h, None)?;
             return Ok(following.global_force(&frame, &force));
         };
         let mut material = [0.0; MAX * MAX];
         let material = &mut material[..n * n];
-        let force = self.condensed(&self.moving, &local, dt, (committed, trial), Some(material))?;
+        let force = self.condensed(&self.moving, &local, dt, h, Some(material))?;
         for j in 0..n {
             let mut column = [0.0; MAX];
             let mut product = |by_local: &Row| {
@@ -408,19 +411,12 @@ impl Element for EnhancedShell {
         }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let u = self.moved(m.disp);
-        let states = (committed, trial);
         let force = if self.options.corotational {
-            self.respond_following(&u, m.dt, states, output.tangent)?
+            self.respond_following(&u, m.dt, h, output.tangent)?
         } else {
-            self.condensed(&self.fixed, &u, m.dt, states, output.tangent)?
+            self.condensed(&self.fixed, &u, m.dt, h, output.tangent)?
         };
         output.force.copy_from_slice(&force[..self.dofs]);
         Ok(())

@@ -11,7 +11,8 @@ mod mitc4;
 mod updated;
 
 use super::{
-    Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot, dot,
+    Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass,
+    OpenSeesTraits, Snapshot, dot,
 };
 use crate::element::roles::{ForceLabels, Inertia, Roles};
 use crate::numeric::axpy;
@@ -73,7 +74,7 @@ struct Geometry {
 
 impl Geometry {
     /// Axis 1 runs along the first direction of the mesh, axis 2 square to it towards the second.
-    fn new(nodes: &[Vector3<f64>]) -> Result<Self, ElementError> {
+    fn new(nodes: &[Vector3<f64>]) -> ElementResult<Self> {
         let (first, second) = match nodes {
             [a, b, c] => (b - a, c - a),
             [a, b, c, d] => (0.5 * (c + b - d - a), 0.5 * (d + c - b - a)),
@@ -126,7 +127,7 @@ impl Shell {
         nodes: &[Vector3<f64>],
         section: SharedPlateSection,
         initial: &[f64],
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let geometry = Geometry::new(nodes)?;
         let points = match formulation {
             Formulation::Mitc4 => mitc4::points(&geometry),
@@ -238,17 +239,11 @@ impl Element for Shell {
         }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let (u, n) = (self.moved(m.disp), self.dofs);
         let ElementOutput { force, mut tangent, .. } = output;
         force.fill(0.0);
-        let histories = committed.chunks_exact(self.words).zip(trial.chunks_exact_mut(self.words));
+        let histories = h.committed.chunks_exact(self.words).zip(h.trial.chunks_exact_mut(self.words));
         for (point, (old, new)) in self.points.iter().zip(histories) {
             let (mut s, mut k) = ([0.0; PLATE_ORDER], [[0.0; PLATE_ORDER]; PLATE_ORDER]);
             let e = Self::deformations(point, &u);

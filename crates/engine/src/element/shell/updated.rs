@@ -1,6 +1,8 @@
 //! Thin shell with large displacements: `ShellNLDKGQ`.
 
-use super::{Element, ElementError, ElementInput, ElementOutput, ElementTraits, Snapshot, dot};
+use super::{
+    Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot, dot,
+};
 use super::{Formulation, Geometry, MAX, NODE, Point, Row, Shell, discrete_kirchhoff, read_points, work};
 use crate::element::Class;
 use crate::element::roles::Roles;
@@ -37,7 +39,7 @@ impl UpdatedShell {
     ///
     /// # Errors
     /// The nodes are in a line, or their quadrilateral is not convex.
-    pub fn new(nodes: [Vector3<f64>; NODES], section: SharedPlateSection) -> Result<Self, ElementError> {
+    pub fn new(nodes: [Vector3<f64>; NODES], section: SharedPlateSection) -> ElementResult<Self> {
         let flat = Shell::new(Formulation::KirchhoffQuadrilateral, &nodes, section, &[])?;
         let change = DIFFERENCE * (nodes[2] - nodes[0]).norm();
         Ok(Self { flat, nodes, change })
@@ -54,7 +56,7 @@ impl UpdatedShell {
     }
 
     /// Gauss points for displacements at the start and at the end of a step.
-    fn points(&self, start: &[f64], end: &[f64]) -> Result<Vec<Point>, ElementError> {
+    fn points(&self, start: &[f64], end: &[f64]) -> ElementResult<Vec<Point>> {
         let place = |u: &[f64], i: usize| self.nodes[i] + Vector3::from_column_slice(&u[NODE * i..NODE * i + 3]);
         let moved: [Vector3<f64>; NODES] = std::array::from_fn(|i| place(end, i));
         let mut geometry = Geometry::new(&moved)?;
@@ -85,7 +87,7 @@ impl UpdatedShell {
         points: &[Point],
         responses: &[Response],
         tangent: &mut [f64],
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         let n = self.flat.dofs;
         let step: Row = std::array::from_fn(|i| if i < n { end[i] - start[i] } else { 0.0 });
         for j in (0..n).filter(|j| j % NODE < 3) {
@@ -137,29 +139,23 @@ impl Element for UpdatedShell {
         }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let (words, n) = (self.flat.words, self.flat.dofs);
-        let start = &committed[self.start()..];
+        let start = &h.committed[self.start()..];
         let points = self.points(start, m.disp)?;
         let step: Row = std::array::from_fn(|i| if i < n { m.disp[i] - start[i] } else { 0.0 });
         let mut responses = Vec::with_capacity(NODES);
         for (p, point) in points.iter().enumerate() {
             let mut r = Response { s: [0.0; PLATE_ORDER], k: [[0.0; PLATE_ORDER]; PLATE_ORDER] };
             let strains = self.strains() + p * PLATE_ORDER;
-            let e: [f64; PLATE_ORDER] = std::array::from_fn(|i| committed[strains + i] + dot(&point.rows[i], &step));
-            trial[strains..strains + PLATE_ORDER].copy_from_slice(&e);
+            let e: [f64; PLATE_ORDER] = std::array::from_fn(|i| h.committed[strains + i] + dot(&point.rows[i], &step));
+            h.trial[strains..strains + PLATE_ORDER].copy_from_slice(&e);
             let own = p * words + PLATE_ORDER..(p + 1) * words;
-            self.flat.section.update(&committed[own.clone()], &e, m.dt, &mut trial[own], &mut r.s, &mut r.k)?;
-            trial[p * words..p * words + PLATE_ORDER].copy_from_slice(&r.s);
+            self.flat.section.update(&h.committed[own.clone()], &e, m.dt, &mut h.trial[own], &mut r.s, &mut r.k)?;
+            h.trial[p * words..p * words + PLATE_ORDER].copy_from_slice(&r.s);
             responses.push(r);
         }
-        trial[self.start()..].copy_from_slice(m.disp);
+        h.trial[self.start()..].copy_from_slice(m.disp);
         output.force.copy_from_slice(&Self::forces(&points, &responses)[..n]);
         if let Some(tangent) = output.tangent {
             points.iter().zip(&responses).for_each(|(p, r)| self.flat.add_stiffness(p, &r.k, tangent));

@@ -1,7 +1,7 @@
 //! Corotational transformation in the plane (Crisfield, 1991, chapter 7; Filippou and Fenves, 2004).
 
 use super::{Frame, Reactions, Transform};
-use crate::element::{ElementError, add_outer, dot};
+use crate::element::{ElementError, ElementResult, Histories, add_outer, dot};
 
 /// Corotational transformation in the plane: the basic system rotates with the chord.
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ impl Transform<6, 3> for Corotational2d {
     fn is_small(&self) -> bool {
         false
     }
-    fn advance(&self, disp: &[f64], _: &[f64], _: &mut [f64]) -> Result<(), ElementError> {
+    fn advance(&self, disp: &[f64], _: &mut Histories<'_>) -> ElementResult {
         // Negated comparison, so that NaN is an error.
         if self.chord(disp).length > 0.0 { Ok(()) } else { Err(ElementError("the ends of the beam have met".into())) }
     }

@@ -9,7 +9,7 @@ mod geometry;
 mod stiffness;
 
 use super::{Frame, Reactions, Transform};
-use crate::element::ElementError;
+use crate::element::{ElementError, ElementResult, Histories};
 use crate::state_struct::StateStruct;
 use geometry::Geometry;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -115,8 +115,8 @@ impl Transform<12, 6> for Corotational3d {
         let none = [0.0, 0.0, 0.0, 1.0];
         NodalRotations { i: none, j: none, ..NodalRotations::default() }.write(state);
     }
-    fn advance(&self, disp: &[f64], committed: &[f64], trial: &mut [f64]) -> Result<(), ElementError> {
-        let from = if self.by_trials { &*trial } else { committed };
+    fn advance(&self, disp: &[f64], h: &mut Histories<'_>) -> ElementResult {
+        let from = if self.by_trials { &*h.trial } else { h.committed };
         let (c, u) = (NodalRotations::read(from), self.frame.since_made(disp));
         let next = NodalRotations {
             i: updated_quaternion(&c.i, &c.rotation_i, vector3(&u, 3)),
@@ -124,7 +124,7 @@ impl Transform<12, 6> for Corotational3d {
             rotation_i: vector3(&u, 3).into(),
             rotation_j: vector3(&u, 9).into(),
         };
-        next.write(trial);
+        next.write(h.trial);
         let (relative, _) = self.chord(&u, [&turn(&next.i), &turn(&next.j)]);
         let length = (self.undeformed() + relative).norm();
         // Negated comparison, so that NaN is an error.

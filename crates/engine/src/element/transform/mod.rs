@@ -9,8 +9,8 @@ mod corotational_3d;
 mod frame;
 mod linear;
 
-use crate::element::ElementError;
 use crate::element::axes::AxesError;
+use crate::element::{ElementResult, Histories};
 use nalgebra::Vector3;
 use std::fmt;
 use std::sync::Arc;
@@ -48,7 +48,7 @@ pub trait Transform<const N: usize, const B: usize>: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// The ends coincide.
-    fn advance(&self, _disp: &[f64], _committed: &[f64], _trial: &mut [f64]) -> Result<(), ElementError> {
+    fn advance(&self, _disp: &[f64], _: &mut Histories<'_>) -> ElementResult {
         Ok(())
     }
     /// Basic deformations for global displacements, which include those at the creation of the element.

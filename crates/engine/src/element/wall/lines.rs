@@ -2,7 +2,9 @@
 
 use super::{LOCAL_FORCE, PLANE_WALL, WallShape, add_stiffness};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use crate::element::{
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot, dot,
+};
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::axpy;
 use crate::probe::Probe;
@@ -91,28 +93,22 @@ impl<const D: usize> Element for WallLines<D> {
         ElementTraits { rayleigh: true, ..ElementTraits::of(self.slots()) }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, mut out: ElementOutput<'_>) -> ElementResult {
         for line in &self.lines {
             let strain = Strain { value: dot(&line.row, motion.disp), rate: dot(&line.row, motion.vel), dt: motion.dt };
-            let stress = line.slot.update(committed, strain, trial)?;
-            axpy(line.weight * stress.value, &line.row, output.force);
-            if let Some(k) = output.tangent.as_deref_mut() {
+            let stress = line.slot.update(h.committed, strain, h.trial)?;
+            axpy(line.weight * stress.value, &line.row, out.force);
+            if let Some(k) = out.tangent.as_deref_mut() {
                 add_stiffness(k, &line.row, line.weight * stress.tangent);
             }
-            if let Some(c) = output.damping.as_deref_mut() {
+            if let Some(c) = out.damping.as_deref_mut() {
                 add_stiffness(c, &line.row, line.weight * stress.damping);
             }
         }
-        for (force, row) in output.force.iter_mut().zip(self.shape.stiffness.chunks_exact(D)) {
+        for (force, row) in out.force.iter_mut().zip(self.shape.stiffness.chunks_exact(D)) {
             *force += dot(row, motion.disp);
         }
-        if let Some(k) = output.tangent.filter(|_| !self.shape.stiffness.is_empty()) {
+        if let Some(k) = out.tangent.filter(|_| !self.shape.stiffness.is_empty()) {
             axpy(1.0, &self.shape.stiffness, k);
         }
         Ok(())

@@ -4,7 +4,7 @@ mod lines;
 mod panels;
 
 use super::roles::ForceLabels;
-use super::{ElementError, Mass};
+use super::{ElementError, ElementResult, Mass};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use nalgebra::{Matrix3, SMatrix, Vector3};
@@ -72,7 +72,7 @@ impl WallShape<SPACE_WALL> {
         centre: f64,
         mass: f64,
         plate: &WallPlate,
-    ) -> Result<Self, ElementError> {
+    ) -> ElementResult<Self> {
         let side = |i: usize, j: usize| corners[j] - corners[i];
         let (h1, h2) = (side(0, 2).norm(), side(1, 3).norm());
         let near = |a: f64, b: f64| (0.99..=1.01).contains(&(a / b));

@@ -2,7 +2,9 @@
 
 use super::{LOCAL_FORCE, PLANE_WALL, WallShape};
 use crate::element::roles::{ForceLabels, Inertia, Roles};
-use crate::element::{Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot, dot};
+use crate::element::{
+    Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot, dot,
+};
 use crate::material::multiaxial::{Condensed, STRIP, WallStrip};
 use crate::material::{PLANE, SharedMultiaxial};
 use crate::numeric::axpy;
@@ -125,17 +127,11 @@ impl<const D: usize> Element for WallPanels<D> {
         }
     }
 
-    fn respond(
-        &self,
-        m: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        mut output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, m: &ElementInput<'_>, h: &mut Histories<'_>, mut output: ElementOutput<'_>) -> ElementResult {
         for strip in &self.strips {
             let strain = strip.rows.each_ref().map(|row| dot(row, m.disp));
             let own = strip.at..strip.at + strip.law.state_len();
-            let (stress, tangent) = strip.law.update(&committed[own.clone()], &strain, m.dt, &mut trial[own])?;
+            let (stress, tangent) = strip.law.update(&h.committed[own.clone()], &strain, m.dt, &mut h.trial[own])?;
             for (row, stress) in strip.rows.iter().zip(stress) {
                 axpy(strip.volume * stress, row, output.force);
             }

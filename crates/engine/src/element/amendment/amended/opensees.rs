@@ -1,7 +1,7 @@
 //! Amended elements whose force depends on the number of calls, as in OpenSees.
 
 use super::Amended;
-use crate::element::{CallDependent, ElementError, ElementInput, ElementOutput, MatrixMask, SharedState};
+use crate::element::{CallDependent, ElementInput, ElementOutput, ElementResult, Histories, MatrixMask, SharedState};
 
 impl Amended {
     /// Index of the first entry of the stored tangent.
@@ -18,10 +18,9 @@ impl Amended {
     pub(super) fn respond_inner(
         &self,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         output: &mut ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         let calls = if self.counts_calls { self.inner.opensees().calls } else { None };
         let own = ElementOutput {
             force: &mut *output.force,
@@ -29,10 +28,10 @@ impl Amended {
             damping: output.damping.as_deref_mut(),
             part: MatrixMask::ALL,
         };
-        self.inner.respond(motion, committed, trial, own)?;
+        self.inner.respond(motion, h, own)?;
         if let (Some(calls), Some(tangent)) = (calls, output.tangent.as_deref_mut()) {
             let shared = motion.opensees.map_or(&[] as &SharedState, |call| call.shared);
-            calls.last_tangent(trial, shared, tangent, MatrixMask::ALL);
+            calls.last_tangent(h.trial, shared, tangent, MatrixMask::ALL);
         }
         Ok(())
     }

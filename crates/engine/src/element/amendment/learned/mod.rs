@@ -18,7 +18,7 @@ mod passive;
 mod variable;
 
 use super::{AmendedForce, Amendment, DeformationState, OutsideRange, Slack, Weakening};
-use crate::element::ElementError;
+use crate::element::{ElementError, ElementResult, Histories};
 use crate::series::Series;
 use crate::state_struct::StateStruct;
 use std::sync::Arc;
@@ -53,7 +53,7 @@ impl Learned {
     ///
     /// # Errors
     /// Numbers of channels and sources that differ, or are above [`MAX_CHANNELS`].
-    pub fn new(law: LearnedLaw, sources: Vec<Source>) -> Result<Self, ElementError> {
+    pub fn new(law: LearnedLaw, sources: Vec<Source>) -> ElementResult<Self> {
         if law.channels.len() != sources.len() || sources.len() > MAX_CHANNELS {
             let message = format!(
                 "the law has {} channels and {} sources of them; at most {MAX_CHANNELS} are possible",
@@ -81,11 +81,11 @@ impl Amendment for Learned {
     fn init(&self, state: &mut [f64]) {
         state.fill(0.0);
     }
-    fn amend(&self, committed: &[f64], d: &DeformationState, next: &mut [f64]) -> Result<AmendedForce, ElementError> {
+    fn amend(&self, both: &mut Histories<'_>, d: &DeformationState) -> ElementResult<AmendedForce> {
         let mut out = AmendedForce::default();
         let n = self.law.state_len();
         for i in 0..2 {
-            let own = &committed[i * n..(i + 1) * n];
+            let Histories { committed: own, trial: to } = both.part(i * n..(i + 1) * n);
             let h = History::read(own);
             let axial = if h.steps > 0.0 { h.axial } else { d.axial };
             let mut channels = [0.0; MAX_CHANNELS];
@@ -98,7 +98,6 @@ impl Amendment for Learned {
             }
             let channels = &channels[..self.sources.len()];
             let step = LawStep { deformation: d.e[i], dt: d.dt, own: d.q[i], channels };
-            let to = &mut next[i * n..(i + 1) * n];
             let f = self.law.step(own, &step, to);
             History { axial: d.axial, ..History::read(to) }.write(to);
             out.q[i] = f.force;

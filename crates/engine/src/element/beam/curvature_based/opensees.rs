@@ -1,7 +1,7 @@
 //! `forceBeamColumnCBDI` and `forceBeamColumnCSBDI` by OpenSees' rules.
 
 use super::{Basic, CurvatureBased, Member, Rules, Sections, Trace, resultants};
-use crate::element::ElementInput;
+use crate::element::{ElementInput, Histories};
 use crate::material::MaterialError;
 use crate::numeric::{axpy, dot, invert};
 use crate::rules::OpenSees;
@@ -24,14 +24,13 @@ impl Rules for OpenSees {
         member: &Member<N, B>,
         trace: &Trace<N, B>,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<Option<Basic<B>>, MaterialError> {
         if trace.is_at_rest(motion) {
-            return Ok(Some(Basic::read(&trial[member.head()..])));
+            return Ok(Some(Basic::read(&h.trial[member.head()..])));
         }
         if member.sections.iter().all(|s| s.section.is_linear()) {
-            return beam.iterate_from_trial(member, trace, motion, committed, trial);
+            return beam.iterate_from_trial(member, trace, motion, h);
         }
         Ok(None)
     }
@@ -45,13 +44,12 @@ impl CurvatureBased<OpenSees> {
         member: &Member<N, B>,
         Trace { v, dv, .. }: &Trace<N, B>,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
     ) -> Result<Option<Basic<B>>, MaterialError> {
-        let mut basic = Basic::read(&trial[member.head()..]);
+        let mut basic = Basic::read(&h.trial[member.head()..]);
         let k = basic.k;
-        let mut s = Sections::new(self, member, trial, None);
-        let mut current = resultants(member, trial);
+        let mut s = Sections::new(self, member, h.trial, None);
+        let mut current = resultants(member, h.trial);
         // OpenSees does not correct the residual of the last trial state.
         let mut remaining = *dv;
         for _ in 0..self.iteration.max_iterations {
@@ -59,17 +57,17 @@ impl CurvatureBased<OpenSees> {
             axpy(1.0, &step, &mut basic.q);
             let loading = (&basic.q, motion.load);
             // Section deformations in equilibrium, first with the old stiffnesses, then with the current ones.
-            let Some(l) = self.linear(member, &s, loading, &current, (trial, 0.0)) else { return Ok(None) };
+            let Some(l) = self.linear(member, &s, loading, &current, (h.trial, 0.0)) else { return Ok(None) };
             let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            Self::update(member, &e, motion.dt, committed, trial)?;
-            s = Sections::new(self, member, trial, None);
-            let Some(l) = self.linear(member, &s, loading, &resultants(member, trial), (trial, 0.0)) else {
+            Self::update(member, &e, motion.dt, h)?;
+            s = Sections::new(self, member, h.trial, None);
+            let Some(l) = self.linear(member, &s, loading, &resultants(member, h.trial), (h.trial, 0.0)) else {
                 return Ok(None);
             };
             let e = std::array::from_fn(|b| s.e[b] + l.change[b]);
-            s = Sections::new(self, member, trial, Some(&e));
+            s = Sections::new(self, member, h.trial, Some(&e));
             current = self.equilibrium_resultants(&s, &basic.q, motion.load);
-            let Some(mut l) = self.linear(member, &s, loading, &current, (trial, 0.0)) else { return Ok(None) };
+            let Some(mut l) = self.linear(member, &s, loading, &current, (h.trial, 0.0)) else { return Ok(None) };
             if !invert(l.f.as_flattened_mut(), B) {
                 return Ok(None);
             }

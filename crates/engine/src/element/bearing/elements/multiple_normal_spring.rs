@@ -6,8 +6,8 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::normal_springs::{NormalSprings, Section};
 use crate::element::roles::{BasicDeformations, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
-    MatrixMask, OpenSeesTraits, SharedState, Snapshot,
+    BasicRow, CallDependent, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories,
+    Mass, MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::probe::Probe;
 use crate::state_struct;
@@ -93,19 +93,13 @@ impl Element for MultipleNormalSpring {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
             DIRECTIONS.map(|i| basic[i])
         });
-        let Section { force, stiffness, damping } = self.springs.respond(committed, u, rate, motion.dt, trial)?;
-        Forces { force, stiffness }.write(trial);
+        let Section { force, stiffness, damping } = self.springs.respond(h, u, rate, motion.dt)?;
+        Forces { force, stiffness }.write(h.trial);
         self.link.add_basic_force(&Self::spread(force), output.force);
         if let Some(tangent) = output.tangent {
             self.link.add_basic(&Self::stiffness(stiffness), tangent);

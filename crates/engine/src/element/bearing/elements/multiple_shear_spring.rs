@@ -8,7 +8,8 @@ use crate::element::bearing::kinematics::responses::{NAMES, Response};
 use crate::element::bearing::laws::shear_springs::{Bundle, Factors, ShearSprings};
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, OpenSeesTraits, Snapshot,
+    BasicRow, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass,
+    OpenSeesTraits, Snapshot,
 };
 use crate::probe::Probe;
 use crate::rules::{Consistent, OpenSees};
@@ -64,7 +65,7 @@ impl MultipleShearSpring {
     ///
     /// # Errors
     /// Springs without a force at their limit.
-    pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+    pub fn new(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> ElementResult<Self> {
         Self::of(springs, link, mass)
     }
 }
@@ -74,16 +75,16 @@ impl MultipleShearSpring<OpenSees> {
     ///
     /// # Errors
     /// Springs without a force at their limit.
-    pub fn as_opensees(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+    pub fn as_opensees(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> ElementResult<Self> {
         Self::of(springs, link, mass)
     }
 }
 
 impl<R: Rules> MultipleShearSpring<R> {
-    fn of(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> Result<Self, ElementError> {
+    fn of(springs: ShearSprings, link: Link<12, 6>, mass: f64) -> ElementResult<Self> {
         let mut state = vec![0.0; MultipleShearSpring::HEADER + springs.state_len()];
         springs.init(&mut state);
-        let factors = springs.factors(0.0, &state.clone(), &mut state)?;
+        let factors = springs.factors(0.0, &mut Histories { committed: &state.clone(), trial: &mut state })?;
         let scale = R::scale(&factors);
         let initial = springs.initial_stiffness().map(|row| row.map(|k| scale * k));
         Ok(Self { springs, link, mass, initial, rules: PhantomData })
@@ -145,22 +146,16 @@ impl<R: Rules> Element for MultipleShearSpring<R> {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let [u, rate] = [motion.disp, motion.vel].map(|x| {
             let basic = self.link.deformation(x);
             [basic[1], basic[2]]
         });
         let size = u[0].hypot(u[1]);
-        let bundle = self.springs.respond(committed, u, rate, motion.dt, trial)?;
-        let factors = self.springs.factors(size, committed, trial)?;
+        let bundle = self.springs.respond(h, u, rate, motion.dt)?;
+        let factors = self.springs.factors(size, h)?;
         let force = bundle.force.map(|f| factors.force * f);
-        Forces { force }.write(trial);
+        Forces { force }.write(h.trial);
         self.link.add_basic_force(&basic(force), output.force);
         if let Some(tangent) = output.tangent {
             self.link.add_basic(&spread(self.stiffness(&bundle, &factors, u, size)), tangent);

@@ -11,8 +11,8 @@ use crate::element::bearing::laws::rubber_shear::{RubberShear, ShearInput, shear
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, LawSize, Roles};
 use crate::element::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
-    Overload, Snapshot, Stretch, alike, one_by_one,
+    BasicRow, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, LockstepElement,
+    Mass, Overload, Snapshot, Stretch, alike, one_by_one,
 };
 use crate::numeric::wide::{WIDTH, Wide};
 use crate::probe::Probe;
@@ -75,13 +75,7 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
         let lateral = [u[1], u[2]];
@@ -92,16 +86,16 @@ impl<L: RubberShear + 'static> Element for RubberBearing<L> {
             [0.0; 2]
         };
         let size = (u[1] * u[1] + u[2] * u[2]).sqrt();
-        let axial = self.axial.step(&Axial::read(committed), u[0], size);
-        let tail = &committed[Self::TAIL_AT..];
+        let axial = self.axial.step(&Axial::read(h.committed), u[0], size);
+        let tail = &h.committed[Self::TAIL_AT..];
         let at = ShearInput { u: lateral, size, rate, dt: motion.dt, time: motion.time, axial: &axial, tail };
-        let (c, m) = (Shear::read(&committed[SHEAR_AT..]), L::Memory::read(&committed[MEMORY_AT..]));
-        let s = self.shear.step(&c, &m, &L::Memory::read(&trial[MEMORY_AT..]), &at);
-        axial.next.write(trial);
-        s.shear.write(&mut trial[SHEAR_AT..]);
-        s.memory.write(&mut trial[MEMORY_AT..]);
-        trial[Self::TAIL_AT..].copy_from_slice(tail);
-        self.shear.advance(&m, &s.memory, motion.dt, &mut trial[Self::TAIL_AT..]);
+        let (c, m) = (Shear::read(&h.committed[SHEAR_AT..]), L::Memory::read(&h.committed[MEMORY_AT..]));
+        let s = self.shear.step(&c, &m, &L::Memory::read(&h.trial[MEMORY_AT..]), &at);
+        axial.next.write(h.trial);
+        s.shear.write(&mut h.trial[SHEAR_AT..]);
+        s.memory.write(&mut h.trial[MEMORY_AT..]);
+        h.trial[Self::TAIL_AT..].copy_from_slice(tail);
+        self.shear.advance(&m, &s.memory, motion.dt, &mut h.trial[Self::TAIL_AT..]);
 
         let mut q = [axial.next.force, s.shear.q[0], s.shear.q[1], 0.0, 0.0, 0.0];
         let rotations = self.rotations();

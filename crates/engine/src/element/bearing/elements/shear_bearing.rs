@@ -5,8 +5,8 @@ use crate::element::bearing::kinematics::link::Link;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
 use crate::element::roles::{Backbone, BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, LockstepElement, Mass,
-    OpenSeesTraits, RowMaterial, Snapshot, Softening, alike, one_by_one,
+    BasicRow, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, LockstepElement,
+    Mass, OpenSeesTraits, RowMaterial, Snapshot, Softening, alike, one_by_one,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::wide::{WIDTH, Wide};
@@ -94,31 +94,25 @@ impl<L: ShearLaw<S> + 'static, const N: usize, const B: usize, const M: usize, c
         ElementTraits { linear: false, symmetric: false, viscous, rayleigh: self.rayleigh, ..materials }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
         let local = self.link.local_motion(motion.disp);
         let u = self.link.deformation_of(&local);
         let rate = if motion.still { [0.0; B] } else { self.link.deformation(motion.vel) };
         // Axial and rotational entries from the materials, shear entries between them.
         let (mut q, mut stiffness, mut viscosity) = ([0.0; B], [0.0; B], [0.0; B]);
         for (i, slot) in self.springs() {
-            let s = slot.update(committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, trial)?;
+            let s = slot.update(h.committed, Strain { value: u[i], rate: rate[i], dt: motion.dt }, h.trial)?;
             (q[i], stiffness[i], viscosity[i]) = (s.value, s.tangent, s.damping);
         }
-        let old = Shear::read(committed);
+        let old = Shear::read(h.committed);
         let mut shear = self.law.step(&old, std::array::from_fn(|i| u[1 + i]))?;
-        self.law.leave_trace(&old, &Shear::read(trial), &mut shear);
+        self.law.leave_trace(&old, &Shear::read(h.trial), &mut shear);
         let dashpot = self.law.dashpot();
         for i in 0..S {
             shear.q[i] += dashpot * rate[1 + i];
             viscosity[1 + i] = dashpot;
         }
-        shear.write(trial);
+        shear.write(h.trial);
         q[1..=S].copy_from_slice(&shear.q);
         self.link.add_force(&q, &local, output.force);
         if let Some(tangent) = output.tangent {

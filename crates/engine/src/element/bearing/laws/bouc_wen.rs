@@ -3,8 +3,8 @@
 mod lockstep;
 
 use crate::element::Class;
-use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, ShearLockstep, at_rest, hardening, hardening_ends};
+use crate::element::{ElementError, ElementResult};
 use crate::numeric::sign;
 use crate::numeric::wide::WIDTH;
 use lockstep::BoucWenLockstep;
@@ -44,7 +44,7 @@ impl BoucWenShear {
     /// it is scalar: t + a t^η = 1, with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). The solution is the root next to t = 1,
     /// which is continuous with the committed state.
     #[inline]
-    fn hysteresis<const N: usize>(&self, zc: [f64; N], d: [f64; N]) -> Result<([f64; N], [[f64; N]; N]), ElementError> {
+    fn hysteresis<const N: usize>(&self, zc: [f64; N], d: [f64; N]) -> ElementResult<([f64; N], [[f64; N]; N])> {
         let w: [f64; N] = std::array::from_fn(|i| zc[i] + d[i]);
         let work: f64 = w.iter().zip(&d).map(|(w, d)| w * d).sum();
         let norm2: f64 = w.iter().map(|w| w * w).sum();
@@ -157,7 +157,7 @@ impl<const S: usize> ShearLaw<S> for BoucWenShear {
     }
 
     #[inline]
-    fn step(&self, c: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError> {
+    fn step(&self, c: &Shear<S>, u: [f64; S]) -> ElementResult<Shear<S>> {
         let hardening = u.map(|u| hardening(self.k2, self.k3, self.mu, u));
         let scale = self.k0 / self.qd;
         let d: [f64; S] = std::array::from_fn(|i| (u[i] - c.u[i]) * scale);

@@ -1,7 +1,7 @@
 //! Shear law of `elastomericBearingPlasticity`.
 
 use crate::element::Class;
-use crate::element::ElementError;
+use crate::element::ElementResult;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest, hardening, hardening_ends};
 
 /// Shear law: an elastic, perfectly plastic part with stiffness k₀ and a circular yield surface of radius q_d. In
@@ -37,7 +37,7 @@ impl<const S: usize> ShearLaw<S> for PlasticShear {
     }
 
     #[inline]
-    fn step(&self, c: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError> {
+    fn step(&self, c: &Shear<S>, u: [f64; S]) -> ElementResult<Shear<S>> {
         if at_rest(&u, &c.u) {
             return Ok(Shear { u, ..*c });
         }

@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
-use crate::element::{Class, ElementError, Mass};
+use crate::element::{Class, ElementResult, Mass};
 use crate::numeric::wide::{Real, WIDTH, Wide};
 use crate::state_struct::StateStruct;
 use std::fmt;
@@ -85,7 +85,7 @@ pub trait ShearLaw<const S: usize>: Clone + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// The equation of the law has no solution for the step.
-    fn step(&self, committed: &Shear<S>, u: [f64; S]) -> Result<Shear<S>, ElementError>;
+    fn step(&self, committed: &Shear<S>, u: [f64; S]) -> ElementResult<Shear<S>>;
 
     /// Copies into the trial state the variables of the last trial that OpenSees does not reset; used only to follow
     /// OpenSees.

@@ -1,5 +1,6 @@
 //! Shear springs in a circle: bidirectional shear of a bearing from uniaxial laws.
 
+use crate::element::Histories;
 use crate::material::{
     LimitCurve, Material, MaterialError, ObservedColumns, Strain, Strains, Stresses, WatchesColumns, observe_points,
 };
@@ -153,11 +154,10 @@ impl ShearSprings {
     /// Errors of the materials.
     pub fn respond(
         &self,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         u: [f64; 2],
         rate: [f64; 2],
         dt: f64,
-        trial: &mut [f64],
     ) -> Result<Bundle, MaterialError> {
         let mut sum = Bundle::default();
         let (mut strains, mut rates) = ([0.0; CHUNK_LEN], [0.0; CHUNK_LEN]);
@@ -174,9 +174,9 @@ impl ShearSprings {
                 (*e, *r) = (c * u[0] + s * u[1], c * rate[0] + s * rate[1]);
             }
             group.material.update_all(
-                &committed[at.clone()],
+                &h.committed[at.clone()],
                 &Strains { value: &strains[..n], rate: &rates[..n], dt },
-                &mut trial[at],
+                &mut h.trial[at],
                 &mut Stresses { value: &mut value[..n], tangent: &mut tangent[..n], damping: &mut damping[..n] },
             )?;
             for (i, d) in directions.iter().enumerate() {
@@ -214,14 +214,14 @@ impl ShearSprings {
     ///
     /// # Errors
     /// A virgin bundle without resistance.
-    pub fn factors(&self, size: f64, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
+    pub fn factors(&self, size: f64, h: &mut Histories<'_>) -> Result<Factors, MaterialError> {
         let auxiliary = self.auxiliary_at..self.auxiliary_at + self.virgin.len();
-        trial[auxiliary.clone()].copy_from_slice(&committed[auxiliary]);
+        h.trial[auxiliary.clone()].copy_from_slice(&h.committed[auxiliary]);
         let (Some(limit), Some(SpringGroup { material, .. })) = (self.limit, self.groups.first()) else {
             return Ok(Factors::ONE);
         };
         let len = self.virgin.len();
-        let (auxiliary, response) = trial[self.auxiliary_at..self.auxiliary_at + 2 * len].split_at_mut(len);
+        let (auxiliary, response) = h.trial[self.auxiliary_at..self.auxiliary_at + 2 * len].split_at_mut(len);
         let (u, trace) = (size.max(limit), material.roles().trace);
         let mut at = |value: f64| {
             let stress = material.update(auxiliary, Strain { value, rate: 0.0, dt: 0.0 }, response)?;

@@ -1,8 +1,8 @@
 //! Shear law of `elastomericBearingUFRP`.
 
 use crate::element::Class;
-use crate::element::ElementError;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, at_rest};
+use crate::element::{ElementError, ElementResult};
 use crate::numeric::{bracketed_root, sign};
 
 /// Shear law of an unbonded fibre-reinforced bearing, whose ends roll off their supports:
@@ -78,7 +78,7 @@ impl ShearLaw<1> for UfrpShear {
         Shear { k: [[self.b / self.uy + self.a[0]]], ..Shear::default() }
     }
 
-    fn step(&self, c: &Shear<1>, u: [f64; 1]) -> Result<Shear<1>, ElementError> {
+    fn step(&self, c: &Shear<1>, u: [f64; 1]) -> ElementResult<Shear<1>> {
         let d = (u[0] - c.u[0]) / self.uy;
         let [polynomial, stiffness] = self.backbone(u[0]);
         if at_rest(&u, &c.u) {

@@ -4,7 +4,7 @@ mod opensees;
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw};
-use crate::element::{Class, ElementError, Mass};
+use crate::element::{Class, ElementResult, Mass};
 use crate::rules::{Consistent, OpenSees};
 use std::f64::consts::PI;
 use std::fmt;
@@ -163,7 +163,7 @@ impl<R: Rules> ShearLaw<2> for YamamotoShear<R> {
         Shear { k: [[k, 0.0], [0.0, k]], ..Shear::default() }
     }
 
-    fn step(&self, c: &Shear<2>, u: [f64; 2]) -> Result<Shear<2>, ElementError> {
+    fn step(&self, c: &Shear<2>, u: [f64; 2]) -> ElementResult<Shear<2>> {
         if u == c.u {
             return Ok(*c);
         }

@@ -2,7 +2,7 @@
 //! Applied Mechanics and Engineering 194, 2285-2335).
 
 use super::super::{Geometry, MAX, NODE, Row};
-use crate::element::ElementError;
+use crate::element::{ElementError, ElementResult};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Axes as rows, and the mean of the nodes.
@@ -14,7 +14,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Axis 1 runs along the side from node 1 to node 2, axis 3 is square to both diagonals or to the triangle.
-    pub(super) fn new(nodes: &[Vector3<f64>]) -> Result<Self, ElementError> {
+    pub(super) fn new(nodes: &[Vector3<f64>]) -> ElementResult<Self> {
         let normal = match nodes {
             [a, b, c] => (b - a).cross(&(c - a)),
             [a, b, c, d] => (c - a).cross(&(d - b)),
@@ -44,7 +44,7 @@ impl Frame {
     }
 
     /// The axes in the deformed state: the deformation gradient in the plane at the centre is symmetric in them.
-    fn followed(&self, nodes: &[Vector3<f64>], moved: &[Vector3<f64>]) -> Result<Self, ElementError> {
+    fn followed(&self, nodes: &[Vector3<f64>], moved: &[Vector3<f64>]) -> ElementResult<Self> {
         let mut next = Self::new(moved)?;
         let (a, b) = (tangents(&self.places(nodes), nodes.len()), tangents(&next.places(moved), nodes.len()));
         // F = B A⁻¹; the positive factor 1/det A does not change the angle.
@@ -131,7 +131,7 @@ pub(super) struct Following<'a> {
 
 impl Following<'_> {
     /// The axes at displacements `u`, and the deformational displacements in them.
-    pub(super) fn local(&self, u: &Row) -> Result<(Frame, Row), ElementError> {
+    pub(super) fn local(&self, u: &Row) -> ElementResult<(Frame, Row)> {
         let n = self.nodes.len();
         let mut moved = [Vector3::zeros(); 4];
         for (i, place) in self.nodes.iter().enumerate() {

@@ -5,7 +5,7 @@ use super::condensation::{
 };
 use super::kinematics::{DOFS, INNER, Matrix, Motion, OUTER, Springs};
 use super::{Factors, KikuchiBearing};
-use crate::element::{ElementError, Rows, dot};
+use crate::element::{ElementError, ElementResult, Histories, Rows, dot};
 use crate::numeric::largest;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
@@ -66,7 +66,6 @@ const ITERATIONS: usize = 60;
 
 /// A step of the ends, for which the equilibrium of the inner nodes is found.
 struct Step<'a> {
-    committed: &'a [f64],
     from: &'a Memory,
     /// Displacements that it begins with, and the row of the axial force there.
     origin: Motion,
@@ -121,37 +120,36 @@ impl KikuchiBearing {
     pub(super) fn converge(
         &self,
         outer: [f64; OUTER],
-        committed: &[f64],
+        h: &mut Histories<'_>,
         dt: f64,
         rows: Rows,
-        trial: &mut [f64],
         into: &mut Condensed,
-    ) -> Result<(), ElementError> {
-        let (from, last) = (Memory::read(committed), Memory::read(trial));
-        let factors = self.factors_at(&outer, &last, committed, trial)?;
+    ) -> ElementResult {
+        let (from, last) = (Memory::read(h.committed), Memory::read(h.trial));
+        let factors = self.factors_at(&outer, &last, h)?;
         let origin = join(&from.outer, &from.inner);
         let row = self.kinematics.axial_row(&origin);
         let tolerance = if rows == Rows::NONE { TOLERANCE } else { TANGENT_TOLERANCE };
-        let step = Step { committed, from: &from, origin, row, factors, dt, tolerance };
+        let step = Step { from: &from, origin, row, factors, dt, tolerance };
         let way = std::array::from_fn(|i| outer[i] - from.outer[i]);
         let rest = nearer(&outer, &way, &last);
         let guess = match &rest {
             Some(rest) => {
                 let inner = std::array::from_fn(|i| last.inner[i] + last.correction[i]);
-                extrapolated(follow(trial), &inner, rest)
+                extrapolated(follow(h.trial), &inner, rest)
             }
-            None => guess(&from, follow(committed), &way),
+            None => guess(&from, follow(h.committed), &way),
         };
         let mut trials = [Trial::default(), Trial::default()];
-        let found = self.find(&step, &outer, guess, trial, &mut trials)?;
+        let found = self.find(&step, &outer, guess, h, &mut trials)?;
         if rows == Rows::NONE && rest.is_some() && found.residual <= CORRECTED * found.allowed {
             // No tangent is needed, and the derivatives of the last call are still good enough.
             into.force.copy_from_slice(&found.forces.as_slice()[..OUTER]);
         } else {
             self.condense_found(found, factors, &outer, rows, into)?;
-            trial[FOLLOW_AT..HEADER].copy_from_slice(into.solution.follow.as_flattened());
+            h.trial[FOLLOW_AT..HEADER].copy_from_slice(into.solution.follow.as_flattened());
         }
-        let extrapolated = extrapolated(follow(committed), &from.inner, &way);
+        let extrapolated = extrapolated(follow(h.committed), &from.inner, &way);
         Memory {
             outer,
             inner: found.inner,
@@ -162,7 +160,7 @@ impl KikuchiBearing {
             size: self.size(&outer),
             factor: [factors.force, factors.slope],
         }
-        .write(trial);
+        .write(h.trial);
         if let Some(shares) = self.shares {
             take_off_p_delta(&outer, shares, into, rows);
         }
@@ -177,7 +175,7 @@ impl KikuchiBearing {
         outer: &[f64; OUTER],
         rows: Rows,
         into: &mut Condensed,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         let mut stiffness = [[0.0; DOFS]; DOFS];
         self.kinematics.stiffness_into(&found.springs, &found.row, &found.change, &mut stiffness);
         self.kinematics.add_geometric(self.kinematics.stiff.axial * found.springs.axial, &mut stiffness);
@@ -194,19 +192,13 @@ impl KikuchiBearing {
     }
 
     /// Factors of the shear springs: those of the last call if it had the same shear displacement.
-    fn factors_at(
-        &self,
-        outer: &[f64; OUTER],
-        last: &Memory,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Factors, ElementError> {
+    fn factors_at(&self, outer: &[f64; OUTER], last: &Memory, h: &mut Histories<'_>) -> ElementResult<Factors> {
         let size = self.size(outer);
         let [force, slope] = last.factor;
         if force != 0.0 && last.size == size {
             return Ok(Factors { force, stiffness: force, slope });
         }
-        let factors = self.shear.factors(size, committed, trial)?;
+        let factors = self.shear.factors(size, h)?;
         // The derivative of the forces, not OpenSees' factor of the stiffness.
         Ok(Factors { stiffness: factors.force, ..factors })
     }
@@ -217,17 +209,17 @@ impl KikuchiBearing {
         step: &Step<'_>,
         outer: &[f64; OUTER],
         guess: [f64; INNER],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         trials: &'t mut [Trial; 2],
-    ) -> Result<&'t Trial, ElementError> {
+    ) -> ElementResult<&'t Trial> {
         let from = step.from;
-        let first = self.newton(step, outer, guess, trial, trials);
+        let first = self.newton(step, outer, guess, h, trials);
         if let Ok(Some(found)) = first {
             return Ok(&trials[found]);
         }
         let way: [f64; OUTER] = std::array::from_fn(|i| outer[i] - from.outer[i]);
-        let next = extrapolated(follow(step.committed), &from.inner, &way);
-        if let Ok(Some(found)) = self.newton(step, outer, next, trial, trials) {
+        let next = extrapolated(follow(h.committed), &from.inner, &way);
+        if let Ok(Some(found)) = self.newton(step, outer, next, h, trials) {
             return Ok(&trials[found]);
         }
         for parts in [4, 32] {
@@ -235,7 +227,7 @@ impl KikuchiBearing {
             for part in 1..=parts {
                 let at: [f64; OUTER] =
                     std::array::from_fn(|i| from.outer[i] + way[i] * f64::from(part) / f64::from(parts));
-                match self.newton(step, &at, inner, trial, trials)? {
+                match self.newton(step, &at, inner, h, trials)? {
                     Some(found) if part == parts => return Ok(&trials[found]),
                     Some(found) => inner = trials[found].inner,
                     None => break,
@@ -253,11 +245,11 @@ impl KikuchiBearing {
         step: &Step<'_>,
         outer: &[f64; OUTER],
         start: [f64; INNER],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         trials: &mut [Trial; 2],
-    ) -> Result<Option<usize>, ElementError> {
+    ) -> ElementResult<Option<usize>> {
         let mut found = 0;
-        self.at(step, outer, start, trial, &mut trials[found])?;
+        self.at(step, outer, start, h, &mut trials[found])?;
         for _ in 0..ITERATIONS {
             let [a, b] = &mut *trials;
             let (best, next) = if found == 0 { (a, b) } else { (b, a) };
@@ -272,13 +264,13 @@ impl KikuchiBearing {
             let mut share = 1.0;
             loop {
                 let inner = std::array::from_fn(|i| best.inner[i] + share * correction[i]);
-                self.at(step, outer, inner, trial, next)?;
+                self.at(step, outer, inner, h, next)?;
                 if next.residual < best.residual {
                     break;
                 }
                 if best.residual <= best.taken {
                     // The springs' histories in `trial` must be those of the result.
-                    self.at(step, outer, best.inner, trial, next)?;
+                    self.at(step, outer, best.inner, h, next)?;
                     return Ok(Some(found));
                 }
                 share *= 0.5;
@@ -296,15 +288,15 @@ impl KikuchiBearing {
         step: &Step<'_>,
         outer: &[f64; OUTER],
         inner: [f64; INNER],
-        trial: &mut [f64],
+        h: &mut Histories<'_>,
         into: &mut Trial,
-    ) -> Result<(), ElementError> {
+    ) -> ElementResult {
         let k = &self.kinematics;
         let q = join(outer, &inner);
         into.inner = inner;
         into.row = k.axial_row(&q);
         (into.springs.axial, into.change) = k.axial(step.from.axial, &(q - step.origin), [&step.row, &into.row]);
-        self.evaluate_springs(step.committed, &q, step.factors, step.dt, trial, &mut into.springs)?;
+        self.evaluate_springs(h, &q, step.factors, step.dt, &mut into.springs)?;
         into.forces = k.forces(&q, &into.springs, &into.row);
         // Forces, and moments over an arm.
         let (f, by) = (&into.forces, 1.0 / self.arm);

@@ -23,8 +23,8 @@ use crate::element::bearing::laws::normal_springs::NormalSprings;
 use crate::element::bearing::laws::shear_springs::{Factors, ShearSprings};
 use crate::element::roles::{BasicDeformations, Bearing, CriticalLoad, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass,
-    OpenSeesTraits, Overload, Rows, Snapshot,
+    BasicRow, CallDependent, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories,
+    Mass, OpenSeesTraits, Overload, Rows, Snapshot,
 };
 use crate::material::{Material, MaterialError, WatchesColumns};
 use crate::numeric::SparseMatrix;
@@ -124,7 +124,7 @@ impl KikuchiBearing {
     ///
     /// # Errors
     /// Shear springs that cannot be scaled.
-    pub fn new(p: KikuchiParameters, axes: &Matrix3<f64>, disp: &[f64], scheme: Scheme) -> Result<Self, ElementError> {
+    pub fn new(p: KikuchiParameters, axes: &Matrix3<f64>, disp: &[f64], scheme: Scheme) -> ElementResult<Self> {
         let (area, inertia) = match p.shape {
             Shape::Round => (PI * p.size.powi(2) / 4.0, PI * p.size.powi(4) / 64.0),
             Shape::Square => (p.size.powi(2), p.size.powi(4) / 12.0),
@@ -143,7 +143,7 @@ impl KikuchiBearing {
         let at = header + shear.state_len();
         let mut virgin = vec![0.0; at];
         shear.init(&mut virgin);
-        let virgin_factors = shear.factors(0.0, &virgin.clone(), &mut virgin)?;
+        let virgin_factors = shear.factors(0.0, &mut Histories { committed: &virgin.clone(), trial: &mut virgin })?;
         let mut lower = NormalSprings::new(p.normal, &p.layout, 0.5 * p.rubber, at);
         if matches!(scheme, Scheme::OpenSees(_)) {
             lower = lower.counting_calls();
@@ -196,20 +196,19 @@ impl KikuchiBearing {
     /// Forces and stiffnesses of all springs but the axial one at mid-height, at displacements, into `springs`.
     fn evaluate_springs(
         &self,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         q: &kinematics::Motion,
         factors: Factors,
         dt: f64,
-        trial: &mut [f64],
         springs: &mut Springs,
     ) -> Result<(), MaterialError> {
         const REST: [f64; 3] = [0.0; 3];
         let (lower, upper, shear) = self.kinematics.deformations(q);
-        let lower = self.lower.respond(committed, lower, REST, dt, trial)?;
+        let lower = self.lower.respond(h, lower, REST, dt)?;
         (springs.lower, springs.lower_stiffness) = (lower.force, flat(&lower.stiffness));
-        let upper = self.upper.respond(committed, upper, REST, dt, trial)?;
+        let upper = self.upper.respond(h, upper, REST, dt)?;
         (springs.upper, springs.upper_stiffness) = (upper.force, flat(&upper.stiffness));
-        let shear = self.shear.respond(committed, shear, [0.0; 2], dt, trial)?;
+        let shear = self.shear.respond(h, shear, [0.0; 2], dt)?;
         springs.shear = shear.force.map(|f| f * factors.force);
         springs.shear_stiffness = flat(&shear.stiffness).map(|k| k * factors.stiffness);
         Ok(())
@@ -218,15 +217,14 @@ impl KikuchiBearing {
     /// The same with the axial deformation at mid-height.
     fn springs(
         &self,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         q: &kinematics::Motion,
         factors: Factors,
         axial: f64,
         dt: f64,
-        trial: &mut [f64],
     ) -> Result<Springs, MaterialError> {
         let mut springs = Springs { axial, ..Springs::default() };
-        self.evaluate_springs(committed, q, factors, dt, trial, &mut springs)?;
+        self.evaluate_springs(h, q, factors, dt, &mut springs)?;
         Ok(springs)
     }
 
@@ -316,23 +314,17 @@ impl Element for KikuchiBearing {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        answer: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, answer: ElementOutput<'_>) -> ElementResult {
         let outer = self.outer(motion.disp);
         let mut local = Condensed::default();
         match &self.scheme {
             Scheme::Converged => {
                 let rows = if answer.tangent.is_some() { self.local_rows(answer.part.rows) } else { Rows::NONE };
-                self.converge(outer, committed, motion.dt, rows, trial, &mut local)?;
+                self.converge(outer, h, motion.dt, rows, &mut local)?;
             }
             Scheme::OpenSees(balance) => {
                 (local.force, local.stiffness) =
-                    self.follow_opensees(outer, committed, motion.dt, (*balance, motion.opensees), trial)?;
+                    self.follow_opensees(outer, h, motion.dt, (*balance, motion.opensees))?;
             }
         }
         self.add_force(&local.force, answer.force);

@@ -8,7 +8,7 @@
 use super::condensation::{Condensed, InnerSolution, condense, extrapolated, join, no_inner_stiffness, solution};
 use super::kinematics::{INNER, Matrix, Motion, OUTER, Springs};
 use super::{Balance, Factors, KikuchiBearing};
-use crate::element::{CallDependent, ElementError, MatrixMask, OpenSeesCall, SharedState};
+use crate::element::{CallDependent, ElementResult, Histories, MatrixMask, OpenSeesCall, SharedState};
 use crate::material::MaterialError;
 use crate::state_struct;
 use crate::state_struct::StateStruct;
@@ -128,13 +128,12 @@ impl KikuchiBearing {
     pub(super) fn follow_opensees(
         &self,
         outer: [f64; OUTER],
-        committed: &[f64],
+        h: &mut Histories<'_>,
         dt: f64,
         (balance, call): (Balance, Option<OpenSeesCall<'_>>),
-        trial: &mut [f64],
-    ) -> Result<([f64; OUTER], [[f64; OUTER]; OUTER]), ElementError> {
-        let old = Trace::read(committed);
-        let now = Trace::read(trial);
+    ) -> ElementResult<([f64; OUTER], [[f64; OUTER]; OUTER])> {
+        let old = Trace::read(h.committed);
+        let now = Trace::read(h.trial);
         let begin = old.settled;
         let from = join(&old.outer, &begin.inner);
         let mut shared = call.map(|c| SharedVariables::of(c.shared)).unwrap_or_default();
@@ -145,12 +144,12 @@ impl KikuchiBearing {
         // of a call in this step belongs to the next call.
         let first = now.steps == old.steps;
         let (factors, InnerSolution { follow, correction }) = if first {
-            let factors = self.factors_of_step(&old, committed, trial)?;
+            let factors = self.factors_of_step(&old, h)?;
             let (forces, stiffness) = self.equations(&from, &self.scaled(&begin, factors), &row);
             (factors, solution(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)?)
         } else {
             let factors = Factors { force: now.factors[0], stiffness: now.factors[1], slope: 0.0 };
-            (factors, InnerSolution::read(&trial[SOLVED_AT..]))
+            (factors, InnerSolution::read(&h.trial[SOLVED_AT..]))
         };
         let step: [f64; OUTER] = std::array::from_fn(|i| outer[i] - old.outer[i]);
         let inner =
@@ -158,7 +157,7 @@ impl KikuchiBearing {
 
         let q = join(&outer, &inner);
         let axial = begin.springs.axial + row.dot(&(q - from));
-        let springs = self.springs(committed, &q, Factors::ONE, axial, dt, trial)?;
+        let springs = self.springs(h, &q, Factors::ONE, axial, dt)?;
         let springs = SpringState { springs, inner };
         let c = self.condensed(&q, &self.scaled(&springs, factors), &row)?;
         let mut force = c.force;
@@ -166,38 +165,36 @@ impl KikuchiBearing {
             take_off_p_delta(&(geometry + join(&step, &[0.0; INNER])), shares, &mut force);
         }
 
-        let settled = self.settle(&outer, springs, factors, balance, committed, dt, trial)?;
+        let settled = self.settle(&outer, springs, factors, balance, h, dt)?;
         if let Some(call) = call.filter(|c| c.last_of_class) {
             shared.set(old.steps + 1.0, &join(&outer, &settled.inner), &c.stiffness);
             shared.write_to(call.shared);
         }
         let factors = [factors.force, factors.stiffness];
-        Trace { outer, settled, last: springs, steps: old.steps + 1.0, factors }.write(trial);
-        Solved { solution: c.solution, stiffness: c.stiffness }.write(&mut trial[SOLVED_AT..]);
+        Trace { outer, settled, last: springs, steps: old.steps + 1.0, factors }.write(h.trial);
+        Solved { solution: c.solution, stiffness: c.stiffness }.write(&mut h.trial[SOLVED_AT..]);
         Ok((force, c.stiffness))
     }
 
     /// Factors of the shear springs in the step from a committed state.
-    fn factors_of_step(&self, old: &Trace, committed: &[f64], trial: &mut [f64]) -> Result<Factors, MaterialError> {
+    fn factors_of_step(&self, old: &Trace, h: &mut Histories<'_>) -> Result<Factors, MaterialError> {
         if old.steps == 0.0 {
             return Ok(self.virgin_factors);
         }
         let [v, w] = self.offset(&old.outer);
-        self.shear.factors(v.hypot(w), committed, trial)
+        self.shear.factors(v.hypot(w), h)
     }
 
     /// Corrections of `-doBalance` when the step of a call is committed.
-    #[allow(clippy::too_many_arguments)]
     fn settle(
         &self,
         outer: &[f64; OUTER],
         mut call: SpringState,
         factors: Factors,
         balance: Balance,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         dt: f64,
-        trial: &mut [f64],
-    ) -> Result<SpringState, ElementError> {
+    ) -> ElementResult<SpringState> {
         for _ in 0..balance.rounds {
             let q = join(outer, &call.inner);
             let row = self.kinematics.axial_row(&q);
@@ -205,7 +202,7 @@ impl KikuchiBearing {
             let inner: [f64; INNER] = std::array::from_fn(|i| call.inner[i] + c.solution.correction[i]);
             let to = join(outer, &inner);
             let axial = call.springs.axial + row.dot(&(to - q));
-            let springs = self.springs(committed, &to, Factors::ONE, axial, dt, trial)?;
+            let springs = self.springs(h, &to, Factors::ONE, axial, dt)?;
             call = SpringState { springs, inner };
             let left = self.kinematics.forces(&to, &self.scaled(&call, factors), &row);
             if left.fixed_rows::<INNER>(OUTER).iter().all(|f| f.abs() <= balance.tolerance) {
@@ -223,7 +220,7 @@ impl KikuchiBearing {
         s
     }
 
-    fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> Result<Condensed, ElementError> {
+    fn condensed(&self, q: &Motion, springs: &Springs, row: &Motion) -> ElementResult<Condensed> {
         let (forces, stiffness) = self.equations(q, springs, row);
         condense(&forces, &stiffness, &self.hold).ok_or_else(no_inner_stiffness)
     }

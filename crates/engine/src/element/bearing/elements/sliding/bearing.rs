@@ -10,7 +10,7 @@ use crate::element::bearing::elements::shear_bearing::{
 use crate::element::friction::Contact;
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Inertia, Roles};
 use crate::element::{
-    BasicRow, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, Mass, Snapshot,
+    BasicRow, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Mass, Snapshot,
 };
 use crate::material::{Material, Slot, Strain};
 use crate::numeric::{axpy, dot};
@@ -183,22 +183,17 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
     }
 
     /// Rise of the slider in a dish: rise, its rate, its derivatives by the shear displacement.
-    fn rise(&self, u: &[f64; B], rate: &[f64; B]) -> Result<(f64, f64, [f64; S]), ElementError> {
+    fn rise(&self, u: &[f64; B], rate: &[f64; B]) -> ElementResult<(f64, f64, [f64; S])> {
         let Some(dish) = self.surface.dish.filter(|d| d.rises) else { return Ok((0.0, 0.0, [0.0; S])) };
         let (rise, slope) = dish.rise::<S>(std::array::from_fn(|i| u[1 + i]))?;
         Ok(R::rise(rise, slope, &rate[1..=S]))
     }
 
     /// Basic forces at a trial state. Materials are evaluated in uplift too, except by OpenSees.
-    fn basic(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<N, B>, ElementError> {
+    fn basic(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>) -> ElementResult<Basic<N, B>> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
         if let Some(heat) = R::heat_first(self.heat.as_ref()) {
-            return self.with_early_friction(heat, motion, committed, trial);
+            return self.with_early_friction(heat, motion, h);
         }
         let (rise, rise_rate, slope) = self.rise(&u, &rate)?;
         let mut out = Basic { q: [0.0; B], by_disp: [[0.0; N]; B], by_vel: [[0.0; N]; B] };
@@ -206,12 +201,12 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
             if R::leaves_out::<S>(*d, out.q[0]) {
                 continue;
             }
-            let last = slot.strain(trial);
+            let last = slot.strain(h.trial);
             let (less, less_rate) = if *d == 0 { (rise, rise_rate) } else { (0.0, 0.0) };
             let strain = Strain { value: u[*d] - less, rate: rate[*d] - less_rate, dt: motion.dt };
-            let s = slot.update(committed, strain, trial)?;
+            let s = slot.update(h.committed, strain, h.trial)?;
             if R::puts_back::<S>(self.setting.kind, *d, s.value) {
-                slot.update(committed, Strain { value: last, rate: 0.0, dt: motion.dt }, trial)?;
+                slot.update(h.committed, Strain { value: last, rate: 0.0, dt: motion.dt }, h.trial)?;
             }
             out.q[*d] = s.value;
             axpy(s.tangent, &self.link.basic[*d], &mut out.by_disp[*d]);
@@ -223,7 +218,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
                 }
             }
         }
-        let (old, last) = (History::<B, S>::read(committed), History::<B, S>::read(trial));
+        let (old, last) = (History::<B, S>::read(h.committed), History::<B, S>::read(h.trial));
         let mut next = if out.q[0] < 0.0 {
             let pose = Pose {
                 u: std::array::from_fn(|i| u[1 + i]),
@@ -231,29 +226,23 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
                 tilt: self.tilt.each_ref().map(|row| dot(row, motion.disp)),
                 pressure: -out.q[0],
                 plastic: old.plastic,
-                warmth: self.heat.as_ref().map_or(1.0, |h| h.share(&committed[self.own..])),
+                warmth: self.heat.as_ref().map_or(1.0, |heat| heat.share(&h.committed[self.own..])),
             };
             self.press(&pose, &last, &mut out)?
         } else {
-            let left = self.left(u[0] - rise, committed);
+            let left = self.left(u[0] - rise, h.committed);
             R::lift(self, (&u, &rate, left), &last, &mut out)
         };
         next.q = out.q;
-        next.write(trial);
+        next.write(h.trial);
         if let Some(heat) = &self.heat {
-            let words = self.own..self.state_len;
-            heat.warm(&next.contact, &u[1..=S], motion.dt, &committed[words.clone()], &mut trial[words]);
+            heat.warm(&next.contact, &u[1..=S], motion.dt, &mut h.part(self.own..self.state_len));
         }
         Ok(out)
     }
 
     /// Adds the forces of the surface in contact.
-    fn press(
-        &self,
-        pose: &Pose<S>,
-        last: &History<B, S>,
-        out: &mut Basic<N, B>,
-    ) -> Result<History<B, S>, ElementError> {
+    fn press(&self, pose: &Pose<S>, last: &History<B, S>, out: &mut Basic<N, B>) -> ElementResult<History<B, S>> {
         let slide = self.setting.rules.slide(&self.surface, pose, last.shear)?;
         let kept = R::stuck(pose.plastic, last.plastic);
         for i in 0..S {
@@ -335,14 +324,8 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> Element for Slidi
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        let Basic { q, by_disp, by_vel } = self.basic(motion, committed, trial)?;
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        let Basic { q, by_disp, by_vel } = self.basic(motion, h)?;
         for (row, &q) in self.link.basic.iter().zip(&q) {
             axpy(q, row, output.force);
         }

@@ -1,5 +1,6 @@
 //! Pendulum friction that depends on pressure, speed and the temperature from frictional heating.
 
+use crate::element::Histories;
 use crate::element::bearing::elements::triple::{Body, Conduction, Softening, history};
 use crate::element::friction::{Coefficient, Contact, FrictionLaw};
 use crate::numeric::norm;
@@ -118,13 +119,13 @@ impl Heat {
     /// Update after a step: its heat is added to the history, and the temperature follows. Heat is uniform over the
     /// step. The history stores it at two Gauss points. The temperature of this step uses the one-point rule for a
     /// kernel of 1/√τ.
-    pub(super) fn warm(&self, contact: &Contact, u: &[f64], dt: f64, committed: &[f64], trial: &mut [f64]) {
-        let c = ThermalState::read(committed);
+    pub(super) fn warm(&self, contact: &Contact, u: &[f64], dt: f64, h: &mut Histories<'_>) {
+        let c = ThermalState::read(h.committed);
         let mut w = c;
-        trial.copy_from_slice(committed);
+        h.trial.copy_from_slice(h.committed);
         let n = u.len();
         w.u[..n].copy_from_slice(u);
-        (w.mu, w.factors) = (contact.mu, [self.by_pressure(contact.normal), self.share(committed), 1.0]);
+        (w.mu, w.factors) = (contact.mu, [self.by_pressure(contact.normal), self.share(h.committed), 1.0]);
         let at_zero_speed = self.setting.mu * w.factors[0] * w.factors[1];
         w.factors[2] = if contact.normal > 0.0 && at_zero_speed > 0.0 {
             contact.mu / at_zero_speed
@@ -135,13 +136,13 @@ impl Heat {
             w.clock = c.clock + dt;
             let increment: [f64; 2] = std::array::from_fn(|i| w.u[i] - c.u[i]);
             w.flux = self.flux((w.mu, contact.normal, norm(&increment) / dt), norm(u));
-            let heat = &mut trial[ThermalState::LEN..];
+            let heat = &mut h.trial[ThermalState::LEN..];
             let latest = (w.flux > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux));
             w.temperature = self.temperature_from(heat, |t| w.clock - t, latest);
             let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux);
             history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
         }
-        w.write(trial);
+        w.write(h.trial);
     }
 
     /// Coefficient of friction by OpenSees' scheme. The factors of a step are those of its first trial state.

@@ -8,7 +8,7 @@ use super::heat::Heat;
 use super::rules::Rules;
 use super::surface::{Pose, Slide, Surface};
 use crate::element::friction::Contact;
-use crate::element::{ElementError, ElementInput};
+use crate::element::{ElementError, ElementInput, ElementResult, Histories};
 use crate::material::Strain;
 use crate::numeric::{axpy, norm};
 use crate::state_struct::StateStruct;
@@ -47,7 +47,7 @@ impl Rules for Substitution {
         direction == 0 && S == 1 && kind != Kind::Springs && force > 0.0
     }
 
-    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, shear: [f64; S]) -> Result<Slide<S>, ElementError> {
+    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, shear: [f64; S]) -> ElementResult<Slide<S>> {
         on.slide_by_substitution(pose, shear, self.rounds, self.tolerance)
     }
 
@@ -99,14 +99,13 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
         &self,
         heat: &Heat,
         motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Basic<N, B>, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Basic<N, B>> {
         let (u, rate) = (self.link.deformation(motion.disp), self.link.deformation(motion.vel));
-        let (old, mut next) = (History::<B, S>::read(committed), History::<B, S>::read(trial));
+        let (old, mut next) = (History::<B, S>::read(h.committed), History::<B, S>::read(h.trial));
         let mut out = Basic { q: next.q, by_disp: [[0.0; N]; B], by_vel: [[0.0; N]; B] };
         let Some((_, axial)) = self.springs.first() else { unreachable!("there is an axial material") };
-        let s = axial.update(committed, Strain { value: u[0], rate: rate[0], dt: motion.dt }, trial)?;
+        let s = axial.update(h.committed, Strain { value: u[0], rate: rate[0], dt: motion.dt }, h.trial)?;
         let lifted = s.value >= 0.0;
         out.q[0] = if lifted { -PUSH * s.value } else { s.value };
         axpy(s.tangent, &self.link.basic[0], &mut out.by_disp[0]);
@@ -120,7 +119,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
                 axpy(slot.material.initial_tangent(), &self.link.basic[*d], &mut out.by_disp[*d]);
             }
             next.q = out.q;
-            next.write(trial);
+            next.write(h.trial);
             return Ok(out);
         }
         let normal = -out.q[0];
@@ -139,7 +138,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
             *c = 1.0 / square.sqrt();
         }
         let speed = self.speed(&shear, &rate, &curvature);
-        let mu = heat.warm_first((normal, speed), &shear, motion.time, &mut trial[self.own..]);
+        let mu = heat.warm_first((normal, speed), &shear, motion.time, &mut h.trial[self.own..]);
         let limit = mu * normal;
         let left = if lifted { UPLIFT } else { 1.0 };
         let k_before: [f64; S] = std::array::from_fn(|i| left * (self.surface.k_init - normal * curvature[i]));
@@ -171,7 +170,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
         let at_rest = !moves(motion.vel) && !moves(&motion.vel[N / 2..]);
         for (d, slot) in self.springs.iter().skip(1) {
             let (value, rate) = if *d == B - 1 && at_rest { (0.0, 0.0) } else { (u[*d], rate[*d]) };
-            let s = slot.update(committed, Strain { value, rate, dt: motion.dt }, trial)?;
+            let s = slot.update(h.committed, Strain { value, rate, dt: motion.dt }, h.trial)?;
             out.q[*d] = s.value;
             axpy(s.tangent, &self.link.basic[*d], &mut out.by_disp[*d]);
             axpy(s.damping, &self.link.basic[*d], &mut out.by_vel[*d]);
@@ -179,7 +178,7 @@ impl<const N: usize, const B: usize, const S: usize, R: Rules> SlidingBearing<N,
         next.contact = Contact { normal, speed, mu };
         next.shear = std::array::from_fn(|i| out.q[1 + i]);
         next.q = out.q;
-        next.write(trial);
+        next.write(h.trial);
         Ok(out)
     }
 

@@ -3,7 +3,7 @@
 use super::bearing::{Basic, History, Kind, SlidingBearing};
 use super::heat::Heat;
 use super::surface::{Pose, Slide, Surface};
-use crate::element::ElementError;
+use crate::element::ElementResult;
 use crate::element::friction::Contact;
 use crate::numeric::{axpy, dot, norm};
 use crate::rules::Consistent;
@@ -38,7 +38,7 @@ pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
     ///
     /// # Errors
     /// A surface without a force at this displacement.
-    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, _shear: [f64; S]) -> Result<Slide<S>, ElementError> {
+    fn slide<const S: usize>(self, on: &Surface, pose: &Pose<S>, _shear: [f64; S]) -> ElementResult<Slide<S>> {
         on.slide(pose)
     }
 

@@ -1,8 +1,8 @@
 //! A sliding surface: friction with a circular yield surface, pendulum stiffness of a spherical dish, and the normal
 //! force of both.
 
-use crate::element::ElementError;
 use crate::element::friction::{Coefficient, Contact, Friction};
+use crate::element::{ElementError, ElementResult};
 use crate::numeric::{dot, norm};
 
 /// Shape of a spherical sliding surface.
@@ -19,13 +19,13 @@ impl Dish {
     ///
     /// # Errors
     /// The displacement is not less than the radius.
-    pub fn rise<const S: usize>(&self, u: [f64; S]) -> Result<(f64, [f64; S]), ElementError> {
+    pub fn rise<const S: usize>(&self, u: [f64; S]) -> ElementResult<(f64, [f64; S])> {
         let depth = self.depth(norm(&u))?;
         Ok((self.radius - depth, u.map(|u| u / depth)))
     }
 
     /// (R² - u²)^½
-    fn depth(&self, u: f64) -> Result<f64, ElementError> {
+    fn depth(&self, u: f64) -> ElementResult<f64> {
         let square = (self.radius - u) * (self.radius + u);
         if square > 0.0 {
             return Ok(square.sqrt());
@@ -132,7 +132,7 @@ impl Surface {
     ///
     /// # Errors
     /// A displacement beyond the edge of the dish, or no convergence of the normal force.
-    pub fn slide<const S: usize>(&self, pose: &Pose<S>) -> Result<Slide<S>, ElementError> {
+    pub fn slide<const S: usize>(&self, pose: &Pose<S>) -> ElementResult<Slide<S>> {
         let shape = self.shape(pose)?;
         // Newton's method for N = max(0, P + q(N)·g), which is nearly linear.
         let mut normal = pose.pressure;
@@ -151,7 +151,7 @@ impl Surface {
     }
 
     /// Rejects an initial stiffness that is not greater than the pendulum stiffness, which leaves no friction.
-    fn checked<const S: usize>(&self, pose: &Pose<S>, s: Slide<S>) -> Result<Slide<S>, ElementError> {
+    fn checked<const S: usize>(&self, pose: &Pose<S>, s: Slide<S>) -> ElementResult<Slide<S>> {
         let pendulum = self.dish.map_or(0.0, |d| s.contact.normal / d.radius);
         if pendulum < self.k_init && s.q.iter().all(|q| q.is_finite()) {
             return Ok(s);
@@ -175,7 +175,7 @@ impl Surface {
         start: [f64; S],
         rounds: usize,
         tolerance: f64,
-    ) -> Result<Slide<S>, ElementError> {
+    ) -> ElementResult<Slide<S>> {
         let shape = self.shape(pose)?;
         let mut q = start;
         for _ in 0..=rounds {
@@ -193,7 +193,7 @@ impl Surface {
         ))
     }
 
-    fn shape<const S: usize>(&self, pose: &Pose<S>) -> Result<Shape<S>, ElementError> {
+    fn shape<const S: usize>(&self, pose: &Pose<S>) -> ElementResult<Shape<S>> {
         let (mut c, mut dc) = ([0.0; S], [0.0; S]);
         if let Some(dish) = &self.dish {
             dish.depth(norm(&pose.u))?;

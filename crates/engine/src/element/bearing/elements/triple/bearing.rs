@@ -9,8 +9,8 @@ use crate::element::bearing::elements::shear_bearing::{
 use crate::element::friction::{Coefficient, Contact, Friction};
 use crate::element::roles::{BasicDeformations, Bearing, ForceLabels, Roles};
 use crate::element::{
-    BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementTraits, MatrixMask,
-    OpenSeesTraits, SharedState, Snapshot,
+    BasicRow, CallDependent, Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories,
+    MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::material::{Material, Slot, Strain, Stress};
 use crate::probe::Probe;
@@ -136,41 +136,36 @@ impl<R: Rules> TriplePendulum<R> {
     }
 
     /// Vertical force, and normal force of the friction.
-    fn vertical(
-        &self,
-        (apart, rate, dt): (f64, f64, f64),
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<(Stress, f64), ElementError> {
+    fn vertical(&self, (apart, rate, dt): (f64, f64, f64), h: &mut Histories<'_>) -> ElementResult<(Stress, f64)> {
         let slot = &self.materials[0];
-        let last = slot.strain(trial);
-        let s = slot.update(committed, Strain { value: apart, rate, dt }, trial)?;
+        let last = slot.strain(h.trial);
+        let s = slot.update(h.committed, Strain { value: apart, rate, dt }, h.trial)?;
         if s.value < 0.0 {
             return Ok((s, -s.value));
         }
         let normal = self.setting.least_normal;
         let at = Vertical { apart, dt, last };
-        Ok((self.setting.rules.lifted(self, at, s, committed, trial)?, normal))
+        Ok((self.setting.rules.lifted(self, at, s, h)?, normal))
     }
 
-    fn top(&self, motion: &ElementInput<'_>, committed: &[f64], trial: &mut [f64]) -> Result<Top, ElementError> {
+    fn top(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>) -> ElementResult<Top> {
         let apart: [f64; 6] = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let rate: [f64; 6] = std::array::from_fn(|i| motion.vel[6 + i] - motion.vel[i]);
         let mut top = Top { force: [0.0; 6], by_apart: [[0.0; 6]; 6], damping: [0.0; 6] };
-        let (v, normal) = self.vertical((apart[2], rate[2], motion.dt), committed, trial)?;
-        let (c, last) = (ChainState::read(committed), ChainState::read(trial));
-        let before = Load::read(&committed[ChainState::LEN..]);
+        let (v, normal) = self.vertical((apart[2], rate[2], motion.dt), h)?;
+        let (c, last) = (ChainState::read(h.committed), ChainState::read(h.trial));
+        let before = Load::read(&h.committed[ChainState::LEN..]);
         let mut load = Load { normal, mean: 0.5 * (before.normal + normal), ..Load::default() };
         let u = Vector2::new(apart[0], apart[1]);
         let t = match &self.surfaces {
             Surfaces::Models(f) => self.setting.rules.shear(self, (u, motion.dt), (&c, &last), &mut load, f)?,
             Surfaces::Heated(heated) => {
                 let step = Step { time: motion.time, dt: motion.dt };
-                self.setting.rules.heated_shear((self, heated), (u, step), (&before, &mut load), committed, trial)?
+                self.setting.rules.heated_shear((self, heated), (u, step), (&before, &mut load), h)?
             }
         };
         let f = Vector2::from(t.state.f);
-        t.state.write(trial);
+        t.state.write(h.trial);
 
         let shear = normal * f;
         let stiffness: Matrix2<f64> = normal * t.k;
@@ -184,11 +179,11 @@ impl<R: Rules> TriplePendulum<R> {
         top.by_apart[2][2] = v.tangent;
         top.damping[2] = v.damping;
         for ((slot, d), k) in self.materials.iter().zip(DIRECTIONS).zip(&mut load.along).skip(1) {
-            let s = slot.update(committed, Strain { value: apart[d], rate: rate[d], dt: motion.dt }, trial)?;
+            let s = slot.update(h.committed, Strain { value: apart[d], rate: rate[d], dt: motion.dt }, h.trial)?;
             (top.force[d], top.by_apart[d][d], top.damping[d]) = (s.value, s.tangent, s.damping);
             *k = s.tangent;
         }
-        load.write(&mut trial[ChainState::LEN..]);
+        load.write(&mut h.trial[ChainState::LEN..]);
         Ok(top)
     }
 
@@ -262,14 +257,8 @@ impl<R: Rules> Element for TriplePendulum<R> {
         }
     }
 
-    fn respond(
-        &self,
-        motion: &ElementInput<'_>,
-        committed: &[f64],
-        trial: &mut [f64],
-        output: ElementOutput<'_>,
-    ) -> Result<(), ElementError> {
-        let top = self.top(motion, committed, trial)?;
+    fn respond(&self, motion: &ElementInput<'_>, h: &mut Histories<'_>, output: ElementOutput<'_>) -> ElementResult {
+        let top = self.top(motion, h)?;
         let apart = std::array::from_fn(|i| motion.disp[6 + i] - motion.disp[i]);
         let (m, by) = self.moments(&top, &apart);
         for (i, m) in m.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Three segments in series.
 
 use super::segment::{Segment, SegmentForce};
-use crate::element::ElementError;
 use crate::element::friction::Coefficient;
+use crate::element::{ElementError, ElementResult};
 use crate::state_struct;
 use nalgebra::{Matrix2, Vector2};
 
@@ -122,7 +122,7 @@ impl Chain {
         u: Vector2<f64>,
         dt: f64,
         friction: impl Fn(usize, f64) -> Coefficient,
-    ) -> Result<ChainForce, ElementError> {
+    ) -> ElementResult<ChainForce> {
         let segment_forces = |d: &[Vector2<f64>; 3]| -> [SegmentForce; 3] {
             std::array::from_fn(|i| {
                 let memory = (two(&c.plastic, i), two(&c.back, i));

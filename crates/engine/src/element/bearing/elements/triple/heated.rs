@@ -3,6 +3,7 @@
 use super::chain::ChainState;
 use super::conduction::{Body, Conduction};
 use super::history;
+use crate::element::Histories;
 use crate::element::bearing::laws::rubber::PI as ROUGHLY;
 use crate::element::friction::Coefficient;
 use crate::state_struct;
@@ -239,10 +240,10 @@ impl Heated {
     /// Update after a step: displacements follow the chain, the heat is added to the history, and temperatures follow.
     /// Heat is uniform over the step. The history stores it at two Gauss points. The temperature of this step uses the
     /// one-point rule for a kernel of 1/√τ.
-    pub(super) fn warm(&self, chain: &ChainState, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) {
-        let c = ThermalState::read(committed);
+    pub(super) fn warm(&self, chain: &ChainState, normal: f64, step: Step, h: &mut Histories<'_>) {
+        let c = ThermalState::read(h.committed);
         let mut w = ThermalState { before: c.slide, slide: self.slide(&chain.d), mu: chain.mu, mu_before: c.mu, ..c };
-        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
+        h.trial[ThermalState::LEN..Self::LEN].copy_from_slice(&h.committed[ThermalState::LEN..Self::LEN]);
         if step.dt > 0.0 {
             let dt = step.dt;
             w.speed = std::array::from_fn(|i| (w.slide[i] - c.slide[i]) / dt);
@@ -251,10 +252,11 @@ impl Heated {
             for i in 0..3 {
                 w.flux[i] = self.flux(i, w.mu[i], normal, (displacements[i], speed[i]));
                 let latest = (w.flux[i] > 0.0).then_some((dt / 3.0, 2.0 / 3f64.sqrt() * dt * w.flux[i]));
-                let now = self.temperatures(i, Self::heat_history(committed, i), |t| w.clock - t, latest);
+                let now = self.temperatures(i, Self::heat_history(h.committed, i), |t| w.clock - t, latest);
                 Self::set_temperature(&mut w, i, now);
                 let (middle, gauss_offset, half) = (w.clock - 0.5 * dt, dt / 12f64.sqrt(), 0.5 * dt * w.flux[i]);
-                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
+                let heat =
+                    &mut h.trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
                 history::push(heat, [middle - gauss_offset, half, middle + gauss_offset, half]);
                 w.factors[i] = self.by_pressure(i, normal);
                 w.factors[3 + i] = self.by_temperature(c.temperature[i]);
@@ -262,25 +264,26 @@ impl Heated {
                 w.factors[6 + i] = if at_zero_speed > 0.0 { w.mu[i] / at_zero_speed } else { 1.0 };
             }
         }
-        w.write(trial);
+        w.write(h.trial);
     }
 
     /// Coefficients of friction by OpenSees' scheme, before the step. They depend on displacements, speeds and normal
     /// force at its start, and on the coefficients of two steps before. The first step of a new domain time has the
     /// reference coefficients. Heat lies at the end of its step, with an age of at least the step.
-    pub(super) fn warm_first(&self, normal: f64, step: Step, committed: &[f64], trial: &mut [f64]) -> [f64; 3] {
-        let c = ThermalState::read(committed);
+    pub(super) fn warm_first(&self, normal: f64, step: Step, h: &mut Histories<'_>) -> [f64; 3] {
+        let c = ThermalState::read(h.committed);
         let mut w = ThermalState { before: c.slide, mu_before: c.mu, time: step.time, ..c };
-        trial[ThermalState::LEN..Self::LEN].copy_from_slice(&committed[ThermalState::LEN..Self::LEN]);
+        h.trial[ThermalState::LEN..Self::LEN].copy_from_slice(&h.committed[ThermalState::LEN..Self::LEN]);
         if step.time < c.time {
-            trial[ThermalState::LEN..Self::LEN].fill(0.0);
+            h.trial[ThermalState::LEN..Self::LEN].fill(0.0);
             (w.clock, w.steps, w.factors) = (0.0, 1.0, [1.0; 9]);
         } else if step.time > c.time {
             w.clock = c.clock + step.dt;
             let (displacements, speed) = (norms(&c.slide), norms(&c.speed));
             for i in 0..3 {
                 w.flux[i] = self.flux(i, c.mu_before[i], normal, (displacements[i], speed[i]));
-                let heat = &mut trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
+                let heat =
+                    &mut h.trial[ThermalState::LEN + i * history::LEN..ThermalState::LEN + (i + 1) * history::LEN];
                 history::push(heat, [w.clock, step.dt * w.flux[i], w.clock, 0.0]);
                 let warms = c.steps > 1.0 && displacements[i] > 1e-11;
                 let now = if warms {
@@ -296,20 +299,14 @@ impl Heated {
             w.steps = c.steps + 1.0;
         }
         w.mu = std::array::from_fn(|i| self.setting.mu[i] * w.factors[i] * w.factors[3 + i] * w.factors[6 + i]);
-        w.write(trial);
+        w.write(h.trial);
         w.mu
     }
 
     /// Displacements and speeds of the surfaces by OpenSees' scheme, after the step. The inner displacements lag by one
     /// step; speeds are differences over two steps.
-    pub(super) fn slide_late(
-        &self,
-        (chain, last): (&ChainState, &ChainState),
-        step: Step,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) {
-        let (c, mut w) = (ThermalState::read(committed), ThermalState::read(trial));
+    pub(super) fn slide_late(&self, (chain, last): (&ChainState, &ChainState), step: Step, h: &mut Histories<'_>) {
+        let (c, mut w) = (ThermalState::read(h.committed), ThermalState::read(h.trial));
         let (now, late) = (self.slide(&chain.d), self.slide(&last.d));
         w.slide = std::array::from_fn(|i| if i % 3 == 0 { late[i] } else { now[i] });
         if step.dt > 0.0 {
@@ -319,6 +316,6 @@ impl Heated {
                 w.speed[i] = (w.slide[i] - c.before[i]) / (2.0 * step.dt);
             }
         }
-        w.write(trial);
+        w.write(h.trial);
     }
 }

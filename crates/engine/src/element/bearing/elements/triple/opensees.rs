@@ -9,8 +9,8 @@ use super::chain::{Chain, ChainForce, ChainState, in_series, rows, square, two};
 use super::heated::{Heated, Step};
 use super::rules::{Rules, Vertical};
 use super::segment::Segment;
-use crate::element::ElementError;
 use crate::element::friction::{Coefficient, Friction};
+use crate::element::{ElementResult, Histories};
 use crate::material::{Strain, Stress};
 use crate::state_struct::StateStruct;
 use nalgebra::{Matrix2, Vector2};
@@ -37,14 +37,13 @@ impl Rules for Increments {
         bearing: &TriplePendulum<Self>,
         at: Vertical,
         mut s: Stress,
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<Stress, ElementError> {
+        h: &mut Histories<'_>,
+    ) -> ElementResult<Stress> {
         let slot = &bearing.materials[0];
         let initial = slot.material.initial_tangent();
         let pulls = s.value > initial * f64::EPSILON;
         if pulls {
-            slot.update(committed, Strain { value: at.last, rate: 0.0, dt: at.dt }, trial)?;
+            slot.update(h.committed, Strain { value: at.last, rate: 0.0, dt: at.dt }, h.trial)?;
         }
         s.tangent = if pulls { bearing.setting.k_tension } else { initial };
         Ok(Stress { value: -bearing.setting.least_normal, ..s })
@@ -57,7 +56,7 @@ impl Rules for Increments {
         (c, last): (&ChainState, &ChainState),
         load: &mut Load,
         frictions: &[Friction; 3],
-    ) -> Result<ChainForce, ElementError> {
+    ) -> ElementResult<ChainForce> {
         let chain = &bearing.chain;
         load.speed = [0, 1, 2].map(|i| chain.segments[i].speed * last.speed[i]);
         load.mu = [0, 1, 2].map(|i| coefficient(frictions, i, load.mean, load.speed[i]).mu);
@@ -69,15 +68,13 @@ impl Rules for Increments {
         (bearing, heated): (&TriplePendulum<Self>, &Heated),
         (u, step): (Vector2<f64>, Step),
         (before, load): (&Load, &mut Load),
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<ChainForce, ElementError> {
-        let c = ChainState::read(committed);
-        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
-        load.mu = heated.warm_first(before.normal, step, committed, trial);
+        h: &mut Histories<'_>,
+    ) -> ElementResult<ChainForce> {
+        let c = ChainState::read(h.committed);
+        load.mu = heated.warm_first(before.normal, step, &mut h.part(HEAT..));
         let chain = &bearing.chain;
         let t = as_found(chain.stretch_by_increments(&c, u, load.mu, (self.0, 1e-4), ([0.0; 3], 0.0)));
-        heated.slide_late((&t.state, &c), step, committed, trial);
+        heated.slide_late((&t.state, &c), step, &mut h.part(HEAT..));
         Ok(t)
     }
 

@@ -3,8 +3,8 @@
 use super::bearing::{HEAT, Load, TriplePendulum, coefficient};
 use super::chain::{ChainForce, ChainState};
 use super::heated::{Heated, Step, ThermalState};
-use crate::element::ElementError;
 use crate::element::friction::{Coefficient, Friction};
+use crate::element::{ElementResult, Histories};
 use crate::material::Stress;
 use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
@@ -41,9 +41,8 @@ pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
         bearing: &TriplePendulum<Self>,
         at: Vertical,
         s: Stress,
-        _committed: &[f64],
-        _trial: &mut [f64],
-    ) -> Result<Stress, ElementError> {
+        _h: &mut Histories<'_>,
+    ) -> ElementResult<Stress> {
         let k = if at.apart > 0.0 { bearing.setting.k_tension } else { s.tangent };
         Ok(Stress { value: k * at.apart.max(0.0), tangent: k, damping: 0.0 })
     }
@@ -59,7 +58,7 @@ pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
         (c, _last): (&ChainState, &ChainState),
         load: &mut Load,
         frictions: &[Friction; 3],
-    ) -> Result<ChainForce, ElementError> {
+    ) -> ElementResult<ChainForce> {
         let mean = load.mean;
         let t = bearing.chain.stretch(c, u, dt, |i, speed| coefficient(frictions, i, mean, speed))?;
         (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
@@ -75,19 +74,17 @@ pub trait Rules: Copy + fmt::Debug + PartialEq + Send + Sync + 'static {
         (bearing, heated): (&TriplePendulum<Self>, &Heated),
         (u, step): (Vector2<f64>, Step),
         (_before, load): (&Load, &mut Load),
-        committed: &[f64],
-        trial: &mut [f64],
-    ) -> Result<ChainForce, ElementError> {
-        let c = ChainState::read(committed);
-        let (committed, trial) = (&committed[HEAT..], &mut trial[HEAT..]);
-        let (warm, mean) = (ThermalState::read(committed), load.mean);
+        h: &mut Histories<'_>,
+    ) -> ElementResult<ChainForce> {
+        let c = ChainState::read(h.committed);
+        let (warm, mean) = (ThermalState::read(&h.committed[HEAT..]), load.mean);
         let friction = |i, speed| match mean > 0.0 {
             true => heated.coefficient(&warm, i, mean, speed),
             false => Coefficient::default(),
         };
         let t = bearing.chain.stretch(&c, u, step.dt, friction)?;
         (load.speed, load.mu) = (t.friction.map(|f| f.0), t.friction.map(|f| f.1));
-        heated.warm(&t.state, mean, step, committed, trial);
+        heated.warm(&t.state, mean, step, &mut h.part(HEAT..));
         Ok(t)
     }
 

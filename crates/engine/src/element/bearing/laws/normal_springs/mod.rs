@@ -5,6 +5,7 @@ mod lines;
 
 use self::bundle::{Bundle, MOMENT_INDICES, SectionStrains, Sum, add_to};
 use self::lines::Lines;
+use crate::element::Histories;
 use crate::element::bearing::laws::normal_layout::Layout;
 use crate::material::{LimitCurve, Material, MaterialError, ObservedColumns, WatchesColumns, observe_points};
 use std::ops::Range;
@@ -247,15 +248,14 @@ impl NormalSprings {
     /// Errors of the material.
     pub fn respond(
         &self,
-        committed: &[f64],
+        h: &mut Histories<'_>,
         deformation: [f64; 3],
         rate: [f64; 3],
         dt: f64,
-        trial: &mut [f64],
     ) -> Result<Section, MaterialError> {
         let [strain, rate] = [deformation, rate].map(|e| e.map(|e| e / self.length));
         let virgin_points = self.material.roles().virgin;
-        let (old, new) = (self.parts(committed), self.parts_mut(trial));
+        let (old, new) = (self.parts(h.committed), self.parts_mut(h.trial));
         new.strain.copy_from_slice(&strain);
         let calls = self.start_state != StartState::Committed;
         let before = calls.then(|| [old.strain[0], old.strain[1], old.strain[2]]);
