@@ -463,12 +463,10 @@ fn deformable(
 fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
     check(a, ends)?;
-    let section_i = a.of(&interp.host.builder.definitions.sections)?;
-    let lp_i = a.number(&LP_I)?;
-    let section_j = a.of(&interp.host.builder.definitions.sections)?;
-    let lp_j = a.number(&LP_J)?;
-    let (e, area) = (a.number(&E)?, a.number(&A)?);
-    let iz = a.number(&IZ)?;
+    let sections = &interp.host.builder.definitions.sections;
+    let (section_i, lp_i) = (a.of(sections)?, a.number(&LP_I)?);
+    let (section_j, lp_j) = (a.of(sections)?, a.number(&LP_J)?);
+    let (e, area, iz) = (a.number(&E)?, a.number(&A)?, a.number(&IZ)?);
     let mut s = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     if ends.ndm == 3 {
         s.iy = a.number(&IY)?;
