@@ -22,7 +22,8 @@ fn baseline_starts(n: usize) -> Vec<Vec<f64>> {
     vec![vec![0.5; n], vertex(low, high), vertex(high, low), vertex(low, low), vertex(high, high)]
 }
 
-/// The user's model fitted from several starts, and from the best of evenly spread points where it is poor. The step of differences that fits best is kept for all later jobs.
+/// The user's model fitted from several starts. Where it is poor, a minimum that is found from evenly spread points counts if it
+/// explains nearly all. The step of differences that fits best is kept for all later jobs.
 ///
 /// # Errors
 /// The model has no result for any values, or the user cancelled.
@@ -55,10 +56,11 @@ pub(crate) fn fit_baseline(
     if !is_poor(&baseline) {
         return Ok(baseline);
     }
-    // A minimum of the model itself that no start has come to would be taken for physics that is missing.
+    // A minimum of the model itself that no start has come to would be taken for physics that is missing. One that explains
+    // little may make up for such physics, and says no more of the parameters than the user's values.
     let mut fitted = vec![baseline.clone()];
     global_search(scheduler, STAGE, &baseline, &[variant], LAST_ITERATIONS, &mut fitted)?;
-    Ok(fitted.swap_remove(0))
+    Ok(fitted.into_iter().find(|f| f.fitted.objective <= POOR_NMSE_AT_BOUND).unwrap_or(baseline))
 }
 
 /// Returns true if the error of a baseline is too large to trust its parameters.
