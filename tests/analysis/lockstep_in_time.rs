@@ -30,7 +30,11 @@ impl Building {
             nodes += &format!("node {i} 0 {}; fix {i} 0 1 1; mass {i} {m} 1e-9 1e-9\n", 3 * (i - 1));
         }
         for i in 2..top {
-            nodes += &format!("element twoNodeLink {i} {i} {} -mat 3 -dir 2 -orient 0 1 0 -1 0 0 -doRayleigh\n", i + 1);
+            nodes += &format!(
+                "element twoNodeLink {i} {i} {} -mat 3 -dir 2 -orient 0 1 0 -1 0 0 -doRayleigh -mass {}\n",
+                i + 1,
+                2. + x
+            );
         }
         let [a, b, c, d] = self.rayleigh;
         let factor = 1. + 0.1 * x;
@@ -139,6 +143,31 @@ fn a_rig_that_moves_has_the_numbers_that_each_has_alone() {
         )
     };
     check(&(0..6).map(|i| script(f64::from(i))).collect::<Vec<_>>(), 1, Execution::SideBySide);
+}
+
+#[test]
+fn bars_with_masses_of_their_own_have_the_numbers_that_each_has_alone() {
+    for form in ["0", "1"] {
+        let script = |x: f64| {
+            format!(
+                "model basic -ndm 2 -ndf 2; node 1 0 0; node 2 3 0; node 3 6 1; fix 1 1 1; fix 2 0 1; mass 3 1. 1.
+                uniaxialMaterial Steel02 1 {fy} 9000. 0.02 18 0.925 0.15; uniaxialMaterial Elastic 2 {k}
+                element truss 1 1 2 1. 1 -rho {rho} -cMass {form} -doRayleigh 1
+                element truss 2 2 3 1. 2 -rho {rho} -cMass {form} -doRayleigh 1; element truss 3 1 3 1. 2 -rho 0.1 -cMass {form}
+                rayleigh 0.2 0. 0.001 0.
+                timeSeries Path 1 -dt 0.04 -values {{0. 1. -2. 3. -1. 2.5 -3. 0.7 1. -2. 0.}} -factor 20.
+                pattern UniformExcitation 1 1 -accel 1
+                recorder Node -file disp.out -time -node 2 3 -dof 1 2 disp
+                recorder Node -file accel.out -node 2 3 -dof 1 2 accel
+                constraints Plain; numberer Plain; system BandGeneral; test NormDispIncr 1e-12 20; algorithm Newton
+                integrator Newmark 0.5 0.25; analysis Transient; analyze 120 0.005",
+                fy = 40. + 3. * x,
+                k = 5000. + 90. * x,
+                rho = 0.4 + 0.05 * x,
+            )
+        };
+        check(&(0..7).map(|i| script(f64::from(i))).collect::<Vec<_>>(), 1, Execution::SideBySide);
+    }
 }
 
 #[test]

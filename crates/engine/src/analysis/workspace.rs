@@ -19,7 +19,7 @@ use crate::assembly::{DofError, Handler, MpScope, Plan};
 use crate::element::{Mass, MatrixMask, OpenSeesTraits, Rows};
 use crate::model::{Model, Rayleigh};
 use crate::solve::{NEARLY_SINGULAR, Pivots, SolveError, Solver, Threads};
-pub(super) use constant_parts::{ConstantMass, ConstantParts};
+pub(super) use constant_parts::ConstantParts;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 pub(super) use steady::{MatrixRows, SteadyMatrices};

@@ -4,7 +4,7 @@ use super::{Models, Motion, Work};
 use crate::analysis::ground_inertia::GroundInertia;
 use crate::analysis::integrator::Newmark;
 use crate::analysis::system::Coefficients;
-use crate::analysis::workspace::{ConstantMass, ConstantParts, MatrixRows};
+use crate::analysis::workspace::{ConstantParts, MatrixRows};
 use crate::assembly::Plan;
 use crate::element::MAX_DOFS;
 use crate::numeric::dot;
@@ -52,14 +52,8 @@ struct DynamicElement {
     /// Stiffness that damps, n x n by rows; empty where there is none.
     stiffness: Vec<Wide>,
     factor: Wide,
-    mass: Mass,
-}
-
-#[derive(Debug)]
-enum Mass {
-    None,
-    Lumped(Vec<Wide>),
-    Consistent(Vec<Wide>),
+    /// Mass: nothing, lumped by degrees of freedom, or n x n by rows.
+    mass: Vec<Wide>,
 }
 
 /// Numbers of all models at one place of their lists, where an empty list stands for zeros.
@@ -197,13 +191,9 @@ impl ElementForces {
 impl DynamicElement {
     fn new(index: usize, all: &[&ConstantParts<'_>; WIDTH], place: ElementPlace<'_>) -> Option<Self> {
         let own = all.map(|p| &p.elements[index]);
-        if own.iter().any(|e| !e.mass.matches(&own[0].mass)) {
+        if own.iter().any(|e| e.mass.len() != own[0].mass.len()) {
             return None;
         }
-        let masses = own.map(|e| match e.mass {
-            ConstantMass::None => &[][..],
-            ConstantMass::Lumped(m) | ConstantMass::Consistent(m) => m,
-        });
         Some(Self {
             index,
             dofs: place.dofs.to_vec(),
@@ -211,11 +201,7 @@ impl DynamicElement {
             alpha_m: Wide(own.map(|e| e.alpha_m)),
             stiffness: wides_of(&own.map(|e| e.damping.0)),
             factor: Wide(own.map(|e| e.damping.1)),
-            mass: match own[0].mass {
-                ConstantMass::None => Mass::None,
-                ConstantMass::Lumped(_) => Mass::Lumped(wides_of(&masses)),
-                ConstantMass::Consistent(_) => Mass::Consistent(wides_of(&masses)),
-            },
+            mass: wides_of(&own.map(|e| e.mass)),
         })
     }
 
@@ -241,22 +227,18 @@ impl DynamicElement {
         for (o, row) in out.iter_mut().zip(self.stiffness.chunks_exact(n)) {
             *o += self.factor * dot(row, &v[..n]);
         }
-        if !matches!(self.mass, Mass::None) {
+        if !self.mass.is_empty() {
             for (v, &dof) in v.iter_mut().zip(&self.dofs) {
                 *v = self.alpha_m * *v + motion.accel[dof as usize];
             }
         }
-        match &self.mass {
-            Mass::None => {}
-            Mass::Lumped(m) => {
-                for ((o, m), a) in out.iter_mut().zip(m).zip(&v) {
-                    *o += *m * *a;
-                }
+        if self.mass.len() == n {
+            for ((o, m), a) in out.iter_mut().zip(&self.mass).zip(&v) {
+                *o += *m * *a;
             }
-            Mass::Consistent(m) => {
-                for (o, row) in out.iter_mut().zip(m.chunks_exact(n)) {
-                    *o += dot(row, &v[..n]);
-                }
+        } else {
+            for (o, row) in out.iter_mut().zip(self.mass.chunks_exact(n)) {
+                *o += dot(row, &v[..n]);
             }
         }
         plan.subtract_force(self.index, self.start, &out, b);

@@ -32,24 +32,8 @@ pub(in crate::analysis) struct ConstantElement<'a> {
     pub damping: (&'a [f64], f64),
     /// Factor of this stiffness in a tangent that changes, per unit of velocity.
     pub damping_in_tangent: f64,
-    pub mass: ConstantMass<'a>,
-}
-
-/// Mass of an element.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::analysis) enum ConstantMass<'a> {
-    None,
-    /// By degrees of freedom.
-    Lumped(&'a [f64]),
-    /// n x n by rows.
-    Consistent(&'a [f64]),
-}
-
-impl ConstantMass<'_> {
-    /// Returns true if both are of one form.
-    pub(in crate::analysis) fn matches(&self, other: &Self) -> bool {
-        std::mem::discriminant(self) == std::mem::discriminant(other)
-    }
+    /// Mass: nothing, lumped by degrees of freedom, or n x n by rows.
+    pub mass: &'a [f64],
 }
 
 impl Workspace {
@@ -97,9 +81,9 @@ impl Workspace {
             damping: if factor == 0.0 { (&[], 0.0) } else { (&stiffness[matrix], factor) },
             damping_in_tangent: if m.linear { 0.0 } else { m.rayleigh.tangent.beta_k0 },
             mass: match m.mass {
-                MassPlace::None => ConstantMass::None,
-                MassPlace::Lumped(at) => ConstantMass::Lumped(&all.mass[at..at + n]),
-                MassPlace::Consistent(at) => ConstantMass::Consistent(&all.mass[at..at + n * n]),
+                MassPlace::None => &[],
+                MassPlace::Lumped(at) => &all.mass[at..at + n],
+                MassPlace::Consistent(at) => &all.mass[at..at + n * n],
             },
         })
     }
