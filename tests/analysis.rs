@@ -60,6 +60,8 @@ mod rubber;
 mod script;
 #[path = "analysis/sections.rs"]
 mod sections;
+#[path = "analysis/sensitivities.rs"]
+mod sensitivities;
 #[path = "analysis/side_by_side.rs"]
 mod side_by_side;
 #[path = "analysis/statics.rs"]

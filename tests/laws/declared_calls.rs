@@ -400,4 +400,5 @@ const CALLS: &[(usize, usize, &str)] = &[
     (2, 3, "recorder PVD a -dT 0.1 -rTolDt 0.1 -precision 3 eigen 2"),
     (2, 3, "setNodeMass 1 1 1."),
     (2, 3, "sectionForce 1 1"),
+    (2, 3, "sensSectionForce 1 1 1 1"),
 ];

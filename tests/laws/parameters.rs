@@ -6,7 +6,7 @@ use super::every_kind::MATERIALS;
 use super::parts::PARTS;
 use super::script::run;
 use hysteron::material::{Material, Slot, Strain};
-use hysteron::parameter::ParameterError;
+use hysteron::parameter::{NewValue, ParameterError};
 
 /// The material of some words, @ being the tag, beside its components.
 fn made(words: &str) -> Material {
@@ -59,20 +59,23 @@ fn each_number_of_each_material_is_a_parameter() {
         for (name, value) in &of {
             let asked: Vec<&str> = name.split(' ').collect();
             // As in OpenSees, E of the law Elastic is that of both sides, and ElasticPP has parameters of its own.
-            if (kind, name.as_str()) == ("Elastic", "E") || material.law().with_parameter(&asked, None).is_ok() {
+            if (kind, name.as_str()) == ("Elastic", "E")
+                || material.law().with_parameter(&asked, NewValue::Present).is_ok()
+            {
                 continue;
             }
-            let (again, told) =
-                material.with_parameter(&asked, Some(*value)).unwrap_or_else(|e| panic!("{words}: {name}: {e:?}"));
+            let (again, told) = material
+                .with_parameter(&asked, NewValue::Is(*value))
+                .unwrap_or_else(|e| panic!("{words}: {name}: {e:?}"));
             assert_eq!(told, *value, "{words}: {name}");
             assert!(same(&before, &stresses(&again, *amplitude)), "{words}: {name} = {value}");
             let other = if *value == 0.0 { 0.01 } else { value * 1.05 };
-            match material.with_parameter(&asked, Some(other)) {
+            match material.with_parameter(&asked, NewValue::Is(other)) {
                 Ok((changed, told)) => {
                     assert_eq!(told, *value, "{words}: {name}");
-                    let (_, now) = changed.with_parameter(&asked, None).unwrap();
+                    let (_, now) = changed.with_parameter(&asked, NewValue::Present).unwrap();
                     assert_eq!(now, other, "{words}: {name}");
-                    let (back, _) = changed.with_parameter(&asked, Some(*value)).unwrap();
+                    let (back, _) = changed.with_parameter(&asked, NewValue::Is(*value)).unwrap();
                     assert!(same(&before, &stresses(&back, *amplitude)), "{words}: {name} and back");
                 }
                 Err(ParameterError::Refused(_)) => {}
@@ -118,7 +121,7 @@ fn numbers_left_out_and_names_of_opensees_are_parameters() {
         ),
     ] {
         let material = made(words);
-        let (by_name, _) = material.with_parameter(&[name], Some(value)).unwrap();
+        let (by_name, _) = material.with_parameter(&[name], NewValue::Is(value)).unwrap();
         let now = stresses(&by_name, 0.05);
         assert!(same(&now, &stresses(&made(changed), 0.05)), "{words}: {name}");
         assert!(!same(&now, &stresses(&material, 0.05)), "{words}: {name} changes nothing");

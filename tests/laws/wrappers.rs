@@ -9,6 +9,7 @@ use hysteron::material::{
     SeriesTolerance, SharedMultiaxial, Slot, Softening, WatchesColumns, WeightedLaws,
 };
 use hysteron::model::Definitions;
+use hysteron::parameter::NewValue;
 use hysteron::section::plate::{LayeredPlate, PlateFromPlaneStress, PlateRebar};
 use hysteron::section::{
     Aggregator, Axial, Fiber, FiberBending, FiberSection, ParallelSections, Resultant, SectionSlot,
@@ -94,7 +95,7 @@ impl Owned for Slot {
         Some((probe.labels, out))
     }
     fn parameter(&self, words: &[&str]) -> Option<f64> {
-        self.clone().set_parameter(words, None).ok()
+        self.clone().set_parameter(words, NewValue::Present).ok()
     }
     fn curves(&self) -> Vec<LimitCurve> {
         self.limit_curves().into_iter().cloned().collect()
@@ -122,7 +123,7 @@ impl Owned for SectionSlot {
         Some((probe.labels, out))
     }
     fn parameter(&self, words: &[&str]) -> Option<f64> {
-        self.clone().set_parameter(words, None).ok()
+        self.clone().set_parameter(words, NewValue::Present).ok()
     }
     fn curves(&self) -> Vec<LimitCurve> {
         self.limit_curves().into_iter().cloned().collect()
@@ -255,7 +256,7 @@ fn every_section_is_whole_inside_another() {
         {
             let words: Vec<&str> = parameter.into_iter().filter(|w| !w.is_empty()).collect();
             // The addition has parameters of the same names.
-            if let Ok(own) = base.with_parameter(&words, None).map(|made| made.1)
+            if let Ok(own) = base.with_parameter(&words, NewValue::Present).map(|made| made.1)
                 && !aggregated_has(&around, &words, own)
             {
                 lost.push(format!("section {tag}: parameter {words:?}"));

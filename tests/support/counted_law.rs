@@ -5,7 +5,7 @@ use hysteron::material::{
     Material, MaterialError, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
 };
 use hysteron::opensees::Tcl;
-use hysteron::parameter::Changed;
+use hysteron::parameter::{Changed, NewValue};
 use hysteron::run::Run;
 use hysteron::tcl::{Call, Exception, Value};
 use std::cell::Cell;
@@ -137,7 +137,7 @@ impl LastTrial for Counted {
 }
 
 impl LawParameters for Counted {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         let (material, old) = self.0.with_parameter(words, value)?;
         Ok((Arc::new(Self(material)), old))
     }

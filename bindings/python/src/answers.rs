@@ -37,6 +37,7 @@ const LISTS: &[&str] = &[
     "sectionLocation",
     "sectionStiffness",
     "sectionWeight",
+    "sensSectionForce",
     "testNorm",
     "testNorms",
 ];

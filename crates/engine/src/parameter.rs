@@ -14,10 +14,41 @@ pub enum ParameterError {
 /// A thing with a new value of a parameter, and the value before.
 pub type Changed<T> = Result<(T, f64), ParameterError>;
 
+/// Value that a parameter is to have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NewValue {
+    /// The present one, which is asked for.
+    Present,
+    /// This one.
+    Is(f64),
+    /// The present one and so much. Several numbers under one name keep their differences.
+    Plus(f64),
+}
+
+impl NewValue {
+    /// The value in place of a present one. `None` where it is asked for.
+    pub fn instead_of(self, present: f64) -> Option<f64> {
+        match self {
+            Self::Present => None,
+            Self::Is(value) => Some(value),
+            Self::Plus(more) => Some(present + more),
+        }
+    }
+
+    /// The same of a number that is a multiple of the parameter.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Present => Self::Present,
+            Self::Is(value) => Self::Is(factor * value),
+            Self::Plus(more) => Self::Plus(factor * more),
+        }
+    }
+}
+
 /// Puts the new value in its place, if there is one, and returns the value before.
-pub(crate) fn exchange(place: &mut f64, value: Option<f64>) -> f64 {
+pub(crate) fn exchange(place: &mut f64, value: NewValue) -> f64 {
     let before = *place;
-    *place = value.unwrap_or(before);
+    *place = value.instead_of(before).unwrap_or(before);
     before
 }
 

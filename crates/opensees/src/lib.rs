@@ -211,6 +211,7 @@ const FAMILIES: &[(&str, &[Command])] = &[
     ("model", model::remove::COMMANDS),
     ("model", model::database::COMMANDS),
     ("model", parameter::COMMANDS),
+    ("analysis", parameter::sensitivity::COMMANDS),
     ("model", model::units::COMMANDS),
     ("output", output::display::COMMANDS),
     ("output", output::figure::COMMANDS),

@@ -1,5 +1,7 @@
 //! Parameters: numbers of the model that a script may change by a tag (`parameter updateParameter ...`).
 
+pub(crate) mod sensitivity;
+
 use crate::args::Args;
 use crate::checks;
 use crate::effect::Effect;
@@ -9,7 +11,7 @@ use crate::text::{Arg, Domain};
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
 use hysteron_engine::model::{NodeId, Tag};
-use hysteron_engine::parameter::ParameterError;
+use hysteron_engine::parameter::{NewValue, ParameterError};
 use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value};
 
@@ -194,7 +196,7 @@ fn place(interp: &Tcl, a: &mut Args<'_>) -> Result<Place, Exception> {
 fn read(interp: &mut Tcl, place: &Place) -> Option<f64> {
     if let Place::Element { element, words } = place {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        return with_parameter(interp, *element, &words, None).ok().map(|(_, value)| value);
+        return with_parameter(interp, *element, &words, NewValue::Present).ok().map(|(_, value)| value);
     }
     let engine = &interp.host.engine;
     let model = engine.model();
@@ -216,17 +218,18 @@ fn read(interp: &mut Tcl, place: &Place) -> Option<f64> {
 }
 
 /// Put a value in its place.
-fn write(interp: &mut Tcl, place: &Place, value: f64) {
+fn write(interp: &mut Tcl, place: &Place, value: NewValue) {
     if let Place::Element { element, words } = place {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         set_parameter_of(interp, *element, &words, value);
         return;
     }
+    let put = |x: &mut f64| *x = value.instead_of(*x).unwrap_or(*x);
     interp.host.engine.change_model(|model| match place {
         Place::Mass { node, dofs } => {
             if let Some(id) = model.node(*node) {
                 let mass = &mut model.nodes[id.0].mass;
-                mass.iter_mut().enumerate().filter(|(d, _)| dofs.contains(d)).for_each(|(_, m)| *m = value);
+                mass.iter_mut().enumerate().filter(|(d, _)| dofs.contains(d)).for_each(|(_, m)| put(m));
             }
         }
         Place::Load { pattern, node, dof } => {
@@ -234,7 +237,7 @@ fn write(interp: &mut Tcl, place: &Place, value: f64) {
             let loads = model.patterns.get_mut(pattern).map(|p| &mut p.nodal_loads);
             let load = loads.and_then(|loads| loads.iter_mut().rev().find(|l| Some(l.node) == id));
             if let Some(x) = load.and_then(|l| l.values.get_mut(*dof)) {
-                *x = value;
+                put(x);
             }
         }
         Place::Element { .. } | Place::Disp { .. } | Place::Factor { .. } => {}
@@ -242,10 +245,10 @@ fn write(interp: &mut Tcl, place: &Place, value: f64) {
 }
 
 /// Why an element refuses a value, in words; `None` where it takes it.
-fn refusal(interp: &mut Tcl, place: &Place, value: f64) -> Option<String> {
+fn refusal(interp: &mut Tcl, place: &Place, value: NewValue) -> Option<String> {
     let Place::Element { element, words } = place else { return None };
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    match with_parameter(interp, *element, &words, Some(value)) {
+    match with_parameter(interp, *element, &words, value) {
         Err(ParameterError::Refused(why)) => Some(format!("element {element}: {why}")),
         _ => None,
     }
@@ -302,7 +305,7 @@ fn refuse_meaningless(
     places: &[Place],
 ) -> Result<(), Exception> {
     for place in places {
-        if let Some(why) = refusal(interp, place, value) {
+        if let Some(why) = refusal(interp, place, NewValue::Is(value)) {
             return Err(a.refuse_at(span, why, "expected a value that the law takes").by(&checks::words::OUT_OF_RANGE));
         }
         match place {
@@ -333,7 +336,7 @@ fn update_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     finish(interp, &a)?;
     let places = interp.host.builder.parameters.get(&tag).map(|p| p.places.clone()).unwrap_or_default();
     refuse_meaningless(interp, &a, span, value, &places)?;
-    places.iter().for_each(|p| write(interp, p, value));
+    places.iter().for_each(|p| write(interp, p, NewValue::Is(value)));
     if let Some(p) = interp.host.builder.parameters.get_mut(&tag) {
         p.value = value;
     }
@@ -403,7 +406,7 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if let Some(elements) = elements {
         let places = of_elements(interp, &mut a, &elements)?;
         refuse_meaningless(interp, &a, span, value, &places)?;
-        places.iter().for_each(|p| write(interp, p, value));
+        places.iter().for_each(|p| write(interp, p, NewValue::Is(value)));
         return Ok(Value::EMPTY);
     }
     a.word("option -node")?;
@@ -420,6 +423,6 @@ fn set_parameter(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     finish(interp, &a)?;
     let places: Vec<Place> = nodes.iter().map(|(_, n)| Place::Mass { node: *n, dofs: dofs.clone() }).collect();
     refuse_meaningless(interp, &a, span, value, &places)?;
-    places.iter().for_each(|p| write(interp, p, value));
+    places.iter().for_each(|p| write(interp, p, NewValue::Is(value)));
     Ok(Value::EMPTY)
 }

@@ -4,7 +4,7 @@ use crate::{Mode, NoFiles, Session, Tcl};
 use hysteron_engine::analysis::Options;
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Definitions;
-use hysteron_engine::parameter::ParameterError;
+use hysteron_engine::parameter::{NewValue, ParameterError};
 use hysteron_tcl::{Exception, Form, Interp, MemoryFiles, Silent, Value};
 use std::cell::Cell;
 use std::fmt;
@@ -52,6 +52,7 @@ impl fmt::Display for OwnWord {
 }
 
 /// The words that an element between two nodes was made from.
+#[derive(Clone)]
 pub(crate) struct WordsOfElement {
     /// Words of the call, the name of the command being the first.
     pub(crate) words: Vec<Value>,
@@ -60,7 +61,7 @@ pub(crate) struct WordsOfElement {
     /// The element as the model holds it. Another in its place was not made from these words alone.
     pub(crate) made: Arc<dyn Element>,
     /// Changes by parameters of the element itself since.
-    pub(crate) changes: Vec<(Vec<String>, f64)>,
+    pub(crate) changes: Vec<(Vec<String>, NewValue)>,
 }
 
 impl WordsOfElement {

@@ -187,6 +187,8 @@ pub struct Session {
     pub(crate) start: Option<ScriptStart>,
     /// Parameters that change in time.
     pub(crate) changes: ParameterChanges,
+    /// Derivatives with respect to the parameters are found with each step.
+    pub(crate) derives: bool,
     /// The run is made for its elements: it ends where the first analysis would begin.
     pub(crate) ends_at_analysis: bool,
 }
@@ -237,6 +239,7 @@ impl Session {
             index: None,
             start: None,
             changes: ParameterChanges::default(),
+            derives: false,
             ends_at_analysis: false,
         }
     }
@@ -324,6 +327,7 @@ impl Session {
         self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         self.changes = ParameterChanges::default();
+        self.derives = false;
         finished
     }
 

@@ -1,5 +1,6 @@
 //! A model, its state, and the steps that advance it.
 
+mod derivatives;
 mod matrix_terms;
 mod options;
 mod rates;
@@ -18,6 +19,8 @@ use super::workspace::{PrepareOptions, Workspace};
 use crate::assembly::{Handler, MpScope};
 use crate::element::{Element, OutsideRange, Overload, Snapshot, Softening};
 use crate::model::{ElementEntry, ElementId, GroundMotion, Model, NodeId, Pattern, PatternKind, Tag};
+pub use derivatives::Derivative;
+use derivatives::Derivatives;
 pub use matrix_terms::MatrixTerms;
 pub use options::Options;
 use std::sync::Arc;
@@ -33,7 +36,7 @@ pub enum Kind {
 }
 
 /// The parts of an analysis.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Setup {
     /// Kind.
     pub kind: Kind,
@@ -137,6 +140,9 @@ pub struct Engine {
     pub(super) results: Results,
     /// Work done with plans that have been dropped.
     pub(super) earlier_work: WorkCounts,
+    derivatives: Derivatives,
+    /// Grows with every change of the parts of the analysis.
+    setup_revision: u64,
 }
 
 impl Engine {
@@ -163,6 +169,8 @@ impl Engine {
             interrupt: None,
             results: Results::default(),
             earlier_work: WorkCounts::default(),
+            derivatives: Derivatives::default(),
+            setup_revision: 0,
         }
     }
 
@@ -224,6 +232,7 @@ impl Engine {
     /// Set up an analysis.
     pub fn set_up(&mut self, setup: Setup) {
         self.setup = Some(setup);
+        self.setup_revision += 1;
         self.fresh = true;
     }
 
@@ -231,6 +240,7 @@ impl Engine {
     pub fn change_setup(&mut self, change: impl FnOnce(&mut Setup)) {
         if let Some(s) = &mut self.setup {
             change(s);
+            self.setup_revision += 1;
             self.fresh = true;
         }
     }
@@ -341,6 +351,7 @@ impl Engine {
     /// Back to the undeformed, virgin model at time zero.
     pub fn reset(&mut self) {
         self.committed = State::default();
+        self.derivatives = Derivatives::default();
         self.led.clear();
         self.step_start.forget();
         self.committed.grow(&self.model);

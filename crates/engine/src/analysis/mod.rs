@@ -35,7 +35,7 @@ pub use crate::solve::Threads;
 pub use bounds::Excess;
 pub use convergence::{Measure, Norm, Test, TestOutcome};
 pub use energy::{ClassEnergy, Energies, EnergyBalance};
-pub use engine::{Engine, Imbalance, Kind, MatrixTerms, Observer, Options, Quiet, Setup};
+pub use engine::{Derivative, Engine, Imbalance, Kind, MatrixTerms, Observer, Options, Quiet, Setup};
 pub use estimate::LinearEstimate;
 pub use failure::{Cause, Failure};
 pub use inelastic_oscillator::InelasticOscillator;

@@ -2,7 +2,7 @@
 
 use super::{Class, ElementTraits, Mass, Snapshot};
 use crate::material::Slot;
-use crate::parameter::{ParameterError, exchange, first};
+use crate::parameter::{NewValue, ParameterError, exchange, first};
 use crate::probe::Probe;
 use crate::section::Axial;
 
@@ -86,7 +86,7 @@ impl Bar {
     }
 
     /// Sets a parameter of the bar or of its material; returns the previous value.
-    pub(super) fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
+    pub(super) fn set_parameter(&mut self, words: &[&str], value: NewValue) -> Result<f64, ParameterError> {
         let place = match first(words)? {
             "A" => &mut self.options.area,
             "rho" => &mut self.options.rho,

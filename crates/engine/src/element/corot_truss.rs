@@ -7,7 +7,7 @@ use super::{
 };
 use crate::element::roles::{ElementParameters, Inertia, Roles};
 use crate::material::{Material, Slot, Strain, of_length};
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -165,7 +165,7 @@ impl Inertia for CorotTruss {
 }
 
 impl ElementParameters for CorotTruss {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = new.bar.set_parameter(words, value)?;
         Ok((Arc::new(new), old))

@@ -3,7 +3,7 @@
 use super::{Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot};
 use crate::element::roles::{ElementParameters, Roles};
 use crate::material::{Material, Slot, Strain};
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -139,7 +139,7 @@ impl Element for CoupledZeroLength {
 }
 
 impl ElementParameters for CoupledZeroLength {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let words = words.strip_prefix(&["material"]).unwrap_or(words);
         let old = new.slot.set_parameter(words, value)?;

@@ -11,7 +11,7 @@ use super::{
     Overload, SmallBeam, Snapshot, Softening, Stretch,
 };
 use crate::numeric::wide::WIDTH;
-use crate::parameter::{Changed, ParameterError};
+use crate::parameter::{Changed, NewValue, ParameterError};
 use std::fmt;
 use std::sync::Arc;
 
@@ -104,7 +104,7 @@ pub trait ElementParameters: fmt::Debug {
     ///
     /// # Errors
     /// The element has no parameter of that name, or refuses the value.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>>;
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>>;
 }
 
 /// Basic deformations of an element of two nodes with linear kinematics.
@@ -259,7 +259,7 @@ impl dyn Element {
     ///
     /// # Errors
     /// The element has no parameter of that name, or refuses the value.
-    pub fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    pub fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         self.roles().parameters.map_or(Err(ParameterError::Unknown), |p| p.with_parameter(words, value))
     }
 

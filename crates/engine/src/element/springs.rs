@@ -5,7 +5,7 @@ mod side_by_side;
 use super::damping::BasicForces;
 use super::{BasicRow, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot};
 use crate::material::{Material, Slot, Strain, Stress};
-use crate::parameter::{ParameterError, existing, index, last_of};
+use crate::parameter::{NewValue, ParameterError, existing, index, last_of};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 
@@ -186,7 +186,7 @@ impl Springs {
     }
 
     /// Sets a parameter of one material, or of all materials that have it; returns the previous value.
-    pub(super) fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
+    pub(super) fn set_parameter(&mut self, words: &[&str], value: NewValue) -> Result<f64, ParameterError> {
         if let ["material", i, rest @ ..] = words {
             let spring = existing(self.springs.get_mut(index(i)?))?;
             return spring.slot.set_parameter(rest, value);

@@ -8,7 +8,7 @@ use super::{
 use crate::element::roles::{BasicDeformations, ElementParameters, ForceLabels, Inertia, Roles};
 use crate::material::{Material, Slot};
 use crate::numeric::wide::WIDTH;
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use nalgebra::Matrix3;
 use std::sync::Arc;
@@ -291,7 +291,7 @@ impl Inertia for TwoNodeLink {
 }
 
 impl ElementParameters for TwoNodeLink {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = new.springs.set_parameter(words, value)?;
         Ok((Arc::new(new), old))

@@ -3,7 +3,7 @@
 use super::zero_length::direction_row;
 use super::{Class, Element, ElementInput, ElementOutput, ElementResult, ElementTraits, Histories, Snapshot, dot};
 use crate::element::roles::{ElementParameters, ForceLabels, Roles};
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use nalgebra::Matrix3;
@@ -152,7 +152,7 @@ impl Element for ZeroLengthSection {
 }
 
 impl ElementParameters for ZeroLengthSection {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let words = words.strip_prefix(&["section"]).unwrap_or(words);
         let old = new.slot.set_parameter(words, value)?;

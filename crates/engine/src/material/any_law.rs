@@ -6,7 +6,7 @@ use super::{
     UniaxialLaw, UniaxialTraits, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
-use crate::parameter::{Changed, existing, first};
+use crate::parameter::{Changed, NewValue, existing, first};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 use std::sync::Arc;
@@ -90,16 +90,15 @@ impl<L: UniaxialLaw> ShownStrain for L {
 }
 
 impl<L: UniaxialLaw> LawParameters for L {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let name = first(words)?;
-        let old = match value {
-            Some(value) => new.set_parameter(name, value),
-            // The law tells the value before; what it has put in its place is dropped.
-            None => self.clone().set_parameter(name, 1.0),
-        };
-        let old = existing(old)?;
-        Ok((Arc::new(new), old))
+        // The law tells the value before; what it has put in its place is dropped.
+        let before = existing(self.clone().set_parameter(name, 1.0))?;
+        if let Some(value) = value.instead_of(before) {
+            existing(new.set_parameter(name, value))?;
+        }
+        Ok((Arc::new(new), before))
     }
 }
 

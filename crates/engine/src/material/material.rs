@@ -1,7 +1,7 @@
 //! A uniaxial material as elements hold it: the law, and what it was made from.
 
 use super::{CHARACTERISTIC_LENGTH, Uniaxial};
-use crate::parameter::{Changed, ParameterError, existing};
+use crate::parameter::{Changed, NewValue, ParameterError, existing};
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ pub trait Recipe: fmt::Debug + Send + Sync {
 #[derive(Clone, Debug)]
 struct Origin {
     recipe: Arc<dyn Recipe>,
-    changes: Vec<(Vec<String>, f64)>,
+    changes: Vec<(Vec<String>, NewValue)>,
 }
 
 /// A material as elements hold it: the parameters are shared, the state is stored by the element.
@@ -63,7 +63,7 @@ impl Material {
     ///
     /// # Errors
     /// Neither the law nor its recipe has such a parameter, or the law refuses the value.
-    pub fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Self> {
+    pub fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Self> {
         match self.law.with_parameter(words, value) {
             Err(ParameterError::Unknown) => self.made_again(&words.join(" "), value),
             changed => {
@@ -79,21 +79,23 @@ impl Material {
     }
 
     /// The origin after a change of the law itself.
-    fn origin_with(&self, words: &[&str], value: Option<f64>) -> Option<Arc<Origin>> {
-        let (origin, Some(value)) = (self.origin.as_deref()?, value) else { return self.origin.clone() };
+    fn origin_with(&self, words: &[&str], value: NewValue) -> Option<Arc<Origin>> {
+        let Some(origin) = self.origin.as_deref().filter(|_| value != NewValue::Present) else {
+            return self.origin.clone();
+        };
         let mut new = origin.clone();
         new.changes.push((words.iter().map(|w| (*w).to_owned()).collect(), value));
         Some(Arc::new(new))
     }
 
-    fn made_again(&self, name: &str, value: Option<f64>) -> Changed<Self> {
+    fn made_again(&self, name: &str, value: NewValue) -> Changed<Self> {
         let origin = existing(self.origin.as_deref())?;
         let before = existing(origin.recipe.number(name))?;
-        let Some(value) = value else { return Ok((self.clone(), before)) };
+        let Some(value) = value.instead_of(before) else { return Ok((self.clone(), before)) };
         let (mut law, recipe) = origin.recipe.with_number(name, value)?;
         for (words, value) in &origin.changes {
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            law = law.with_parameter(&words, Some(*value))?.0;
+            law = law.with_parameter(&words, *value)?.0;
         }
         if law.state_len() != self.law.state_len() {
             let message = format!("{} keeps another number of state variables with {name}", self.law.name());
@@ -127,5 +129,5 @@ impl<L: Uniaxial + 'static> From<Arc<L>> for Material {
 
 /// The material for a bar of a length.
 pub fn of_length(material: Material, length: f64) -> Material {
-    material.with_parameter(&[CHARACTERISTIC_LENGTH], Some(length)).map_or(material, |(made, _)| made)
+    material.with_parameter(&[CHARACTERISTIC_LENGTH], NewValue::Is(length)).map_or(material, |(made, _)| made)
 }

@@ -5,7 +5,7 @@
 //! questions of several askers, and have the answer of a material without the role.
 
 use super::{MaterialError, SharedUniaxial, Slot, Strains, Stresses, Uniaxial, WatchesColumns};
-use crate::parameter::{Changed, ParameterError};
+use crate::parameter::{Changed, NewValue, ParameterError};
 use crate::probe::Probe;
 use std::any::Any;
 use std::fmt;
@@ -101,13 +101,13 @@ pub trait ShownStrain: fmt::Debug {
 /// Numbers of a law that a script may change.
 pub trait LawParameters: fmt::Debug {
     /// The material with a new value of a parameter, named by the words of a `parameter` command, and the previous
-    /// value. No value asks for the present one. The layout of the history does not change.
+    /// value. The layout of the history does not change.
     ///
     /// # Errors
     /// The law itself has no such parameter, or refuses the value. [`Material::with_parameter`] knows more names.
     ///
     /// [`Material::with_parameter`]: super::Material::with_parameter
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial>;
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial>;
 }
 
 /// Responses in addition to those of every material.
@@ -201,7 +201,7 @@ impl dyn Uniaxial + '_ {
     ///
     /// # Errors
     /// The law itself has no such parameter, or refuses the value.
-    pub fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    pub fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         self.roles().parameters.map_or(Err(ParameterError::Unknown), |law| law.with_parameter(words, value))
     }
 

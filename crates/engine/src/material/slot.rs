@@ -2,7 +2,7 @@
 
 use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
 use crate::numeric::wide::Wide;
-use crate::parameter::ParameterError;
+use crate::parameter::{NewValue, ParameterError};
 use crate::probe::Probe;
 use std::ops::Range;
 
@@ -208,7 +208,7 @@ impl Slot {
     }
 
     /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.
-    pub fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
+    pub fn set_parameter(&mut self, words: &[&str], value: NewValue) -> Result<f64, ParameterError> {
         let (material, old) = self.material.with_parameter(words, value)?;
         self.linear = Self::stiffness_of(&material);
         self.material = material;

@@ -3,7 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SectionStep, SharedSection};
 use crate::material::{Material, MaterialError, Slot, Strain, WatchesColumns};
-use crate::parameter::{Changed, existing, last_of};
+use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
@@ -120,7 +120,7 @@ impl Section for Aggregator {
         }
     }
 
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedSection> {
         let mut new = self.clone();
         let (tag, rest) = match words {
             ["material" | "addition", tag, rest @ ..] => (Some(existing(tag.parse::<i32>().ok())?), rest),

@@ -3,7 +3,7 @@
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use crate::material::roles::{LawParameters, LawResponses, UniaxialRoles};
 use crate::material::{MaterialError, SharedUniaxial, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -64,7 +64,7 @@ impl Uniaxial for Axial {
 }
 
 impl LawParameters for Axial {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = new.slot.set_parameter(words.strip_prefix(&["section"]).unwrap_or(words), value)?;
         Ok((Arc::new(new), old))

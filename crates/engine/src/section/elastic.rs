@@ -3,7 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep, SharedSection};
 use crate::material::MaterialError;
-use crate::parameter::{Changed, exchange, existing, first};
+use crate::parameter::{Changed, NewValue, exchange, existing, first};
 use std::sync::Arc;
 
 /// Properties of an elastic cross-section; those unused in a plane model are zero.
@@ -122,7 +122,7 @@ impl Section for Elastic {
         Some(self.section)
     }
 
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedSection> {
         let mut new = self.clone();
         let old = exchange(existing(new.section.parameter(first(words)?))?, value);
         Ok((Arc::new(new), old))

@@ -11,7 +11,7 @@ use crate::material::{
     LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
-use crate::parameter::{Changed, existing, last_of};
+use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use points::Points;
 use runs::{FiberRun, MAX_BLOCK_LENGTH, PlacedFiber, Placement, RunBlock};
@@ -359,7 +359,7 @@ impl Section for FiberSection {
     }
 
     /// Applies to one material by its tag, or to all that have the parameter.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedSection> {
         let mut new = self.clone();
         let (tag, rest) = match words {
             ["material", tag, rest @ ..] => (Some(existing(tag.parse::<i32>().ok())?), rest),

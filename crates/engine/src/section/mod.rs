@@ -20,7 +20,7 @@ mod slot;
 mod two_spring_isolator;
 
 use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, WatchesColumns};
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -145,11 +145,11 @@ pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     fn joined(&self) -> Option<&FiberSection>;
 
     /// Returns the section with a new value of a parameter, named by the words of a `parameter` command, and the
-    /// previous value. No value asks for the present one. The layout of the history does not change.
+    /// previous value. The layout of the history does not change.
     ///
     /// # Errors
     /// The section has no such parameter, or refuses the value.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection>;
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedSection>;
 
     /// Response specific to this section, by the words of a recorder command.
     fn probe(&self, words: &[&str]) -> Option<Probe>;
@@ -162,5 +162,5 @@ pub type SharedSection = Arc<dyn Section>;
 
 /// The section for a part of a beam of a length.
 pub fn of_length(section: SharedSection, length: f64) -> SharedSection {
-    section.with_parameter(&[CHARACTERISTIC_LENGTH], Some(length)).map_or(section, |(made, _)| made)
+    section.with_parameter(&[CHARACTERISTIC_LENGTH], NewValue::Is(length)).map_or(section, |(made, _)| made)
 }

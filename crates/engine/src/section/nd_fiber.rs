@@ -4,7 +4,7 @@ use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
 use crate::material::{MaterialError, SharedMultiaxial};
-use crate::parameter::{Changed, ParameterError};
+use crate::parameter::{Changed, NewValue, ParameterError};
 use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
@@ -167,12 +167,12 @@ impl<const N: usize> Section for NdFiberSection<N> {
     }
 
     /// The shape factor `alpha`.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<super::SharedSection> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<super::SharedSection> {
         if words != ["alpha"] {
             return Err(ParameterError::Unknown);
         }
         let before = self.root_alpha * self.root_alpha;
-        let value = value.unwrap_or(before);
+        let value = value.instead_of(before).unwrap_or(before);
         if value < 0.0 {
             return Err(ParameterError::Refused(format!("the shape factor alpha is {value}, less than 0")));
         }

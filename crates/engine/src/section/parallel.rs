@@ -3,7 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SectionSlot, SectionStep, SharedSection};
 use crate::material::MaterialError;
-use crate::parameter::{Changed, existing, last_of};
+use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -94,7 +94,7 @@ impl Section for ParallelSections {
     }
 
     /// A number of one section by its tag, or of all that have it.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedSection> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedSection> {
         let mut new = self.clone();
         let (tag, rest) = match words {
             ["section", tag, rest @ ..] => (Some(existing(tag.parse::<i32>().ok())?), rest),

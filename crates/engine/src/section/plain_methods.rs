@@ -30,7 +30,7 @@ macro_rules! plain_methods {
         }
     };
     (@with_parameter) => {
-        fn with_parameter(&self, _: &[&str], _: Option<f64>) -> $crate::parameter::Changed<$crate::section::SharedSection> {
+        fn with_parameter(&self, _: &[&str], _: $crate::parameter::NewValue) -> $crate::parameter::Changed<$crate::section::SharedSection> {
             Err($crate::parameter::ParameterError::Unknown)
         }
     };

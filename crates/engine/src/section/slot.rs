@@ -3,7 +3,7 @@
 use super::{MAX_ORDER, Resultant, SectionStep, SharedSection};
 use crate::material::MaterialError;
 use crate::numeric::invert;
-use crate::parameter::ParameterError;
+use crate::parameter::{NewValue, ParameterError};
 use crate::probe::Probe;
 
 /// A section at an offset in the state of its owner. The state begins with deformations (n), resultants (n) and
@@ -177,7 +177,7 @@ impl SectionSlot {
     }
 
     /// Sets a parameter, named by the words of a `parameter` command, and returns the previous value.
-    pub fn set_parameter(&mut self, words: &[&str], value: Option<f64>) -> Result<f64, ParameterError> {
+    pub fn set_parameter(&mut self, words: &[&str], value: NewValue) -> Result<f64, ParameterError> {
         let (section, old) = self.section.with_parameter(words, value)?;
         self.section = section;
         Ok(old)

@@ -9,6 +9,7 @@ use crate::checks;
 use crate::host::Mode;
 use crate::model::parameter_change;
 use crate::output::collapse;
+use crate::parameter::sensitivity;
 use crate::session::{Parts, Session};
 use crate::slips;
 use crate::text::{Arg, Domain, Text, WITHOUT_EFFECT};
@@ -194,7 +195,8 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let message = format!("the limit curve of element {spring} cannot watch element {column}");
         return Err(a.refuse_at(call.span(0), message, "expected a frame element with its nodes in the model"));
     }
-    let can_wait = lengths.is_none() && interp.host.mode == Mode::Run && interp.host.changes.is_empty();
+    let can_wait =
+        lengths.is_none() && interp.host.mode == Mode::Run && interp.host.changes.is_empty() && !interp.host.derives;
     let course = interp.host.course.as_mut();
     if course.is_some_and(|course| course.begin_analysis((steps as usize, dt), can_wait)) {
         let session = &mut interp.host;
@@ -207,6 +209,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if !interp.host.output.recorders.repeats() {
         plausibility::before(interp, dt, call.span(0))?;
     }
+    sensitivity::begin(interp);
     let session = &mut interp.host;
     session.note_checked(kind, dt);
     session.builder.loads_time = None;

@@ -4,6 +4,9 @@ hysteron_tcl::checks! {
     NO_ANALYSIS "no-analysis":
         "The command analyze stands before any command analysis.",
         "It returns -1 and does nothing, as in OpenSees.";
+    NO_DERIVATIVES "no-derivatives" (once):
+        "A script asks for a derivative before the command sensitivityAlgorithm.",
+        "It is zero, as in OpenSees.";
     NO_PENALTY "no-penalty" (once):
         "A handler of constraints has a penalty of zero, so that nothing is held.",
         "The matrices are those without constraints. For an analysis take \"constraints Transformation\".";

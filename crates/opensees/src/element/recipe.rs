@@ -7,7 +7,7 @@ use crate::recipes::{WordsOfElement, as_refusal, in_scratch};
 use crate::text::Domain;
 use hysteron_engine::element::Element;
 use hysteron_engine::model::Tag;
-use hysteron_engine::parameter::{Changed, ParameterError};
+use hysteron_engine::parameter::{Changed, NewValue, ParameterError};
 use hysteron_tcl::{Call, Value};
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ fn make(recipe: &WordsOfElement, interp: &mut Tcl, words: &[String]) -> Result<N
     let mut element = made().map_err(as_refusal)?;
     for (words, value) in &recipe.changes {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        element = element.with_parameter(&words, Some(*value))?.0;
+        element = element.with_parameter(&words, *value)?.0;
     }
     let names = number_names(kind.usage, words, &call.notes().numbers);
     Ok((element, names))
@@ -55,12 +55,7 @@ fn make(recipe: &WordsOfElement, interp: &mut Tcl, words: &[String]) -> Result<N
 
 /// An element with a new value of a parameter, and the value before: of the element itself, or of a number among the
 /// words that it was made from. No value asks for the present one.
-pub(crate) fn with_parameter(
-    interp: &mut Tcl,
-    tag: Tag,
-    words: &[&str],
-    value: Option<f64>,
-) -> Changed<Arc<dyn Element>> {
+pub(crate) fn with_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
     let model = interp.host.engine.model();
     let element = model.element(tag).map(|id| model.elements[id.0].element.clone()).ok_or(ParameterError::Unknown)?;
     match element.with_parameter(words, value) {
@@ -72,12 +67,12 @@ pub(crate) fn with_parameter(
 }
 
 /// As [`with_parameter`], and puts the element in its place.
-pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: f64) {
+pub(crate) fn set_parameter(interp: &mut Tcl, tag: Tag, words: &[&str], value: NewValue) {
     let model = interp.host.engine.model();
     let Some(id) = model.element(tag) else { return };
     let element = model.elements[id.0].element.clone();
-    let (new, words_now) = match element.with_parameter(words, Some(value)) {
-        Err(ParameterError::Unknown) => match made_again(interp, tag, &element, words, Some(value)) {
+    let (new, words_now) = match element.with_parameter(words, value) {
+        Err(ParameterError::Unknown) => match made_again(interp, tag, &element, words, value) {
             Ok(made) => (made.element, Some(made.words)),
             Err(_) => return,
         },
@@ -115,7 +110,7 @@ fn made_again(
     tag: Tag,
     element: &Arc<dyn Element>,
     words: &[&str],
-    value: Option<f64>,
+    value: NewValue,
 ) -> Result<ChangedElement, ParameterError> {
     let Some(recipe) = interp.host.builder.element_words.remove(&tag) else { return Err(ParameterError::Unknown) };
     let made = if Arc::ptr_eq(&recipe.made, element) {
@@ -131,13 +126,13 @@ fn of_recipe(
     recipe: &WordsOfElement,
     interp: &mut Tcl,
     name: &str,
-    value: Option<f64>,
+    value: NewValue,
 ) -> Result<ChangedElement, ParameterError> {
     let mut words = recipe.texts();
     let (element, names) = make(recipe, interp, &words)?;
     let place = names.iter().find(|(_, n)| n == name).map(|(i, _)| *i).ok_or(ParameterError::Unknown)?;
     let before = Value::from(words[place].as_str()).as_f64().ok_or(ParameterError::Unknown)?;
-    let Some(value) = value else { return Ok(ChangedElement { element, before, words }) };
+    let Some(value) = value.instead_of(before) else { return Ok(ChangedElement { element, before, words }) };
     words[place] = format!("{value:e}");
     let (new, _) = make(recipe, interp, &words)?;
     if new.state_len() != element.state_len() || new.dofs() != element.dofs() {

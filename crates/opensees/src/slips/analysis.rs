@@ -272,5 +272,11 @@ pub(super) const OTHERS: &[Slip] = &[
          `modalDamping` damping forces count whole at both ends of a step.",
         "The loads are those of the start.",
     ),
+    differs(
+        "`sensNodeDisp`, `sensSectionForce` and the like: derivatives with respect to parameters",
+        "They are zero for many laws, and of some responses they are not those of the analysis: under `DisplacementControl` a \
+         displacement that is controlled has one.",
+        "They are those of the analysis, for every law.",
+    ),
     refused("`setParameter` without `-ele`, `-eleRange` or `-node`", "It does nothing.", "It is refused."),
 ];

@@ -9,7 +9,7 @@ use crate::solve::Use;
 use std::fmt;
 
 /// Rule that accelerates corrections.
-pub(super) trait Accelerator: fmt::Debug + Send {
+pub(super) trait Accelerator: Clone + fmt::Debug + Send + 'static {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
     /// Make room for `n` equations and as many corrections with one tangent as are wanted; how many there is room for.
@@ -31,7 +31,7 @@ pub(super) trait Accelerator: fmt::Debug + Send {
 }
 
 /// An accelerated Newton method.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Accelerated<A> {
     accelerator: A,
     tangents: Tangents,

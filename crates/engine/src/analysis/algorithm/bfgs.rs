@@ -9,7 +9,7 @@ use crate::numeric::{axpy, dot, norm};
 
 /// `algorithm BFGS` (Matthies and Strang, 1979): the inverse of the tangent stays symmetric. The updates are carried out
 /// from the corrections and residuals, without a matrix (Nocedal, 1980).
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Bfgs {
     shares: Vec<f64>,
 }

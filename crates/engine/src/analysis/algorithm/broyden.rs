@@ -9,7 +9,7 @@ use crate::numeric::{axpy, dot};
 
 /// `algorithm Broyden` (Broyden, 1965, the first method): the smallest change of the inverse of the tangent that agrees with
 /// the last correction. The inverse need not be symmetric.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Broyden {
     /// H₊ v = H v + u (s · H v), one u for each correction.
     u: Vec<Vec<f64>>,

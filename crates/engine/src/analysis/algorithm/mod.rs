@@ -19,6 +19,7 @@ use super::opensees::{Phase, Stage};
 use super::system::System;
 use super::workspace::TangentMix;
 use cycle::Cycle;
+use dyn_clone::DynClone;
 use std::fmt;
 
 pub use accelerated::Tangents;
@@ -114,7 +115,7 @@ impl Iteration<'_, '_> {
 }
 
 /// A solution algorithm.
-pub trait Algorithm: fmt::Debug + Send {
+pub trait Algorithm: DynClone + fmt::Debug + Send {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
 
@@ -137,6 +138,8 @@ pub trait Algorithm: fmt::Debug + Send {
     /// Solve the step that the integrator has begun; the number of iterations.
     fn solve(&mut self, it: &mut Iteration<'_, '_>) -> Result<usize, Failure>;
 }
+
+dyn_clone::clone_trait_object!(Algorithm);
 
 /// Tangent of the iterations of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,7 +10,7 @@ use crate::solve::Use;
 use std::fmt;
 
 /// Update of a quasi-Newton method.
-pub(super) trait Update: fmt::Debug + Send {
+pub(super) trait Update: Clone + fmt::Debug + Send + 'static {
     /// Name in the `algorithm` command.
     fn name(&self) -> &'static str;
     /// Make room for `pairs` corrections of `n` equations.
@@ -21,7 +21,7 @@ pub(super) trait Update: fmt::Debug + Send {
 }
 
 /// Corrections since the last tangent, and what the residual lost by each.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Past {
     pub(super) s: Vec<Vec<f64>>,
     pub(super) y: Vec<Vec<f64>>,
@@ -31,7 +31,7 @@ pub(super) struct Past {
 ///
 /// As in OpenSees the test's iterations are tangents; the corrections between two tangents have the same test with an
 /// own count.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct QuasiNewton<U> {
     update: U,
     mix: TangentMix,

@@ -16,7 +16,7 @@ pub fn secant_newton(tangents: Tangents, terms: usize, cut_out: Option<(f64, f64
     Box::new(Accelerated::new(secant, tangents))
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Secant {
     terms: usize,
     /// The current tangent is formed anew within a step.

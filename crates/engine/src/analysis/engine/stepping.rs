@@ -34,6 +34,7 @@ impl Engine {
                 return Err(failure);
             }
             self.steps += 1;
+            self.step_derivatives(length);
             if let Err(message) = observer.committed(self) {
                 let cause = Cause::Model(message);
                 return Err(Failure::new(cause, self.committed.time, -4));

@@ -8,7 +8,7 @@ use crate::solve::Use;
 /// `NewmarkHSFixedNumIter` and the like (Schellenberg, Mahin and Fenves, 2009): the trial displacements follow a polynomial
 /// through those of the last steps and the newest solution, at places that advance evenly with the iterations, so that a test
 /// specimen moves smoothly. A last correction comes when the step ends; the elements do not see it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FixedIterations {
     name: &'static str,
     inner: Box<dyn Integrator>,

@@ -34,6 +34,7 @@ mod trbdf3;
 use super::failure::Failure;
 use super::opensees::Parts;
 use super::system::System;
+use dyn_clone::DynClone;
 use std::fmt;
 
 pub use alpha_os::AlphaOs;
@@ -68,7 +69,7 @@ pub use trbdf3::trbdf3;
 ///
 /// The calls of a step are `begin`, then `update` for each correction, then `commit`; a step that fails ends without
 /// `commit`, and the next `begin` finds the committed state again.
-pub trait Integrator: fmt::Debug + Send {
+pub trait Integrator: DynClone + fmt::Debug + Send {
     /// Name in the `integrator` command.
     fn name(&self) -> &'static str;
 
@@ -141,6 +142,8 @@ pub trait Integrator: fmt::Debug + Send {
         Ok(())
     }
 }
+
+dyn_clone::clone_trait_object!(Integrator);
 
 /// Steps whose size follows the number of iterations that the last step took.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -51,7 +51,7 @@ impl Formula {
 }
 
 /// A linear multistep method.
-pub(super) trait Method: fmt::Debug + Send {
+pub(super) trait Method: Clone + fmt::Debug + Send + 'static {
     /// Name in the `integrator` command.
     fn name(&self) -> &'static str;
     /// Formula of a step of length `dt` after `past` steps of that length.
@@ -59,7 +59,7 @@ pub(super) trait Method: fmt::Debug + Send {
 }
 
 /// Carries out a method: keeps the past, and begins anew when the step of time changes or a step has failed.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Multistep<M> {
     method: M,
     c: Coefficients,

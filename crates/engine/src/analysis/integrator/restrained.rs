@@ -36,7 +36,7 @@ impl Restraint {
 
 /// An integrator with restrained corrections (Schellenberg, Mahin and Fenves, 2009): `NewmarkHSIncrReduct` and the like. The
 /// test sees the corrections as they would have been.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Restrained {
     name: &'static str,
     inner: Box<dyn Integrator>,

@@ -9,7 +9,7 @@ use crate::analysis::system::{Coefficients, System};
 /// (1993) with their weights on the forces at both ends of a step, αf F(u, v) at its end and (1 - αf) F at its begin, where
 /// [`Hht`](super::Hht) and [`GeneralizedAlpha`](super::GeneralizedAlpha) evaluate the force F once, at the weighted motion
 /// (for the two see Erlicher, Bonaventura and Bursi, 2002). Linear models see no difference; elements see ends of steps only.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Trapezoidal {
     name: &'static str,
     p: AlphaParameters,

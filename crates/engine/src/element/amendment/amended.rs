@@ -12,7 +12,7 @@ use crate::element::{
     BasicRow, CallDependent, Class, Element, ElementError, ElementInput, ElementOutput, ElementResult, ElementTraits,
     Histories, MAX_DOFS, MatrixMask, OpenSeesTraits, OutsideRange, Snapshot, dot,
 };
-use crate::parameter::Changed;
+use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use crate::series::Series;
 use responses::AmendedResponse;
@@ -422,7 +422,7 @@ impl Element for Amended {
 }
 
 impl ElementParameters for Amended {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
         let mut new = Self { inner: Inner::new(inner), ..self.clone() };
         let has = new.inner.basic_rows();

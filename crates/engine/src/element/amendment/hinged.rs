@@ -7,7 +7,7 @@ use crate::element::{
     Snapshot, dot,
 };
 use crate::material::{Material, Strain, WatchesColumns};
-use crate::parameter::{Changed, ParameterError};
+use crate::parameter::{Changed, NewValue, ParameterError};
 use crate::probe::Probe;
 use nalgebra::{Matrix4, SVector, Vector3};
 use std::ops::Range;
@@ -385,7 +385,7 @@ impl Element for Hinged {
 }
 
 impl ElementParameters for Hinged {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let (inner, old) = self.inner.with_parameter(words, value)?;
         let new = Self { inner: Inner::new(inner), ..self.clone() }
             .scaled()

@@ -9,7 +9,7 @@ use crate::element::{
     PDeltaParts, SmallBeam, Snapshot,
 };
 use crate::numeric::axpy;
-use crate::parameter::{Changed, exchange, existing, first};
+use crate::parameter::{Changed, NewValue, exchange, existing, first};
 use crate::probe::Probe;
 use crate::section::{ElasticSection, Resultant, SharedSection};
 use std::sync::Arc;
@@ -431,7 +431,7 @@ impl<const N: usize, const B: usize> Inertia for ElasticBeam<N, B> {
 }
 
 impl<const N: usize, const B: usize> ElementParameters for ElasticBeam<N, B> {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let place = match (first(words)?, &mut new.modified) {
             ("rho", _) => &mut new.options.rho,

@@ -9,7 +9,7 @@ use crate::element::{
     MatrixMask, OpenSeesTraits, SharedState, Snapshot,
 };
 use crate::numeric::norm;
-use crate::parameter::{Changed, exchange, existing, index, last_of};
+use crate::parameter::{Changed, NewValue, exchange, existing, index, last_of};
 use crate::probe::Probe;
 use crate::section::{MAX_ORDER, Resultant, SectionSlot, SharedSection, of_length};
 use std::fmt;
@@ -431,7 +431,7 @@ impl<F: Formulation<N, B>, const N: usize, const B: usize> Inertia for FiberBeam
 }
 
 impl<F: Formulation<N, B>, const N: usize, const B: usize> ElementParameters for FiberBeam<F, N, B> {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = match words {
             ["rho"] => exchange(&mut new.member.rho, value),

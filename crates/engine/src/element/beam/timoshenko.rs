@@ -9,7 +9,7 @@ use crate::element::{
     OpenSeesTraits, Snapshot, dot,
 };
 use crate::numeric::axpy;
-use crate::parameter::{Changed, exchange, existing, first};
+use crate::parameter::{Changed, NewValue, exchange, existing, first};
 use crate::probe::Probe;
 use crate::section::ElasticSection;
 use std::sync::Arc;
@@ -261,7 +261,7 @@ impl<const N: usize, const B: usize> Inertia for TimoshenkoBeam<N, B> {
 }
 
 impl<const N: usize, const B: usize> ElementParameters for TimoshenkoBeam<N, B> {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut section = self.section;
         let old = exchange(existing(section.parameter(first(words)?))?, value);
         Ok((Arc::new(Self::new(self.frame.clone(), section, self.options)), old))

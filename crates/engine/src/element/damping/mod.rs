@@ -9,7 +9,7 @@ use super::{
 };
 use crate::element::inner::Inner;
 use crate::element::roles::{ElementParameters, OwnDamping, Roles};
-use crate::parameter::{Changed, ParameterError, exchange};
+use crate::parameter::{Changed, NewValue, ParameterError, exchange};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -172,14 +172,14 @@ impl Element for Damped {
 }
 
 impl ElementParameters for Damped {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<Arc<dyn Element>> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<Arc<dyn Element>> {
         let mut new = self.clone();
         let old = match words {
             ["damping", name] => {
                 let damping = Arc::make_mut(&mut new.damping);
                 match (&mut damping.law, *name) {
                     (DampingLaw::Filters { loss: Some(loss), .. }, "dampingRatio") => {
-                        0.5 * exchange(loss, value.map(|v| 2.0 * v))
+                        0.5 * exchange(loss, value.times(2.0))
                     }
                     (DampingLaw::SecantStiffness { beta }, "dampingFactor") => exchange(beta, value),
                     _ => return Err(ParameterError::Unknown),

@@ -5,7 +5,7 @@ use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
 use crate::material::{
     Material, MaterialError, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
 };
-use crate::parameter::{Changed, exchange};
+use crate::parameter::{Changed, NewValue, exchange};
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -202,7 +202,7 @@ impl ShownStrain for InitialState {
 }
 
 impl LawParameters for InitialState {
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = match words {
             ["epsInit"] => exchange(&mut new.strain, value),

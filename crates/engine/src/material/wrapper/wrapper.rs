@@ -5,7 +5,7 @@ use crate::material::{
     LimitCurve, Material, MaterialError, ObservedColumns, SharedUniaxial, Slot, Strain, Stress, Uniaxial,
     UniaxialTraits, WatchesColumns, updates_each_point,
 };
-use crate::parameter::{Changed, existing, last_of};
+use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
@@ -129,7 +129,7 @@ impl<W: Wrapper> ShownStrain for Wrapped<W> {
 
 impl<W: Wrapper> LawParameters for Wrapped<W> {
     /// Applies to the law inside that the words name, or to all that have the parameter.
-    fn with_parameter(&self, words: &[&str], value: Option<f64>) -> Changed<SharedUniaxial> {
+    fn with_parameter(&self, words: &[&str], value: NewValue) -> Changed<SharedUniaxial> {
         let mut new = self.clone();
         let old = match words {
             ["material" | "component", rest @ ..] => {

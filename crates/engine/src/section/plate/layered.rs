@@ -5,6 +5,7 @@ use crate::material::multiaxial::plain_methods::plain_methods;
 use crate::material::{
     CHARACTERISTIC_LENGTH, LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent,
 };
+use crate::parameter::NewValue;
 use crate::probe::Probe;
 use std::ops::Range;
 use std::sync::Arc;
@@ -55,7 +56,7 @@ impl Multiaxial<LAYER> for PlateRebar {
     }
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<LAYER>> {
         let mut new = self.clone();
-        new.bar.set_parameter(&[CHARACTERISTIC_LENGTH], Some(length)).ok()?;
+        new.bar.set_parameter(&[CHARACTERISTIC_LENGTH], NewValue::Is(length)).ok()?;
         Some(Arc::new(new))
     }
     fn probe(&self, words: &[&str]) -> Option<Probe> {
