@@ -19,7 +19,7 @@ fn followed() -> impl Iterator<Item = &'static Slip> {
 #[test]
 fn page_is_that_of_the_register() {
     let path = root().join("docs/reference/compat.md");
-    if std::env::var_os("UPDATE").is_some() {
+    if std::env::var_os("HYSTERON_WRITE").is_some() {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(&path, page()).unwrap();
     }

@@ -138,7 +138,7 @@ pub const FAMILIES: [Family; 5] = [
 
 const INTRODUCTION: &str = "# Differences from OpenSees
 
-<!-- Generated from crates/opensees/src/slips: change the register, then run the test of that crate with UPDATE=1. -->
+<!-- Generated from crates/opensees/src/slips: change the register, then run the test of that crate with HYSTERON_WRITE=1. -->
 
 `--compat opensees` gives the answers of OpenSees that the first tables list, and no others. Without the switch hysteron gives the
 answer of the equations. \"Shown by\" names a folder of `validation/opensees`, whose outputs differ with the switch, or a test. A dash
