@@ -3,11 +3,12 @@
 mod dual;
 pub(crate) mod elementary;
 pub(crate) mod lanes;
+pub mod real;
 pub mod wide;
 
 pub use dual::Dual;
 
-use wide::Real;
+use real::Real;
 
 /// Scalar product. Four sums side by side, so that it takes the width of the processor; always in the same order.
 #[inline(always)]

@@ -69,7 +69,7 @@ macro_rules! state_struct {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         $vis struct $name<$t = f64> { $($(#[$fmeta])* pub $field: $ty),* }
 
-        impl<$t: $crate::numeric::wide::Real> $name<$t>
+        impl<$t: $crate::numeric::real::Real> $name<$t>
         where
             $($ty: $crate::state_struct::Field<$t>),*
         {

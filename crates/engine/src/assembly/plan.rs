@@ -3,7 +3,7 @@
 use super::dofs::{DofError, DofMap, Handler, Link, MpScope};
 use super::pattern::{Pattern, Storage};
 use crate::model::Model;
-use crate::numeric::wide::Real;
+use crate::numeric::real::Real;
 use std::ops::Range;
 
 /// Below this many equations a dense matrix is faster than a sparse one (see `benches/`).

@@ -26,30 +26,6 @@ pub fn is_set(flags: Flags, model: usize) -> bool {
 #[repr(align(64))]
 pub struct Wide(pub [f64; WIDTH]);
 
-/// A number of one model, or of several side by side, for formulas without branches.
-pub trait Real:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Mul<f64, Output = Self>
-    + Div<f64, Output = Self>
-    + AddAssign
-    + SubAssign
-    + Neg<Output = Self>
-{
-    /// 0
-    const ZERO: Self;
-}
-
-impl Real for f64 {
-    const ZERO: Self = 0.0;
-}
-
-impl Real for Wide {
-    const ZERO: Self = Self::all(0.0);
-}
-
 impl Wide {
     /// The same number in all models.
     #[inline(always)]
@@ -63,56 +39,6 @@ impl Wide {
         let mut out = [0.0; WIDTH];
         for i in 0..WIDTH {
             out[i] = if is_set(flags, i) { 1.0 } else { 0.0 };
-        }
-        Self(out)
-    }
-
-    /// Square root.
-    #[inline(always)]
-    pub fn sqrt(self) -> Self {
-        let mut out = self.0;
-        for x in &mut out {
-            *x = x.sqrt();
-        }
-        Self(out)
-    }
-
-    /// Absolute value.
-    #[inline(always)]
-    pub fn abs(self) -> Self {
-        let mut out = self.0;
-        for x in &mut out {
-            *x = x.abs();
-        }
-        Self(out)
-    }
-
-    /// The larger of two numbers; no number where one is none.
-    #[inline(always)]
-    pub fn max(self, other: Self) -> Self {
-        let mut out = self.0;
-        for (x, y) in out.iter_mut().zip(other.0) {
-            *x = if *x > y || x.is_nan() { *x } else { y };
-        }
-        Self(out)
-    }
-
-    /// Number by number `then` where this one is greater than `than`, else `otherwise`.
-    #[inline(always)]
-    pub fn where_greater(self, than: Self, then: Self, otherwise: Self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for i in 0..WIDTH {
-            out[i] = if self.0[i] > than.0[i] { then.0[i] } else { otherwise.0[i] };
-        }
-        Self(out)
-    }
-
-    /// Number by number `then` where this one equals `other`, else `otherwise`.
-    #[inline(always)]
-    pub fn where_equal(self, other: Self, then: Self, otherwise: Self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for i in 0..WIDTH {
-            out[i] = if self.0[i] == other.0[i] { then.0[i] } else { otherwise.0[i] };
         }
         Self(out)
     }
@@ -142,21 +68,9 @@ impl Wide {
         flags as Flags
     }
 
-    /// A function that is no vector instruction, of the models that want it. It is evaluated once where all have the same
-    /// number, as of displacements that are imposed on all.
-    #[inline(always)]
-    pub fn one_by_one(self, wanted: Flags, f: fn(f64) -> f64) -> Self {
-        let first = self.0[0].to_bits();
-        let mut differ = 0;
-        for i in 0..WIDTH {
-            differ |= self.0[i].to_bits() ^ first;
-        }
-        if differ == 0 { Self::all(f(self.0[0])) } else { self.each(wanted, f) }
-    }
-
     /// A function of each model that wants it.
     #[inline(never)]
-    fn each(self, wanted: Flags, f: fn(f64) -> f64) -> Self {
+    pub(super) fn each(self, wanted: Flags, f: fn(f64) -> f64) -> Self {
         let mut out = Self::all(0.0);
         for i in 0..WIDTH {
             if is_set(wanted, i) {
@@ -227,14 +141,15 @@ impl Neg for Wide {
 #[cfg(test)]
 mod tests {
     use super::{WIDTH, Wide};
+    use crate::numeric::real::Real;
 
     #[test]
     fn the_larger_of_two_is_no_number_where_one_is_none() {
         let (one, nan) = (Wide::all(1.0), Wide::all(f64::NAN));
-        for max in [one.max(nan), nan.max(one)] {
+        for max in [one.larger(nan), nan.larger(one)] {
             assert!((0..WIDTH).all(|i| max.0[i].is_nan()));
         }
-        assert_eq!(one.max(Wide::all(2.0)).0, [2.0; WIDTH]);
-        assert_eq!(Wide::all(3.0).max(one).0, [3.0; WIDTH]);
+        assert_eq!(one.larger(Wide::all(2.0)).0, [2.0; WIDTH]);
+        assert_eq!(Wide::all(3.0).larger(one).0, [3.0; WIDTH]);
     }
 }

@@ -1,6 +1,7 @@
 //! Small dense systems of several models side by side.
 
 use crate::numeric::dot;
+use crate::numeric::real::Real;
 use crate::numeric::wide::{Flags, Wide};
 
 /// Most equations whose products are summed one after the other, as [`DenseLu`](super::DenseLu) does.

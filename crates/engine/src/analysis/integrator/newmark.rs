@@ -4,7 +4,7 @@ use super::Integrator;
 use crate::analysis::failure::Failure;
 use crate::analysis::opensees::Parts;
 use crate::analysis::system::{Coefficients, System};
-use crate::numeric::wide::Real;
+use crate::numeric::real::Real;
 
 /// Unknown of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

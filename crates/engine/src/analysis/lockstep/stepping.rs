@@ -10,6 +10,7 @@ use super::{ALL, Flags, LockstepRows, Measure, Models, Norm, Recorded, Work};
 use crate::analysis::system::ROUND_OFF;
 use crate::element::{LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};
+use crate::numeric::real::Real;
 use crate::numeric::wide::{WIDTH, Wide, is_set};
 use std::sync::atomic::Ordering;
 
@@ -350,7 +351,7 @@ impl Models {
             (_, [x]) => sum = x.abs(),
             (Norm::Max, _) => {
                 for x in vector {
-                    sum = x.abs().max(sum);
+                    sum = x.abs().larger(sum);
                 }
             }
             _ => {

@@ -5,7 +5,7 @@ use crate::analysis::state::State;
 use crate::assembly::{Pattern, Plan};
 use crate::element::MAX_DOFS;
 use crate::model::Model;
-use crate::numeric::wide::Real;
+use crate::numeric::real::Real;
 
 /// Fewer elements are not worth a matrix.
 const FEW: usize = 8;

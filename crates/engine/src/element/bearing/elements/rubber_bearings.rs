@@ -11,6 +11,7 @@ use crate::element::bearing::laws::rubber_shear::RubberShearLockstep;
 use crate::element::bearing::laws::shear::Shear;
 use crate::element::{LockstepElement, LockstepMotion, LockstepOutput};
 use crate::numeric::lanes::{Lanes, in_lanes};
+use crate::numeric::real::Real;
 use crate::numeric::wide::Wide;
 use std::fmt;
 

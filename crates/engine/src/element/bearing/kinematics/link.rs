@@ -5,7 +5,7 @@
 
 use crate::element::{BasicRow, MatrixMask, dot};
 use crate::numeric::SparseMatrix;
-use crate::numeric::wide::Real;
+use crate::numeric::real::Real;
 use nalgebra::Matrix3;
 
 /// Linear kinematics of a two-node bearing with `N` degrees of freedom and `B` basic deformations.

@@ -1,28 +1,17 @@
 //! Overlap area of the two end plates of a sheared round bearing.
 
-use crate::numeric::wide::{ALL, Wide};
+use crate::numeric::real::Real;
 use std::f64::consts::PI;
 
 /// Ratio of the overlap area of two equal circles to their area, and its derivative by `x`, the distance of the centres
 /// in diameters. The ratio is (Δ - sin Δ) / π with Δ = 2 acos x.
-#[inline]
-pub fn overlap(x: f64) -> (f64, f64) {
-    if x >= 1.0 {
-        return (0.0, 0.0);
-    }
-    // sin Δ = 2 sin(Δ/2) cos(Δ/2)
-    let chord = (1.0 - x * x).sqrt();
-    (2.0 * (x.acos() - x * chord) / PI, -4.0 * chord / PI)
-}
-
-/// The same of several bearings side by side.
 #[inline(always)]
-pub(in crate::element::bearing) fn overlap_lockstep(x: Wide) -> (Wide, Wide) {
-    let (zero, one) = (Wide::all(0.0), Wide::all(1.0));
-    let chord = (one - x * x).sqrt();
-    let half = x.one_by_one(ALL, f64::acos);
+pub fn overlap<T: Real>(x: T) -> (T, T) {
+    // sin Δ = 2 sin(Δ/2) cos(Δ/2)
+    let chord = (T::ONE - x * x).sqrt();
+    let half = x.one_by_one(T::ALL, f64::acos);
     let share = (half - x * chord) * 2.0 / PI;
-    (one.where_greater(x, share, zero), one.where_greater(x, chord * -4.0 / PI, zero))
+    (T::ONE.where_greater(x, share, T::ZERO), T::ONE.where_greater(x, chord * -4.0 / PI, T::ZERO))
 }
 
 #[cfg(test)]

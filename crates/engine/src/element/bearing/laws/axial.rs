@@ -1,15 +1,14 @@
 //! Axial law of layered rubber bearings: cavitation with damage in tension, buckling in compression, both as functions
 //! of the shear displacement.
 
+mod carried;
 mod lockstep;
 
-use crate::element::bearing::kinematics::overlap::overlap;
 use crate::element::bearing::laws::rubber::{PI, Rubber};
 
+use carried::{Effects, Numbers, Sheared};
 pub(in crate::element::bearing) use lockstep::AxialLockstep;
 
-/// Least ratio of the critical load to that at zero shear displacement.
-const MIN_CRITICAL_RATIO: f64 = 0.2;
 /// Ratio of the axial stiffness after buckling to the initial one.
 const BUCKLED_STIFFNESS_RATIO: f64 = 1e-4;
 
@@ -83,14 +82,6 @@ pub struct AxialStep<T = f64> {
     pub d_critical: T,
 }
 
-/// Properties at a shear displacement, with derivatives.
-struct Sheared<T = f64> {
-    kv: T,
-    dkv: T,
-    fcrn: T,
-    dfcrn: T,
-}
-
 impl AxialLaw {
     /// Virgin state.
     pub fn virgin(&self) -> Axial {
@@ -99,36 +90,13 @@ impl AxialLaw {
         Axial { force: 0.0, kv: axial, uc, fcn: cavitation, umax: uc, fcrn: -critical, fcrmin: -critical }
     }
 
-    /// Factor of u_h² in the softening, 3 / (π r)².
-    #[inline]
-    fn softening(&self) -> f64 {
-        3.0 / (PI * PI) / (self.rubber.gyration * self.rubber.gyration)
+    fn numbers(&self) -> Numbers {
+        let Rubber { axial, critical, cavitation, diameter, gyration, .. } = self.rubber;
+        Numbers { axial, critical, cavitation, diameter, softening: 3.0 / (PI * PI) / (gyration * gyration) }
     }
 
-    fn sheared(&self, uh: f64) -> Sheared {
-        let r = &self.rubber;
-        let (mut kv, mut dkv) = (r.axial, 0.0);
-        if self.softens {
-            let a = self.softening();
-            let soft = 1.0 / (1.0 + a * uh * uh);
-            kv *= soft;
-            dkv = -2.0 * a * uh * soft * kv;
-        }
-        let (mut fcrn, mut dfcrn) = (-r.critical, 0.0);
-        if self.buckles {
-            let (mut share, slope) = overlap(uh / r.diameter);
-            if self.compat {
-                // OpenSees' area contains its rounded π.
-                share *= std::f64::consts::PI / PI;
-            }
-            if share < MIN_CRITICAL_RATIO {
-                fcrn *= MIN_CRITICAL_RATIO;
-            } else {
-                dfcrn = fcrn * slope / r.diameter;
-                fcrn *= share;
-            }
-        }
-        Sheared { kv, dkv, fcrn, dfcrn }
+    fn effects(&self) -> Effects {
+        Effects { cavitates: self.cavitates, buckles: self.buckles, softens: self.softens, area: 1.0 }
     }
 
     /// Force at first loading beyond cavitation, and its slope.
@@ -151,35 +119,34 @@ impl AxialLaw {
     }
 
     fn consistent_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
-        let s = self.sheared(uh);
-        let uc = self.rubber.cavitation / s.kv;
+        let s = self.numbers().sheared(&self.effects(), uh);
+        let (mut step, beyond) = self.numbers().step(&self.effects(), &s, c, u);
+        if beyond {
+            self.cavitate(&s, c, u, &mut step);
+        }
+        step
+    }
+
+    /// Sets the step of a bearing beyond cavitation.
+    fn cavitate(&self, s: &Sheared, c: &Axial, u: f64, step: &mut AxialStep) {
+        let uc = step.next.uc;
+        let next = &mut step.next;
         let duc = -uc * s.dkv / s.kv;
-        let mut next = Axial { kv: s.kv, uc, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
-        let (k, k_shear);
-        if self.buckles && u <= s.fcrn / s.kv {
-            k = self.rubber.axial * BUCKLED_STIFFNESS_RATIO;
-            next.force = s.fcrn + k * (u - s.fcrn / s.kv);
-            k_shear = s.dfcrn - k * (s.dfcrn - s.fcrn * s.dkv / s.kv) / s.kv;
-        } else if !self.cavitates || u * s.kv <= c.fcn {
-            k = s.kv;
-            next.force = k * u;
-            k_shear = s.dkv * u;
-        } else if u < c.umax.max(uc) {
+        if u < c.umax.max(uc) {
             // After cavitation at another shear displacement, the target of reloading is at least u_c.
             let (target, dtarget) = if c.umax > uc { (c.umax, 0.0) } else { (uc, duc) };
             let (top, slope) = self.backbone(target - uc);
             let (start, dstart) = (c.fcn / s.kv, -c.fcn / s.kv * s.dkv / s.kv);
-            k = (top - c.fcn) / (target - start);
-            next.force = c.fcn + k * (u - start);
-            let dk = (slope * (dtarget - duc) - k * (dtarget - dstart)) / (target - start);
-            k_shear = dk * (u - start) - k * dstart;
+            step.k = (top - c.fcn) / (target - start);
+            next.force = c.fcn + step.k * (u - start);
+            let dk = (slope * (dtarget - duc) - step.k * (dtarget - dstart)) / (target - start);
+            step.k_shear = dk * (u - start) - step.k * dstart;
         } else {
-            (next.force, k) = self.backbone(u - uc);
-            k_shear = -k * duc;
+            (next.force, step.k) = self.backbone(u - uc);
+            step.k_shear = -step.k * duc;
             next.umax = u;
             next.fcn = c.fcn.min(self.strength(u, uc));
         }
-        AxialStep { next, k, k_shear, critical: s.fcrn, d_critical: s.dfcrn }
     }
 
     fn lagging_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
@@ -197,7 +164,9 @@ impl AxialLaw {
         } else {
             (force, k) = self.backbone(u - c.uc);
         }
-        let s = self.sheared(uh);
+        // OpenSees' area contains its rounded π.
+        let effects = Effects { area: std::f64::consts::PI / PI, ..self.effects() };
+        let s = self.numbers().sheared(&effects, uh);
         let mut next = Axial { force, kv: s.kv, fcrn: s.fcrn, fcrmin: c.fcrmin.max(s.fcrn), ..*c };
         if self.softens && uh > f64::EPSILON {
             next.uc = self.rubber.cavitation / s.kv;

@@ -1,12 +1,13 @@
 //! Shear law of `elastomericBearingBoucWen`.
 
+mod hysteresis;
 mod lockstep;
 
 use crate::element::Class;
 use crate::element::bearing::laws::shear::{Shear, ShearLaw, ShearLockstep, at_rest, hardening, hardening_ends};
 use crate::element::{ElementError, ElementResult};
-use crate::numeric::sign;
 use crate::numeric::wide::WIDTH;
+use hysteresis::{Any, Exponent, One, Two, hysteresis, not_zero, shape};
 use lockstep::BoucWenLockstep;
 
 /// Shear law of `elastomericBearingBoucWen`: q = q_d z + k₂ u + k₃ sign(u) |u|^μ, with ż = (k₀/q_d) [A u̇ - z |z|^(η-2)
@@ -37,43 +38,32 @@ pub struct BoucWenShear {
 }
 
 impl BoucWenShear {
-    /// Hysteretic parameters z at the end of a step (backward Euler), and ∂z/∂d by rows. `d` is the increment of
-    /// displacement over the yield displacement q_d/k₀, in `N` directions.
+    /// As [`hysteresis()`] has them.
     ///
-    /// The equation is z = z_c + d - z |z|^(η-2) (z·d) (γ + β sign(z·d)), so z is parallel to w = z_c + d. With z = t w
-    /// it is scalar: t + a t^η = 1, with a = |w|^(η-2) (w·d) (γ + β sign(w·d)). The solution is the root next to t = 1,
-    /// which is continuous with the committed state.
+    /// # Errors
+    /// The step is too large.
     #[inline]
     fn hysteresis<const N: usize>(&self, zc: [f64; N], d: [f64; N]) -> ElementResult<([f64; N], [[f64; N]; N])> {
-        let w: [f64; N] = std::array::from_fn(|i| zc[i] + d[i]);
-        let work: f64 = w.iter().zip(&d).map(|(w, d)| w * d).sum();
-        let norm2: f64 = w.iter().map(|w| w * w).sum();
-        let shape = self.gamma + self.beta * sign(work);
-        let power = self.power(norm2);
-        let a = power * work * shape;
-        let t = self.relax(a).ok_or_else(|| self.no_root())?;
-        let slope = match self.eta {
-            1.0 => 1.0,
-            2.0 => t,
-            eta => t.powf(eta - 1.0),
+        let loop_shape = [self.beta, self.gamma];
+        let (z, dz) = match self.eta {
+            1.0 => hysteresis(One, loop_shape, zc, d),
+            2.0 => hysteresis(Two, loop_shape, zc, d),
+            eta => hysteresis(Any(eta), loop_shape, zc, d),
         };
-        // ∂t/∂d = -t^η / (1 + η a t^(η-1)) ∂a/∂d
-        let factor = -t * slope / (1.0 + self.eta * a * slope) * power * shape;
-        let radial = if norm2 > 0.0 { (self.eta - 2.0) * work / norm2 } else { 0.0 };
-        let dt: [f64; N] = std::array::from_fn(|i| factor * (radial * w[i] + d[i] + w[i]));
-        let z = w.map(|w| t * w);
-        let dz = std::array::from_fn(|i| std::array::from_fn(|j| w[i] * dt[j] + if i == j { t } else { 0.0 }));
+        if z.iter().any(|z| z.is_nan()) {
+            let why = "the step is too large: no hysteretic parameter z belongs to it";
+            return Err(ElementError(why.into()));
+        }
         Ok((z, dz))
     }
 
-    /// |w|^(η-2) from |w|², finite at w = 0 since z vanishes there.
-    #[inline]
+    /// |z|^(η-2) from |z|², finite at z = 0.
     fn power(&self, norm2: f64) -> f64 {
-        let finite = norm2.max(f64::MIN_POSITIVE);
+        let norm2 = not_zero(norm2);
         match self.eta {
-            1.0 => 1.0 / finite.sqrt(),
-            2.0 => 1.0,
-            eta => finite.powf(0.5 * eta - 1.0),
+            1.0 => One.power(norm2),
+            2.0 => Two.power(norm2),
+            eta => Any(eta).power(norm2),
         }
     }
 
@@ -82,7 +72,7 @@ impl BoucWenShear {
     fn rate_tangent<const N: usize>(&self, z: [f64; N], d: [f64; N]) -> [[f64; N]; N] {
         let work: f64 = z.iter().zip(&d).map(|(z, d)| z * d).sum();
         let norm2: f64 = z.iter().map(|z| z * z).sum();
-        let share = self.power(norm2) * (self.gamma + self.beta * sign(work));
+        let share = self.power(norm2) * shape([self.beta, self.gamma], work);
         // Ratio of the increment of one direction to the other.
         let ratio = |i: usize, j: usize| match d.iter().product::<f64>() {
             _ if i == j => 1.0,
@@ -100,38 +90,6 @@ impl BoucWenShear {
                 }
             })
         })
-    }
-
-    /// The root of t + a t^η = 1 next to 1; `None` if the step is too large for a root.
-    #[inline]
-    fn relax(&self, a: f64) -> Option<f64> {
-        if self.eta == 1.0 {
-            return Some(1.0 / (1.0 + a)).filter(|t| *t > 0.0);
-        }
-        if self.eta == 2.0 {
-            let root = 1.0 + 4.0 * a;
-            return (root >= 0.0).then(|| 2.0 / (1.0 + root.sqrt()));
-        }
-        // Newton's method from 1 converges from one side for η > 1, where the function is convex for a > 0 and concave
-        // for a < 0. For η < 1 the steps keep t positive.
-        let mut t = 1.0f64;
-        for _ in 0..200 {
-            let slope = a * t.powf(self.eta - 1.0);
-            let step = (t + slope * t - 1.0) / (1.0 + self.eta * slope);
-            let next = if t - step > 0.0 { t - step } else { 0.5 * t };
-            if !next.is_finite() || next > 1e6 {
-                return None;
-            }
-            if (next - t).abs() <= 2e-16 * t {
-                return Some(next);
-            }
-            t = next;
-        }
-        ((t + a * t.powf(self.eta) - 1.0).abs() < 1e-13 * t.max(1.0)).then_some(t)
-    }
-
-    fn no_root(&self) -> ElementError {
-        ElementError("the step is too large: no hysteretic parameter z belongs to it".into())
     }
 }
 

@@ -5,7 +5,8 @@
 
 use crate::element::bearing::elements::shear_bearing::end_masses;
 use crate::element::{Class, ElementResult, Mass};
-use crate::numeric::wide::{Real, WIDTH, Wide};
+use crate::numeric::real::Real;
+use crate::numeric::wide::{WIDTH, Wide};
 use crate::state_struct::StateStruct;
 use std::fmt;
 
@@ -132,20 +133,18 @@ impl<const S: usize> ShearLockstep<S> for NoLockstep {
 /// step. Equilibrium corrections and rotations of axes by round-off are no unloading.
 #[inline]
 pub(in crate::element::bearing) fn at_rest<const S: usize>(u: &[f64; S], committed: &[f64; S]) -> bool {
-    let size = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
-    u.iter().zip(committed).all(|(u, c)| (u - c).abs() <= ROUND_OFF * size)
+    is_at_rest(u, committed) == 1.0
 }
 
-/// The same of several bearings side by side: 1 where it is true, else 0.
+/// The same of one bearing or of several side by side: 1 where it is true, else 0.
 #[inline(always)]
-pub(in crate::element::bearing) fn is_at_rest<const S: usize>(u: &[Wide; S], committed: &[Wide; S]) -> Wide {
-    let (zero, one) = (Wide::all(0.0), Wide::all(1.0));
-    let (mut size, mut rests) = (zero, one);
+pub(in crate::element::bearing) fn is_at_rest<T: Real, const S: usize>(u: &[T; S], committed: &[T; S]) -> T {
+    let (mut size, mut rests) = (T::ZERO, T::ONE);
     for u in u {
-        size = u.abs().max(size);
+        size = u.abs().larger(size);
     }
     for i in 0..S {
-        rests = (u[i] - committed[i]).abs().where_greater(size * ROUND_OFF, zero, rests);
+        rests = (u[i] - committed[i]).abs().where_greater(size * ROUND_OFF, T::ZERO, rests);
     }
     rests
 }

@@ -4,7 +4,9 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::BoucWenShear;
+use super::hysteresis::{One, Two, hysteresis};
 use crate::element::bearing::laws::shear::{Shear, ShearLockstep, hardening, is_at_rest};
+use crate::numeric::real::Real;
 use crate::numeric::wide::{WIDTH, Wide};
 
 /// Laws with one yielding exponent.
@@ -13,8 +15,8 @@ pub(super) struct BoucWenLockstep {
     k0: Wide,
     qd: Wide,
     k2: Wide,
-    beta: Wide,
-    gamma: Wide,
+    /// β and γ.
+    loop_shape: [Wide; 2],
     eta: f64,
     /// The laws one by one, where one hardens with a power of the displacement.
     hardening: Option<[BoucWenShear; WIDTH]>,
@@ -30,8 +32,7 @@ impl BoucWenLockstep {
             k0: Wide(all.map(|law| law.k0)),
             qd: Wide(all.map(|law| law.qd)),
             k2: Wide(all.map(|law| law.k2)),
-            beta: Wide(all.map(|law| law.beta)),
-            gamma: Wide(all.map(|law| law.gamma)),
+            loop_shape: [Wide(all.map(|law| law.beta)), Wide(all.map(|law| law.gamma))],
             eta,
             hardening: hardens.then(|| all.map(Clone::clone)),
         })
@@ -47,48 +48,6 @@ impl BoucWenLockstep {
         }
         (Wide(force), Wide(stiffness))
     }
-
-    /// As [`BoucWenShear::hysteresis`].
-    #[inline(always)]
-    fn hysteresis<const S: usize>(&self, zc: [Wide; S], d: [Wide; S]) -> ([Wide; S], [[Wide; S]; S]) {
-        let (zero, one) = (Wide::all(0.0), Wide::all(1.0));
-        let mut w = [zero; S];
-        let (mut work, mut norm2) = (zero, zero);
-        for i in 0..S {
-            w[i] = zc[i] + d[i];
-            work += w[i] * d[i];
-            norm2 += w[i] * w[i];
-        }
-        let sign = work.where_greater(zero, one, zero.where_greater(work, Wide::all(-1.0), zero));
-        let shape = self.gamma + self.beta * sign;
-        let no_number = Wide::all(f64::NAN);
-        let (power, t, slope);
-        let a;
-        if self.eta == 1.0 {
-            power = one / norm2.max(Wide::all(f64::MIN_POSITIVE)).sqrt();
-            a = power * work * shape;
-            let root = one / (one + a);
-            t = root.where_greater(zero, root, no_number);
-            slope = one;
-        } else {
-            power = one;
-            a = power * work * shape;
-            let root = one + a * 4.0;
-            t = zero.where_greater(root, no_number, Wide::all(2.0) / (one + root.sqrt()));
-            slope = t;
-        }
-        let factor = -t * slope / (one + a * self.eta * slope) * power * shape;
-        let radial = norm2.where_greater(zero, work * (self.eta - 2.0) / norm2, zero);
-        let (mut z, mut dz) = (w, [[zero; S]; S]);
-        for i in 0..S {
-            z[i] = t * w[i];
-            for j in 0..S {
-                let dt = factor * (radial * w[j] + d[j] + w[j]);
-                dz[i][j] = w[i] * dt + if i == j { t } else { zero };
-            }
-        }
-        (z, dz)
-    }
 }
 
 impl<const S: usize> ShearLockstep<S> for BoucWenLockstep {
@@ -99,7 +58,10 @@ impl<const S: usize> ShearLockstep<S> for BoucWenLockstep {
         for i in 0..S {
             d[i] = (u[i] - c.u[i]) * scale;
         }
-        let (z, mut k) = self.hysteresis(c.internal, d);
+        let (z, mut k) = match self.eta {
+            1.0 => hysteresis(One, self.loop_shape, c.internal, d),
+            _ => hysteresis(Two, self.loop_shape, c.internal, d),
+        };
         let rests = is_at_rest(&u, &c.u);
         let one = Wide::all(1.0);
         let mut next = Shear { u, internal: z, q: z, k };
