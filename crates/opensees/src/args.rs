@@ -8,7 +8,7 @@ mod unknown_words;
 
 use crate::checks::words;
 use crate::text::{Arg, Domain};
-use crate::{Tcl, check, slips, warn};
+use crate::{Tcl, mistakes, slips, warn};
 use hysteron_engine::model::{Registry, Tag};
 use hysteron_tcl::diagnostic::{Absent, Diagnostic, Span};
 use hysteron_tcl::{Call, Exception, Value, lookalike};
@@ -256,7 +256,7 @@ impl<'a> Args<'a> {
     ) -> Result<(), Exception> {
         if !interp.host.follows(&[slips::DOMAINS]) {
             let e = self.refuse_at(span, message, label).by(&words::OUT_OF_RANGE);
-            return check::go_on(interp, Err(e));
+            return mistakes::go_on(interp, Err(e));
         }
         warn(
             interp,

@@ -23,19 +23,23 @@
 //! assert_eq!(call(&["nodeCoord", "1", "1"]).unwrap().to_f64().unwrap(), 0.5);
 //! ```
 
+use crate::call_numbers::next_number;
 use crate::check;
 use crate::files::live::RecordedFiles;
+use crate::mistakes;
 use crate::run::{Run, Settings};
 use crate::section::{fiber, open};
 use crate::slips;
-use crate::{Command, Outcome, Outputs, Session, Tcl, commands, opensees_names};
+use crate::{Command, Outcome, Outputs, Session, opensees_names};
+
 use hysteron_engine::analysis::Failure;
 use hysteron_engine::model::{ElementId, NodeId};
 use hysteron_engine::record::ElementResponse;
-use hysteron_tcl::diagnostic::{Absent, SourceId, Span};
+use hysteron_tcl::diagnostic::{Absent, Span};
 use hysteron_tcl::{Call, Console, Files, Interp, Value};
-use std::collections::HashMap;
-use std::sync::OnceLock;
+
+pub use crate::call_numbers::CallNumbers;
+pub use crate::command;
 
 /// A call whose words stand in a text.
 #[derive(Clone, Copy, Debug)]
@@ -51,48 +55,6 @@ pub struct PlacedCall<'a> {
 /// Returns true if a command only looks at the model and its results.
 pub fn only_looks(command: &Command) -> bool {
     check::LOOKING.into_iter().flatten().any(|c| c.name == command.name)
-}
-
-/// The command of a name.
-pub fn command(name: &str) -> Option<&'static Command> {
-    static KNOWN: OnceLock<HashMap<&'static str, &'static Command>> = OnceLock::new();
-    let all = || {
-        let mut known = HashMap::new();
-        for command in commands() {
-            known.entry(command.name).or_insert(command);
-        }
-        known
-    };
-    KNOWN.get_or_init(all).get(name).copied()
-}
-
-/// Number of calls made by a host, and the source that stands for them in the places of messages.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct CallNumbers {
-    source: Option<SourceId>,
-    last: u32,
-}
-
-impl CallNumbers {
-    /// The word of the last call that a span names; `Some(None)` for the whole call, `None` for another call or a file.
-    pub fn word(&self, span: Span) -> Option<Option<usize>> {
-        let is_last = Some(span.source) == self.source && span.start == self.last;
-        is_last.then(|| (span.end != u32::MAX).then_some(span.end as usize))
-    }
-
-    /// Returns true if the span is one of a call by the host.
-    pub fn is_call(&self, span: Span) -> bool {
-        Some(span.source) == self.source
-    }
-}
-
-/// Source that stands for the calls, and the number of the next one.
-pub(crate) fn next_number(interp: &mut Tcl) -> (SourceId, u32) {
-    let numbers = &mut interp.host.call_numbers;
-    numbers.last = numbers.last.wrapping_add(1);
-    let number = numbers.last;
-    let source = *numbers.source.get_or_insert_with(|| interp.core.sources.add("call", ""));
-    (source, number)
 }
 
 impl Run {
@@ -145,7 +107,7 @@ impl Run {
         let is_open = interp.host.builder.open_section.is_some();
         if is_open && !fiber::COMMANDS.iter().any(|c| c.name == command.name) {
             let settled = open::settle(interp);
-            check::go_on(interp, settled)?;
+            mistakes::go_on(interp, settled)?;
         }
         let first = interp.warnings.len();
         let result = check::run_known(interp, command, &Call::placed(call.words, call.spans, call.whole));

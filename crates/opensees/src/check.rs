@@ -5,13 +5,14 @@ pub(crate) mod stand_in;
 use crate::analysis::analyze::warn_of_missing;
 use crate::analysis::speeds::warn_of_speedless;
 use crate::checks::elements::OUTSIDE_LEARNED_RANGE;
+use crate::effect::ends_recorders;
 use crate::host::Mode;
+use crate::mistakes::CheckState;
 use crate::output::{display, figure, print, query, recorder, section_query};
 use crate::session::Session;
-use crate::{Command, Outcome, Tcl, calls, commands, report, things, warn};
+use crate::{Command, Outcome, Tcl, commands, report, things, warn};
 use hysteron_tcl::diagnostic::{Absent, COMMAND, Diagnostic, VARIABLE, nearest};
 use hysteron_tcl::{Call, Exception, Value};
-use std::collections::BTreeSet;
 
 /// Commands that only look at the model and its results.
 pub(crate) const LOOKING: [&[Command]; 6] = [
@@ -23,41 +24,7 @@ pub(crate) const LOOKING: [&[Command]; 6] = [
     figure::COMMANDS,
 ];
 
-/// Mistakes that a check has found, and their consequences.
-#[derive(Debug, Default)]
-pub struct CheckState {
-    /// A definition was rejected: the model is not the one that was meant.
-    pub(crate) rejected: bool,
-    /// Things that rejected commands would have defined: a message that misses one only follows from that mistake.
-    consequences: BTreeSet<Absent>,
-    /// A procedure or a file was left at a mistake: what the rest of it would have defined is not there.
-    left_early: bool,
-    /// Number of errors that were held back because they only follow from one already reported.
-    pub held_back: usize,
-    /// Analyses were passed over because a definition was rejected.
-    pub skipped_analyses: bool,
-    /// A check has passed over an analysis: results that the script reads are not there.
-    pub waits_for_results: bool,
-}
-
 impl CheckState {
-    /// Returns true if something is only missing for a mistake already reported, and counts it.
-    pub(crate) fn holds_back(&mut self, absent: &Absent) -> bool {
-        let is_of_rest = self.left_early && commands().any(|c| c.defines.1 > 0 && c.defines.0.contains(&absent.kind));
-        let held_back = is_of_rest || self.consequences.contains(absent);
-        self.held_back += usize::from(held_back);
-        held_back
-    }
-
-    /// An analysis is passed over; what its results would be asked for is not there.
-    pub(crate) fn pass_over(&mut self, modes: usize) {
-        self.skipped_analyses = true;
-        self.consequences.extend((1..=modes).map(|i| Absent::new(things::MODE, i)));
-        if modes > 0 {
-            self.consequences.insert(Absent::new(things::MODE, ""));
-        }
-    }
-
     /// A command was rejected: what it would have defined will be missed.
     /// A command that is not known would have defined what the nearest one does.
     fn note(&mut self, words: &[&str], is_known: bool) {
@@ -68,7 +35,7 @@ impl CheckState {
             return;
         }
         let name = if is_known { name } else { nearest(name, commands().map(|c| c.name)).unwrap_or(name) };
-        let Some((kinds, at)) = calls::command(name).map(|c| c.defines) else { return };
+        let Some((kinds, at)) = crate::command(name).map(|c| c.defines) else { return };
         // A thing without a tag, or the one that is open: it is missed without its name.
         let whole = kinds.iter().filter(|kind| at == 0 || **kind == things::PATTERN);
         self.consequences.extend(whole.map(|kind| Absent::new(kind, "")));
@@ -153,7 +120,7 @@ pub(crate) fn report_ranges(interp: &mut Tcl) {
 pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let name = call.name();
     let name = name.rsplit("::").next().unwrap_or_default();
-    let Some(command) = calls::command(name) else {
+    let Some(command) = crate::command(name) else {
         return Err(Exception::error(format!("the command \"{name}\" was renamed, which a check does not follow")));
     };
     run_known(interp, command, call)
@@ -163,6 +130,9 @@ pub(crate) fn run_command(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 pub(crate) fn run_known(interp: &mut Tcl, command: &'static Command, call: &Call<'_>) -> Outcome {
     let noting = interp.host.index.is_some().then(|| call.noting());
     let call = noting.as_ref().unwrap_or(call);
+    if ends_recorders(command, call.args().first()) {
+        finish(interp);
+    }
     let result = match (command.run)(interp, call) {
         Err(Exception::Error(e)) => {
             let words: Vec<_> = call.args().iter().take(2).map(Value::as_str).collect();
@@ -179,18 +149,6 @@ pub(crate) fn run_known(interp: &mut Tcl, command: &'static Command, call: &Call
         index.note(command, call, result.is_ok());
     }
     result.or_else(|e| e.map_or(Ok(Value::EMPTY), Err))
-}
-
-/// A mistake that a command can go on with: a check reports it, a run is refused.
-pub(crate) fn go_on(interp: &mut Tcl, result: Result<(), Exception>) -> Result<(), Exception> {
-    match result {
-        Err(Exception::Error(e)) if interp.host.mode == Mode::Check => {
-            interp.host.check.rejected = true;
-            report(interp, e.diagnostic);
-            Ok(())
-        }
-        result => result,
-    }
 }
 
 /// Report a mistake, unless it only follows from one already reported.

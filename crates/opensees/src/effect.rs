@@ -18,6 +18,12 @@ pub enum Effect {
     ReadsState,
 }
 
+/// Returns true if no recorder is left after a call of a command; `first` is its first argument.
+pub(crate) fn ends_recorders(command: &Command, first: Option<&Value>) -> bool {
+    let removes_all = || command.name == "remove" && first.is_some_and(|w| w.as_str() == "recorders");
+    command.effect == Effect::Empties || removes_all()
+}
+
 /// Effect of a call of a command; `first` is its first argument. Recorders are not of the model.
 pub fn effect(command: &Command, first: Option<&Value>) -> Effect {
     let is_recorder = || first.is_some_and(|w| w.as_str().starts_with("recorder"));

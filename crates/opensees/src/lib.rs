@@ -11,6 +11,7 @@
 pub mod alone;
 mod analysis;
 mod args;
+mod call_numbers;
 pub mod calls;
 pub mod chart;
 mod check;
@@ -27,6 +28,7 @@ mod kind;
 mod load;
 pub mod lockstep;
 mod material;
+mod mistakes;
 mod model;
 pub mod opensees_names;
 mod output;
@@ -39,18 +41,17 @@ mod session;
 pub mod slips;
 mod text;
 pub mod things;
+mod watch;
 
 use args::Args;
 use effect::Effect;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Interp, Value, decode};
+use std::collections::HashMap;
 use std::io::{Error, ErrorKind};
+use std::sync::OnceLock;
 
-pub use analysis::continued::Continued;
-pub use analysis::isolator_damping::may_isolate;
-pub use analysis::overview::{Fact, Overview};
 pub use analysis::speeds::warn_of_speedless;
-pub use check::CheckState;
 pub use element::learned::{law_of_json, law_to_json, law_to_words};
 pub use element::{AMENDMENTS, AmendmentKind, AmendmentOption, numbers_of_element};
 pub use files::number_files::NumberFiles;
@@ -58,9 +59,13 @@ pub use files::outputs::{FileFormat, NoFiles, Outputs};
 pub use files::series::{DiskSeries, FileSeries};
 pub use host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 pub use kind::KindUsage;
+pub use mistakes::CheckState;
 pub use output::{AnalysedModel, Balances, ModelSize};
+pub use run::continued::Continued;
 pub use session::{ModelBuilder, Session};
 pub use text::{Arg, Domain, Text, WITHOUT_EFFECT};
+pub use watch::isolator_damping::may_isolate;
+pub use watch::overview::{Fact, Overview};
 
 /// The interpreter that the commands run in.
 pub type Tcl = Interp<Session>;
@@ -220,6 +225,19 @@ const FAMILIES: &[(&str, &[Command])] = &[
 /// The commands of all families.
 pub fn commands() -> impl Iterator<Item = &'static Command> {
     FAMILIES.iter().flat_map(|(_, commands)| *commands)
+}
+
+/// The command of a name.
+pub fn command(name: &str) -> Option<&'static Command> {
+    static KNOWN: OnceLock<HashMap<&'static str, &'static Command>> = OnceLock::new();
+    let all = || {
+        let mut known = HashMap::new();
+        for command in commands() {
+            known.entry(command.name).or_insert(command);
+        }
+        known
+    };
+    KNOWN.get_or_init(all).get(name).copied()
 }
 
 /// The commands on a page of the reference.

@@ -1,5 +1,6 @@
 //! A script from its file to its outcome.
 
+pub(crate) mod continued;
 mod elements;
 
 use crate::course::{self, Course};

@@ -1,9 +1,6 @@
 //! State that the OpenSees commands of a script work on.
 
-use crate::analysis::overview::Overview;
-use crate::analysis::plausibility::AnalysisChecks;
-use crate::calls::CallNumbers;
-use crate::check::CheckState;
+use crate::call_numbers::CallNumbers;
 use crate::course::Course;
 use crate::files::number_files::NumberFiles;
 use crate::files::outputs::Outputs;
@@ -11,6 +8,7 @@ use crate::host::{BeforeTransient, Mode, MotionObserver, OnWarning, Progress};
 use crate::index::Index;
 use crate::load::late_support::LateSupport;
 use crate::material::MaterialTests;
+use crate::mistakes::CheckState;
 use crate::model::parameter_change::{ParameterChanges, ScriptStart};
 use crate::output::Balances;
 use crate::output::model_file::Components;
@@ -20,6 +18,8 @@ use crate::recipes::WordsOfElement;
 use crate::section::fiber::ContinuumFiber;
 use crate::section::open::OpenSection;
 use crate::slips::Slip;
+use crate::watch::overview::Overview;
+use crate::watch::{AnalysisChecks, Checked};
 use hysteron_engine::analysis::algorithm::Algorithm;
 use hysteron_engine::analysis::integrator::Integrator;
 use hysteron_engine::analysis::{Engine, Failure, Kind, MatrixTerms, Options, ReactionKind, Test};
@@ -329,6 +329,15 @@ impl Session {
         self.changes = ParameterChanges::default();
         self.derives = false;
         finished
+    }
+
+    /// The checks before an analysis with steps of `dt` have been made, and stand until the next command.
+    pub(crate) fn note_checked(&mut self, kind: Kind, dt: f64) {
+        let is_plain = self.mode == Mode::Run
+            && !self.parts.variable_steps
+            && self.output.recorders.journal.is_none()
+            && self.changes.is_empty();
+        self.analysis_checks.passed = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
     }
 
     /// Keep the model in the index, before it is forgotten or at the end.

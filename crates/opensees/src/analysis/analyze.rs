@@ -254,7 +254,7 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 /// Give the messages about an analysis that has been made, and its code.
-pub(super) fn conclude(interp: &mut Tcl, call: &Call<'_>, done: Result<(), Failure>) -> Outcome {
+pub(crate) fn conclude(interp: &mut Tcl, call: &Call<'_>, done: Result<(), Failure>) -> Outcome {
     let printed = std::mem::take(&mut interp.host.output.recorders.printed);
     if !printed.is_empty() {
         crate::print_error(interp, &printed);

@@ -1,7 +1,7 @@
 //! Floors of a building that have no mass along a ground motion.
 
-use super::overview::short;
 use crate::checks;
+use crate::watch::overview::short;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::element::Mass;
 use hysteron_engine::model::{Model, NodeId, PatternKind};

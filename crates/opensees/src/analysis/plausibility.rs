@@ -1,6 +1,5 @@
 //! Warnings about analyses that run and mean nothing: each comes once, with a place.
 
-use super::continued::Checked;
 use super::{massless_floors, unloaded_bearings};
 use crate::checks;
 use crate::host::Mode;
@@ -24,25 +23,6 @@ const MAX_LOOSENESS: f64 = 0.01;
 const STABILITY_MARGIN: f64 = 1.001;
 /// Work beyond this that a step of the model may take for its highest frequency.
 const MAX_EQUATIONS: usize = 200_000;
-
-/// Patterns and steps that have been examined.
-#[derive(Debug, Default)]
-pub(crate) struct AnalysisChecks {
-    /// Analysis that a host may go on with, without the checks before it.
-    pub(crate) passed: Option<Checked>,
-    /// Patterns that a transient analysis has begun with.
-    patterns: BTreeSet<Tag>,
-    /// Revision of the model and step of time that were examined before an analysis. Scripts may call it for each step.
-    before: Option<(u64, f64)>,
-    /// Revision of the model and step for which the stability of an explicit integrator was examined.
-    stability: Option<(u64, f64)>,
-    /// Largest displacement at the ends of the analyses so far.
-    largest_displacement: f64,
-    /// Patterns that a static analysis under load control has applied.
-    static_patterns: BTreeSet<Tag>,
-    /// Euler loads of the beams of a revision of the model.
-    euler_loads: Option<(u64, Vec<(ElementId, f64)>)>,
-}
 
 /// Warn of what an analysis cannot mean, before its first step. `dt` is its step of time.
 pub(crate) fn before(interp: &mut Tcl, dt: f64, span: Option<Span>) -> Result<(), Exception> {
@@ -86,7 +66,7 @@ pub(crate) fn after(interp: &mut Tcl, span: Option<Span>) -> Result<(), Exceptio
 }
 
 /// Returns true if [`after`] has nothing to look at more closely.
-pub(super) fn is_plausible(session: &mut Session) -> bool {
+pub(crate) fn is_plausible(session: &mut Session) -> bool {
     (session.engine.excess.is_none() || session.warnings.has(&checks::analysis::EXCESS))
         && session.engine.loose_constraint(MAX_LOOSENESS, session.analysis_checks.largest_displacement).is_none()
         && euler_loads(session, |engine, loads| engine.buckled_beam(loads).is_none())

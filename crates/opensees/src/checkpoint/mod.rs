@@ -7,20 +7,17 @@
 //! A state that is kept and one that is restored go on to the same bits, because what is remembered of earlier steps is forgotten
 //! at the same steps in both runs: after fifty steps, and before a command that needs the state.
 
-mod format;
-mod journal;
-
 use crate::checks;
 use crate::effect::Effect;
+use crate::output::journal::format::{self, Ended, Event, Kept, Steps};
 use crate::output::recorders::Recorders;
-use crate::{Command, Outcome, Tcl, calls, commands, warn};
-use format::{Ended, Event, Kept, Steps};
+use crate::{Command, Outcome, Tcl, commands, warn};
 use hysteron_engine::analysis::{Cause, Engine, Failure, Kind};
 use hysteron_engine::bytes::checksum;
 use hysteron_tcl::diagnostic::Diagnostic;
 use hysteron_tcl::{Call, Exception, Value};
 
-pub use journal::{Journal, Keeping, Paths};
+pub use crate::output::journal::{Journal, Keeping, Paths};
 
 /// First bytes of a journal and of a checkpoint. The digest of the run follows.
 pub const MAGICS: [&[u8]; 2] = [format::JOURNAL, format::CHECKPOINT];
@@ -58,7 +55,7 @@ fn command(call: &Call<'_>) -> Result<&'static Command, Exception> {
     let name = call.name();
     let name = name.rsplit("::").next().unwrap_or_default();
     let renamed = || Exception::error(format!("the command \"{name}\" was renamed, which checkpoints do not follow"));
-    calls::command(name).ok_or_else(renamed)
+    crate::command(name).ok_or_else(renamed)
 }
 
 fn refused(call: &Call<'_>, why: &str) -> Exception {

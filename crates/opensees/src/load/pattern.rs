@@ -7,7 +7,6 @@ use crate::checks;
 use crate::host::Mode;
 use crate::load::series::{names_kind, series_of};
 use crate::model::nodes::{DOF, NODE, need_model, node_of};
-use crate::session::Session;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
@@ -389,7 +388,8 @@ fn load_const(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     }
     // Loads stay as an analysis has applied them, whatever the time has been set to since.
     let applied = interp.host.builder.loads_time.take();
-    let Session { engine, overview, mode, .. } = &mut interp.host;
+    let session = &mut interp.host;
+    let (engine, overview, mode) = (&mut session.engine, &mut session.overview, &mut session.mode);
     if *mode == Mode::Check {
         overview.keep_statics(engine);
     }

@@ -94,7 +94,6 @@ fn set_start_node_tag(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 }
 
 fn wipe(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
-    crate::check::finish(interp);
     let finished = interp.host.wipe();
     finished.map_err(|e| call.error_at(0, e.to_string(), "a recorder could not be finished"))?;
     Ok(Value::EMPTY)

@@ -46,7 +46,6 @@ fn remove(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             }
         }
         "recorders" => {
-            crate::check::finish(interp);
             let finished = interp.host.output.recorders.finish();
             finished.map_err(|e| a.refuse(e.to_string(), ""))?;
         }

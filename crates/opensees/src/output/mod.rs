@@ -5,6 +5,7 @@ pub(crate) mod collapse;
 pub(crate) mod display;
 pub(crate) mod figure;
 pub(crate) mod inventory;
+pub(crate) mod journal;
 pub(crate) mod loads;
 pub(crate) mod model_file;
 pub(crate) mod print;

@@ -4,7 +4,6 @@ use super::recorder::unknown_response;
 use crate::args::Args;
 use crate::checks;
 use crate::model::nodes::{DOF, NODE, node_of};
-use crate::session::Session;
 use crate::slips;
 use crate::text::Arg;
 use crate::things;
@@ -214,7 +213,8 @@ fn reactions(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         }
     }
     if interp.host.follows(&[slips::KEPT_REACTIONS]) {
-        let Session { engine, output, .. } = &mut interp.host;
+        let session = &mut interp.host;
+        let (engine, output) = (&mut session.engine, &mut session.output);
         let mut all = vec![];
         engine.reactions(output.reaction_kind, &mut all).map_err(|f| failed(call, &f))?;
         engine.keep_reactions(&all);

@@ -2,13 +2,13 @@
 
 use super::Balances;
 use super::collapse::Collapses;
-use crate::analysis::isolator_damping::IsolatorDamping;
-use crate::analysis::softening::BackboneWatch;
-use crate::checkpoint::Journal;
+use super::journal::Journal;
 use crate::checks;
 use crate::files::live::LiveFiles;
 use crate::host::{MotionObserver, Progress};
 use crate::things;
+use crate::watch::isolator_damping::IsolatorDamping;
+use crate::watch::softening::BackboneWatch;
 use hysteron_engine::analysis::{Engine, Observer};
 use hysteron_engine::model::Tag;
 use hysteron_engine::record::{Missing, RecordError, Recorder};

@@ -1,6 +1,8 @@
 //! The file of a run's events, and that of its last checkpoint.
 
-use super::format::{CHECKPOINT, Event, JOURNAL, Kept, Row, Steps, checkpoint, head, journal, read_checkpoint};
+pub(crate) mod format;
+
+use self::format::{CHECKPOINT, Event, JOURNAL, Kept, Row, Steps, checkpoint, head, journal, read_checkpoint};
 use crate::output::recorders::PlacedRecorder;
 use hysteron_engine::analysis::Engine;
 use hysteron_engine::bytes::Writer;
@@ -46,22 +48,22 @@ pub struct Journal {
     interval: Duration,
     last: Instant,
     /// Events of the earlier run that are still to be used. The last one is its checkpoint.
-    pub(super) earlier: VecDeque<Event>,
+    pub(crate) earlier: VecDeque<Event>,
     /// Digest of the files that the script has read so far.
     inputs: Box<dyn Fn() -> u64>,
     /// Analyses so far.
-    pub(super) calls: u64,
+    pub(crate) calls: u64,
     /// Rows that are in no event yet.
-    pub(super) rows: Vec<Row>,
+    pub(crate) rows: Vec<Row>,
     /// Events that are not written yet.
     pending: Writer,
     is_full: bool,
     /// Answers depend on an analysis that the journal knows.
-    pub(super) has_analysed: bool,
+    pub(crate) has_analysed: bool,
     /// The state of the engine has changed since the last one in the journal.
-    pub(super) is_stale: bool,
+    pub(crate) is_stale: bool,
     /// Steps since what is remembered of earlier ones was forgotten.
-    pub(super) since: usize,
+    pub(crate) since: usize,
 }
 
 /// Files and interval of checkpoints.
@@ -171,22 +173,22 @@ impl Journal {
         self.is_stale && !self.earlier.is_empty()
     }
 
-    pub(super) fn is_due(&self) -> bool {
+    pub(crate) fn is_due(&self) -> bool {
         !self.is_full && self.last.elapsed() >= self.interval
     }
 
-    pub(super) fn inputs(&self) -> u64 {
+    pub(crate) fn inputs(&self) -> u64 {
         (self.inputs)()
     }
 
     /// Add steps, with the rows that are noted.
-    pub(super) fn add_steps(&mut self, mut steps: Steps) -> Result<(), String> {
+    pub(crate) fn add_steps(&mut self, mut steps: Steps) -> Result<(), String> {
         steps.rows = std::mem::take(&mut self.rows);
         self.add(&Event::Steps(steps))
     }
 
     /// Add an event. A full journal takes none.
-    pub(super) fn add(&mut self, event: &Event) -> Result<(), String> {
+    pub(crate) fn add(&mut self, event: &Event) -> Result<(), String> {
         if self.is_full {
             return Ok(());
         }
@@ -207,7 +209,7 @@ impl Journal {
     }
 
     /// Keep a checkpoint. It is valid once it has its name, and so has all that it depends on.
-    pub(super) fn keep(&mut self, kept: &Kept) -> Result<(), String> {
+    pub(crate) fn keep(&mut self, kept: &Kept) -> Result<(), String> {
         self.write()?;
         if self.is_full {
             return Ok(());

@@ -7,8 +7,8 @@ use hysteron_engine::analysis::{Cause, Engine, Failure, SavedState};
 use hysteron_engine::bytes::{Reader, Writer};
 use hysteron_engine::model::Tag;
 
-pub(super) const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
-pub(super) const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x03";
+pub(crate) const JOURNAL: &[u8; 8] = b"hystjr\x00\x01";
+pub(crate) const CHECKPOINT: &[u8; 8] = b"hystcp\x00\x03";
 /// A file that is none of ours.
 const FOREIGN: &str = "it is no file of checkpoints of this version";
 const DAMAGED: &str = "it is damaged";
@@ -16,15 +16,15 @@ const OF_ANOTHER_RUN: &str = "it is that of a run with other arguments, options 
 
 /// A row of a recorder.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Row {
-    pub(super) recorder: Tag,
-    pub(super) time: f64,
-    pub(super) numbers: Vec<f64>,
+pub(crate) struct Row {
+    pub(crate) recorder: Tag,
+    pub(crate) time: f64,
+    pub(crate) numbers: Vec<f64>,
 }
 
 /// A failure as it can be written.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct WrittenFailure {
+pub(crate) struct WrittenFailure {
     kind: u64,
     numbers: [f64; 4],
     words: [String; 2],
@@ -52,7 +52,7 @@ impl From<&Failure> for WrittenFailure {
 
 impl WrittenFailure {
     /// The failure, of an engine with the same convergence test.
-    pub(super) fn of(self, engine: &Engine) -> Failure {
+    pub(crate) fn of(self, engine: &Engine) -> Failure {
         let ([norm, tolerance, iterations, time], [first, second]) = (self.numbers, self.words);
         let cause = match self.kind {
             0 => {
@@ -72,7 +72,7 @@ impl WrittenFailure {
 
 /// End of a part of an analysis.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Ended {
+pub(crate) enum Ended {
     /// The analysis goes on.
     Not,
     Done,
@@ -81,32 +81,32 @@ pub(super) enum Ended {
 
 /// Steps of a transient analysis.
 #[derive(Clone, Debug)]
-pub(super) struct Steps {
+pub(crate) struct Steps {
     /// Number of the analysis.
-    pub(super) call: u64,
+    pub(crate) call: u64,
     /// Steps that the analysis was asked for.
-    pub(super) asked: u64,
-    pub(super) dt: f64,
+    pub(crate) asked: u64,
+    pub(crate) dt: f64,
     /// Steps of the analysis so far.
-    pub(super) done: u64,
-    pub(super) ended: Ended,
-    pub(super) printed: String,
-    pub(super) rows: Vec<Row>,
+    pub(crate) done: u64,
+    pub(crate) ended: Ended,
+    pub(crate) printed: String,
+    pub(crate) rows: Vec<Row>,
 }
 
 /// A state of the engine, and what belongs to it.
 #[derive(Clone, Debug)]
-pub(super) struct Kept {
+pub(crate) struct Kept {
     /// Digest of the files that were read before.
-    pub(super) inputs: u64,
+    pub(crate) inputs: u64,
     /// Damping and force energies of the isolators.
-    pub(super) isolators: [f64; 2],
-    pub(super) state: SavedState,
+    pub(crate) isolators: [f64; 2],
+    pub(crate) state: SavedState,
 }
 
 /// An event of a run.
 #[derive(Clone, Debug)]
-pub(super) enum Event {
+pub(crate) enum Event {
     /// The result of a command that only asks; none if it raised an error.
     Answer {
         words: u64,
@@ -120,7 +120,7 @@ pub(super) enum Event {
 }
 
 /// First bytes of the journal of a run.
-pub(super) fn head(run: u64) -> Vec<u8> {
+pub(crate) fn head(run: u64) -> Vec<u8> {
     [&JOURNAL[..], &run.to_le_bytes()].concat()
 }
 
@@ -128,7 +128,7 @@ pub(super) fn head(run: u64) -> Vec<u8> {
 ///
 /// # Errors
 /// It is none, or damaged, or that of another run.
-pub(super) fn journal(bytes: &[u8], run: u64) -> Result<Vec<Event>, &'static str> {
+pub(crate) fn journal(bytes: &[u8], run: u64) -> Result<Vec<Event>, &'static str> {
     let mut r = Reader(bytes.strip_prefix(JOURNAL).ok_or(FOREIGN)?);
     if r.number().ok_or(FOREIGN)? != run {
         return Err(OF_ANOTHER_RUN);
@@ -145,7 +145,7 @@ pub(super) fn journal(bytes: &[u8], run: u64) -> Result<Vec<Event>, &'static str
 }
 
 /// The checkpoint of a run whose journal has this length.
-pub(super) fn checkpoint(run: u64, length: u64, kept: &Kept) -> Vec<u8> {
+pub(crate) fn checkpoint(run: u64, length: u64, kept: &Kept) -> Vec<u8> {
     let mut content = Writer::default();
     content.number(length);
     kept.write(&mut content);
@@ -158,7 +158,7 @@ pub(super) fn checkpoint(run: u64, length: u64, kept: &Kept) -> Vec<u8> {
 ///
 /// # Errors
 /// It is none, or damaged, or that of another run.
-pub(super) fn read_checkpoint(bytes: &[u8], run: u64) -> Result<(u64, Kept), &'static str> {
+pub(crate) fn read_checkpoint(bytes: &[u8], run: u64) -> Result<(u64, Kept), &'static str> {
     let mut r = Reader(bytes.strip_prefix(CHECKPOINT).ok_or(FOREIGN)?);
     if r.number().ok_or(FOREIGN)? != run {
         return Err(OF_ANOTHER_RUN);
@@ -182,7 +182,7 @@ impl Kept {
 }
 
 impl Event {
-    pub(super) fn write(&self, w: &mut Writer) {
+    pub(crate) fn write(&self, w: &mut Writer) {
         match self {
             Self::Answer { words, text } => {
                 w.0.push(if text.is_some() { 0 } else { 1 });

@@ -47,7 +47,7 @@ pub struct Overview {
 }
 
 /// A number with four digits.
-pub(super) fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     let size = x.abs();
     if size != 0.0 && !(1e-3..1e6).contains(&size) {
         return format!("{x:.3e}");

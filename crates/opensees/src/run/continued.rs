@@ -2,33 +2,15 @@
 //!
 //! The checks before its first step have the same outcome as those of the call before, and are passed over.
 
-use super::analyze::conclude;
-use super::plausibility;
+use super::Run;
 use crate::Outcome;
-use crate::calls;
-use crate::host::Mode;
-use crate::run::Run;
+use crate::analysis::analyze::conclude;
+use crate::analysis::plausibility;
+use crate::call_numbers::next_number;
 use crate::session::Session;
+use crate::watch::Checked;
 use hysteron_engine::analysis::{Failure, Kind};
 use hysteron_tcl::{Call, Value};
-
-/// Kind and steps of an analysis whose checks have found nothing to stop at.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Checked {
-    kind: Kind,
-    dt: f64,
-}
-
-impl Session {
-    /// The checks before an analysis with steps of `dt` have been made, and stand until the next command.
-    pub(super) fn note_checked(&mut self, kind: Kind, dt: f64) {
-        let is_plain = self.mode == Mode::Run
-            && !self.parts.variable_steps
-            && self.output.recorders.journal.is_none()
-            && self.changes.is_empty();
-        self.analysis_checks.passed = (is_plain && self.called_by_host).then_some(Checked { kind, dt });
-    }
-}
 
 /// Outcome of an analysis that was gone on with.
 pub enum Continued {
@@ -71,7 +53,7 @@ impl Run {
     /// It was interrupted, or a warning is an error.
     #[cold]
     pub fn conclude(&mut self, done: Result<(), Failure>, words: &[Value]) -> Outcome {
-        let (source, number) = calls::next_number(&mut self.interp);
+        let (source, number) = next_number(&mut self.interp);
         conclude(&mut self.interp, &Call::numbered(words, source, number), done)
     }
 }
