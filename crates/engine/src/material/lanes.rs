@@ -3,7 +3,7 @@
 //! The histories of the points stand one quantity after the other. A block of points is brought into arrays, over which
 //! the law loops.
 
-use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use super::{MaterialError, MaterialResult, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{BLOCK, Lanes, copy_back, in_lanes, load};
 use crate::state_struct::StateStruct as _;
 
@@ -188,7 +188,7 @@ macro_rules! updates_blocks {
             strains: &$crate::material::Strains<'_>,
             next: &mut [f64],
             stresses: &mut $crate::material::Stresses<'_>,
-        ) -> Result<(), $crate::material::MaterialError> {
+        ) -> $crate::material::MaterialResult {
             $crate::material::lanes::update_blocks(self, committed, strains, next, stresses)
         }
     };
@@ -205,7 +205,7 @@ pub(crate) fn update_blocks<L: BlockLaw<Q>, const Q: usize>(
     strains: &Strains<'_>,
     next: &mut [f64],
     stresses: &mut Stresses<'_>,
-) -> Result<(), MaterialError> {
+) -> MaterialResult {
     let n = strains.value.len();
     if let ([value], [rate]) = (strains.value, strains.rate) {
         // A single point, whose layout is that of one.

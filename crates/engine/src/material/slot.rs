@@ -1,6 +1,6 @@
 //! Storage of a material's state in an element, with the responses that every material has.
 
-use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
+use super::{Material, MaterialResult, Strain, Strains, Stress, Stresses};
 use crate::numeric::wide::Wide;
 use crate::parameter::ParameterError;
 use crate::probe::Probe;
@@ -145,7 +145,7 @@ impl Slot {
     /// # Errors
     /// The law has no response at this strain.
     #[inline(always)]
-    pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {
+    pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> MaterialResult<Stress> {
         let (was, old) = committed[self.at..].split_at(HEADER);
         let (head, new) = trial[self.at..].split_at_mut(HEADER);
         let s = match self.linear {
@@ -176,7 +176,7 @@ impl Slot {
         strains: &Strains<'_>,
         trial: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = strains.value.len();
         let (was, old) = committed.split_at(HEADER * n);
         let (head, new) = trial.split_at_mut(HEADER * n);

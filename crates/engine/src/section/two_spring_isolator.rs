@@ -3,7 +3,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult};
 use crate::state_struct::StateStruct;
 use nalgebra::{SMatrix, SVector};
 
@@ -117,7 +117,7 @@ impl Section for TwoSpringIsolator {
         History::LEN
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, next, s, k, .. } = step;
         let c = History::read(committed);
         let (u, h) = ([e[0], e[1]], self.height);

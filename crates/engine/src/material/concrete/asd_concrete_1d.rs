@@ -2,7 +2,7 @@
 //! of `ASDConcrete1D`, after Petracca and others, 2017).
 
 use crate::material::multiaxial::{CurvePoint, Extrapolation, HardeningCurve};
-use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, MaterialResult, Strain, Stress, UniaxialLaw, finite};
 use crate::probe::Probe;
 
 /// Parameters of the concrete.
@@ -117,7 +117,7 @@ impl UniaxialLaw for AsdConcrete1d {
     type State = History;
     const NAME: &'static str = "ASDConcrete1D";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (implicit, tangent) = self.solve(c, strain.value, strain.dt, None);
         let Some(extrapolation) = self.extrapolation else {
             return finite(Self::NAME, strain.value, implicit.stress, tangent, implicit);

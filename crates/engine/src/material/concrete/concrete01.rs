@@ -2,7 +2,7 @@
 
 use crate::material::concrete::karsan_jirsa::{permanent_strain, unloading_line};
 use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
 
@@ -146,7 +146,7 @@ impl UniaxialLaw for Concrete01 {
     const NAME: &'static str = "Concrete01";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut words = [0.0; History::LEN];
         c.write(&mut words);
         let (next, value, tangent) = self.response::<true>(words, strain.value);

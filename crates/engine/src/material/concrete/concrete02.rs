@@ -1,7 +1,7 @@
 //! Concrete with tension softening: Yassin.
 
 use crate::material::lanes::{PointLaw, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -156,7 +156,7 @@ impl UniaxialLaw for Concrete02 {
     const NAME: &'static str = "Concrete02";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         Ok(self.respond_to(c, strain.value))
     }
 

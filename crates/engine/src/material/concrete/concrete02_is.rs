@@ -2,7 +2,7 @@
 
 use crate::material::concrete::concrete02::{Envelope, FLAT_TANGENT, History};
 use crate::material::concrete::popovics;
-use crate::material::{Concrete02, MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{Concrete02, MaterialResult, Strain, Stress, UniaxialLaw, finite};
 use crate::state_struct::StateStruct;
 
 /// [`Concrete02`] with an initial modulus.
@@ -34,7 +34,7 @@ impl UniaxialLaw for Concrete02Is {
     type State = History;
     const NAME: &'static str = "Concrete02IS";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut words = [0.0; History::LEN];
         c.write(&mut words);
         let (next, value, tangent) = self.cycle(words, strain.value);

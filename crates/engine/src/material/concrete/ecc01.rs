@@ -1,6 +1,6 @@
 //! Engineered cementitious composite, ductile in tension (Han, Feenstra and Billington, 2003).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Exponent of the curve before the peak in compression.
 const PRE_PEAK: f64 = 5.0;
@@ -172,7 +172,7 @@ impl UniaxialLaw for Ecc01 {
     type State = History;
     const NAME: &'static str = "ECC01";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         use branch::*;
         let e = strain.value;
         let mut t = History { strain: e, ..*c };

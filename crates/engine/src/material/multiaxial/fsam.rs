@@ -3,7 +3,9 @@
 
 use super::plain_methods::plain_methods;
 use super::{Multiaxial, PLANE, Tangent};
-use crate::material::{ConcreteCm, ConcreteHistory, Material, MaterialError, Slot, Strain, UniaxialLaw};
+use crate::material::{
+    ConcreteCm, ConcreteHistory, Material, MaterialResult, MultiaxialResult, Slot, Strain, UniaxialLaw,
+};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::state_struct;
@@ -138,7 +140,7 @@ impl Fsam {
         strains: [f64; 2],
         histories: &[ConcreteHistory; 2],
         peaks: &mut [f64; 2],
-    ) -> Result<(Local, [ConcreteHistory; 2]), MaterialError> {
+    ) -> MaterialResult<(Local, [ConcreteHistory; 2])> {
         let mut local = Local { stress: [0.0; PLANE], tangent: [[0.0; PLANE]; PLANE], shown: [[0.0; 2]; 2] };
         let (mut next, before) = (*histories, *peaks);
         for i in 0..2 {
@@ -156,7 +158,7 @@ impl Fsam {
     }
 
     /// Concrete before the first crack, in the directions of the principal strains. The angle is theirs.
-    fn uncracked(&self, e: &[f64; PLANE], peaks: &mut [f64; 2]) -> Result<(Local, f64, [f64; 2]), MaterialError> {
+    fn uncracked(&self, e: &[f64; PLANE], peaks: &mut [f64; 2]) -> MaterialResult<(Local, f64, [f64; 2])> {
         let difference = e[0] - e[1];
         let angle = 0.5 * if e[2] == 0.0 && difference == 0.0 { FRAC_PI_2 } else { (e[2] / difference).atan() };
         let [along, beside, _] = times(&rotation(angle), e);
@@ -171,7 +173,7 @@ impl Fsam {
     }
 
     /// Concrete with a crack across the direction `angle`.
-    fn cracked(&self, angle: f64, e: &[f64; PLANE], strut: &mut Strut) -> Result<Local, MaterialError> {
+    fn cracked(&self, angle: f64, e: &[f64; PLANE], strut: &mut Strut) -> MaterialResult<Local> {
         let [along, beside, slip] = times(&rotation(angle), e);
         let (mut local, histories) =
             self.pair(&self.concrete, [along, beside], &strut.concrete.clone(), &mut strut.peaks)?;
@@ -208,7 +210,7 @@ impl Fsam {
         e: &[f64; PLANE],
         state: &mut PanelState,
         (stress, tangent): (&mut [f64; PLANE], &mut Tangent<PLANE>),
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let both = state.cracks > 1.0;
         let angles = [state.angle, across(state.angle)];
         for (i, angle) in angles.into_iter().enumerate().take(if both { 2 } else { 1 }) {
@@ -253,7 +255,7 @@ impl Fsam {
         (angle, principal): (f64, [f64; 2]),
         state: &mut PanelState,
         concrete: &mut [f64; PLANE],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let opened = match state.cracks {
             0.0 => principal[0].max(principal[1]) >= self.concrete.tension.strain,
             // The strain along the first crack has left the envelope in tension.
@@ -301,13 +303,7 @@ impl Multiaxial<PLANE> for Fsam {
         self.parameters.ratios[0]
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; PLANE],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; PLANE], Tangent<PLANE>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; PLANE], dt: f64, next: &mut [f64]) -> MultiaxialResult<PLANE> {
         let mut state = PanelState { strain: *e, ..PanelState::read(committed) };
         let (mut concrete, mut tangent) = ([0.0; PLANE], [[0.0; PLANE]; PLANE]);
         let mut principal = (0.0, [0.0; 2]);

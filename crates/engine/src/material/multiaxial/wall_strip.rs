@@ -1,7 +1,7 @@
 //! Horizontal strain of a wall from its shear strain.
 
 use super::{Multiaxial, PLANE, STRIP, SharedMultiaxial, Tangent};
-use crate::material::MaterialError;
+use crate::material::MultiaxialResult;
 use crate::probe::Probe;
 use std::sync::Arc;
 
@@ -76,13 +76,7 @@ impl Multiaxial<STRIP> for WallStrip {
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<STRIP>> {
         Some(Arc::new(Self { panel: self.panel.of_length(length)?, limit: self.limit }))
     }
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; STRIP],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; STRIP], Tangent<STRIP>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; STRIP], dt: f64, next: &mut [f64]) -> MultiaxialResult<STRIP> {
         let (strains, slope) = self.strains(*e);
         let ([_, vertical, shear], tangent) = self.panel.update(committed, &strains, dt, next)?;
         Ok(([vertical, shear], Self::tangent(&tangent, slope)))

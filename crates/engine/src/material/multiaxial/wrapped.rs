@@ -2,7 +2,7 @@
 
 use super::plain_methods::{plain_methods, properties_of_inner};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use nalgebra::{SMatrix, SVector};
@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-14;
 ///
 /// # Errors
 /// The law has no stress on the way, no stiffness, or does not reach the stress.
-pub fn strain_of_stress(law: &SharedMultiaxial<SOLID>, stress: &[f64; SOLID]) -> Result<[f64; SOLID], MaterialError> {
+pub fn strain_of_stress(law: &SharedMultiaxial<SOLID>, stress: &[f64; SOLID]) -> MaterialResult<[f64; SOLID]> {
     let mut state = vec![0.0; law.state_len()];
     law.init(&mut state);
     let (mut next, mut strain) = (state.clone(), [0.0; SOLID]);
@@ -64,13 +64,7 @@ impl Multiaxial<SOLID> for InitialStrain {
         false
     }
     properties_of_inner! { law }
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         self.law.update(committed, &std::array::from_fn(|i| e[i] + self.strain[i]), dt, next)
     }
     fn initial_tangent(&self) -> Tangent<SOLID> {
@@ -124,7 +118,7 @@ impl Multiaxial<SOLID> for ParallelSolids {
         e: &[f64; SOLID],
         dt: f64,
         mut next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    ) -> MultiaxialResult<SOLID> {
         let (mut stress, mut tangent) = ([0.0; SOLID], [[0.0; SOLID]; SOLID]);
         for (law, weight) in self.laws.iter() {
             let (own, rest) = committed.split_at(law.state_len());

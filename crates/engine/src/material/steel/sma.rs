@@ -1,7 +1,7 @@
 //! Superelastic shape-memory alloy with linear transformations (Auricchio, Taylor and Lubliner, 1997).
 
 use crate::material::lanes::{PointLaw, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct as _;
 
@@ -80,7 +80,7 @@ impl UniaxialLaw for Sma {
     const NAME: &'static str = "SMA";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         Ok(self.respond_to(c, strain.value))
     }
 

@@ -1,7 +1,7 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
 use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -77,7 +77,7 @@ impl UniaxialLaw for Steel01 {
     const NAME: &'static str = "Steel01";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut words = [0.0; History::LEN];
         c.write(&mut words);
         let (next, value, tangent, turns) = self.response(words, strain.value);

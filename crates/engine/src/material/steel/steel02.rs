@@ -1,7 +1,7 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
 use crate::material::lanes::{BlockLaw, LaneInput, Response, no_stress, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
 use crate::numeric::sign;
@@ -219,7 +219,7 @@ impl UniaxialLaw for Steel02 {
     const NAME: &'static str = "Steel02";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let Some(mut t) = self.branch(c, strain.value) else {
             return Ok((Stress { value: self.sig_init, tangent: self.e0, damping: 0.0 }, *c));
         };

@@ -1,6 +1,6 @@
 //! Steel of a buckling-restrained brace.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
 use crate::probe::Probe;
 
@@ -71,7 +71,7 @@ impl SteelBrb {
 
     /// Loads from zero stress, or from a stress with the sign of the increment. Returns the plastic increment and the
     /// tangent.
-    fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> Result<(f64, f64), MaterialError> {
+    fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> MaterialResult<(f64, f64)> {
         // The residual x - share |de| increases with the plastic strain x along the increment.
         let sign = de.signum();
         let residual = |x: f64| {
@@ -94,7 +94,7 @@ impl UniaxialLaw for SteelBrb {
     type State = History;
     const NAME: &'static str = "SteelBRB";
 
-    fn update(&self, old: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, old: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let de = strain.value - old.strain;
         let elastic = old.stress + self.e * de;
         let unloads = old.stress * de < 0.0;

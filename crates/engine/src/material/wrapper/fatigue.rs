@@ -1,7 +1,7 @@
 //! Low-cycle fatigue around another material.
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
+use crate::material::{Material, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
 
@@ -178,13 +178,7 @@ impl Wrapper for FatigueCount {
     fn init(&self, own: &mut [f64], _: &[Slot]) {
         Cycles::default().write(own);
     }
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let old = Cycles::read(committed);
         let s = inner[0].update(committed, strain, next)?;
         let failed = old.failed != 0.0;

@@ -3,7 +3,8 @@
 use super::{PLATE_ORDER, PlateSection, PlateTangent, SHEAR_FACTOR};
 use crate::material::multiaxial::plain_methods::plain_methods;
 use crate::material::{
-    CHARACTERISTIC_LENGTH, LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent,
+    CHARACTERISTIC_LENGTH, LAYER, Material, MaterialResult, Multiaxial, MultiaxialResult, PLANE, SharedMultiaxial,
+    Slot, Strain, Tangent,
 };
 use crate::probe::Probe;
 use std::ops::Range;
@@ -65,13 +66,7 @@ impl Multiaxial<LAYER> for PlateRebar {
         self.bar.read(path, state, out);
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; LAYER],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; LAYER], dt: f64, next: &mut [f64]) -> MultiaxialResult<LAYER> {
         let value = self.direction.iter().zip(e).map(|(a, e)| a * e).sum();
         let stress = self.bar.update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok((self.direction.map(|a| a * stress.value), self.tangent(stress.tangent)))
@@ -139,13 +134,7 @@ impl Multiaxial<LAYER> for PlateFromPlaneStress {
         self.membrane.read(path, state, out);
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; LAYER],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; LAYER], dt: f64, next: &mut [f64]) -> MultiaxialResult<LAYER> {
         let ([s11, s22, s12], tangent) = self.membrane.update(committed, &[e[0], e[1], e[2]], dt, next)?;
         Ok(([s11, s22, s12, self.shear * e[3], self.shear * e[4]], self.with_shear(&tangent)))
     }
@@ -286,7 +275,7 @@ impl PlateSection for LayeredPlate {
         next: &mut [f64],
         s: &mut [f64; PLATE_ORDER],
         k: &mut PlateTangent,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let (root, mut at) = (self.root, 0);
         for layer in &self.layers {
             let strain = self.strain(layer, e);

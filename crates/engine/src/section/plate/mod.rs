@@ -7,7 +7,7 @@
 mod layered;
 mod response;
 
-use crate::material::{LAYER, MaterialError, WatchesColumns};
+use crate::material::{LAYER, MaterialResult, WatchesColumns};
 use std::fmt;
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ pub trait PlateSection: WatchesColumns + fmt::Debug + Send + Sync {
         next: &mut [f64],
         s: &mut [f64; PLATE_ORDER],
         k: &mut PlateTangent,
-    ) -> Result<(), MaterialError>;
+    ) -> MaterialResult;
 
     /// Tangent of the virgin section.
     fn initial_stiffness(&self) -> PlateTangent;
@@ -113,7 +113,7 @@ impl PlateSection for ElasticPlate {
         _: &mut [f64],
         s: &mut [f64; PLATE_ORDER],
         k: &mut PlateTangent,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let stiffness = self.initial_stiffness();
         for ((s, row), k) in s.iter_mut().zip(&stiffness).zip(k) {
             *s += row.iter().zip(e).map(|(k, e)| k * e).sum::<f64>();

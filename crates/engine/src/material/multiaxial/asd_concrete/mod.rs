@@ -5,8 +5,8 @@ mod curve;
 
 use super::simplified_j2::isotropic_stiffness;
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, linear};
-use crate::material::MaterialError;
 use crate::material::multiaxial::plain_methods::plain_methods;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
 use crate::probe::Probe;
 use crate::state_struct;
@@ -114,7 +114,7 @@ impl AsdConcrete {
         (alpha * sum + (3.0 * second).sqrt() + beta * s1.max(0.0) - gamma * (-s1).max(0.0)) / (1.0 - alpha)
     }
 
-    fn split(&self, stress: &[f64; SOLID]) -> Result<Split, MaterialError> {
+    fn split(&self, stress: &[f64; SOLID]) -> MaterialResult<Split> {
         let [s11, s22, s33, s12, s23, s31] = *stress;
         let matrix = Matrix3::new(s11, s12, s31, s12, s22, s23, s31, s23, s33);
         let eigen = SymmetricEigen::try_new(matrix, f64::EPSILON, MAX_ITERATIONS)
@@ -172,13 +172,7 @@ impl AsdConcrete {
     }
 
     /// Stress and state for a strain. `explicit` extrapolates the equivalent strains.
-    fn solve(
-        &self,
-        c: &ConcreteState,
-        e: &[f64; SOLID],
-        dt: f64,
-        explicit: bool,
-    ) -> Result<ConcreteState, MaterialError> {
+    fn solve(&self, c: &ConcreteState, e: &[f64; SOLID], dt: f64, explicit: bool) -> MaterialResult<ConcreteState> {
         let mut next = ConcreteState { strain: *e, before: c.equivalent, begun: 1.0, ..*c };
         next.steps = if c.begun == 0.0 { [dt, dt] } else { [dt, c.steps[1]] };
         let step: [f64; SOLID] = std::array::from_fn(|i| e[i] - c.strain[i]);
@@ -239,7 +233,7 @@ impl AsdConcrete {
         e: &[f64; SOLID],
         dt: f64,
         stress: &[f64; SOLID],
-    ) -> Result<Tangent<SOLID>, MaterialError> {
+    ) -> MaterialResult<Tangent<SOLID>> {
         let step = self.tension.perturbation(&self.compression);
         let mut tangent = [[0.0; SOLID]; SOLID];
         for j in 0..SOLID {
@@ -277,13 +271,7 @@ impl Multiaxial<SOLID> for AsdConcrete {
         self.rho
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let c = ConcreteState::read(committed);
         let implicit = self.solve(&c, e, dt, false)?;
         implicit.write(next);

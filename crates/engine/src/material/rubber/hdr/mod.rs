@@ -7,7 +7,7 @@ mod thermal;
 
 use crate::material::roles::{LawResponses, UniaxialRoles};
 use crate::material::wrapper::softening::{Peak, Softening};
-use crate::material::{MaterialError, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::numeric::{Dual, sign};
 use crate::probe::Probe;
 use crate::state_struct::StateStruct;
@@ -159,7 +159,7 @@ impl HdrRheology {
         law: &Branches,
         strain: Dual,
         time: f64,
-    ) -> Result<(TrialState, f64), MaterialError> {
+    ) -> MaterialResult<(TrialState, f64)> {
         let mut slip_eq = old.slip_eq;
         let trial = law.c1 * (strain - slip_eq);
         if trial.value.abs() > law.tau_cr.value && law.c1.value > 0.0 {
@@ -178,7 +178,7 @@ impl HdrRheology {
     }
 
     /// Parameters at a temperature.
-    fn parameters(&self, temperature: Dual) -> Result<[Dual; 10], MaterialError> {
+    fn parameters(&self, temperature: Dual) -> MaterialResult<[Dual; 10]> {
         if self.thermal.is_some() && !self.hold_ends {
             self.compound.at(temperature.value).map_err(|e| MaterialError(format!("HDRRheology: {e}")))?;
         }
@@ -186,13 +186,7 @@ impl HdrRheology {
     }
 
     /// One substep.
-    fn substep(
-        &self,
-        old: &TrialState,
-        strain: Dual,
-        time: f64,
-        modes: &mut [f64],
-    ) -> Result<TrialState, MaterialError> {
+    fn substep(&self, old: &TrialState, strain: Dual, time: f64, modes: &mut [f64]) -> MaterialResult<TrialState> {
         let peak = self.softening.map_or(old.peak, |s| s.advance(old.peak, strain, time));
         let (before, after) = (self.factor(old.peak), self.factor(peak));
         let mut end = old.temperature;
@@ -242,7 +236,7 @@ impl HdrRheology {
         time: f64,
         substeps: f64,
         modes: &mut [f64],
-    ) -> Result<(TrialState, f64), MaterialError> {
+    ) -> MaterialResult<(TrialState, f64)> {
         let (mut point, mut largest_rise) = (*old, 0.0f64);
         for i in 1..=substeps as usize {
             let share = i as f64 / substeps;
@@ -309,7 +303,7 @@ impl Uniaxial for HdrRheology {
         let peak = self.softening.map_or(0.0, |s| s.virgin().ever);
         History { temperature: self.ambient, peak, ever: peak, ..History::default() }.write(state);
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let old = TrialState::new(&History::read(committed));
         let gamma = Dual { value: strain.value / self.height, slope: 1.0 };
         // Negative steps of LoadControl remove a load, and they take time too.
