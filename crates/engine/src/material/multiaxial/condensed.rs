@@ -1,6 +1,6 @@
 //! Laws of which some strains are zero, and some follow from stresses that are zero.
 
-use super::plain_methods::properties_of_inner;
+use super::plain_methods::inner_methods;
 use super::{
     BEAM_FIBRE, Elastic, LAYER, Multiaxial, PLANE, PLANE_BEAM_FIBRE, SOLID, STRIP, SharedMultiaxial, THICK_PLANE,
     Tangent,
@@ -225,10 +225,7 @@ impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
         own.fill(0.0);
         self.law.init(history);
     }
-    fn is_linear(&self) -> bool {
-        self.law.is_linear()
-    }
-    properties_of_inner! { law }
+    inner_methods! { law: is_linear is_symmetric properties }
 
     fn update(&self, committed: &[f64], e: &[f64; N], dt: f64, next: &mut [f64]) -> MultiaxialResult<N> {
         let (stress, tangent) = self.solve(committed, e, dt, next)?;

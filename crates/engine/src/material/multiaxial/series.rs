@@ -1,6 +1,6 @@
 //! Laws in space in series: one stress, and strains that add up with weights.
 
-use super::plain_methods::{plain_methods, properties_of_inner};
+use super::plain_methods::{inner_methods, plain_methods};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::probe::Probe;
@@ -132,10 +132,7 @@ impl Multiaxial<SOLID> for SeriesSolids {
         strains.fill(0.0);
         self.laws.init(rest);
     }
-    fn is_linear(&self) -> bool {
-        self.laws.is_linear()
-    }
-    properties_of_inner! { laws }
+    inner_methods! { laws: is_linear is_symmetric properties }
 
     fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let (old, histories) = committed.split_at(self.strains());

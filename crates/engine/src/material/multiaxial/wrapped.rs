@@ -1,10 +1,9 @@
 //! Laws in space around others: an initial strain, and a weighted sum.
 
-use super::plain_methods::{plain_methods, properties_of_inner};
+use super::plain_methods::{inner_methods, plain_methods};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
 use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
-use crate::probe::Probe;
 use nalgebra::{SMatrix, SVector};
 use std::sync::Arc;
 
@@ -54,16 +53,10 @@ crate::watches_columns!(InitialStrain => |s| in [&s.law]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for InitialStrain {
-    fn state_len(&self) -> usize {
-        self.law.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.law.init(state);
-    }
     fn is_linear(&self) -> bool {
         false
     }
-    properties_of_inner! { law }
+    inner_methods! { law: storage is_symmetric properties responses }
     fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         self.law.update(committed, &std::array::from_fn(|i| e[i] + self.strain[i]), dt, next)
     }
@@ -75,12 +68,6 @@ impl Multiaxial<SOLID> for InitialStrain {
     }
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
         Some(Arc::new(Self { law: self.law.of_length(length)?, ..self.clone() }))
-    }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.law.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.law.read(path, state, out);
     }
 }
 
@@ -96,22 +83,7 @@ crate::watches_columns!(ParallelSolids => |s| in [&s.laws]);
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for ParallelSolids {
     plain_methods! { SOLID: shown_stress }
-    fn state_len(&self) -> usize {
-        self.laws.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.laws.init(state);
-    }
-    fn is_linear(&self) -> bool {
-        self.laws.is_linear()
-    }
-    properties_of_inner! { laws }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.laws.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.laws.read(path, state, out);
-    }
+    inner_methods! { laws: storage is_linear is_symmetric properties responses }
     fn update(
         &self,
         mut committed: &[f64],
