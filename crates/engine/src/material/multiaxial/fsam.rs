@@ -7,7 +7,7 @@ use crate::material::{
     ConcreteCm, ConcreteHistory, Material, MaterialResult, MultiaxialResult, Slot, Strain, UniaxialLaw,
 };
 use crate::numeric::axpy;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 use std::f64::consts::FRAC_PI_2;
@@ -344,54 +344,44 @@ impl Multiaxial<PLANE> for Fsam {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let name = words.first()?.to_lowercase();
-        let plane = |stem: &str| [11, 22, 12].map(|i| format!("{stem}{i}"));
-        let pair = || ["eps11", "sig11"];
-        Some(match name.as_str() {
-            "panel_strain" => Probe::new(STRAIN, plane("eps")),
-            "panel_stress" => Probe::new(STRESS, plane("sigma")),
-            "panel_stress_concrete" => Probe::new(CONCRETE, plane("sigma")),
-            "panel_stress_steel" => Probe::new(STEEL, plane("sigma")),
-            "strain_stress_steelx" => Probe::new(BAR, pair()),
-            "strain_stress_steely" => Probe::new(BAR + 1, pair()),
-            "strain_stress_concrete1" => Probe::new(STRUT, pair()),
-            "strain_stress_concrete2" => Probe::new(STRUT + 1, pair()),
-            "strain_stress_interlock1" => Probe::new(INTERLOCK, pair()),
-            "strain_stress_interlock2" => Probe::new(INTERLOCK + 1, pair()),
-            "cracking_angles" => Probe::new(ANGLES, ["alpha", "beta"]),
-            _ => return None,
-        })
+        Response::find(&RESPONSES, &words.first()?.to_lowercase())
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let s = PanelState::read(state);
-        let [concrete, steel] = s.parts;
-        match path[0] {
-            STRAIN => out.copy_from_slice(&s.strain),
-            STRESS => out.iter_mut().zip(concrete).zip(steel).for_each(|((out, c), s)| *out = c + s),
-            CONCRETE => out.copy_from_slice(&concrete),
-            STEEL => out.copy_from_slice(&steel),
-            STRUT | STRUT_ACROSS => out.copy_from_slice(&s.shown[(path[0] - STRUT) as usize]),
-            BAR | BAR_ALONG_Y => {
-                let bar = &self.bars[(path[0] - BAR) as usize];
-                out.copy_from_slice(&[bar.strain(state), bar.stress(state)]);
-            }
-            ANGLES => {
-                let second = if s.cracks > 1.0 { across(s.angle) } else { UNCRACKED_ANGLE };
-                out.copy_from_slice(&[s.angle, second]);
-            }
-            kind => out.copy_from_slice(&s.struts[(kind - INTERLOCK) as usize].slip),
-        }
+        Response::read(&RESPONSES, path[0], self, state, out);
     }
 }
 
-const STRAIN: u32 = 1;
-const STRESS: u32 = 2;
-const CONCRETE: u32 = 3;
-const STEEL: u32 = 4;
-const BAR: u32 = 5;
-const BAR_ALONG_Y: u32 = 6;
-const STRUT: u32 = 7;
-const STRUT_ACROSS: u32 = 8;
-const INTERLOCK: u32 = 9;
-const ANGLES: u32 = 11;
+const STRAINS: [&str; PLANE] = ["eps11", "eps22", "eps12"];
+const STRESSES: [&str; PLANE] = ["sigma11", "sigma22", "sigma12"];
+const PAIR: [&str; 2] = ["eps11", "sig11"];
+
+const RESPONSES: [Response<Fsam>; 11] = [
+    Response::new(&["panel_strain"], &STRAINS, |_, s, out| out.copy_from_slice(&PanelState::read(s).strain)),
+    Response::new(&["panel_stress"], &STRESSES, |p, s, out| out.copy_from_slice(&p.shown_stress(s, [0.0; PLANE]))),
+    Response::new(&["panel_stress_concrete"], &STRESSES, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).parts[0])
+    }),
+    Response::new(&["panel_stress_steel"], &STRESSES, |_, s, out| out.copy_from_slice(&PanelState::read(s).parts[1])),
+    Response::new(&["strain_stress_steelx"], &PAIR, |p, s, out| p.show_bar(0, s, out)),
+    Response::new(&["strain_stress_steely"], &PAIR, |p, s, out| p.show_bar(1, s, out)),
+    Response::new(&["strain_stress_concrete1"], &PAIR, |_, s, out| out.copy_from_slice(&PanelState::read(s).shown[0])),
+    Response::new(&["strain_stress_concrete2"], &PAIR, |_, s, out| out.copy_from_slice(&PanelState::read(s).shown[1])),
+    Response::new(&["strain_stress_interlock1"], &PAIR, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).struts[0].slip);
+    }),
+    Response::new(&["strain_stress_interlock2"], &PAIR, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).struts[1].slip);
+    }),
+    Response::new(&["cracking_angles"], &["alpha", "beta"], |_, s, out| {
+        let s = PanelState::read(s);
+        out.copy_from_slice(&[s.angle, if s.cracks > 1.0 { across(s.angle) } else { UNCRACKED_ANGLE }]);
+    }),
+];
+
+impl Fsam {
+    /// Strain and stress of a bar.
+    fn show_bar(&self, bar: usize, state: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(&[self.bars[bar].strain(state), self.bars[bar].stress(state)]);
+    }
+}

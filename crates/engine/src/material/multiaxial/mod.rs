@@ -22,8 +22,8 @@ use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
-pub(super) use asd_concrete::CurvePoint;
 pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
+pub(super) use asd_concrete::{RESPONSES as CONCRETE_RESPONSES, ReachedPoints};
 pub use beam_j2::BeamJ2;
 pub use condensed::Condensed;
 pub use family::NdMaterial;

@@ -2,7 +2,7 @@
 
 use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 
 /// Maximum number of iterations for the plastic strain; bisection alone needs fewer.
 const MAX_ITERATIONS: u32 = 200;
@@ -125,14 +125,15 @@ impl UniaxialLaw for SteelBrb {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        Some(match *words.first()? {
-            "cumPlasticStrain" => Probe::new(0, ["cumPlasticStrain"]),
-            "dissipatedEnergy" => Probe::new(1, ["dissipatedEnergy"]),
-            _ => return None,
-        })
+        Response::find(&RESPONSES, words.first()?)
     }
 
     fn read(&self, path: &[u32], state: &History, out: &mut [f64]) {
-        out[0] = if path[0] == 0 { state.cumulative } else { state.dissipated };
+        Response::read(&RESPONSES, path[0], self, state, out);
     }
 }
+
+const RESPONSES: [Response<SteelBrb, History>; 2] = [
+    Response::new(&["cumPlasticStrain"], &["cumPlasticStrain"], |_, s, out| out[0] = s.cumulative),
+    Response::new(&["dissipatedEnergy"], &["dissipatedEnergy"], |_, s, out| out[0] = s.dissipated),
+];

@@ -8,10 +8,11 @@ use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, linear};
 use crate::material::multiaxial::plain_methods::plain_methods;
 use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
-pub(in crate::material) use curve::CurvePoint;
+use curve::CurvePoint;
+pub(in crate::material) use curve::{RESPONSES, ReachedPoints};
 use nalgebra::{Matrix3, SymmetricEigen};
 use std::sync::Arc;
 
@@ -307,25 +308,12 @@ impl Multiaxial<SOLID> for AsdConcrete {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match words.first()?.to_lowercase().as_str() {
-            "damage" => Some(Probe::new(DAMAGE, ["d+", "d-"])),
-            "equivalentplasticstrain" => Some(Probe::new(PLASTIC, ["PLE+", "PLE-"])),
-            "equivalenttotalstrain" => Some(Probe::new(TOTAL, ["TE+", "TE-"])),
-            _ => None,
-        }
+        Response::find(&RESPONSES, &words.first()?.to_lowercase())
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let s = ConcreteState::read(state);
-        let points = [self.tension.at(s.equivalent[0]), self.compression.at(s.equivalent[1])];
-        match path[0] {
-            DAMAGE => out.copy_from_slice(&points.map(|p| p.damage)),
-            PLASTIC => out.copy_from_slice(&points.map(|p| p.plastic(self.e))),
-            _ => out.copy_from_slice(&s.equivalent),
-        }
+        let [x, y] = ConcreteState::read(state).equivalent;
+        let points = [self.tension.at(x), self.compression.at(y)];
+        Response::read(&RESPONSES, path[0], &ReachedPoints { e: self.e, equivalent: [x, y], points }, &(), out);
     }
 }
-
-const DAMAGE: u32 = 1;
-const PLASTIC: u32 = 2;
-const TOTAL: u32 = 3;
