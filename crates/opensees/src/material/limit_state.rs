@@ -75,6 +75,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("limitCurve", USAGE, limit_curve)
+    .arguments(&[TAG, SHEAR_ELEMENT])
     .about("Makes a surface of deformations and forces at which a column fails.")
     .defining(&[things::LIMIT_CURVE], 2)
     .with_kinds(|| kind::usages(CURVES))];
@@ -90,7 +91,7 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
-            .arguments(&[TAG, SHEAR_ELEMENT, RHO, FC, B, H, D, SHEAR_FSW, KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
+            .arguments(&[RHO, FC, B, H, D, SHEAR_FSW, KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
             .groups(&[DRIFT]),
         make: shear,
     },
@@ -102,8 +103,6 @@ const CURVES: &[CurveKind] = &[
             "Axial load of a column by friction along its shear crack (Elwood and Moehle). The element is not removed.",
         )
         .arguments(&[
-            TAG,
-            SHEAR_ELEMENT,
             AXIAL_FSW,
             KDEG,
             AXIAL_FRES,
@@ -121,8 +120,6 @@ const CURVES: &[CurveKind] = &[
                 <$nodeI $nodeJ $dof $perpDirn>",
         text: Text::new("Straight lines between three points.")
             .arguments(&[
-                TAG,
-                SHEAR_ELEMENT,
                 Arg::new("Kdeg", "slope after failure, negative"),
                 Arg::new("Fres", "residual force"),
                 Arg::new(
@@ -139,8 +136,6 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
                 $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
         text: Text::new("Rotation of a plastic hinge, or a shear force (Leborgne); kip, in. and ksi.").arguments(&[
-            TAG,
-            SHEAR_ELEMENT,
             NODE_I,
             NODE_J,
             ROT_AXIS,
