@@ -1,11 +1,11 @@
 //! `element stdBrick`, `bbarBrick`, `SSPbrick` and the tetrahedra.
 
+use super::corners::placed_nodes;
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::material::nd_material::{family, form};
-use crate::model::nodes::node_of;
 use crate::text::{Arg, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::element::{BrickOptions, Continuum, Element};
@@ -103,17 +103,7 @@ fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dy
 }
 
 fn read<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read<N>, Exception> {
-    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); N]);
-    for corner in &mut corners {
-        let id = node_of(interp, a, CORNERS[0].meaning)?;
-        let node = &interp.host.engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (3, 3) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 3 degrees of freedom in 3 dimensions"));
-        }
-        *corner = node.place();
-        nodes.push(id);
-    }
+    let (nodes, corners) = placed_nodes(interp, a, &CORNERS[0], (3, 3))?;
     let place = a.last_span();
     let family = family(interp, a)?;
     let law = form(a, &family, (family.0.solid.as_ref(), "in space"))?;

@@ -36,8 +36,8 @@ const PRESSURES: [Arg; 3] = [
 ];
 const PLATES: [Arg; 2] =
     [Arg::positive("t2", "thickness t2 of the lower plate"), Arg::positive("t3", "thickness t3 of the upper plate")];
-const DIFFUSIVITY: Arg = Arg::positive("Diffusivity", "thermal diffusivity");
-const CONDUCTIVITY: Arg = Arg::positive("Conductivity", "thermal conductivity");
+const CONDUCTION: [Arg; 2] =
+    [Arg::positive("Diffusivity", "thermal diffusivity"), Arg::positive("Conductivity", "thermal conductivity")];
 const TEMPERATURE0: Arg = Arg::number("Temperature0", "temperature at the beginning");
 const RATE_PARAM: Arg = Arg::not_negative("rateParam", "rate of the dependence on speed");
 
@@ -61,14 +61,12 @@ pub(super) const TRIPLE_X: Kind = Kind {
             Arg::whole("tagPres", "dependence on pressure tagPres"),
             Arg::whole("tagTemp", "dependence on temperature tagTemp"),
             Arg::whole("tagVel", "dependence on speed tagVel"),
-            DIFFUSIVITY,
-            CONDUCTIVITY,
             TEMPERATURE0,
             RATE_PARAM,
             Arg::whole("kTmodel", "dependence kTmodel on temperature"),
             Arg::whole("unit", "system of units"),
         ])
-        .groups(&[&COEFFICIENTS, &LENGTHS, &DIAMETERS, &PLATES, &WEIGHT, &TENSION, &PRESSURES]),
+        .groups(&[&COEFFICIENTS, &LENGTHS, &DIAMETERS, &PLATES, &WEIGHT, &TENSION, &PRESSURES, &CONDUCTION]),
     make: Make::TwoNodes(make),
 };
 
@@ -142,8 +140,8 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let uy_span = a.last_span();
     let [k_tension, least_normal, tolerance] = a.numbers(&TENSION)?;
     let reference = a.numbers(&PRESSURES)?;
-    let conduction =
-        Conduction { diffusivity: a.number(&DIFFUSIVITY)?, conductivity: a.number(&CONDUCTIVITY)?, body, compat };
+    let [diffusivity, conductivity] = a.numbers(&CONDUCTION)?;
+    let conduction = Conduction { diffusivity, conductivity, body, compat };
     let temperature = a.number(&TEMPERATURE0)?;
     let rate = a.number(&RATE_PARAM)?;
     let softening = match one_of(a, "dependence kTmodel on temperature", 1..=3)? {
