@@ -1,6 +1,7 @@
 //! Bars, plastic laws and connections.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use super::steel::{B, hardening_ratio};
 use crate::args::Args;
 use crate::checks;
@@ -11,7 +12,6 @@ use hysteron_engine::material::{
     BarFatigue, BondSp01, Buckling, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
     ReinforcingSteel, SteelFractureDi, UvcUniaxial,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -269,10 +269,7 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
         backstresses
             .push([a.nth_number(&MODULUS_OF_BACKSTRESS, i as usize)?, a.nth_number(&RATE_OF_BACKSTRESS, i as usize)?]);
     }
-    if interp.host.follows(&[slips::UVC_RETURN]) {
-        return Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }.shared());
-    }
-    Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: Consistent }.shared())
+    Ok(by_rules!(interp, UVC_RETURN, rules => UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules }))
 }
 
 /// Yield strength, ksi, and yield slip, in, from which on the units cannot be those of the law.
@@ -297,10 +294,7 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     for arg in &UNUSED {
         a.read_optional(interp, arg)?;
     }
-    if interp.host.follows(&[slips::BOND_SLIP_TANGENT]) {
-        return Ok(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }.shared());
-    }
-    Ok(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }.shared())
+    Ok(by_rules!(interp, BOND_SLIP_TANGENT, rules => BondSp01 { fy, sy, fu, su, b, r, rules }))
 }
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
