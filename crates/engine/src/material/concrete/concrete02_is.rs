@@ -2,8 +2,8 @@
 
 use crate::material::concrete::concrete02::{Envelope, FLAT_TANGENT, History};
 use crate::material::concrete::popovics;
+use crate::material::lanes::words_of;
 use crate::material::{Concrete02, MaterialResult, Strain, Stress, UniaxialLaw, finite};
-use crate::state_struct::StateStruct;
 
 /// [`Concrete02`] with an initial modulus.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,10 +35,8 @@ impl UniaxialLaw for Concrete02Is {
     const NAME: &'static str = "Concrete02IS";
 
     fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent) = self.cycle(words, strain.value);
-        finite(Self::NAME, strain.value, value, tangent, History::read(&next))
+        let (stress, next) = self.cycle(words_of(c), strain.value).read();
+        finite(Self::NAME, strain.value, stress.value, stress.tangent, next)
     }
 
     fn initial_tangent(&self) -> f64 {
