@@ -4,7 +4,7 @@ use super::every_kind::MATERIALS;
 use super::script::Script;
 use super::wrappers::{materials, wrappers};
 use hysteron::material::{
-    Material, MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialRoles, UniaxialTraits,
+    Material, MaterialResult, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialRoles, UniaxialTraits,
 };
 use std::collections::BTreeSet;
 
@@ -197,7 +197,7 @@ impl Uniaxial for Forgetful {
     fn initial_tangent(&self) -> f64 {
         self.0.initial_tangent()
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         self.0.update(committed, strain, next)
     }
     fn update_all(
@@ -206,7 +206,7 @@ impl Uniaxial for Forgetful {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         self.0.update_all(committed, strains, next, stresses)
     }
     fn roles(&self) -> UniaxialRoles<'_> {

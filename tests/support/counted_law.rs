@@ -2,7 +2,7 @@
 
 use hysteron::material::roles::{LastTrial, LawParameters, PointLayout, UniaxialRoles};
 use hysteron::material::{
-    Material, MaterialError, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
+    Material, MaterialResult, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
 };
 use hysteron::opensees::Tcl;
 use hysteron::parameter::{Changed, NewValue};
@@ -47,7 +47,7 @@ struct Counted(Material);
 
 #[deny(clippy::missing_trait_methods)]
 impl Uniaxial for Counted {
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         count(1);
         self.0.update(committed, strain, next)
     }
@@ -57,7 +57,7 @@ impl Uniaxial for Counted {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         count(strains.value.len());
         self.0.update_all(committed, strains, next, stresses)
     }
@@ -127,7 +127,7 @@ impl LastTrial for Counted {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         count(strains.value.len());
         match self.0.roles().last_trial {
             Some(law) => law.update_all_on(committed, before, strains, next, stresses),

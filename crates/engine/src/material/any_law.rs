@@ -2,7 +2,7 @@
 
 use super::roles::{LawParameters, LawResponses, PointLayout, ShownStrain, UniaxialRoles};
 use super::{
-    LimitCurve, MaterialError, ObservedColumns, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial,
+    LimitCurve, MaterialResult, ObservedColumns, SharedUniaxial, Strain, Strains, Stress, Stresses, Uniaxial,
     UniaxialLaw, UniaxialTraits, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
@@ -41,7 +41,7 @@ impl<L: UniaxialLaw> Uniaxial for L {
         UniaxialLaw::initial_tangent(self)
     }
     #[inline]
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let (stress, state) = self.update_on(&L::State::read(committed), &L::State::read(next), strain)?;
         state.write(next);
         Ok(stress)
@@ -52,7 +52,7 @@ impl<L: UniaxialLaw> Uniaxial for L {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         self.update_points(committed, strains, next, stresses)
     }
     fn roles(&self) -> UniaxialRoles<'_> {

@@ -3,9 +3,9 @@
 //! The histories of the points stand one quantity after the other. A block of points is brought into arrays, over which
 //! the law loops.
 
-use super::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use super::{MaterialError, MaterialResult, Strain, Strains, Stress, Stresses, UniaxialLaw};
 use crate::numeric::lanes::{BLOCK, Lanes, copy_back, in_lanes, load};
-use crate::state_struct::StateStruct as _;
+use crate::state_struct::StateStruct;
 
 /// Committed history and strains of `W` points of a law with `Q` state variables: one array for each quantity.
 #[derive(Clone, Copy, Debug)]
@@ -60,11 +60,11 @@ impl<const Q: usize, const W: usize> Response<Q, W> {
         }
     }
 
-    /// Sets state variables, stress and tangent of a point.
+    /// Sets the response of a point.
     #[inline(always)]
-    pub(crate) fn set(&mut self, i: usize, (words, value, tangent): ([f64; Q], f64, f64)) {
-        self.set_point(i, words);
-        (self.value[i], self.tangent[i]) = (value, tangent);
+    pub(crate) fn set(&mut self, i: usize, point: PointResponse<Q>) {
+        self.set_point(i, point.words);
+        (self.value[i], self.tangent[i]) = (point.value, point.tangent);
     }
 
     /// Bits that are all zero if stresses and tangents are finite: a number less itself is +0, infinities are no number then.
@@ -79,6 +79,33 @@ impl<const Q: usize, const W: usize> Response<Q, W> {
     }
 }
 
+/// Response of one point with Q state variables.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PointResponse<const Q: usize> {
+    /// State variables of the trial state.
+    pub(crate) words: [f64; Q],
+    /// Stress.
+    pub(crate) value: f64,
+    /// Tangent.
+    pub(crate) tangent: f64,
+}
+
+impl<const Q: usize> PointResponse<Q> {
+    /// The stress and the history.
+    #[inline(always)]
+    pub(crate) fn read<S: StateStruct>(&self) -> (Stress, S) {
+        (Stress { value: self.value, tangent: self.tangent, damping: 0.0 }, S::read(&self.words))
+    }
+}
+
+/// State variables of a history.
+#[inline(always)]
+pub(crate) fn words_of<S: StateStruct, const Q: usize>(history: &S) -> [f64; Q] {
+    let mut words = [0.0; Q];
+    history.write(&mut words);
+    words
+}
+
 /// A law that is evaluated in blocks. The number of its state variables is `Q`.
 pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
     /// Writes trial state, stress and tangent of the points of a block. The method must be inlined.
@@ -87,15 +114,12 @@ pub(crate) trait BlockLaw<const Q: usize>: UniaxialLaw {
 
 /// A law without branches at a single point, which is a law of blocks by this alone.
 pub(crate) trait PointLaw<const Q: usize>: UniaxialLaw {
-    /// Trial state, stress and tangent from the committed state and the trial strain. The method must be inlined.
-    fn response(&self, committed: [f64; Q], strain: f64) -> ([f64; Q], f64, f64);
+    /// Response from the committed state and the trial strain. The method must be inlined.
+    fn response(&self, committed: [f64; Q], strain: f64) -> PointResponse<Q>;
 
     /// [`UniaxialLaw::update`] of such a law.
     fn respond_to(&self, committed: &Self::State, strain: f64) -> (Stress, Self::State) {
-        let mut words = [0.0; Q];
-        committed.write(&mut words);
-        let (next, value, tangent) = self.response(words, strain);
-        (Stress { value, tangent, damping: 0.0 }, Self::State::read(&next))
+        self.response(words_of(committed), strain).read()
     }
 }
 
@@ -188,7 +212,7 @@ macro_rules! updates_blocks {
             strains: &$crate::material::Strains<'_>,
             next: &mut [f64],
             stresses: &mut $crate::material::Stresses<'_>,
-        ) -> Result<(), $crate::material::MaterialError> {
+        ) -> $crate::material::MaterialResult {
             $crate::material::lanes::update_blocks(self, committed, strains, next, stresses)
         }
     };
@@ -205,7 +229,7 @@ pub(crate) fn update_blocks<L: BlockLaw<Q>, const Q: usize>(
     strains: &Strains<'_>,
     next: &mut [f64],
     stresses: &mut Stresses<'_>,
-) -> Result<(), MaterialError> {
+) -> MaterialResult {
     let n = strains.value.len();
     if let ([value], [rate]) = (strains.value, strains.rate) {
         // A single point, whose layout is that of one.

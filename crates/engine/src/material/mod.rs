@@ -38,9 +38,9 @@ pub use gap::*;
 pub use material::{Material, Recipe, SharedUniaxial, of_length};
 pub use multiaxial::{
     AsdConcrete, BEAM_FIBRE, BeamJ2, Condensed, Elastic as ElasticContinuum, Extrapolation, Fsam, FsamParameters,
-    HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, NdMaterial, Orthotropic, PLANE,
-    PLANE_BEAM_FIBRE, ParallelSolids, Plane, SOLID, SeriesSolids, SeriesTolerance, SharedMultiaxial, SimplifiedJ2,
-    THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
+    HardeningCurve, InitialStrain, Isotropic, J2Plasticity, LAYER, Multiaxial, MultiaxialResult, NdMaterial,
+    Orthotropic, PLANE, PLANE_BEAM_FIBRE, ParallelSolids, Plane, SOLID, SeriesSolids, SeriesTolerance,
+    SharedMultiaxial, SimplifiedJ2, THICK_PLANE, Tangent, WeightedLaws, strain_of_stress,
 };
 pub use roles::UniaxialRoles;
 pub use rubber::*;
@@ -95,6 +95,9 @@ pub struct Stresses<'a> {
     pub damping: &'a mut [f64],
 }
 
+/// Answer of a law that may have none.
+pub type MaterialResult<T = ()> = Result<T, MaterialError>;
+
 /// Reason why a law has no response.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MaterialError(pub String);
@@ -108,7 +111,7 @@ impl fmt::Display for MaterialError {
 impl std::error::Error for MaterialError {}
 
 /// Response and next state of a law without viscosity. Parameters far from any material may leave it without a number.
-fn finite<S>(name: &str, strain: f64, value: f64, tangent: f64, next: S) -> Result<(Stress, S), MaterialError> {
+fn finite<S>(name: &str, strain: f64, value: f64, tangent: f64, next: S) -> MaterialResult<(Stress, S)> {
     if value.is_finite() && tangent.is_finite() {
         return Ok((Stress { value, tangent, damping: 0.0 }, next));
     }
@@ -131,7 +134,7 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
     ///
     /// # Errors
     /// The law has no response at this strain.
-    fn update(&self, committed: &Self::State, strain: Strain) -> Result<(Stress, Self::State), MaterialError>;
+    fn update(&self, committed: &Self::State, strain: Strain) -> MaterialResult<(Stress, Self::State)>;
 
     /// [`Uniaxial::update_all`] of this law. A law overrides it that evaluates many points by vector instructions.
     ///
@@ -143,7 +146,7 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         update_each(self, committed, strains, next, stresses)
     }
 
@@ -154,7 +157,7 @@ pub trait UniaxialLaw: fmt::Debug + Send + Sync + Clone + 'static {
         committed: &Self::State,
         _last: &Self::State,
         strain: Strain,
-    ) -> Result<(Stress, Self::State), MaterialError> {
+    ) -> MaterialResult<(Stress, Self::State)> {
         self.update(committed, strain)
     }
 
@@ -211,7 +214,7 @@ pub(crate) fn update_each<U: Uniaxial + ?Sized>(
     strains: &Strains<'_>,
     next: &mut [f64],
     stresses: &mut Stresses<'_>,
-) -> Result<(), MaterialError> {
+) -> MaterialResult {
     let n = material.state_len();
     for (i, (&value, &rate)) in strains.value.iter().zip(strains.rate).enumerate() {
         let words = i * n..(i + 1) * n;
@@ -231,7 +234,7 @@ macro_rules! updates_each_point {
             strains: &$crate::material::Strains<'_>,
             next: &mut [f64],
             stresses: &mut $crate::material::Stresses<'_>,
-        ) -> Result<(), $crate::material::MaterialError> {
+        ) -> $crate::material::MaterialResult {
             $crate::material::update_each(self, committed, strains, next, stresses)
         }
     };
@@ -279,7 +282,7 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// The law has no response at this strain.
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError>;
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress>;
 
     /// As [`Uniaxial::update`], for many points in the layout of the material. One dynamic call serves a whole bundle of
     /// springs, and the law is called statically inside it.
@@ -292,7 +295,7 @@ pub trait Uniaxial: fmt::Debug + Send + Sync {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError>;
+    ) -> MaterialResult;
 
     /// Its special tasks. A law around others has the roles of `UniaxialRoles::around`.
     fn roles(&self) -> UniaxialRoles<'_>;

@@ -4,7 +4,7 @@
 //! recorder or the user asks; materials without the role need not know it. The methods of `dyn Uniaxial` here put the
 //! questions of several askers, and have the answer of a material without the role.
 
-use super::{MaterialError, SharedUniaxial, Slot, Strains, Stresses, Uniaxial, WatchesColumns};
+use super::{MaterialResult, SharedUniaxial, Slot, Strains, Stresses, Uniaxial, WatchesColumns};
 use crate::parameter::{Changed, NewValue, ParameterError};
 use crate::probe::Probe;
 use std::any::Any;
@@ -73,7 +73,7 @@ pub trait LastTrial: fmt::Debug {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError>;
+    ) -> MaterialResult;
 }
 
 /// Variables that a trial of OpenSees changes without a commit.

@@ -1,9 +1,9 @@
 //! Storage of a material's state in an element, with the responses that every material has.
 
-use super::{Material, MaterialError, Strain, Strains, Stress, Stresses};
+use super::{Material, MaterialResult, Strain, Strains, Stress, Stresses};
 use crate::numeric::wide::Wide;
 use crate::parameter::{NewValue, ParameterError};
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use std::ops::Range;
 
 /// A material at an offset in the state of its owner. The first five variables are strain, strain rate, stress,
@@ -145,7 +145,7 @@ impl Slot {
     /// # Errors
     /// The law has no response at this strain.
     #[inline(always)]
-    pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> Result<Stress, MaterialError> {
+    pub fn update(&self, committed: &[f64], strain: Strain, trial: &mut [f64]) -> MaterialResult<Stress> {
         let (was, old) = committed[self.at..].split_at(HEADER);
         let (head, new) = trial[self.at..].split_at_mut(HEADER);
         let s = match self.linear {
@@ -176,7 +176,7 @@ impl Slot {
         strains: &Strains<'_>,
         trial: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = strains.value.len();
         let (was, old) = committed.split_at(HEADER * n);
         let (head, new) = trial.split_at_mut(HEADER * n);
@@ -245,49 +245,36 @@ impl Slot {
         state[self.at + TANGENT]
     }
 
-    /// Names of the responses of every material, to suggest the nearest to a misspelled one.
-    pub(crate) const RESPONSES: &'static [&'static str] = &[
-        "stress",
-        "strain",
-        "tangent",
-        "stressStrain",
-        "stressStrainTangent",
-        "plasticStrain",
-        "strainRate",
-        "energy",
+    /// Responses of every material.
+    pub(crate) const RESPONSES: &'static [Response<Self>] = &[
+        Response::new(&["stress"], &["sigma11"], |s, state, out| out[0] = s.stress(state)),
+        Response::new(&["strain"], &["eps11"], |s, state, out| out[0] = s.shown_strain(state)),
+        Response::new(&["tangent"], &["C11"], |s, state, out| out[0] = s.tangent(state)),
+        Response::new(&["stressStrain", "stressANDstrain", "stressAndStrain"], &["sig11", "eps11"], |s, state, out| {
+            out.copy_from_slice(&[s.stress(state), s.shown_strain(state)])
+        }),
+        Response::new(
+            &["stressStrainTangent", "stressANDstrainANDtangent"],
+            &["sig11", "eps11", "C11"],
+            |s, state, out| out.copy_from_slice(&[s.stress(state), s.shown_strain(state), s.tangent(state)]),
+        ),
+        Response::new(&["plasticStrain"], &["eps11"], |s, state, out| {
+            out[0] = s.shown_strain(state) - s.stress(state) / s.material.initial_tangent();
+        }),
+        Response::new(&["strainRate"], &["epsDot11"], |s, state, out| out[0] = state[s.at + RATE]),
+        Response::new(&["energy", "Energy"], &["energy"], |s, state, out| out[0] = s.energy(state)),
     ];
 
     /// Response named by the words of a recorder command: first those of every material, then those specific to the
     /// law.
     pub fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let common = match *words.first()? {
-            "stress" => Probe::new(1, ["sigma11"]),
-            "tangent" => Probe::new(2, ["C11"]),
-            "strain" => Probe::new(3, ["eps11"]),
-            "stressStrain" | "stressANDstrain" | "stressAndStrain" => Probe::new(4, ["sig11", "eps11"]),
-            "stressStrainTangent" | "stressANDstrainANDtangent" => Probe::new(5, ["sig11", "eps11", "C11"]),
-            "plasticStrain" => Probe::new(6, ["eps11"]),
-            "strainRate" => Probe::new(7, ["epsDot11"]),
-            "energy" | "Energy" => Probe::new(9, ["energy"]),
-            _ => return self.material.probe(words).map(|p| p.inside(&[OWN])),
-        };
-        Some(common)
+        Response::find(Self::RESPONSES, words.first()?).or_else(|| self.material.probe(words).map(|p| p.inside(&[OWN])))
     }
 
     /// Value of a probe.
     pub fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let words = &state[self.at..self.at + self.len()];
-        let strain = self.shown_strain(state);
-        match path[0] {
-            1 => out[0] = words[STRESS],
-            2 => out[0] = words[TANGENT],
-            3 => out[0] = strain,
-            4 => out.copy_from_slice(&[words[STRESS], strain]),
-            5 => out.copy_from_slice(&[words[STRESS], strain, words[TANGENT]]),
-            6 => out[0] = strain - words[STRESS] / self.material.initial_tangent(),
-            7 => out[0] = words[RATE],
-            9 => out[0] = words[ENERGY],
-            _ => self.material.read(&path[1..], &words[HEADER..], out),
+        if !Response::read(Self::RESPONSES, path[0], self, state, out) {
+            self.read_own(&path[1..], state, out);
         }
     }
 

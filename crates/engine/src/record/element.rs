@@ -134,7 +134,8 @@ impl ElementResponse {
     /// The first of some words that no response of an element has at its place, where the element does not know them.
     pub fn misspelled(engine: &Engine, id: ElementId, words: &[&str]) -> Misspelled {
         let vocabulary: Vec<&'static str> = Self::names(engine, id)
-            .chain(PARTS.iter().chain(SectionSlot::RESPONSES).chain(Slot::RESPONSES).copied())
+            .chain(PARTS.iter().chain(SectionSlot::RESPONSES).copied())
+            .chain(crate::probe::Response::names(Slot::RESPONSES))
             .collect();
         let known_after = |i: usize| -> Vec<&'static str> {
             let ends = |word: &&&str| Self::is_known(engine, id, &[&words[..i], &[**word]].concat());

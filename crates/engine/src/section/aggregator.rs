@@ -2,7 +2,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SectionStep, SharedSection};
-use crate::material::{Material, MaterialError, Slot, Strain, WatchesColumns};
+use crate::material::{Material, MaterialError, MaterialResult, Slot, Strain, WatchesColumns};
 use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use std::ops::Range;
@@ -25,7 +25,7 @@ impl Aggregator {
     ///
     /// # Errors
     /// The section has more than [`MAX_ORDER`] resultants.
-    pub fn new(base: Option<SharedSection>, additions: Vec<(Material, i32, Resultant)>) -> Result<Self, MaterialError> {
+    pub fn new(base: Option<SharedSection>, additions: Vec<(Material, i32, Resultant)>) -> MaterialResult<Self> {
         let mut resultants = base.as_ref().map_or(vec![], |s| s.resultants().to_vec());
         resultants.extend(additions.iter().map(|a| a.2));
         if resultants.len() > MAX_ORDER {
@@ -84,7 +84,7 @@ impl Section for Aggregator {
             || self.additions.iter().any(|s| s.material.depends_on_time())
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, dt, next, s, k } = step;
         let (n, order) = (self.base_order(), self.resultants.len());
         if let Some(base) = &self.base {

@@ -2,7 +2,7 @@
 
 use super::{MAX_ORDER, Resultant, SectionSlot, SharedSection};
 use crate::material::roles::{LawParameters, LawResponses, UniaxialRoles};
-use crate::material::{MaterialError, SharedUniaxial, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
+use crate::material::{MaterialResult, SharedUniaxial, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ impl Uniaxial for Axial {
     fn init(&self, state: &mut [f64]) {
         self.slot.init(state);
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let mut e = [0.0; MAX_ORDER];
         e[self.at] = strain.value;
         self.slot.update(committed, &e, strain.dt, next)?;

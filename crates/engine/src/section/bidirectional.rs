@@ -3,7 +3,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
-use crate::material::MaterialError;
+use crate::material::MaterialResult;
 
 /// Two resultants that yield together.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ impl Section for Bidirectional {
         <History as crate::state_struct::StateStruct>::LEN
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, next, s, k, .. } = step;
         use crate::state_struct::StateStruct;
         let mut h = History::read(committed);

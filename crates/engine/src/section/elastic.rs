@@ -2,7 +2,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep, SharedSection};
-use crate::material::MaterialError;
+use crate::material::MaterialResult;
 use crate::parameter::{Changed, NewValue, exchange, existing, first};
 use std::sync::Arc;
 
@@ -103,7 +103,7 @@ impl Section for Elastic {
         true
     }
 
-    fn update(&self, SectionStep { e, s, k, .. }: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, SectionStep { e, s, k, .. }: SectionStep<'_>) -> MaterialResult {
         self.initial_stiffness(k);
         for ((s, e), r) in s.iter_mut().zip(e).zip(&self.resultants) {
             *s = self.stiffness(*r) * e;

@@ -3,7 +3,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult};
 use crate::state_struct::StateStruct as _;
 
 /// Two resultants that yield together, each with a stiffness and a strength of its own.
@@ -119,7 +119,7 @@ impl Section for Elliptical {
         History::LEN
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, next, s, k, .. } = step;
         let mut h = History::read(committed);
         let force = |plastic: &[f64; 2]| [0, 1].map(|i| self.e[i] * (e[i] - plastic[i]));

@@ -8,7 +8,7 @@ use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep, SharedSection};
 use crate::material::{
-    LimitCurve, Material, MaterialError, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
+    LimitCurve, Material, MaterialResult, ObservedColumns, Slot, Strain, Strains, Stresses, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
 use crate::parameter::{Changed, NewValue, existing, last_of};
@@ -178,7 +178,7 @@ impl FiberSection {
     }
 
     /// Evaluates the fibers at `M` section deformations and integrates stresses and tangents.
-    fn integrate<const M: usize>(&self, step: &mut SectionStep<'_>) -> Result<(), MaterialError> {
+    fn integrate<const M: usize>(&self, step: &mut SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, dt, next, s, k } = step;
         let n = self.points.len();
         if self.linear {
@@ -212,7 +212,7 @@ impl FiberSection {
         old: &Parts<&[f64]>,
         dt: f64,
         new: &mut Parts<&mut [f64]>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let (range, words) = (block.points.clone(), block.words(&self.runs));
         let n = range.len();
         let strains = Strains { value: &new.strain[range.clone()], rate: &NO_RATE[..n], dt };
@@ -239,7 +239,7 @@ impl FiberSection {
     }
 
     /// Adds the torsion in space.
-    fn add_torsion(&self, step: &mut SectionStep<'_>) -> Result<(), MaterialError> {
+    fn add_torsion(&self, step: &mut SectionStep<'_>) -> MaterialResult {
         if let Some(torsion) = &self.torsion {
             let strain = Strain { value: step.e[3], rate: 0.0, dt: step.dt };
             let stress = torsion.update(step.committed, strain, step.next)?;
@@ -334,7 +334,7 @@ impl Section for FiberSection {
         self.slots().any(|s| s.material.depends_on_time())
     }
 
-    fn update(&self, mut step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, mut step: SectionStep<'_>) -> MaterialResult {
         if !self.biaxial {
             return self.integrate::<2>(&mut step);
         }

@@ -19,7 +19,7 @@ mod shared;
 mod slot;
 mod two_spring_isolator;
 
-use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, WatchesColumns};
+use crate::material::{CHARACTERISTIC_LENGTH, MaterialResult, WatchesColumns};
 use crate::parameter::{Changed, NewValue};
 use crate::probe::Probe;
 use std::fmt;
@@ -133,7 +133,7 @@ pub trait Section: WatchesColumns + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// A material has no response at these deformations.
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError>;
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult;
 
     /// Writes the tangent of the virgin section (n x n by rows) to a zero matrix.
     fn initial_stiffness(&self, k: &mut [f64]);

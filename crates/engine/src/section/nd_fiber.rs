@@ -3,7 +3,7 @@
 use super::nearest::{FiberPlace, select};
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
-use crate::material::{MaterialError, SharedMultiaxial};
+use crate::material::{MaterialResult, SharedMultiaxial};
 use crate::parameter::{Changed, NewValue, ParameterError};
 use crate::probe::Probe;
 use std::ops::Range;
@@ -145,7 +145,7 @@ impl<const N: usize> Section for NdFiberSection<N> {
         self.fibers.iter().any(|f| f.fiber.law.0.depends_on_time())
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, dt, next, s, k } = step;
         for f in &self.fibers {
             let range = f.at..f.at + 2 * N + f.fiber.law.0.state_len();

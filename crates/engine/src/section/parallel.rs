@@ -2,7 +2,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{MAX_ORDER, Resultant, Section, SectionSlot, SectionStep, SharedSection};
-use crate::material::MaterialError;
+use crate::material::MaterialResult;
 use crate::parameter::{Changed, NewValue, existing, last_of};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -72,7 +72,7 @@ impl Section for ParallelSections {
         self.sections.iter().any(|s| s.section.depends_on_time())
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, dt, next, s, k } = step;
         for (slot, places) in self.each() {
             let mut of_section = [0.0; MAX_ORDER];

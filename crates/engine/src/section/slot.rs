@@ -1,7 +1,7 @@
 //! Storage of a section's state in an element, with the responses that every section has.
 
 use super::{MAX_ORDER, Resultant, SectionStep, SharedSection};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult};
 use crate::numeric::invert;
 use crate::parameter::{NewValue, ParameterError};
 use crate::probe::Probe;
@@ -93,7 +93,7 @@ impl SectionSlot {
     ///
     /// # Errors
     /// A material has no response at these deformations.
-    pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> Result<(), MaterialError> {
+    pub fn update(&self, committed: &[f64], e: &[f64], dt: f64, trial: &mut [f64]) -> MaterialResult {
         self.set_deformation(e, trial);
         self.section.update(self.step(committed, dt, trial))
     }
@@ -159,7 +159,7 @@ impl SectionSlot {
     ///
     /// # Errors
     /// The stiffness is singular.
-    pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64]) -> Result<(), MaterialError> {
+    pub fn flexibility(&self, stiffness: &[f64], out: &mut [f64]) -> MaterialResult {
         let n = self.order;
         if let (2, [a, b, c, d, ..]) = (n, stiffness) {
             // The section of a beam in the plane: by determinants.

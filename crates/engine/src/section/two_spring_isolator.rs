@@ -3,7 +3,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Resultant, Section, SectionStep};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult};
 use crate::state_struct::StateStruct;
 use nalgebra::{SMatrix, SVector};
 
@@ -51,9 +51,16 @@ crate::state_struct! {
     }
 }
 
+/// Response of the shear spring.
+struct ShearSpring {
+    force: f64,
+    tangent: f64,
+    plastic: f64,
+    back: f64,
+}
+
 impl TwoSpringIsolator {
-    /// Force and tangent of the shear spring, and its plastic deformation and back force.
-    fn shear(&self, c: &History, s: f64, axial: f64) -> (f64, f64, f64, f64) {
+    fn shear(&self, c: &History, s: f64, axial: f64) -> ShearSpring {
         let strength = if self.reference < MIN_REFERENCE {
             self.strength
         } else {
@@ -64,10 +71,11 @@ impl TwoSpringIsolator {
         let xi = trial - c.back;
         let excess = xi.abs() - strength;
         if excess <= 0.0 {
-            return (trial, self.k1, c.plastic, c.back);
+            return ShearSpring { force: trial, tangent: self.k1, plastic: c.plastic, back: c.back };
         }
         let flow = excess / (self.k1 + hardening) * if xi < 0.0 { -1.0 } else { 1.0 };
-        (trial - flow * self.k1, self.k2, c.plastic + flow, c.back + flow * hardening)
+        let (plastic, back) = (c.plastic + flow, c.back + flow * hardening);
+        ShearSpring { force: trial - flow * self.k1, tangent: self.k2, plastic, back }
     }
 
     /// Residual of equilibrium and kinematics.
@@ -117,20 +125,20 @@ impl Section for TwoSpringIsolator {
         History::LEN
     }
 
-    fn update(&self, step: SectionStep<'_>) -> Result<(), MaterialError> {
+    fn update(&self, step: SectionStep<'_>) -> MaterialResult {
         let SectionStep { committed, e, next, s, k, .. } = step;
         let c = History::read(committed);
         let (u, h) = ([e[0], e[1]], self.height);
         let mut x = Vector5::from(c.springs);
         let mut spring = self.shear(&c, x[2], x[1]);
-        let mut residual = self.residual(&x, u, spring.0);
+        let mut residual = self.residual(&x, u, spring.force);
         let mut iterations = 0;
         while residual.norm() > self.tolerance && iterations < MAX_ITERATIONS {
             iterations += 1;
-            let inverse = self.jacobian(&x, spring.1).try_inverse().ok_or_else(|| no_equilibrium(u))?;
+            let inverse = self.jacobian(&x, spring.tangent).try_inverse().ok_or_else(|| no_equilibrium(u))?;
             x -= inverse * residual;
             spring = self.shear(&c, x[2], x[1]);
-            residual = self.residual(&x, u, spring.0);
+            residual = self.residual(&x, u, spring.force);
         }
         let (shear, p, arm, rotation) = (x[0], x[1], x[2] + h * x[3], x[3]);
         let scale = self.tolerance + ACCEPTED * (shear.abs() + p.abs()) * (1.0 + h);
@@ -138,7 +146,7 @@ impl Section for TwoSpringIsolator {
             return Err(no_equilibrium(u));
         }
         // Flexibility of the springs, then of their deformations with the height of the column.
-        let tangent = spring.1;
+        let tangent = spring.tangent;
         let d = h * tangent * (self.euler - p) - p * p;
         let [a, b, g] = [(self.euler - p) * h / d, p / d, tangent / d];
         let f00 = a + 2.0 * h * b + h * h * g;
@@ -149,7 +157,7 @@ impl Section for TwoSpringIsolator {
         (k[0], k[1], k[3], k[4]) = (f11 / det, -f01 / det, -f01 / det, f00 / det);
         s.copy_from_slice(&[shear, -p, (p * u[0] + shear * h) / 2.0]);
         let springs = std::array::from_fn(|i| x[i]);
-        History { springs, plastic: spring.2, back: spring.3 }.write(next);
+        History { springs, plastic: spring.plastic, back: spring.back }.write(next);
         Ok(())
     }
 

@@ -8,11 +8,13 @@ use crate::{Command, Outcome, Tcl, ignore_unknown};
 use hysteron_engine::analysis::{SingleDegree, SingleDegreeResponse, SingleDegreeSpan};
 use hysteron_tcl::{Call, Value};
 
-const M: Arg = Arg::positive("m", "mass m");
-const ZETA: Arg = Arg::not_negative("zeta", "damping ratio zeta");
-const K: Arg = Arg::positive("k", "stiffness k");
-const FY: Arg = Arg::positive("Fy", "yield force Fy");
-const ALPHA: Arg = Arg::not_negative("alpha", "hardening ratio alpha");
+const SYSTEM: [Arg; 5] = [
+    Arg::positive("m", "mass m"),
+    Arg::not_negative("zeta", "damping ratio zeta"),
+    Arg::positive("k", "stiffness k"),
+    Arg::positive("Fy", "yield force Fy"),
+    Arg::not_negative("alpha", "hardening ratio alpha"),
+];
 const DT: Arg = Arg::positive("dt", "step dt");
 const RESIDUAL: Arg = Arg::of("-uresid", "u", "residual displacement").within(Domain::Number);
 const LARGEST: Arg = Arg::of("-umaxprev", "u", "earlier largest displacement").within(Domain::Number);
@@ -24,11 +26,11 @@ pub(crate) const COMMANDS: &[Command] = &[Command::new("sdfResponse", USAGE, res
          an elastic-plastic system of one degree of freedom under a series of forces.",
     )
     .arguments(&[
-        M,
-        ZETA,
-        K,
-        FY,
-        ALPHA,
+        SYSTEM[0],
+        SYSTEM[1],
+        SYSTEM[2],
+        SYSTEM[3],
+        SYSTEM[4],
         Arg::whole("dtF", "step of the forces in the file"),
         Arg::new("file", "file of forces"),
         Arg::whole("series", "tag of a time series of forces"),
@@ -47,9 +49,7 @@ const MAX_STEPS: f64 = 1e8;
 
 fn respond(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, USAGE);
-    let (mass, damping) = (a.number(&M)?, a.number(&ZETA)?);
-    let (stiffness, yield_force) = (a.number(&K)?, a.number(&FY)?);
-    let hardening = a.number(&ALPHA)?;
+    let [mass, damping, stiffness, yield_force, hardening] = a.numbers(&SYSTEM)?;
     if hardening >= 1.0 {
         return Err(a.refuse(format!("a hardening ratio of {hardening}"), "expected less than 1"));
     }

@@ -57,6 +57,15 @@ impl Args<'_> {
         Ok(out)
     }
 
+    /// The same without a session: what only OpenSees takes is refused.
+    pub(crate) fn numbers<const N: usize>(&mut self, args: &[Arg; N]) -> Result<[f64; N], Exception> {
+        let mut out = [0.0; N];
+        for (x, arg) in out.iter_mut().zip(args) {
+            *x = self.number(arg)?;
+        }
+        Ok(out)
+    }
+
     /// A number, or its value where it is left out.
     pub(crate) fn read_or(&mut self, interp: &mut Tcl, arg: &Arg, value: f64) -> Result<f64, Exception> {
         if self.at_number() {

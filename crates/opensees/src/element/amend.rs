@@ -1,7 +1,7 @@
 //! `amend`: physics added to elements that a script has made.
 
 use super::amended_place::Place;
-use super::amendments::{AMENDMENTS, AmendmentKind, Make, MakeLaw, Numbers};
+use super::amendments::{AMENDMENTS, AmendmentKind, Make, MakeLaw};
 use crate::args::Args;
 use crate::load::amended_node::amend_node;
 use crate::model::nodes::need_model;
@@ -12,7 +12,6 @@ use crate::{Command, Outcome, Tcl, finish};
 use hysteron_engine::element::amendment::{Amendment, Share};
 use hysteron_engine::model::ElementId;
 use hysteron_tcl::{Call, Exception, Value};
-use std::collections::BTreeMap;
 
 const SHARE_K: Arg = Arg::of("-share", "k", "stiffness of the elastic part").within(Domain::NotNegative);
 const SHARE_ELASTIC: Arg =
@@ -106,14 +105,14 @@ fn amend(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let Some(kind) = AMENDMENTS.iter().find(|k| k.name == name) else {
         return Err(a.unknown_name("amendment", AMENDMENTS.iter().map(|k| k.name)));
     };
-    let make = match kind.make {
-        Make::Law(make) => make,
+    let law = match kind.make {
+        Make::Law(law) => law,
         Make::Words(make) => return make(interp, &mut a, &elements),
     };
-    let words = Words::take(interp, &mut a, kind, make)?;
+    let words = Words::take(interp, &mut a, kind, law)?;
     finish(interp, &a)?;
     for id in elements {
-        words.place.amend(interp, &a, id, &|stiffness| make(&words.numbers, words.share, stiffness))?;
+        words.place.amend(interp, &a, id, &|stiffness| law.make(&words.numbers, words.share, stiffness))?;
     }
     Ok(Value::EMPTY)
 }
@@ -127,15 +126,16 @@ fn weakens(law: &dyn Amendment) -> bool {
 
 /// Words after the kind of an amendment.
 struct Words {
-    numbers: Numbers,
+    /// One for each option.
+    numbers: Vec<f64>,
     share: Share,
     place: Place,
 }
 
 impl Words {
-    fn take(interp: &mut Tcl, a: &mut Args<'_>, kind: &AmendmentKind, make: MakeLaw) -> Result<Self, Exception> {
-        let mut numbers: BTreeMap<_, _> =
-            kind.options.iter().filter_map(|o| Some((o.arg.option, o.default?))).collect();
+    fn take(interp: &mut Tcl, a: &mut Args<'_>, kind: &AmendmentKind, law: &dyn MakeLaw) -> Result<Self, Exception> {
+        let options = kind.options;
+        let mut numbers: Vec<Option<f64>> = options.iter().map(|o| o.default).collect();
         let (mut share, mut place) = (Share::default(), Place::default());
         while let Some(word) = a.option() {
             if place.takes(interp, a, &word)? {
@@ -154,21 +154,21 @@ impl Words {
                     }
                 }
                 word => {
-                    let Some(o) = kind.options.iter().find(|o| o.arg.option == word) else {
+                    let Some(i) = options.iter().position(|o| o.arg.option == word) else {
                         let common = ["-axial", "-axialSeries", "-dir", "-share", "-strengthBeside"];
-                        let known = kind.options.iter().map(|o| o.arg.option).chain(common);
+                        let known = options.iter().map(|o| o.arg.option).chain(common);
                         return Err(a.unknown_name("option", known));
                     };
-                    numbers.insert(o.arg.option, a.read(interp, &o.arg)?);
+                    numbers[i] = Some(a.read(interp, &options[i].arg)?);
                 }
             }
         }
-        if let Some(o) = kind.options.iter().find(|o| !numbers.contains_key(o.arg.option)) {
+        if let Some((o, _)) = options.iter().zip(&numbers).find(|(_, number)| number.is_none()) {
             let message = format!("amend {}: {} $value is missing", kind.name, o.arg.option);
             return Err(a.refuse(message, format!("expected the {} as well", o.arg.meaning)));
         }
-        let numbers = Numbers(numbers);
-        if share.of_strength && !weakens(make(&numbers, share, 1.0).as_ref()) {
+        let numbers: Vec<f64> = numbers.into_iter().flatten().collect();
+        if share.of_strength && !weakens(law.make(&numbers, share, 1.0).as_ref()) {
             let message = format!("amend {}: this law has no -strengthBeside", kind.name);
             return Err(a.refuse(message, "expected it of temperature, heating or degradation"));
         }

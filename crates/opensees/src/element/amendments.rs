@@ -12,7 +12,6 @@ use hysteron_engine::element::amendment::{
 use hysteron_engine::element::bearing::BoucWenShear;
 use hysteron_engine::material::Softening;
 use hysteron_engine::model::ElementId;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// An option with one number.
@@ -31,22 +30,29 @@ const fn optional(name: &'static str, what: &'static str, domain: Domain, defaul
     AmendmentOption { arg: Arg::behind(name, what, domain), default: Some(default) }
 }
 
-/// The numbers that a kind has been given.
-pub(super) struct Numbers(pub(super) BTreeMap<&'static str, f64>);
-
-impl Numbers {
-    fn get(&self, name: &str) -> f64 {
-        self.0.get(name).copied().unwrap_or(f64::NAN)
-    }
+/// Makes an amendment of a number for each option, what the factor acts on, and the stiffness of the element.
+pub(super) trait MakeLaw: Sync {
+    fn make(&self, numbers: &[f64], share: Share, stiffness: f64) -> Arc<dyn Amendment>;
 }
 
-/// Makes an amendment from the values of its options, what the factor acts on, and the stiffness of the element.
-pub(super) type MakeLaw = fn(&Numbers, Share, f64) -> Arc<dyn Amendment>;
+/// A kind with N options. The function takes their numbers in the same order.
+struct Law<const N: usize> {
+    name: &'static str,
+    about: &'static str,
+    options: [AmendmentOption; N],
+    make: fn([f64; N], Share, f64) -> Arc<dyn Amendment>,
+}
+
+impl<const N: usize> MakeLaw for Law<N> {
+    fn make(&self, numbers: &[f64], share: Share, stiffness: f64) -> Arc<dyn Amendment> {
+        (self.make)(std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(f64::NAN)), share, stiffness)
+    }
+}
 
 /// Making of an amendment.
 pub(super) enum Make {
     /// From options with one number each.
-    Law(MakeLaw),
+    Law(&'static dyn MakeLaw),
     /// From words of its own, for these elements.
     Words(fn(&mut Tcl, &mut Args<'_>, &[ElementId]) -> Outcome),
 }
@@ -62,102 +68,94 @@ pub struct AmendmentKind {
     pub(super) make: Make,
 }
 
+const fn law<const N: usize>(law: &'static Law<N>) -> AmendmentKind {
+    AmendmentKind { name: law.name, about: law.about, options: &law.options, make: Make::Law(law) }
+}
+
 use Domain::{NotNegative, Number, Positive, Ratio};
-use Make::{Law, Words};
+use Make::Words;
 
 /// All kinds of amendments of elements.
 pub const AMENDMENTS: &[AmendmentKind] = &[
-    AmendmentKind {
+    law(&Law {
         name: "temperature",
         about: "Another temperature than that of the parameters.",
-        options: &[
+        options: [
             needed("-softening", "softening b per degree", Number),
             needed("-at", "temperature T", Number),
             needed("-reference", "temperature T0 that the parameters belong to", Number),
         ],
-        make: Law(|n, share, _| {
-            let (softening, at, reference) = (n.get("-softening"), n.get("-at"), n.get("-reference"));
-            Arc::new(Temperature { softening, at, reference, share })
-        }),
-    },
-    AmendmentKind {
+        make: |[softening, at, reference], share, _| Arc::new(Temperature { softening, at, reference, share }),
+    }),
+    law(&Law {
         name: "heating",
         about: "Dissipated work warms the device and softens it.",
-        options: &[
+        options: [
             needed("-softening", "softening b per degree", Number),
             needed("-capacity", "heat capacity C, work per degree", Positive),
             optional("-cooling", "cooling time", Positive, f64::INFINITY),
             optional("-conduction", "time of conduction into a half-space", Positive, f64::INFINITY),
             optional("-halfWidth", "half width of a slider, whose face heats where it covers", Positive, f64::INFINITY),
         ],
-        make: Law(|n, share, _| {
-            let (softening, capacity) = (n.get("-softening"), n.get("-capacity"));
-            let (cooling, conduction) = (n.get("-cooling"), n.get("-conduction"));
-            let half_width = n.get("-halfWidth");
+        make: |[softening, capacity, cooling, conduction, half_width], share, _| {
             Arc::new(Heating { softening, capacity, cooling, conduction, half_width, share })
-        }),
-    },
-    AmendmentKind {
+        },
+    }),
+    law(&Law {
         name: "degradation",
         about: "Strength is lost with dissipated energy.",
-        options: &[
+        options: [
             needed("-loss", "part of the force lost in the end", Number),
             needed("-energy", "energy that brings 63 % of the loss", Positive),
         ],
-        make: Law(|n, share, _| Arc::new(Degradation { loss: n.get("-loss"), energy: n.get("-energy"), share })),
-    },
-    AmendmentKind {
+        make: |[loss, energy], share, _| Arc::new(Degradation { loss, energy, share }),
+    }),
+    law(&Law {
         name: "mullins",
         about: "Virgin rubber is stiffer on its first way to a deformation.",
-        options: &[
+        options: [
             needed("-virgin", "excess of the virgin force", Number),
             optional("-power", "exponent of the way back to the virgin path; 0: there is none", NotNegative, 2.0),
             needed("-onset", "deformation by which softening has begun", Positive),
             optional("-healing", "time constant of healing", Positive, f64::INFINITY),
         ],
-        make: Law(|n, share, _| {
-            let time = n.get("-healing");
+        make: |[virgin, power, onset, time], share, _| {
             let softening = Softening {
-                excess: n.get("-virgin"),
-                strain: n.get("-onset"),
-                power: Some(n.get("-power")).filter(|p| *p > 0.0),
+                excess: virgin,
+                strain: onset,
+                power: Some(power).filter(|p| *p > 0.0),
                 healed: if time.is_finite() { 1.0 } else { 0.0 },
                 time,
                 preload: 0.0,
             };
             Arc::new(Mullins { softening, share })
-        }),
-    },
-    AmendmentKind {
+        },
+    }),
+    law(&Law {
         name: "stiffening",
         about: "Hardening at large deformation.",
-        options: &[
+        options: [
             needed("-factor", "force at one unit of deformation beyond the onset", Number),
             optional("-from", "deformation where it begins", NotNegative, 0.0),
             optional("-power", "exponent", Positive, 2.0),
         ],
-        make: Law(|n, _, _| {
-            Arc::new(Stiffening { factor: n.get("-factor"), from: n.get("-from"), power: n.get("-power") })
-        }),
-    },
-    AmendmentKind {
+        make: |[factor, from, power], _, _| Arc::new(Stiffening { factor, from, power }),
+    }),
+    law(&Law {
         name: "overstress",
         about: "Viscous overstress in parallel.",
-        options: &[
+        options: [
             needed("-force", "overstress at the reference speed", Positive),
             optional("-speed", "reference speed", Positive, 1.0),
             optional("-power", "exponent n of the speed, above 0 and at most 1", Positive, 1.0),
             needed("-stiffness", "stiffness of its spring", Positive),
         ],
-        make: Law(|n, _, _| {
-            let (force, speed) = (n.get("-force"), n.get("-speed"));
-            Arc::new(Overstress { force, speed, power: n.get("-power"), stiffness: n.get("-stiffness") })
-        }),
-    },
-    AmendmentKind {
+        make: |[force, speed, power, stiffness], _, _| Arc::new(Overstress { force, speed, power, stiffness }),
+    }),
+    law(&Law {
         name: "relaxation",
         about: "The force relaxes after each change.",
-        options: &[
+        options: [
             needed("-strength", "part by which the force of a sudden change is larger", NotNegative),
             needed("-time", "relaxation time, the shortest where there are several", Positive),
             optional(
@@ -167,95 +165,85 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
                 0.0,
             ),
         ],
-        make: Law(|n, _, _| {
-            Arc::new(Relaxation { strength: n.get("-strength"), time: n.get("-time"), decades: n.get("-decades") })
-        }),
-    },
-    AmendmentKind {
+        make: |[strength, time, decades], _, _| Arc::new(Relaxation { strength, time, decades }),
+    }),
+    law(&Law {
         name: "axial",
         about: "Lateral stiffness is lost under axial load.",
-        options: &[
+        options: [
             needed("-critical", "critical load at rest", Positive),
             optional("-power", "exponent of the load over the critical one", Positive, 2.0),
             optional("-width", "width of the plates", Positive, f64::INFINITY),
             optional("-load", "compression, where the model does not carry it", Number, f64::NAN),
             optional("-reference", "compression that the parameters belong to", NotNegative, 0.0),
         ],
-        make: Law(|n, share, _| {
-            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
-            let (critical, power, width) = (n.get("-critical"), n.get("-power"), n.get("-width"));
-            Arc::new(Axial { critical, power, width, load, reference: n.get("-reference"), share })
-        }),
-    },
-    AmendmentKind {
+        make: |[critical, power, width, load, reference], share, _| {
+            let load = Some(load).filter(|p| !p.is_nan());
+            Arc::new(Axial { critical, power, width, load, reference, share })
+        },
+    }),
+    law(&Law {
         name: "coupling",
         about: "One yield surface for two directions.",
-        options: &[
+        options: [
             needed("-stiffness", "initial stiffness", Positive),
             needed("-strength", "characteristic strength", Positive),
             needed("-alpha", "post-yield over initial stiffness", Ratio),
             optional("-eta", "yielding exponent", Positive, 2.0),
         ],
-        make: Law(|n, _, _| {
-            let (k, alpha) = (n.get("-stiffness"), n.get("-alpha"));
-            let (k0, qd, k2, eta) = ((1.0 - alpha) * k, n.get("-strength"), alpha * k, n.get("-eta"));
+        make: |[k, strength, alpha, eta], _, _| {
+            let (k0, qd, k2) = ((1.0 - alpha) * k, strength, alpha * k);
             let (beta, gamma, compat) = (0.5, 0.5, false);
             Arc::new(Coupling { law: BoucWenShear { k0, qd, k2, k3: 0.0, mu: 1.0, eta, beta, gamma, compat } })
-        }),
-    },
-    AmendmentKind {
+        },
+    }),
+    law(&Law {
         name: "pinching",
         about: "Loops narrow near zero.",
-        options: &[
+        options: [
             needed("-depth", "part of the force that is missing at zero deformation", Number),
             needed("-width", "width of the slack over the largest deformation", Positive),
             optional("-onset", "deformation from which there is slack", NotNegative, 0.0),
         ],
-        make: Law(|n, share, _| {
-            Arc::new(Pinching { depth: n.get("-depth"), width: n.get("-width"), onset: n.get("-onset"), share })
-        }),
-    },
-    AmendmentKind {
+        make: |[depth, width, onset], share, _| Arc::new(Pinching { depth, width, onset, share }),
+    }),
+    law(&Law {
         name: "slip",
         about: "Slack in series with the hysteretic part.",
-        options: &[
+        options: [
             needed("-size", "deformation from end to end of the slack", NotNegative),
             optional("-growth", "more of it for each deformation that has been reached", NotNegative, 0.0),
             needed("-width", "hysteretic force within which it slips", Positive),
         ],
-        make: Law(|n, share, _| {
-            let (size, growth, width) = (n.get("-size"), n.get("-growth"), n.get("-width"));
-            Arc::new(Slip { size, growth, width, share })
-        }),
-    },
-    AmendmentKind {
+        make: |[size, growth, width], share, _| Arc::new(Slip { size, growth, width, share }),
+    }),
+    law(&Law {
         name: "pressure",
         about: "Strength follows the axial force.",
-        options: &[
+        options: [
             needed("-reference", "compression that the parameters belong to", Positive),
             optional("-power", "exponent", Positive, 1.0),
             optional("-lever", "compression per deformation of the first direction that overturning adds", Number, 0.0),
             optional("-load", "compression, where the model does not carry it", NotNegative, f64::NAN),
         ],
-        make: Law(|n, share, _| {
-            let load = Some(n.get("-load")).filter(|p| !p.is_nan());
-            let (reference, power, lever) = (n.get("-reference"), n.get("-power"), n.get("-lever"));
+        make: |[reference, power, lever, load], share, _| {
+            let load = Some(load).filter(|p| !p.is_nan());
             Arc::new(Pressure { reference, power, lever, load, share })
-        }),
-    },
-    AmendmentKind {
+        },
+    }),
+    law(&Law {
         name: "friction",
         about: "Coulomb friction in parallel.",
-        options: &[
+        options: [
             needed("-force", "friction force", NotNegative),
             needed("-stiffness", "stiffness before it slips", Positive),
         ],
-        make: Law(|n, _, _| Arc::new(Friction { force: n.get("-force"), stiffness: n.get("-stiffness") })),
-    },
-    AmendmentKind {
+        make: |[force, stiffness], _, _| Arc::new(Friction { force, stiffness }),
+    }),
+    law(&Law {
         name: "bristles",
         about: "Friction whose bristles bend before they slip.",
-        options: &[
+        options: [
             needed("-force", "friction force of a fast motion", NotNegative),
             needed("-stiffness", "stiffness before it slips", Positive),
             optional("-breakaway", "what the friction of a slow motion has more", NotNegative, 0.0),
@@ -263,38 +251,30 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             optional("-slip", "slip by which that has gone", Positive, f64::INFINITY),
             optional("-rest", "time at rest in which it comes back", Positive, f64::INFINITY),
         ],
-        make: Law(|n, _, _| {
-            Arc::new(Bristles {
-                force: n.get("-force"),
-                stiffness: n.get("-stiffness"),
-                breakaway: n.get("-breakaway"),
-                speed: n.get("-speed"),
-                slip: n.get("-slip"),
-                rest: n.get("-rest"),
-            })
-        }),
-    },
-    AmendmentKind {
+        make: |[force, stiffness, breakaway, speed, slip, rest], _, _| {
+            Arc::new(Bristles { force, stiffness, breakaway, speed, slip, rest })
+        },
+    }),
+    law(&Law {
         name: "sliding",
         about: "Friction smoothed over speed.",
-        options: &[
+        options: [
             needed("-force", "friction force of a fast motion", NotNegative),
             needed("-speed", "speed over which it is smoothed", Positive),
         ],
-        make: Law(|n, _, _| Arc::new(Sliding { force: n.get("-force"), speed: n.get("-speed") })),
-    },
-    AmendmentKind {
+        make: |[force, speed], _, _| Arc::new(Sliding { force, speed }),
+    }),
+    law(&Law {
         name: "gap",
         about: "Contact beyond a gap.",
-        options: &[
+        options: [
             needed("-at", "deformation at which contact begins", NotNegative),
             needed("-stiffness", "contact stiffness", Positive),
             optional("-power", "exponent of the penetration", Positive, 1.0),
             optional("-damping", "damping, time per length", NotNegative, 0.0),
             optional("-side", "side of the wall: 1, -1, or 0 for both", Number, 0.0),
         ],
-        make: Law(|n, _, _| {
-            let side = n.get("-side");
+        make: |[at, stiffness, power, damping, side], _, _| {
             let sides = if side > 0.0 {
                 Sides::Positive
             } else if side < 0.0 {
@@ -302,47 +282,43 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             } else {
                 Sides::Both
             };
-            let (at, stiffness, power) = (n.get("-at"), n.get("-stiffness"), n.get("-power"));
-            Arc::new(Gap { at, stiffness, power, damping: n.get("-damping"), sides })
-        }),
-    },
-    AmendmentKind {
+            Arc::new(Gap { at, stiffness, power, damping, sides })
+        },
+    }),
+    law(&Law {
         name: "damping",
         about: "Viscous damping in parallel.",
-        options: &[
+        options: [
             needed("-coefficient", "damping coefficient", NotNegative),
             optional("-power", "exponent of the rate", Positive, 1.0),
         ],
-        make: Law(|n, _, _| Arc::new(Damping { coefficient: n.get("-coefficient"), power: n.get("-power") })),
-    },
-    AmendmentKind {
+        make: |[coefficient, power], _, _| Arc::new(Damping { coefficient, power }),
+    }),
+    law(&Law {
         name: "yielding",
         about: "An elastic element yields.",
-        options: &[
+        options: [
             needed("-force", "yield force", Positive),
             optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
         ],
-        make: Law(|n, _, stiffness| {
-            Arc::new(Yielding { force: n.get("-force"), stiffness, hardening: n.get("-hardening") })
-        }),
-    },
-    AmendmentKind {
+        make: |[force, hardening], _, stiffness| Arc::new(Yielding { force, stiffness, hardening }),
+    }),
+    law(&Law {
         name: "peakOriented",
         about: "An elastic element yields and reloads towards its largest deformation.",
-        options: &[
+        options: [
             needed("-force", "yield force", Positive),
             optional("-hardening", "post-yield over elastic stiffness", Ratio, 0.0),
             optional("-unloading", "exponent of the unloading stiffness", NotNegative, 0.0),
         ],
-        make: Law(|n, _, stiffness| {
-            let (force, hardening, unloading) = (n.get("-force"), n.get("-hardening"), n.get("-unloading"));
+        make: |[force, hardening, unloading], _, stiffness| {
             Arc::new(PeakOriented { force, stiffness, hardening, unloading })
-        }),
-    },
-    AmendmentKind {
+        },
+    }),
+    law(&Law {
         name: "cavitation",
         about: "Tension is limited and damaged.",
-        options: &[
+        options: [
             needed("-strength", "cavitation strength", Positive),
             needed("-extension", "extension at which it is reached", Positive),
             optional("-damage", "part of the strength lost in the end", Ratio, 0.0),
@@ -351,13 +327,11 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             optional("-reach", "extension of the gain", Positive, f64::INFINITY),
             optional("-sign", "sign of the deformation that is tension, 1 or -1", Number, 1.0),
         ],
-        make: Law(|n, share, _| {
-            let (strength, extension) = (n.get("-strength"), n.get("-extension"));
-            let (damage, rate) = (n.get("-damage"), n.get("-rate"));
-            let (rise, reach, sign) = (n.get("-rise"), n.get("-reach"), n.get("-sign").signum());
+        make: |[strength, extension, damage, rate, rise, reach, sign], share, _| {
+            let (rise, reach, sign) = (rise, reach, sign.signum());
             Arc::new(Cavitation { strength, extension, damage, rate, rise, reach, sign, share })
-        }),
-    },
+        },
+    }),
     AmendmentKind { name: "hinges", about: "", options: &[], make: Words(joints::hinge) },
     AmendmentKind { name: "ends", about: "", options: &[], make: Words(joints::move_ends) },
     AmendmentKind {

@@ -18,9 +18,16 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::sync::Arc;
 
-const MOD_ELASTIC_BEAM2D_A: Arg = A.within(Domain::Positive);
-const MOD_ELASTIC_BEAM2D_E: Arg = E.within(Domain::Positive);
-const MOD_ELASTIC_BEAM2D_IZ: Arg = IZ.within(Domain::Positive);
+/// Properties of beams with factors.
+const IN_PLANE: [Arg; 3] = [A.within(Domain::Positive), E.within(Domain::Positive), IZ.within(Domain::Positive)];
+const IN_SPACE: [Arg; 6] = [
+    IN_PLANE[0],
+    IN_PLANE[1],
+    G.within(Domain::Positive),
+    J.within(Domain::Positive),
+    IY.within(Domain::Positive),
+    IN_PLANE[2],
+];
 /// Factors of the end rotation stiffness about an axis.
 const FACTORS: [Arg; 3] =
     [Arg::positive("K11", "factor K11"), Arg::positive("K33", "factor K33"), Arg::number("K44", "factor K44")];
@@ -31,9 +38,6 @@ const FACTORS_Y: [Arg; 3] =
 const FACTORS_Z: [Arg; 3] =
     [Arg::positive("K11z", "factor K11z"), Arg::positive("K33z", "factor K33z"), Arg::number("K44z", "factor K44z")];
 const RHO_M: Arg = MASS_PER_LENGTH.after("-rho");
-const MOD_ELASTIC_BEAM3D_G: Arg = G.within(Domain::Positive);
-const MOD_ELASTIC_BEAM3D_J: Arg = J.within(Domain::Positive);
-const MOD_ELASTIC_BEAM3D_IY: Arg = IY.within(Domain::Positive);
 
 pub(super) const MASS_PER_LENGTH: Arg = Arg::of("-mass", "m", "mass per length").within(Domain::NotNegative);
 pub(super) const E: Arg = Arg::usually_positive("E", "elastic modulus E");
@@ -81,15 +85,7 @@ pub(super) const MODIFIED: Kind = Kind {
     usage: "element ModElasticBeam2d $tag $i $j $A $E $Iz $K11 $K33 $K44 $transf <-rho $m> <-cMass|-lMass>",
     text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in the plane.")
         .example("element ModElasticBeam2d 2 1 2 1 1 1 1 1 1 1")
-        .arguments(&[
-            MOD_ELASTIC_BEAM2D_A,
-            MOD_ELASTIC_BEAM2D_E,
-            MOD_ELASTIC_BEAM2D_IZ,
-            FACTORS[0],
-            FACTORS[1],
-            FACTORS[2],
-            RHO_M,
-        ]),
+        .groups(&[&IN_PLANE, &FACTORS, &[RHO_M]]),
     make: Make::TwoNodes(make_modified),
 };
 
@@ -99,21 +95,7 @@ pub(super) const MODIFIED_SPACE: Kind = Kind {
             <-mass $m> <-cMass|-lMass>",
     text: Text::new("Elastic beam with rotational stiffness coefficients of its own, in space.")
         .example("element ModElasticBeam3d 2 1 2 1 1 1 1 1 1 1 1 1 1 1 1 1")
-        .arguments(&[
-            MOD_ELASTIC_BEAM2D_A,
-            MOD_ELASTIC_BEAM2D_E,
-            MOD_ELASTIC_BEAM3D_G,
-            MOD_ELASTIC_BEAM3D_J,
-            MOD_ELASTIC_BEAM3D_IY,
-            MOD_ELASTIC_BEAM2D_IZ,
-            MASS_PER_LENGTH,
-            FACTORS_Y[0],
-            FACTORS_Y[1],
-            FACTORS_Y[2],
-            FACTORS_Z[0],
-            FACTORS_Z[1],
-            FACTORS_Z[2],
-        ]),
+        .groups(&[&IN_SPACE, &FACTORS_Y, &FACTORS_Z, &[MASS_PER_LENGTH]]),
     make: Make::TwoNodes(make_modified_space),
 };
 
@@ -291,9 +273,8 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
-    let iz = a.number(&MOD_ELASTIC_BEAM2D_IZ)?;
-    let factors = [factors(a, &FACTORS)?, [4.0, 4.0, 2.0]];
+    let [area, e, iz] = a.numbers(&IN_PLANE)?;
+    let factors = [a.numbers(&FACTORS)?, [4.0, 4.0, 2.0]];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let o = modified_options(interp, a)?;
@@ -301,11 +282,6 @@ fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<
     let transform = spec.plane(&stand).map_err(|e| no_transform(a, place, nodes, e))?;
     let section = ElasticSection { e, area, iz, iy: 0.0, g: 0.0, j: 0.0, shear: (None, None) };
     Ok(ElasticBeam::modified(transform, section, factors, o).shared())
-}
-
-/// Factors of the end rotation stiffness about an axis.
-fn factors(a: &mut Args<'_>, [k11, k33, k44]: &[Arg; 3]) -> Result<[f64; 3], Exception> {
-    Ok([a.number(k11)?, a.number(k33)?, a.number(k44)?])
 }
 
 fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions, Exception> {
@@ -328,11 +304,9 @@ fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Resul
     if (ends.ndm, ends.ndf) != (3, 6) {
         return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
     }
-    let (area, e) = (a.number(&MOD_ELASTIC_BEAM2D_A)?, a.number(&MOD_ELASTIC_BEAM2D_E)?);
-    let (g, j) = (a.number(&MOD_ELASTIC_BEAM3D_G)?, a.number(&MOD_ELASTIC_BEAM3D_J)?);
-    let (iy, iz) = (a.number(&MOD_ELASTIC_BEAM3D_IY)?, a.number(&MOD_ELASTIC_BEAM2D_IZ)?);
-    let about_y = factors(a, &FACTORS_Y)?;
-    let factors = [factors(a, &FACTORS_Z)?, about_y];
+    let [area, e, g, j, iy, iz] = a.numbers(&IN_SPACE)?;
+    let about_y = a.numbers(&FACTORS_Y)?;
+    let factors = [a.numbers(&FACTORS_Z)?, about_y];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let o = modified_options(interp, a)?;

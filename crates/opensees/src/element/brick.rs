@@ -1,11 +1,11 @@
 //! `element stdBrick`, `bbarBrick`, `SSPbrick` and the tetrahedra.
 
+use super::corners::placed_nodes;
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
 use crate::checks;
 use crate::material::nd_material::{family, form};
-use crate::model::nodes::node_of;
 use crate::text::{Arg, Text};
 use crate::{Tcl, slips, warn};
 use hysteron_engine::element::{BrickOptions, Continuum, Element};
@@ -17,19 +17,23 @@ use hysteron_tcl::diagnostic::{Diagnostic, Span};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
-const N1: Arg = Arg::whole("n1", "tag of a corner's node");
-const N2: Arg = Arg::whole("n2", "tag of a corner's node");
-const N3: Arg = Arg::whole("n3", "tag of a corner's node");
-const N4: Arg = Arg::whole("n4", "tag of a corner's node");
-const N5: Arg = Arg::whole("n5", "tag of a corner's node");
-const N6: Arg = Arg::whole("n6", "tag of a corner's node");
-const N7: Arg = Arg::whole("n7", "tag of a corner's node");
-const N8: Arg = Arg::whole("n8", "tag of a corner's node");
-const N10: Arg = Arg::whole("n10", "tag of a corner's node");
-const TEN_NODE_TETRAHEDRON_MATERIAL: Arg = Arg::whole("material", "tag of a corner's node");
-const B1: Arg = Arg::whole("b1", "tag of a corner's node");
-const B2: Arg = Arg::whole("b2", "tag of a corner's node");
-const B3: Arg = Arg::whole("b3", "tag of a corner's node");
+const CORNERS: [Arg; 8] = [
+    Arg::whole("n1", "tag of a corner's node"),
+    Arg::whole("n2", "tag of a corner's node"),
+    Arg::whole("n3", "tag of a corner's node"),
+    Arg::whole("n4", "tag of a corner's node"),
+    Arg::whole("n5", "tag of a corner's node"),
+    Arg::whole("n6", "tag of a corner's node"),
+    Arg::whole("n7", "tag of a corner's node"),
+    Arg::whole("n8", "tag of a corner's node"),
+];
+const TEN_NODE: [Arg; 5] = [
+    Arg::whole("n10", "tag of a corner's node"),
+    Arg::whole("material", "tag of a corner's node"),
+    Arg::whole("b1", "tag of a corner's node"),
+    Arg::whole("b2", "tag of a corner's node"),
+    Arg::whole("b3", "tag of a corner's node"),
+];
 
 const BODY_FORCES: &[Arg] =
     &[Arg::new("b1", "body force along x"), Arg::new("b2", "body force along y"), Arg::new("b3", "body force along z")];
@@ -39,8 +43,8 @@ pub(super) const BRICK: Kind = Kind {
     usage: "element stdBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3> <-lumped> <-damp $damping>",
     text: Text::new("Eight-node brick.")
         .example("element stdBrick 77 1 2 3 4 5 6 7 8 1")
-        .arguments(&[N1, N2, N3, N4, N5, N6, N7, N8, Arg::flag("-lumped", "the mass is lumped at the corners")])
-        .groups(&[BODY_FORCES]),
+        .arguments(&[Arg::flag("-lumped", "the mass is lumped at the corners")])
+        .groups(&[&CORNERS, BODY_FORCES]),
     make: Make::AnyNodes(|interp, a| make(interp, a, false)),
 };
 
@@ -49,8 +53,7 @@ pub(super) const MEAN_DILATATION: Kind = Kind {
     usage: "element bbarBrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
     text: Text::new("Eight-node brick of elasticity with a constant dilatation.")
         .example("element bbarBrick 77 1 2 3 4 5 6 7 8 1")
-        .arguments(&[N1, N2, N3, N4, N5, N6, N7, N8])
-        .groups(&[BODY_FORCES]),
+        .groups(&[&CORNERS, BODY_FORCES]),
     make: Make::AnyNodes(|interp, a| make(interp, a, true)),
 };
 
@@ -59,8 +62,7 @@ pub(super) const STABILISED: Kind = Kind {
     usage: "element SSPbrick $tag $n1 $n2 $n3 $n4 $n5 $n6 $n7 $n8 $material <$b1 $b2 $b3>",
     text: Text::new("Eight-node brick with one point of integration and stabilised hourglass modes.")
         .example("element SSPbrick 77 1 2 3 4 5 6 7 8 1")
-        .arguments(&[N1, N2, N3, N4, N5, N6, N7, N8])
-        .groups(&[BODY_FORCES]),
+        .groups(&[&CORNERS, BODY_FORCES]),
     make: Make::AnyNodes(stabilised),
 };
 
@@ -69,8 +71,7 @@ pub(super) const FOUR_NODES: Kind = Kind {
     usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
     text: Text::new("Four-node tetrahedron with one point of integration.")
         .example("element FourNodeTetrahedron 77 1 2 4 5 1")
-        .arguments(&[N1, N2, N3, N4])
-        .groups(&[BODY_FORCES]),
+        .groups(&[&CORNERS, BODY_FORCES]),
     make: Make::AnyNodes(tetrahedron::<4, 12>),
 };
 
@@ -81,7 +82,7 @@ pub(super) const TEN_NODES: Kind = Kind {
         "Ten-node tetrahedron; nodes 5 to 10 are the middles of the edges 1-2, 2-3, 1-3, 1-4, 3-4 and 2-4.",
     )
     .example("element TenNodeTetrahedron 77 1 2 4 5 11 12 13 14 15 16 1")
-    .arguments(&[N1, N10, TEN_NODE_TETRAHEDRON_MATERIAL, B1, B2, B3]),
+    .groups(&[&CORNERS, &TEN_NODE]),
     make: Make::AnyNodes(tetrahedron::<10, 30>),
 };
 
@@ -102,17 +103,7 @@ fn stabilised(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dy
 }
 
 fn read<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Read<N>, Exception> {
-    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); N]);
-    for corner in &mut corners {
-        let id = node_of(interp, a, B1.meaning)?;
-        let node = &interp.host.engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (3, 3) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 3 degrees of freedom in 3 dimensions"));
-        }
-        *corner = node.place();
-        nodes.push(id);
-    }
+    let (nodes, corners) = placed_nodes(interp, a, &CORNERS[0], (3, 3))?;
     let place = a.last_span();
     let family = family(interp, a)?;
     let law = form(a, &family, (family.0.solid.as_ref(), "in space"))?;

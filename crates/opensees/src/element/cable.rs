@@ -10,33 +10,27 @@ use hysteron_tcl::Exception;
 use std::sync::Arc;
 
 const WEIGHT: Arg = Arg::number("weight", "weight per length, along z");
-const TEMPERATURE: Arg = Arg::number("temperature", "change of temperature");
-const TOLERANCE: Arg = Arg::positive("tol", "tolerance of the shape");
 const PARTS: Arg = Arg::count("parts", "number of parts of a correction");
 
-const CATENARY_CABLE_E: Arg = Arg::positive("E", "elastic modulus E");
-const CATENARY_CABLE_A: Arg = Arg::positive("A", "cross-sectional area A");
-const CATENARY_CABLE_L0: Arg = Arg::number("L0", "length without stress L0");
-const ALPHA: Arg = Arg::number("alpha", "thermal expansion alpha");
-const RHO: Arg = Arg::number("rho", "mass per length rho");
+const STIFFNESS: [Arg; 3] = [
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("A", "cross-sectional area A"),
+    Arg::number("L0", "length without stress L0"),
+];
+const NUMBERS: [Arg; 4] = [
+    Arg::number("alpha", "thermal expansion alpha"),
+    Arg::number("temperature", "change of temperature"),
+    Arg::number("rho", "mass per length rho"),
+    Arg::positive("tol", "tolerance of the shape"),
+];
 
 pub(super) const CATENARY: Kind = Kind {
     names: &["CatenaryCable"],
     usage: "element CatenaryCable $tag $i $j $weight $E $A $L0 $alpha $temperature $rho $tol $parts $massType",
     text: Text::new("An elastic cable under its weight or a uniform load.")
         .example("element CatenaryCable 2 1 2 1 1 1 1 1 1 1 1 1 1")
-        .arguments(&[
-            WEIGHT,
-            CATENARY_CABLE_E,
-            CATENARY_CABLE_A,
-            CATENARY_CABLE_L0,
-            ALPHA,
-            TEMPERATURE,
-            RHO,
-            TOLERANCE,
-            PARTS,
-            Arg::whole("massType", "0: mass at the nodes, 3: mass matrix of a bar"),
-        ]),
+        .arguments(&[WEIGHT, PARTS, Arg::whole("massType", "0: mass at the nodes, 3: mass matrix of a bar")])
+        .groups(&[&STIFFNESS, &NUMBERS]),
     make: Make::TwoNodes(make),
 };
 
@@ -48,14 +42,12 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
     if weight == 0.0 {
         return Err(a.refuse("the weight per length is 0", "expected another number, negative downwards"));
     }
-    let stiffness = a.number(&CATENARY_CABLE_E)? * a.number(&CATENARY_CABLE_A)?;
-    let given = a.number(&CATENARY_CABLE_L0)?;
+    let [e, area, given] = a.numbers(&STIFFNESS)?;
     let length = if given > 0.0 { given } else { (ends.place.1 - ends.place.0).norm() };
     if length == 0.0 {
         return Err(a.refuse("the cable has no length", "expected a number greater than 0"));
     }
-    let expansion = a.number(&ALPHA)? * a.number(&TEMPERATURE)?;
-    let (rho, tolerance) = (a.number(&RHO)?, a.number(&TOLERANCE)?);
+    let [alpha, temperature, rho, tolerance] = a.numbers(&NUMBERS)?;
     let parts = a.count(&PARTS)?.max(1);
     // Lumped where OpenSees has no integration of its own.
     let consistent = match a.int("type of the mass")? {
@@ -67,5 +59,6 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         }
     };
     let ends = [ends.place.0, ends.place.1];
+    let (stiffness, expansion) = (e * area, alpha * temperature);
     Ok(CatenaryCable { ends, weight, stiffness, length, expansion, rho, consistent, tolerance, parts }.shared())
 }

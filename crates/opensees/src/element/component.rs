@@ -14,12 +14,16 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
-const STIFFNESS_I: Arg = Arg::of("-stiffness", "kI", "stiffness kI (0: a hinge)").within(Domain::NotNegative);
-const STIFFNESS_J: Arg = Arg::of("-stiffness", "kJ", "stiffness kJ (0: a hinge)").within(Domain::NotNegative);
+const SPRINGS: [Arg; 2] = [
+    Arg::of("-stiffness", "kI", "stiffness kI (0: a hinge)").within(Domain::NotNegative),
+    Arg::of("-stiffness", "kJ", "stiffness kJ (0: a hinge)").within(Domain::NotNegative),
+];
 
-const COMPONENT_ELEMENT2D_A: Arg = Arg::positive("A", "cross-sectional area A");
-const COMPONENT_ELEMENT2D_E: Arg = Arg::positive("E", "elastic modulus E");
-const COMPONENT_ELEMENT2D_I: Arg = Arg::positive("I", "second moment of area I");
+const SECTION: [Arg; 3] = [
+    Arg::positive("A", "cross-sectional area A"),
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("I", "second moment of area I"),
+];
 const RHO_M: Arg = Arg::of("-rho", "m", "mass per length").within(Domain::NotNegative);
 
 pub(super) const COMPONENT: Kind = Kind {
@@ -28,16 +32,8 @@ pub(super) const COMPONENT: Kind = Kind {
             <-cMass>",
     text: Text::new("Elastic beam between two rotational springs, in the plane.")
         .example("element componentElement2d 2 1 2 1 1 1 1 1 1")
-        .arguments(&[
-            COMPONENT_ELEMENT2D_A,
-            COMPONENT_ELEMENT2D_E,
-            COMPONENT_ELEMENT2D_I,
-            Arg::thing("materialI", things::MATERIAL),
-            Arg::thing("materialJ", things::MATERIAL),
-            STIFFNESS_I,
-            STIFFNESS_J,
-            RHO_M,
-        ]),
+        .arguments(&[Arg::thing("materialI", things::MATERIAL), Arg::thing("materialJ", things::MATERIAL), RHO_M])
+        .groups(&[&SECTION, &SPRINGS]),
     make: Make::TwoNodes(make),
 };
 
@@ -46,13 +42,12 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     if (ends.ndm, ends.ndf) != (2, 3) {
         return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
     }
-    let (area, e) = (a.number(&COMPONENT_ELEMENT2D_A)?, a.number(&COMPONENT_ELEMENT2D_E)?);
-    let i = a.number(&COMPONENT_ELEMENT2D_I)?;
+    let [area, e, i] = a.numbers(&SECTION)?;
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();
     let springs = if a.flag("-stiffness") || a.flag("-k") {
-        let k = [a.number(&STIFFNESS_I)?, a.number(&STIFFNESS_J)?];
-        k.map(|k| (k > 0.0).then(|| (Elastic::new(k).shared() as hysteron_engine::material::Material, 0)))
+        a.numbers(&SPRINGS)?
+            .map(|k| (k > 0.0).then(|| (Elastic::new(k).shared() as hysteron_engine::material::Material, 0)))
     } else {
         let materials = &interp.host.builder.definitions.materials;
         [Some(a.of(materials)?), Some(a.of(materials)?)]

@@ -11,20 +11,31 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::sync::Arc;
 
-const ORIGIN_X: Arg = Arg::number("originX", "origin x of the axis of the circle");
-const ORIGIN_Y: Arg = Arg::number("originY", "origin y of the axis of the circle");
+const ORIGIN: [Arg; 2] = [
+    Arg::number("originX", "origin x of the axis of the circle"),
+    Arg::number("originY", "origin y of the axis of the circle"),
+];
 
-const NX: Arg = Arg::of("-normal", "Nx", "component Nx of the normal").within(Domain::Number);
-const NY: Arg = Arg::of("-normal", "Ny", "component Ny of the normal").within(Domain::Number);
+const NORMAL: [Arg; 2] = [
+    Arg::of("-normal", "Nx", "component Nx of the normal").within(Domain::Number),
+    Arg::of("-normal", "Ny", "component Ny of the normal").within(Domain::Number),
+];
 
 const DIRECTION: Arg = Arg::whole("direction", "direction of the contact");
-const GAP: Arg = Arg::number("gap", "gap");
 const FRICTION: Arg = Arg::not_negative("friction", "coefficient of friction");
 const KT: Arg = Arg::not_negative("Kt", "tangential stiffness Kt");
 const KN: Arg = Arg::positive("Kn", "normal stiffness Kn");
-const KN2: Arg = Arg::not_negative("Kn2", "normal stiffness Kn2 after yielding");
-const YIELD: Arg = Arg::not_negative("yield", "yield penetration");
 const COHESION: Arg = Arg::not_negative("cohesion", "cohesion");
+
+const IMPACT_NUMBERS: [Arg; 7] = [
+    Arg::number("gap", "gap"),
+    FRICTION,
+    KT,
+    KN,
+    Arg::not_negative("Kn2", "normal stiffness Kn2 after yielding"),
+    Arg::not_negative("yield", "yield penetration"),
+    COHESION,
+];
 
 const NODES: &[Arg] = &[
     Arg::whole("secondary", "node that must not enter the surface of the other one"),
@@ -36,18 +47,8 @@ pub(super) const IMPACT: Kind = Kind {
     usage: "element zeroLengthImpact3D $tag $secondary $primary $direction $gap $friction $Kt $Kn $Kn2 $yield $cohesion",
     text: Text::new("Contact of two nodes with friction and a bilinear hysteretic stiffness.")
         .example("element zeroLengthImpact3D 2 1 2 1 1 1 1 1 1 1 1")
-        .arguments(&[
-            Arg::whole("secondary", "tag of node i"),
-            Arg::whole("primary", "tag of node j"),
-            DIRECTION,
-            GAP,
-            FRICTION,
-            KT,
-            KN,
-            KN2,
-            YIELD,
-            COHESION,
-        ]),
+        .arguments(&[Arg::whole("secondary", "tag of node i"), Arg::whole("primary", "tag of node j"), DIRECTION])
+        .groups(&[&IMPACT_NUMBERS]),
     make: Make::TwoNodes(make),
 };
 
@@ -56,8 +57,7 @@ pub(super) const CONTACT_2D: Kind = Kind {
     usage: "element zeroLengthContact2D $tag $secondary $primary $Kn $Kt $friction -normal $Nx $Ny",
     text: Text::new("Contact of two nodes in the plane with Coulomb friction, by penalties.")
         .example("element zeroLengthContact2D 77 1 2 1. 1. 0.3 -normal 0. 1.")
-        .arguments(&[KN, KT, FRICTION, NX, NY])
-        .groups(&[NODES]),
+        .groups(&[&[KN, KT, FRICTION], &NORMAL, NODES]),
     make: Make::TwoNodes(make_in_plane),
 };
 
@@ -77,10 +77,8 @@ pub(super) const CONTACT_3D: Kind = Kind {
                  along z",
             )
             .within(Domain::Whole),
-            ORIGIN_X,
-            ORIGIN_Y,
         ])
-        .groups(&[NODES]),
+        .groups(&[&ORIGIN, NODES]),
     make: Make::TwoNodes(make_in_space),
 };
 
@@ -107,7 +105,7 @@ fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     if a.word("option -normal")? != "-normal" {
         return Err(a.unknown_name("option in this place", ["-normal"]));
     }
-    let (x, y) = (a.number(&NX)?, a.number(&NY)?);
+    let [x, y] = a.numbers(&NORMAL)?;
     let length = x.hypot(y);
     if length == 0.0 {
         return Err(a.refuse("the normal has no length", "expected a vector out of the primary surface"));
@@ -127,7 +125,7 @@ fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
     let mut origin = [0.0; 2];
     if direction == ContactDirection::Circular {
         if a.left() > 0 {
-            origin = [a.number(&ORIGIN_X)?, a.number(&ORIGIN_Y)?];
+            origin = a.numbers(&ORIGIN)?;
         }
         if (ends.place.1.x - origin[0]).hypot(ends.place.1.y - origin[1]) == 0.0 {
             let label = "expected a primary node apart from the axis of the cylinder";
@@ -143,14 +141,8 @@ fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, 
         return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
     }
     let direction = direction(a)?;
-    let options = ImpactOptions {
-        direction,
-        gap: a.number(&GAP)?,
-        friction: a.number(&FRICTION)?,
-        tangential: a.number(&KT)?,
-        normal: [a.number(&KN)?, a.number(&KN2)?],
-        yield_penetration: a.number(&YIELD)?,
-        cohesion: a.number(&COHESION)?,
-    };
+    let [gap, friction, tangential, kn, kn2, yield_penetration, cohesion] = a.numbers(&IMPACT_NUMBERS)?;
+    let options =
+        ImpactOptions { direction, gap, friction, tangential, normal: [kn, kn2], yield_penetration, cohesion };
     Ok(Impact::new(options, [ends.place.0, ends.place.1]).shared())
 }

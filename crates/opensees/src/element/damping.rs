@@ -26,7 +26,7 @@ const COEFFICIENT: Arg = Arg::number("beta1", "coefficient beta");
 const N: Arg = Arg::count("n", "number of frequencies n");
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("damping", "damping $kind $tag ...", damping)
-    .arguments(&[Arg::of("-factor", "series", "time series")])
+    .arguments(&[TAG, Arg::of("-factor", "series", "time series")])
     .about("Makes a damping of single elements, for their option `-damp` and for `region -damp`.")
     .defining(&[things::DAMPING], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -41,7 +41,7 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "A constant damping ratio over a range of frequencies, by low-pass filters of the element's forces.",
         )
-        .arguments(&[TAG, ZETA, UNIFORM_FREQ1, UNIFORM_FREQ2, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
+        .arguments(&[ZETA, UNIFORM_FREQ1, UNIFORM_FREQ2, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
         make: uniform,
     },
     Kind {
@@ -50,7 +50,7 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Forces in proportion to the rate of the element's forces: those before the first dynamic step count as 0.",
         )
-        .arguments(&[TAG, BETA, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
+        .arguments(&[BETA, ACTIVATE_TIME_TA, DEACTIVATE_TIME_TD]),
         make: secant_stiffness,
     },
     Kind {
@@ -59,7 +59,6 @@ const KINDS: &[Kind] = &[
                 <-activateTime $ta> <-deactivateTime $td> <-factor $series> <-prttag>",
         text: Text::new("Damping ratios given over the frequency, by low-pass filters of the element's forces.")
             .arguments(&[
-                TAG,
                 N,
                 FREQUENCY,
                 RATIO,
@@ -79,7 +78,6 @@ const KINDS: &[Kind] = &[
         usage: "damping URDbeta $tag $n $freq1 $beta1 $freq2 $beta2 ... <-activateTime $ta> <-deactivateTime $td> \
                 <-factor $series>",
         text: Text::new("Low-pass filters of given frequencies and coefficients.").arguments(&[
-            TAG,
             N,
             FREQUENCY,
             COEFFICIENT,

@@ -21,12 +21,14 @@ use std::sync::Arc;
 
 const MU_REF: Arg = Arg::positive("MuRef", "reference coefficient of friction MuRef");
 const P_REF: Arg = Arg::not_negative("pRef", "reference pressure pRef");
-const DIFFUSIVITY: Arg = Arg::positive("Diffusivity", "thermal diffusivity");
-const CONDUCTIVITY: Arg = Arg::positive("Conductivity", "thermal conductivity");
+const CONDUCTION: [Arg; 2] =
+    [Arg::positive("Diffusivity", "thermal diffusivity"), Arg::positive("Conductivity", "thermal conductivity")];
 const RATE_PARAMETER: Arg = Arg::not_negative("rateParameter", "rate of the dependence on speed");
-const REFFECTIVE_FP: Arg = Arg::positive("ReffectiveFP", "effective radius ReffectiveFP");
-const RADIUS_CONTACT: Arg = Arg::positive("Radius_Contact", "radius of contact Radius_Contact");
-const K_INITIAL: Arg = Arg::positive("kInitial", "initial stiffness kInitial");
+const DISH: [Arg; 3] = [
+    Arg::positive("ReffectiveFP", "effective radius ReffectiveFP"),
+    Arg::positive("Radius_Contact", "radius of contact Radius_Contact"),
+    Arg::positive("kInitial", "initial stiffness kInitial"),
+];
 const MASS: Arg = Arg::not_negative("mass", "mass");
 const ITER: Arg = Arg::count("iter", "largest number of iterations iter");
 const TOL: Arg = Arg::positive("tol", "tolerance tol");
@@ -46,13 +48,8 @@ pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
             Arg::whole("IsPressureDependent", "dependence on pressure"),
             P_REF,
             Arg::whole("isTemperatureDependent", "dependence on temperature"),
-            DIFFUSIVITY,
-            CONDUCTIVITY,
             Arg::whole("IsVelocityDependent", "dependence on speed"),
             RATE_PARAMETER,
-            REFFECTIVE_FP,
-            RADIUS_CONTACT,
-            K_INITIAL,
             Arg::thing("theMaterialA", things::MATERIAL),
             Arg::thing("theMaterialB", things::MATERIAL),
             Arg::thing("theMaterialC", things::MATERIAL),
@@ -69,7 +66,8 @@ pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
             ITER,
             TOL,
             Arg::whole("unit", "system of units"),
-        ]),
+        ])
+        .groups(&[&CONDUCTION, &DISH]),
     make: Make::TwoNodes(make),
 };
 
@@ -84,12 +82,11 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let by_pressure = on(a, "dependence on pressure")?;
     let reference = a.number(&P_REF)?;
     let softens = on(a, "dependence on temperature")?;
-    let conduction = [a.number(&DIFFUSIVITY)?, a.number(&CONDUCTIVITY)?];
+    let conduction = a.numbers(&CONDUCTION)?;
     let by_speed = on(a, "dependence on speed")?;
     let rate = a.number(&RATE_PARAMETER)?;
-    let dish = Dish { radius: a.number(&REFFECTIVE_FP)?, rises: false };
-    let radius = a.number(&RADIUS_CONTACT)?;
-    let k_init = a.number(&K_INITIAL)?;
+    let [effective, radius, k_init] = a.numbers(&DISH)?;
+    let dish = Dish { radius: effective, rises: false };
     let known = &interp.host.builder.definitions.materials;
     let materials = vec![a.of(known)?, a.of(known)?, a.of(known)?, a.of(known)?];
     let mut place = Placement::at_nodes(nodes);

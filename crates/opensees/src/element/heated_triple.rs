@@ -1,6 +1,6 @@
 //! `element TripleFrictionPendulumX`.
 
-use super::triple::{LENGTHS, lengths, stiffness};
+use super::triple::{LENGTHS, TENSION, WEIGHT, lengths, stiffness};
 use super::{Ends, Kind, Make};
 use crate::args::Args;
 use crate::checks;
@@ -34,15 +34,10 @@ const PRESSURES: [Arg; 3] = [
     Arg::positive("refPres2", "reference pressure 2"),
     Arg::positive("refPres3", "reference pressure 3"),
 ];
-const T2: Arg = Arg::positive("t2", "thickness t2 of the lower plate");
-const T3: Arg = Arg::positive("t3", "thickness t3 of the upper plate");
-const TRIPLE_FRICTION_PENDULUM_X_W: Arg = Arg::positive("W", "weight W");
-const UY: Arg = Arg::positive("uy", "yield displacement uy");
-const KVT: Arg = Arg::positive("kvt", "vertical stiffness in tension kvt");
-const MIN_FV: Arg = Arg::not_negative("minFv", "least normal force minFv");
-const TOL: Arg = Arg::positive("tol", "tolerance tol");
-const DIFFUSIVITY: Arg = Arg::positive("Diffusivity", "thermal diffusivity");
-const CONDUCTIVITY: Arg = Arg::positive("Conductivity", "thermal conductivity");
+const PLATES: [Arg; 2] =
+    [Arg::positive("t2", "thickness t2 of the lower plate"), Arg::positive("t3", "thickness t3 of the upper plate")];
+const CONDUCTION: [Arg; 2] =
+    [Arg::positive("Diffusivity", "thermal diffusivity"), Arg::positive("Conductivity", "thermal conductivity")];
 const TEMPERATURE0: Arg = Arg::number("Temperature0", "temperature at the beginning");
 const RATE_PARAM: Arg = Arg::not_negative("rateParam", "rate of the dependence on speed");
 
@@ -66,21 +61,12 @@ pub(super) const TRIPLE_X: Kind = Kind {
             Arg::whole("tagPres", "dependence on pressure tagPres"),
             Arg::whole("tagTemp", "dependence on temperature tagTemp"),
             Arg::whole("tagVel", "dependence on speed tagVel"),
-            T2,
-            T3,
-            TRIPLE_FRICTION_PENDULUM_X_W,
-            UY,
-            KVT,
-            MIN_FV,
-            TOL,
-            DIFFUSIVITY,
-            CONDUCTIVITY,
             TEMPERATURE0,
             RATE_PARAM,
             Arg::whole("kTmodel", "dependence kTmodel on temperature"),
             Arg::whole("unit", "system of units"),
         ])
-        .groups(&[&COEFFICIENTS, &LENGTHS, &DIAMETERS, &PRESSURES]),
+        .groups(&[&COEFFICIENTS, &LENGTHS, &DIAMETERS, &PLATES, &WEIGHT, &TENSION, &PRESSURES, &CONDUCTION]),
     make: Make::TwoNodes(make),
 };
 
@@ -104,10 +90,6 @@ pub(super) fn one_of(a: &mut Args<'_>, what: &str, range: std::ops::RangeInclusi
     }
     let (first, last) = (range.start(), range.end());
     Err(a.refuse(format!("the {what} is {n}"), format!("expected a whole number from {first} to {last}")))
-}
-
-fn three(a: &mut Args<'_>, [x, y, z]: &[Arg; 3]) -> Result<[f64; 3], Exception> {
-    Ok([a.number(x)?, a.number(y)?, a.number(z)?])
 }
 
 /// The vertical material and those of the rotations about Z, X and Y, from the tag of the conduction on. OpenSees starts a word early: it
@@ -150,19 +132,16 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let by_pressure = on(a, "dependence on pressure tagPres")?;
     let by_temperature = on(a, "dependence on temperature tagTemp")?;
     let by_speed = on(a, "dependence on speed tagVel")?;
-    let mu = three(a, &COEFFICIENTS)?;
+    let mu = a.numbers(&COEFFICIENTS)?;
     let (l, d) = lengths(a)?;
-    let width = three(a, &DIAMETERS)?;
-    let thickness = [a.number(&T2)?, a.number(&T3)?];
-    let weight = a.number(&TRIPLE_FRICTION_PENDULUM_X_W)?;
-    let uy = a.number(&UY)?;
+    let width = a.numbers(&DIAMETERS)?;
+    let thickness = a.numbers(&PLATES)?;
+    let [weight, uy] = a.numbers(&WEIGHT)?;
     let uy_span = a.last_span();
-    let k_tension = a.number(&KVT)?;
-    let least_normal = a.number(&MIN_FV)?;
-    let tolerance = a.number(&TOL)?;
-    let reference = three(a, &PRESSURES)?;
-    let conduction =
-        Conduction { diffusivity: a.number(&DIFFUSIVITY)?, conductivity: a.number(&CONDUCTIVITY)?, body, compat };
+    let [k_tension, least_normal, tolerance] = a.numbers(&TENSION)?;
+    let reference = a.numbers(&PRESSURES)?;
+    let [diffusivity, conductivity] = a.numbers(&CONDUCTION)?;
+    let conduction = Conduction { diffusivity, conductivity, body, compat };
     let temperature = a.number(&TEMPERATURE0)?;
     let rate = a.number(&RATE_PARAM)?;
     let softening = match one_of(a, "dependence kTmodel on temperature", 1..=3)? {

@@ -1,10 +1,10 @@
 //! `element Joint2D`.
 
+use super::corners::placed_nodes;
 use super::{Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
 use crate::model::constraint;
-use crate::model::nodes::node_of;
 use crate::text::{Arg, Domain, Text};
 use crate::things;
 use hysteron_engine::element::{Element, Joint};
@@ -47,17 +47,7 @@ const MIDDLE_TOLERANCE: f64 = 1e-6;
 const ROTATIONS: [usize; 2] = [2, 3];
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, Arc<dyn Element>), Exception> {
-    let (mut nodes, mut places) = (vec![], [Vector3::zeros(); 4]);
-    for place in &mut places {
-        let id = node_of(interp, a, N2.meaning)?;
-        let node = &interp.host.engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (2, 3) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 3 degrees of freedom in 2 dimensions"));
-        }
-        *place = node.place();
-        nodes.push(id);
-    }
+    let (mut nodes, places) = placed_nodes::<4>(interp, a, &N2, (2, 3))?;
     let last = a.last_span();
     let (first, second) = (0.5 * (places[0] + places[2]), 0.5 * (places[1] + places[3]));
     if (first - second).norm() > MIDDLE_TOLERANCE

@@ -10,6 +10,7 @@ mod brick;
 mod cable;
 mod component;
 mod contact;
+mod corners;
 pub(crate) mod damping;
 mod fiber_beam;
 mod heated_pendulum;

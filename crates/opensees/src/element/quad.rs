@@ -1,11 +1,11 @@
 //! `element quad`, `bbarQuad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
 
+use super::corners::{CORNERS, placed_nodes};
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::Tcl;
 use crate::args::Args;
 use crate::material::nd_material::{Family, family, form};
-use crate::model::nodes::node_of;
 use crate::text::{Arg, Domain, Text};
 use hysteron_engine::element::{Continuum, Element, QuadOptions, QuadraticShape};
 use hysteron_engine::material::{Condensed, PLANE, Plane, SharedMultiaxial};
@@ -17,10 +17,6 @@ use std::sync::Arc;
 const PRESSURE: Arg = Arg::number("pressure", "pressure on the edges");
 const RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
 
-const I: Arg = Arg::whole("i", "tag of a corner's node");
-const J: Arg = Arg::whole("j", "tag of a corner's node");
-const K: Arg = Arg::whole("k", "tag of a corner's node");
-const L: Arg = Arg::whole("l", "tag of a corner's node");
 const QUAD_THICKNESS: Arg = Arg::positive("thickness", "thickness");
 const N9: Arg = Arg::whole("n9", "tag of a corner's node");
 const N8: Arg = Arg::whole("n8", "tag of a corner's node");
@@ -32,10 +28,11 @@ pub(super) const QUAD: Kind = Kind {
     names: &["quad", "stdQuad", "FourNodeQuad"],
     usage: "element quad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by> \
             <-damp $damping>",
-    text: Text::new("Four-node quadrilateral.")
-        .example("element quad 77 1 2 3 4 1. PlaneStress 1")
-        .arguments(&[I, J, K, L, QUAD_THICKNESS])
-        .groups(&[BODY]),
+    text: Text::new("Four-node quadrilateral.").example("element quad 77 1 2 3 4 1. PlaneStress 1").groups(&[
+        &CORNERS,
+        &[QUAD_THICKNESS],
+        BODY,
+    ]),
     make: Make::AnyNodes(make),
 };
 
@@ -44,7 +41,7 @@ pub(super) const MEAN_DILATATION: Kind = Kind {
     usage: "element bbarQuad $tag $i $j $k $l $thickness $material",
     text: Text::new("Four-node quadrilateral in plane strain with a constant dilatation.")
         .example("element bbarQuad 77 1 2 3 4 1. 1")
-        .arguments(&[I, J, K, L, QUAD_THICKNESS]),
+        .groups(&[&CORNERS, &[QUAD_THICKNESS]]),
     make: Make::AnyNodes(make_mean_dilatation),
 };
 
@@ -53,7 +50,8 @@ pub(super) const STABILISED: Kind = Kind {
     usage: "element SSPquad $tag $i $j $k $l $material PlaneStrain|PlaneStress $thickness <$bx $by>",
     text: Text::new("Stabilised quadrilateral of plane elasticity with one Gauss point.")
         .example("element SSPquad 77 1 2 3 4 1 PlaneStress 1.")
-        .arguments(&[I, J, K, L, QUAD_THICKNESS, Arg::new("bx", "body force bx"), Arg::new("by", "body force by")]),
+        .groups(&[&CORNERS])
+        .arguments(&[QUAD_THICKNESS, Arg::new("bx", "body force bx"), Arg::new("by", "body force by")]),
     make: Make::AnyNodes(make_stabilised),
 };
 
@@ -62,8 +60,7 @@ pub(super) const TRIANGLE: Kind = Kind {
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     text: Text::new("Three-node triangle of plane elasticity.")
         .example("element tri31 77 1 2 3 1. PlaneStress 1")
-        .arguments(&[I, J, K, QUAD_THICKNESS])
-        .groups(&[BODY]),
+        .groups(&[&CORNERS, &[QUAD_THICKNESS], BODY]),
     make: Make::AnyNodes(make_triangle),
 };
 
@@ -118,7 +115,7 @@ pub(super) const ENHANCED: Kind = Kind {
     usage: "element enhancedQuad $tag $i $j $k $l $thickness PlaneStrain|PlaneStress $material",
     text: Text::new("Four-node quadrilateral of plane elasticity with enhanced strains.")
         .example("element enhancedQuad 77 1 2 3 4 1. PlaneStress 1")
-        .arguments(&[I, J, K, L, QUAD_THICKNESS]),
+        .groups(&[&CORNERS, &[QUAD_THICKNESS]]),
     make: Make::AnyNodes(make_enhanced),
 };
 
@@ -134,18 +131,8 @@ fn plane_law(interp: &Tcl, a: &mut Args<'_>, plane: Plane) -> Result<SharedMulti
 
 /// Nodes and places of the corners.
 fn corners<const N: usize>(interp: &Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, [[f64; 2]; N]), Exception> {
-    let (mut nodes, mut corners) = (vec![], [[0.0; 2]; N]);
-    for corner in &mut corners {
-        let id = node_of(interp, a, I.meaning)?;
-        let node = &interp.host.engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (2, 2) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 2 degrees of freedom in 2 dimensions"));
-        }
-        corner.copy_from_slice(&node.coords[..2]);
-        nodes.push(id);
-    }
-    Ok((nodes, corners))
+    let (nodes, places) = placed_nodes(interp, a, &CORNERS[0], (2, 2))?;
+    Ok((nodes, places.map(|p| [p.x, p.y])))
 }
 
 fn plane(a: &mut Args<'_>) -> Result<Plane, Exception> {

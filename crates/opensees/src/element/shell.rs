@@ -1,9 +1,9 @@
 //! `element ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`, `ASDShellQ4`, `ASDShellT3`.
 
+use super::corners::{CORNERS, placed_node};
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
-use crate::model::nodes::node_of;
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_unknown, slips};
 use hysteron_engine::element::Element;
@@ -18,24 +18,21 @@ use std::sync::Arc;
 
 const DRILLING_SHARE: Arg =
     Arg::of("-drillingStab", "share", "share of full integration of the drilling stiffness").within(Domain::Number);
-const LOCAL_X1: Arg = Arg::of("-local", "x1", "x1 of axis 1").within(Domain::Number);
-const LOCAL_X2: Arg = Arg::of("-local", "x2", "x2 of axis 1").within(Domain::Number);
-const LOCAL_X3: Arg = Arg::of("-local", "x3", "x3 of axis 1").within(Domain::Number);
-
-const I: Arg = Arg::whole("i", "tag of a corner's node");
-const J: Arg = Arg::whole("j", "tag of a corner's node");
-const K: Arg = Arg::whole("k", "tag of a corner's node");
-const L: Arg = Arg::whole("l", "tag of a corner's node");
+const LOCAL_X: [Arg; 3] = [
+    Arg::of("-local", "x1", "x1 of axis 1").within(Domain::Number),
+    Arg::of("-local", "x2", "x2 of axis 1").within(Domain::Number),
+    Arg::of("-local", "x3", "x3 of axis 1").within(Domain::Number),
+];
 
 const LOCAL_AXES: &[Arg] =
-    &[Arg::flag("-corotational", "the axes of the shell follow its nodes"), LOCAL_X1, LOCAL_X2, LOCAL_X3];
+    &[Arg::flag("-corotational", "the axes of the shell follow its nodes"), LOCAL_X[0], LOCAL_X[1], LOCAL_X[2]];
 
 pub(super) const MITC4: Kind = Kind {
     names: &["ShellMITC4", "shellMITC4", "Shell", "shell"],
     usage: "element ShellMITC4 $tag $i $j $k $l $section <-damp $damping>",
     text: Text::new("Four-node shell with shear deformation.")
         .example("element ShellMITC4 77 1 3 4 2 1")
-        .arguments(&[I, J, K, L]),
+        .groups(&[&CORNERS]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::Mitc4)),
 };
 
@@ -44,16 +41,14 @@ pub(super) const DKGQ: Kind = Kind {
     usage: "element ShellDKGQ $tag $i $j $k $l $section <-damp $damping>",
     text: Text::new("Four-node thin shell with drilling.")
         .example("element ShellDKGQ 77 1 3 4 2 1")
-        .arguments(&[I, J, K, L]),
+        .groups(&[&CORNERS]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffQuadrilateral)),
 };
 
 pub(super) const DKGT: Kind = Kind {
     names: &["ShellDKGT", "shellDKGT"],
     usage: "element ShellDKGT $tag $i $j $k $section <-damp $damping>",
-    text: Text::new("Three-node thin shell with drilling.")
-        .example("element ShellDKGT 77 1 3 4 1")
-        .arguments(&[I, J, K]),
+    text: Text::new("Three-node thin shell with drilling.").example("element ShellDKGT 77 1 3 4 1").groups(&[&CORNERS]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffTriangle)),
 };
 
@@ -62,7 +57,7 @@ pub(super) const UPDATED: Kind = Kind {
     usage: "element ShellNLDKGQ $tag $i $j $k $l $section",
     text: Text::new("Four-node thin shell with drilling and large displacements.")
         .example("element ShellNLDKGQ 77 1 3 4 2 1")
-        .arguments(&[I, J, K, L]),
+        .groups(&[&CORNERS]),
     make: Make::AnyNodes(make_updated),
 };
 
@@ -76,15 +71,11 @@ pub(super) const ENHANCED: Kind = Kind {
     )
     .example("element ASDShellQ4 77 1 3 4 2 1")
     .arguments(&[
-        I,
-        J,
-        K,
-        L,
         Arg::flag("-noeas", "the membrane has no internal modes"),
         DRILLING_SHARE,
         Arg::flag("-drillingNL", "the drilling stiffness is damaged with the section"),
     ])
-    .groups(&[LOCAL_AXES]),
+    .groups(&[&CORNERS, LOCAL_AXES]),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 4)),
 };
 
@@ -95,13 +86,10 @@ pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
     text: Text::new("Three-node shell with shear deformation and drilling; large displacements on demand.")
         .example("element ASDShellT3 77 1 3 4 1")
         .arguments(&[
-            I,
-            J,
-            K,
             Arg::flag("-reducedIntegration", "one point, and a penalty on the drilling strain"),
             Arg::flag("-drillingNL", "with -reducedIntegration, the drilling stiffness is damaged with the section"),
         ])
-        .groups(&[LOCAL_AXES]),
+        .groups(&[&CORNERS, LOCAL_AXES]),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 3)),
 };
 
@@ -111,15 +99,10 @@ type Corners = (Vec<NodeId>, Vec<Vector3<f64>>, Vec<f64>);
 fn corners(interp: &Tcl, a: &mut Args<'_>, count: usize) -> Result<Corners, Exception> {
     let (mut nodes, mut places, mut disp) = (vec![], vec![], vec![]);
     for _ in 0..count {
-        let id = node_of(interp, a, I.meaning)?;
+        let (id, place) = placed_node(interp, a, &CORNERS[0], (3, 6))?;
         let engine = &interp.host.engine;
-        let node = &engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (3, 6) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 6 degrees of freedom in 3 dimensions"));
-        }
-        places.push(node.place());
-        disp.extend(node.dofs().map(|d| engine.state().disp[d]));
+        places.push(place);
+        disp.extend(engine.model().nodes[id.0].dofs().map(|d| engine.state().disp[d]));
         nodes.push(id);
     }
     Ok((nodes, places, disp))
@@ -179,7 +162,7 @@ fn make_enhanced(
             ("-reducedIntegration", 3) => o.reduced = true,
             ("-drillingNL", _) => damaged = true,
             ("-local", _) => {
-                let axis = [a.number(&LOCAL_X1)?, a.number(&LOCAL_X2)?, a.number(&LOCAL_X3)?];
+                let axis = a.numbers(&LOCAL_X)?;
                 o.axis = axis.iter().any(|x| *x != 0.0).then_some(axis);
             }
             _ => ignore_unknown(interp, a)?,

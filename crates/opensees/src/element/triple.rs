@@ -16,9 +16,14 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Span;
 use std::sync::Arc;
 
-const KVT: Arg = Arg::positive("kvt", "vertical stiffness in tension kvt");
-const MIN_FV: Arg = Arg::not_negative("minFv", "least normal force minFv");
-const TOL: Arg = Arg::positive("tol", "tolerance tol");
+/// Weight and yield displacement.
+pub(super) const WEIGHT: [Arg; 2] = [Arg::positive("W", "weight W"), Arg::positive("uy", "yield displacement uy")];
+/// Numbers of the vertical direction, and the tolerance.
+pub(super) const TENSION: [Arg; 3] = [
+    Arg::positive("kvt", "vertical stiffness in tension kvt"),
+    Arg::not_negative("minFv", "least normal force minFv"),
+    Arg::positive("tol", "tolerance tol"),
+];
 
 /// Effective radii and displacement limits of the inner, lower and upper surfaces.
 pub(super) const LENGTHS: [Arg; 6] = [
@@ -29,8 +34,6 @@ pub(super) const LENGTHS: [Arg; 6] = [
     Arg::positive("d2", "displacement limit d2 of the lower outer surface"),
     Arg::positive("d3", "displacement limit d3 of the upper outer surface"),
 ];
-const TRIPLE_FRICTION_PENDULUM_W: Arg = Arg::positive("W", "weight W");
-const UY: Arg = Arg::positive("uy", "yield displacement uy");
 
 pub(super) const TRIPLE: Kind = Kind {
     names: &["TripleFrictionPendulum"],
@@ -49,13 +52,8 @@ pub(super) const TRIPLE: Kind = Kind {
             Arg::thing("rotZMatTag", things::MATERIAL),
             Arg::thing("rotXMatTag", things::MATERIAL),
             Arg::thing("rotYMatTag", things::MATERIAL),
-            TRIPLE_FRICTION_PENDULUM_W,
-            UY,
-            KVT,
-            MIN_FV,
-            TOL,
         ])
-        .groups(&[&LENGTHS]),
+        .groups(&[&LENGTHS, &WEIGHT, &TENSION]),
     make: Make::TwoNodes(make),
 };
 
@@ -69,8 +67,7 @@ pub(super) fn lengths(a: &mut Args<'_>) -> Result<([f64; 3], [f64; 3]), Exceptio
         if l > l1 { Ok(l) } else { Err(refused()) }
     };
     let l = [l1, outer(l2)?, outer(l3)?];
-    let [d1, d2, d3] = [a.number(d1)?, a.number(d2)?, a.number(d3)?];
-    Ok((l, [d1, d2, d3]))
+    Ok((l, [a.number(d1)?, a.number(d2)?, a.number(d3)?]))
 }
 
 /// Stiffness of all segments before sliding, from the first coefficient of friction and the yield displacement at `span`.
@@ -113,12 +110,9 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
     let mut material = || a.of(&definitions.materials);
     let materials: [(Material, i32); 4] = [material()?, material()?, material()?, material()?];
     let (l, d) = lengths(a)?;
-    let weight = a.number(&TRIPLE_FRICTION_PENDULUM_W)?;
-    let uy = a.number(&UY)?;
+    let [weight, uy] = a.numbers(&WEIGHT)?;
     let e = stiffness(a, a.last_span(), frictions[0].coefficient(weight, 0.0).mu, uy, &l)?;
-    let k_tension = a.number(&KVT)?;
-    let least_normal = a.number(&MIN_FV)?;
-    let tolerance = a.number(&TOL)?;
+    let [k_tension, least_normal, tolerance] = a.numbers(&TENSION)?;
     let chain = chain(e, &l, &d, 2.0 * (l[0] / l[2] * d[2] + d[0]));
     let height = ends.place.1.z - ends.place.0.z;
     let slips = [

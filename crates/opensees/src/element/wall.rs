@@ -1,9 +1,9 @@
 //! Walls of strips: `element MVLEM`, `SFI_MVLEM`, `E_SFI`, and their forms in space.
 
+use super::corners::{CORNERS, placed_nodes};
 use super::{Ends, Kind, Make, refused};
 use crate::args::Args;
 use crate::material::nd_material::{family, form};
-use crate::model::nodes::node_of;
 use crate::slips;
 use crate::text::{Arg, Domain, Text};
 use crate::{Tcl, ignore_unknown};
@@ -26,10 +26,6 @@ const EAVE: Arg = Arg::of("-Eave", "modulus", "modulus of elasticity of the plat
 const POISSON: Arg = Arg::of("-Poisson", "nu", "Poisson's ratio of the plate").within(Domain::Number);
 const MVLEM_DENSITY: Arg = Arg::not_negative("density", "mass per volume of the wall");
 
-const MVLEM_3_D_I: Arg = Arg::whole("i", "tag of a corner's node");
-const MVLEM_3_D_J: Arg = Arg::whole("j", "tag of a corner's node");
-const K: Arg = Arg::whole("k", "tag of a corner's node");
-const L: Arg = Arg::whole("l", "tag of a corner's node");
 const M: Arg = Arg::count("m", "number m of strips");
 const THICK_T1: Arg = Arg::of("-thick", "t1", "thickness of a strip").within(Domain::Positive);
 const WIDTH_W1: Arg = Arg::of("-width", "w1", "width of a strip").within(Domain::Positive);
@@ -74,10 +70,6 @@ pub(super) const MVLEM_3D: Kind = Kind {
                 -matShear 9",
     )
     .arguments(&[
-        MVLEM_3_D_I,
-        MVLEM_3_D_J,
-        K,
-        L,
         M,
         THICK_T1,
         WIDTH_W1,
@@ -86,7 +78,7 @@ pub(super) const MVLEM_3D: Kind = Kind {
         Arg::of("-matSteel", "mat1", "tag of a uniaxial material").within(Domain::Whole),
         Arg::of("-matShear", "mat", "tag of a uniaxial material").within(Domain::Whole),
     ])
-    .groups(&[PLATE]),
+    .groups(&[&CORNERS, PLATE]),
     make: Make::AnyNodes(lines_in_space),
 };
 
@@ -114,8 +106,8 @@ pub(super) const SFI_MVLEM_3D: Kind = Kind {
             <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`SFI_MVLEM` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[MVLEM_3_D_I, MVLEM_3_D_J, K, L, M, THICK_T1, WIDTH_W1, EAVE])
-        .groups(&[PLATE]),
+        .arguments(&[M, THICK_T1, WIDTH_W1, EAVE])
+        .groups(&[&CORNERS, PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::NoStress)),
 };
 
@@ -125,8 +117,8 @@ pub(super) const E_SFI_MVLEM_3D: Kind = Kind {
             <-ThickMod $factor> <-Poisson $nu> <-Density $density> <-Eave $modulus>",
     text: Text::new("`E_SFI` in space, an elastic plate out of its plane. The corners go against the clock.")
         .example("element E_SFI_MVLEM_3D 77 1 3 4 2 1 -thick 1. -width 1. -mat 1")
-        .arguments(&[MVLEM_3_D_I, MVLEM_3_D_J, K, L, M, THICK_T1, WIDTH_W1, EAVE])
-        .groups(&[PLATE]),
+        .arguments(&[M, THICK_T1, WIDTH_W1, EAVE])
+        .groups(&[&CORNERS, PLATE]),
     make: Make::AnyNodes(|interp, a| panels_in_space(interp, a, PanelLaw::FromShearAndBars)),
 };
 
@@ -314,17 +306,7 @@ type Corners = (Vec<NodeId>, [Vector3<f64>; 4], Option<Span>);
 /// Four nodes against the clock: the lower ones, then the upper ones from the right to the left. They are returned in
 /// OpenSees' order, the upper ones from the left.
 fn corners(interp: &Tcl, a: &mut Args<'_>) -> Result<Corners, Exception> {
-    let (mut nodes, mut corners) = (vec![], [Vector3::zeros(); 4]);
-    for corner in &mut corners {
-        let id = node_of(interp, a, K.meaning)?;
-        let node = &interp.host.engine.model().nodes[id.0];
-        if (node.ndm(), node.ndf) != (3, 6) {
-            let message = format!("node {} has {} degrees of freedom in {} dimensions", node.tag, node.ndf, node.ndm());
-            return Err(a.refuse(message, "expected 6 degrees of freedom in 3 dimensions"));
-        }
-        *corner = node.place();
-        nodes.push(id);
-    }
+    let (mut nodes, mut corners) = placed_nodes(interp, a, &CORNERS[0], (3, 6))?;
     nodes.swap(2, 3);
     corners.swap(2, 3);
     Ok((nodes, corners, a.last_span()))

@@ -35,7 +35,7 @@ const SET_TIME_TIME: Arg = Arg::number("time", "time");
 pub(crate) const COMMANDS: &[Command] = &[
     Command::new("pattern", PLAIN, pattern)
         .about("Makes a pattern of loads that follow a time series, or an excitation.")
-        .arguments(&[FACTOR])
+        .arguments(&[TAG, FACTOR])
         .defining(&[things::PATTERN], 2)
         .with_kinds(|| kind::usages(KINDS)),
     Command::new("load", LOAD, load).arguments(&[NODE, FORCE, PATTERN_TAG]).about("Adds a nodal load to a pattern."),
@@ -80,14 +80,13 @@ const KINDS: &[Kind] = &[
         names: &["Plain", "LoadPattern"],
         usage: PLAIN,
         text: Text::new("Nodal loads, imposed displacements and loads on elements.")
-            .arguments(&[TAG, Arg::new("series", "time series")]),
+            .arguments(&[Arg::new("series", "time series")]),
         make: plain,
     },
     Kind {
         names: &["UniformExcitation", "UniformSupport", "EarthquakePattern"],
         usage: "pattern UniformExcitation $tag $direction <-accel $series> <-vel $series> <-disp $series> <-vel0 $v> <-fact $factor>",
         text: Text::new("One ground acceleration for all supports.").arguments(&[
-            TAG,
             DIRECTION,
             Arg::of("-accel", "series", "time series"),
             Arg::of("-vel", "series", "time series"),
@@ -99,7 +98,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["MultipleSupport", "MultiSupport"],
         usage: "pattern MultipleSupport $tag { groundMotion ... imposedMotion ... }",
-        text: Text::new("Ground motions of single supports.").arguments(&[TAG]),
+        text: Text::new("Ground motions of single supports."),
         make: ground_motion::multiple_support,
     },
 ];

@@ -27,7 +27,7 @@ const FILE_MOTION_FILE: Arg = Arg::of("-fileMotion", "file", "name of a measured
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("timeSeries", "timeSeries $kind $tag ...", time_series)
     .about("Makes a factor that varies with time.")
-    .arguments(&[ZERO_SHIFT, WIDTH])
+    .arguments(&[TAG, ZERO_SHIFT, WIDTH])
     .defining(&[things::SERIES], 2)
     .with_kinds(|| kind::usages(KINDS))];
 
@@ -40,39 +40,37 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Constant", "ConstantSeries"],
         usage: "timeSeries Constant $tag <-factor $c>",
-        text: Text::new("A constant factor.").arguments(&[TAG, FACTOR_C]),
+        text: Text::new("A constant factor.").arguments(&[FACTOR_C]),
         make: constant,
     },
     Kind {
         names: &["Linear", "LinearSeries"],
         usage: "timeSeries Linear $tag <-factor $c>",
-        text: Text::new("A factor that grows with time.").arguments(&[TAG, FACTOR_C]),
+        text: Text::new("A factor that grows with time.").arguments(&[FACTOR_C]),
         make: linear,
     },
     Kind {
         names: &["Trig", "TrigSeries", "Sine", "SineSeries"],
         usage: WAVE,
-        text: Text::new("A sine between two times.").arguments(&[TAG, T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
+        text: Text::new("A sine between two times.").arguments(&[T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
         make: trig,
     },
     Kind {
         names: &["Triangle", "TriangleSeries"],
         usage: WAVE,
-        text: Text::new("A triangular wave between two times.")
-            .arguments(&[TAG, T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
+        text: Text::new("A triangular wave between two times.").arguments(&[T_START, T_END, PERIOD, FACTOR_C, SHIFT]),
         make: triangle,
     },
     Kind {
         names: &["Rectangular"],
         usage: "timeSeries Rectangular $tag $tStart $tEnd <-factor $c>",
-        text: Text::new("A constant factor between two times.").arguments(&[TAG, T_START, T_END, FACTOR_C]),
+        text: Text::new("A constant factor between two times.").arguments(&[T_START, T_END, FACTOR_C]),
         make: rectangular,
     },
     Kind {
         names: &["Pulse", "PulseSeries"],
         usage: "timeSeries Pulse $tag $tStart $tEnd $period <-width $w> <-shift $shift> <-factor $c> <-zeroShift $z>",
-        text: Text::new("A rectangular wave between two times.")
-            .arguments(&[TAG, T_START, T_END, PERIOD, SHIFT, FACTOR_C]),
+        text: Text::new("A rectangular wave between two times.").arguments(&[T_START, T_END, PERIOD, SHIFT, FACTOR_C]),
         make: pulse,
     },
     Kind {
@@ -81,7 +79,6 @@ const KINDS: &[Kind] = &[
                 -fileTime $file -filePath $file | -fileMotion $file <-dt $dt> <-channel $name> <-quantity $word> \
                 <-unit $unit> <-layout $word> <-to $unit> <-factor $c> <-useLast> <-prependZero> <-startTime $t>",
         text: Text::new("A factor given by points, interpolated linearly.").arguments(&[
-            TAG,
             DT,
             Arg::flag("-values", "values, with `-dt` at equal steps, with `-time` at these times"),
             Arg::of("-filePath", "file", "file of values"),

@@ -10,46 +10,55 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-const CAP_SLOPE: Arg = Arg::number("E", "slope behind the cap E");
-
 const FACTOR: Arg = Arg::number("factor", "factor of the stress");
-const ARCTANGENT_FY: Arg = Arg::positive("Fy", "strength Fy");
-const E_CAP: Arg = Arg::number("eCap", "strain of the cap eCap");
-const S_RES: Arg = Arg::number("sRes", "residual stress sRes");
+const CAP: [Arg; 3] = [
+    Arg::number("eCap", "strain of the cap eCap"),
+    Arg::number("E", "slope behind the cap E"),
+    Arg::number("sRes", "residual stress sRes"),
+];
 
 const TAG: Arg = Arg::whole("tag", "tag of the backbone");
-const ARCTANGENT_K1: Arg = Arg::number("K1", "coefficient K1");
-const GAMMA_Y: Arg = Arg::positive("gammaY", "strain at yielding gammaY");
-const ALPHA: Arg = Arg::number("alpha", "angle alpha");
-const ARCTANGENT_E: Arg = Arg::positive("E", "modulus E");
-const ES: Arg = Arg::positive("Es", "elastic modulus Es");
-const FY: Arg = Arg::positive("fy", "yield stress fy");
-const FSU: Arg = Arg::positive("fsu", "ultimate stress fsu");
+const ARCTANGENT: [Arg; 3] = [
+    Arg::number("K1", "coefficient K1"),
+    Arg::positive("gammaY", "strain at yielding gammaY"),
+    Arg::number("alpha", "angle alpha"),
+];
+const STRENGTH: [Arg; 2] = [Arg::positive("E", "modulus E"), Arg::positive("Fy", "strength Fy")];
+const RAYNOR: [Arg; 3] = [
+    Arg::positive("Es", "elastic modulus Es"),
+    Arg::positive("fy", "yield stress fy"),
+    Arg::positive("fsu", "ultimate stress fsu"),
+];
 const EPSSH: Arg = Arg::positive("epssh", "strain at hardening epssh");
 const EPSSM: Arg = Arg::positive("epssm", "strain at the ultimate stress epssm");
 const RAYNOR_C1: Arg = Arg::not_negative("C1", "exponent of hardening C1");
 const EY: Arg = Arg::number("Ey", "modulus of the plateau Ey");
-const KX: Arg = Arg::positive("kx", "initial stiffness kx");
-const YM: Arg = Arg::positive("ym", "displacement ym");
-const PM: Arg = Arg::positive("pm", "resistance pm");
-const YU: Arg = Arg::positive("yu", "displacement yu");
-const REESE_SAND_PU: Arg = Arg::positive("pu", "resistance pu");
-const REESE_SOFT_CLAY_PU: Arg = Arg::positive("pu", "ultimate resistance pu");
-const Y50: Arg = Arg::positive("y50", "displacement y50");
+const SAND: [Arg; 5] = [
+    Arg::positive("kx", "initial stiffness kx"),
+    Arg::positive("ym", "displacement ym"),
+    Arg::positive("pm", "resistance pm"),
+    Arg::positive("yu", "displacement yu"),
+    Arg::positive("pu", "resistance pu"),
+];
+const SOFT_CLAY: [Arg; 2] = [Arg::positive("pu", "ultimate resistance pu"), Arg::positive("y50", "displacement y50")];
 const N: Arg = Arg::positive("n", "exponent n");
 const ESI: Arg = Arg::positive("Esi", "initial stiffness Esi");
-const AS: Arg = Arg::positive("As", "coefficient As");
-const PC: Arg = Arg::positive("Pc", "ultimate resistance Pc");
+const STIFF_CLAY: [Arg; 2] = [Arg::positive("As", "coefficient As"), Arg::positive("Pc", "ultimate resistance Pc")];
 const HL: Arg = Arg::number("hl", "length of the linear part hl");
-const B: Arg = Arg::positive("b", "diameter b");
 const SU: Arg = Arg::positive("su", "shear strength su");
-const P_M: Arg = Arg::positive("pM", "resistance pM at b/60");
-const P_U: Arg = Arg::positive("pU", "resistance pU at 3b/80");
-const KPY: Arg = Arg::positive("Kpy", "stiffness per depth Kpy");
-const Z: Arg = Arg::positive("z", "depth z");
-const KIR: Arg = Arg::positive("Kir", "initial stiffness Kir");
-const PUR: Arg = Arg::positive("pur", "ultimate resistance pur");
-const YRM: Arg = Arg::positive("yrm", "displacement yrm");
+const DIAMETER: Arg = Arg::positive("b", "diameter b");
+const CEMENTED: [Arg; 5] = [
+    Arg::positive("pM", "resistance pM at b/60"),
+    Arg::positive("pU", "resistance pU at 3b/80"),
+    Arg::positive("Kpy", "stiffness per depth Kpy"),
+    Arg::positive("z", "depth z"),
+    DIAMETER,
+];
+const WEAK_ROCK: [Arg; 3] = [
+    Arg::positive("Kir", "initial stiffness Kir"),
+    Arg::positive("pur", "ultimate resistance pur"),
+    Arg::positive("yrm", "displacement yrm"),
+];
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["Backbone"],
@@ -62,6 +71,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("hystereticBackbone", USAGE, hysteretic_backbone)
     .arguments(&[
+        TAG,
         Arg::number("e1", "strain e1"),
         Arg::number("s1", "stress s1"),
         Arg::number("e2", "strain e2"),
@@ -80,43 +90,32 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["Bilinear"],
         usage: "hystereticBackbone Bilinear $tag $e1 $s1 $e2 $s2",
-        text: Text::new("Two straight lines.").arguments(&[TAG]),
+        text: Text::new("Two straight lines."),
         make: |_, a| points(a, 2),
     },
     BackboneKind {
         names: &["Trilinear"],
         usage: "hystereticBackbone Trilinear $tag $e1 $s1 $e2 $s2 $e3 $s3",
-        text: Text::new("Three straight lines.").arguments(&[
-            TAG,
-            Arg::number("e3", "strain e3"),
-            Arg::number("s3", "stress s3"),
-        ]),
+        text: Text::new("Three straight lines.")
+            .arguments(&[Arg::number("e3", "strain e3"), Arg::number("s3", "stress s3")]),
         make: |_, a| points(a, 3),
     },
     BackboneKind {
         names: &["Multilinear"],
         usage: "hystereticBackbone Multilinear $tag $e1 $s1 $e2 $s2 ...",
-        text: Text::new("Straight lines through points, from the origin.").arguments(&[TAG]),
+        text: Text::new("Straight lines through points, from the origin."),
         make: |_, a| points(a, a.left() / 2),
     },
     BackboneKind {
         names: &["Arctangent"],
         usage: "hystereticBackbone Arctangent $tag $K1 $gammaY $alpha or $E $Fy",
-        text: Text::new("An arctangent of the strain.").arguments(&[
-            TAG,
-            ARCTANGENT_K1,
-            GAMMA_Y,
-            ALPHA,
-            ARCTANGENT_E,
-            ARCTANGENT_FY,
-        ]),
+        text: Text::new("An arctangent of the strain.").groups(&[&ARCTANGENT, &STRENGTH]),
         make: arctangent,
     },
     BackboneKind {
         names: &["Mander"],
         usage: "hystereticBackbone Mander $tag $fc $epsc $E",
         text: Text::new("Concrete under compression, with positive strains.").arguments(&[
-            TAG,
             Arg::number("fc", "strength fc"),
             Arg::number("epsc", "strain at the strength epsc"),
             Arg::number("E", "initial modulus E"),
@@ -127,62 +126,56 @@ const BACKBONES: &[BackboneKind] = &[
         names: &["Raynor"],
         usage: "hystereticBackbone Raynor $tag $Es $fy $fsu $epssh $epssm $C1 $Ey",
         text: Text::new("Reinforcing steel with a plateau and hardening.")
-            .arguments(&[TAG, ES, FY, FSU, EPSSH, EPSSM, RAYNOR_C1, EY]),
+            .groups(&[&RAYNOR, &[EPSSH, EPSSM, RAYNOR_C1, EY]]),
         make: raynor,
     },
     BackboneKind {
         names: &["ReeseSand"],
         usage: "hystereticBackbone ReeseSand $tag $kx $ym $pm $yu $pu",
-        text: Text::new("Lateral resistance of sand around a pile.").arguments(&[TAG, KX, YM, PM, YU, REESE_SAND_PU]),
+        text: Text::new("Lateral resistance of sand around a pile.").groups(&[&SAND]),
         make: reese_sand,
     },
     BackboneKind {
         names: &["ReeseSoftClay"],
         usage: "hystereticBackbone ReeseSoftClay $tag $pu $y50 $n",
-        text: Text::new("Lateral resistance of soft clay around a pile.").arguments(&[TAG, REESE_SOFT_CLAY_PU, Y50, N]),
+        text: Text::new("Lateral resistance of soft clay around a pile.").groups(&[&SOFT_CLAY, &[N]]),
         make: reese_soft_clay,
     },
     BackboneKind {
         names: &["ReeseStiffClayBelowWS"],
         usage: "hystereticBackbone ReeseStiffClayBelowWS $tag $Esi $y50 $As $Pc",
         text: Text::new("Lateral resistance of stiff clay below the water surface.")
-            .arguments(&[TAG, ESI, Y50, AS, PC]),
+            .groups(&[&[ESI, SOFT_CLAY[1]], &STIFF_CLAY]),
         make: reese_stiff_clay_below,
     },
     BackboneKind {
         names: &["ReeseStiffClayAboveWS"],
         usage: "hystereticBackbone ReeseStiffClayAboveWS $tag $pu $y50 <$hl>",
-        text: Text::new("Lateral resistance of stiff clay above the water surface.").arguments(&[
-            TAG,
-            REESE_SOFT_CLAY_PU,
-            Y50,
-            HL,
-        ]),
+        text: Text::new("Lateral resistance of stiff clay above the water surface.").groups(&[&SOFT_CLAY, &[HL]]),
         make: reese_stiff_clay_above,
     },
     BackboneKind {
         names: &["VuggyLimestone"],
         usage: "hystereticBackbone VuggyLimestone $tag $b $su",
-        text: Text::new("Lateral resistance of vuggy limestone around a pile.").arguments(&[TAG, B, SU]),
+        text: Text::new("Lateral resistance of vuggy limestone around a pile.").arguments(&[DIAMETER, SU]),
         make: vuggy_limestone,
     },
     BackboneKind {
         names: &["CementedSoil"],
         usage: "hystereticBackbone CementedSoil $tag $pM $pU $Kpy $z $b",
-        text: Text::new("Lateral resistance of cemented soil around a pile.").arguments(&[TAG, P_M, P_U, KPY, Z, B]),
+        text: Text::new("Lateral resistance of cemented soil around a pile.").groups(&[&CEMENTED]),
         make: cemented_soil,
     },
     BackboneKind {
         names: &["WeakRock"],
         usage: "hystereticBackbone WeakRock $tag $Kir $pur $yrm",
-        text: Text::new("Lateral resistance of weak rock around a pile.").arguments(&[TAG, KIR, PUR, YRM]),
+        text: Text::new("Lateral resistance of weak rock around a pile.").groups(&[&WEAK_ROCK]),
         make: weak_rock,
     },
     BackboneKind {
         names: &["Material"],
         usage: "hystereticBackbone Material $tag $material <-compression>",
         text: Text::new("The virgin curve of a uniaxial material.").arguments(&[
-            TAG,
             Arg::thing("material", things::MATERIAL),
             Arg::flag("-compression", "the curve of compression, with positive strains"),
         ]),
@@ -191,13 +184,9 @@ const BACKBONES: &[BackboneKind] = &[
     BackboneKind {
         names: &["LinearCapped"],
         usage: "hystereticBackbone LinearCapped $tag $backbone $eCap $E $sRes",
-        text: Text::new("Another curve up to a strain, then a line to a residual stress.").arguments(&[
-            TAG,
-            Arg::thing("backbone", things::BACKBONE),
-            E_CAP,
-            CAP_SLOPE,
-            S_RES,
-        ]),
+        text: Text::new("Another curve up to a strain, then a line to a residual stress.")
+            .arguments(&[Arg::thing("backbone", things::BACKBONE)])
+            .groups(&[&CAP]),
         make: linear_capped,
     },
 ];
@@ -240,12 +229,12 @@ const DEFAULT_ANGLE: f64 = 0.8;
 
 fn arctangent(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
     if a.ahead().take_while(|v| v.as_f64().is_some()).count() == 2 {
-        let (e, fy) = (a.number(&ARCTANGENT_E)?, a.number(&ARCTANGENT_FY)?);
+        let [e, fy] = a.numbers(&STRENGTH)?;
         let k2 = DEFAULT_ANGLE.tan() / (fy / e);
         return Ok(Backbone::Arctangent { k1: e / k2, k2 });
     }
-    let (k1, gamma) = (a.number(&ARCTANGENT_K1)?, a.number(&GAMMA_Y)?);
-    Ok(Backbone::Arctangent { k1, k2: a.number(&ALPHA)?.abs().tan() / gamma })
+    let [k1, gamma, alpha] = a.numbers(&ARCTANGENT)?;
+    Ok(Backbone::Arctangent { k1, k2: alpha.abs().tan() / gamma })
 }
 
 /// A number of any sign, taken as positive.
@@ -267,8 +256,7 @@ fn mander(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
 }
 
 fn raynor(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (es, fy) = (a.number(&ES)?, a.number(&FY)?);
-    let fsu = a.number(&FSU)?;
+    let [es, fy, fsu] = a.numbers(&RAYNOR)?;
     let hard = a.number(&EPSSH)?;
     if hard < fy / es {
         return Err(a.refuse(format!("the strain at hardening epssh is {hard}"), "expected fy / Es at least"));
@@ -283,9 +271,7 @@ fn raynor(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
 }
 
 fn reese_sand(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let kx = a.number(&KX)?;
-    let (ym, pm) = (a.number(&YM)?, a.number(&PM)?);
-    let (yu, pu) = (a.number(&YU)?, a.number(&REESE_SAND_PU)?);
+    let [kx, ym, pm, yu, pu] = a.numbers(&SAND)?;
     if yu <= ym || pu <= pm {
         return Err(
             a.refuse(format!("the end of the curve is {pu} at {yu}"), format!("expected more than {pm} at {ym}"))
@@ -295,18 +281,18 @@ fn reese_sand(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
 }
 
 fn reese_soft_clay(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (pu, y50) = (a.number(&REESE_SOFT_CLAY_PU)?, a.number(&Y50)?);
+    let [pu, y50] = a.numbers(&SOFT_CLAY)?;
     Ok(Backbone::Soil(SoilCurve::SoftClay { pu, y50, n: a.number(&N)? }))
 }
 
 fn reese_stiff_clay_below(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (esi, y50) = (a.number(&ESI)?, a.number(&Y50)?);
-    let (coefficient, pc) = (a.number(&AS)?, a.number(&PC)?);
+    let [esi, y50] = a.numbers(&[ESI, SOFT_CLAY[1]])?;
+    let [coefficient, pc] = a.numbers(&STIFF_CLAY)?;
     Ok(Backbone::Soil(SoilCurve::StiffClayBelowWater { esi, y50, a: coefficient, pc }))
 }
 
 fn reese_stiff_clay_above(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (pu, y50) = (a.number(&REESE_SOFT_CLAY_PU)?, a.number(&Y50)?);
+    let [pu, y50] = a.numbers(&SOFT_CLAY)?;
     let linear = a.optional_number(&HL)?.unwrap_or(0.1);
     if !(linear > 0.0 && linear <= 1.0) {
         return Err(a.refuse(format!("the length of the linear part hl is {linear}"), "expected more than 0, up to 1"));
@@ -315,19 +301,18 @@ fn reese_stiff_clay_above(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exc
 }
 
 fn vuggy_limestone(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (diameter, strength) = (a.number(&B)?, a.number(&SU)?);
+    let (diameter, strength) = (a.number(&DIAMETER)?, a.number(&SU)?);
     Ok(Backbone::Soil(SoilCurve::VuggyLimestone { diameter, strength }))
 }
 
 fn cemented_soil(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let resistance = [a.number(&P_M)?, a.number(&P_U)?];
-    let stiffness = a.number(&KPY)? * a.number(&Z)?;
-    Ok(Backbone::Soil(SoilCurve::CementedSoil { resistance, stiffness, diameter: a.number(&B)? }))
+    let [pm, pu, kpy, z, diameter] = a.numbers(&CEMENTED)?;
+    Ok(Backbone::Soil(SoilCurve::CementedSoil { resistance: [pm, pu], stiffness: kpy * z, diameter }))
 }
 
 fn weak_rock(_: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
-    let (kir, pur) = (a.number(&KIR)?, a.number(&PUR)?);
-    Ok(Backbone::Soil(SoilCurve::WeakRock { kir, pur, yrm: a.number(&YRM)? }))
+    let [kir, pur, yrm] = a.numbers(&WEAK_ROCK)?;
+    Ok(Backbone::Soil(SoilCurve::WeakRock { kir, pur, yrm }))
 }
 
 fn of_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
@@ -338,8 +323,7 @@ fn of_material(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception
 
 fn linear_capped(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Backbone, Exception> {
     let (inner, _) = a.of(&interp.host.builder.definitions.backbones)?;
-    let (cap, slope) = (a.number(&E_CAP)?, a.number(&CAP_SLOPE)?);
-    let residual = a.number(&S_RES)?;
+    let [cap, slope, residual] = a.numbers(&CAP)?;
     inner.at(cap).map_err(|e| a.refuse(e.to_string(), "expected a backbone with a stress at the cap"))?;
     Ok(Backbone::LinearCapped { inner, cap, slope, residual })
 }

@@ -9,18 +9,22 @@ use hysteron_engine::material::{BarPlace, BarSlip, Bond, BondDamage, Material, P
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
-const WIDTH: Arg = Arg::positive("width", "width of the member");
-const DEPTH: Arg = Arg::positive("depth", "depth of the member");
 const ANC_LRATIO: Arg = Arg::positive("ancLratio", "part of the anchorage length ancLratio");
 
 const FC: Arg = Arg::number("fc", "strength of the concrete fc");
-const FY: Arg = Arg::positive("fy", "yield stress fy");
-const ES: Arg = Arg::positive("Es", "elastic modulus Es");
-const FU: Arg = Arg::positive("fu", "ultimate stress fu");
-const EH: Arg = Arg::positive("Eh", "hardening modulus Eh");
-const DB: Arg = Arg::positive("db", "diameter of a bar db");
-const LD: Arg = Arg::positive("ld", "anchorage length ld");
-const NB: Arg = Arg::positive("nb", "number of bars nb");
+const STEEL: [Arg; 3] = [
+    Arg::positive("fy", "yield stress fy"),
+    Arg::positive("Es", "elastic modulus Es"),
+    Arg::positive("fu", "ultimate stress fu"),
+];
+const BARS: [Arg; 6] = [
+    Arg::positive("Eh", "hardening modulus Eh"),
+    Arg::positive("db", "diameter of a bar db"),
+    Arg::positive("ld", "anchorage length ld"),
+    Arg::positive("nb", "number of bars nb"),
+    Arg::positive("width", "width of the member"),
+    Arg::positive("depth", "depth of the member"),
+];
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["BarSlip"],
@@ -33,18 +37,10 @@ pub(super) const KINDS: &[Kind] = &[Kind {
         )
         .arguments(&[
             FC,
-            FY,
-            ES,
-            FU,
-            EH,
-            DB,
-            LD,
-            NB,
-            WIDTH,
-            DEPTH,
             ANC_LRATIO,
             Arg::new("unit", "unit of stress: `MPa`, `psi`, `Pa`, `psf`, `ksi` or `ksf`; that of length follows"),
-        ]),
+        ])
+        .groups(&[&STEEL, &BARS]),
     make: bar_slip,
 }];
 
@@ -83,15 +79,11 @@ fn bar_slip(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if fc == 0.0 {
         return Err(a.refuse("the strength of the concrete fc is 0", "expected another number"));
     }
-    let (fy, es) = (a.number(&FY)?, a.number(&ES)?);
-    let fu = a.number(&FU)?;
+    let [fy, es, fu] = a.numbers(&STEEL)?;
     if fu <= fy {
         return Err(a.refuse(format!("the ultimate stress fu is {fu}"), format!("expected more than fy, {fy}")));
     }
-    let (eh, diameter) = (a.number(&EH)?, a.number(&DB)?);
-    let mut anchorage = a.number(&LD)?;
-    let bars = a.number(&NB)?.trunc();
-    let member = [a.number(&WIDTH)?, a.number(&DEPTH)?];
+    let [eh, diameter, mut anchorage, bars, width, depth] = a.numbers(&BARS)?;
     if a.at_number() {
         anchorage *= a.number(&ANC_LRATIO)?;
     }
@@ -101,6 +93,7 @@ fn bar_slip(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if a.left() > 0 {
         (damage, unit) = (one_of(a, "damage", DAMAGES)?, one_of(a, "unit of stress", UNITS)?);
     }
+    let (bars, member) = (bars.trunc(), [width, depth]);
     let slip = BarSlip { fc, fy, es, fu, eh, diameter, anchorage, bars, member, bond, place, damage, unit };
     let given = slip.pinching();
     Ok(match interp.host.follows(&[slips::PINCHING_TRIALS]) {

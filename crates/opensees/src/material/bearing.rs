@@ -19,18 +19,22 @@ const CH: Arg = Arg::of("-coGHU", "ch", "factor ch of the damping").within(Domai
 const CU: Arg = Arg::of("-coGHU", "cu", "factor cu of u").within(Domain::NotNegative);
 const FORCE_FACTOR: Arg = Arg::of("-coMSS", "rf", "factor rf of the force").within(Domain::NotNegative);
 const STIFFNESS_FACTOR: Arg = Arg::of("-coMSS", "rs", "factor rs of the stiffness").within(Domain::NotNegative);
-const SCE: Arg = Arg::positive("sce", "stiffness sce in compression");
-const FTY: Arg = Arg::not_negative("fty", "stress fty at cavitation");
-const FCY: Arg = Arg::number("fcy", "stress fcy at yield in compression");
+const SPRING: [Arg; 3] = [
+    Arg::positive("sce", "stiffness sce in compression"),
+    Arg::not_negative("fty", "stress fty at cavitation"),
+    Arg::number("fcy", "stress fcy at yield in compression"),
+];
 const KIKUCHI_AIKEN_HDR_TP: Arg = Arg::new("tp", "compound tp");
-const AR: Arg = Arg::positive("ar", "area ar of the rubber");
-const HR: Arg = Arg::positive("hr", "total thickness hr of the rubber");
+const LEAD: [Arg; 7] = [
+    Arg::positive("ar", "area ar of the rubber"),
+    Arg::positive("hr", "total thickness hr of the rubber"),
+    Arg::positive("gr", "shear modulus gr of the rubber"),
+    Arg::positive("ap", "area ap of the lead plug"),
+    Arg::positive("tp", "yield stress tp of the lead"),
+    Arg::not_negative("alph", "shear modulus alph of the lead"),
+    Arg::number("beta", "ratio beta of the initial stiffness to that after yield"),
+];
 const TYPE: Arg = Arg::whole("type", "type of bearing");
-const GR: Arg = Arg::positive("gr", "shear modulus gr of the rubber");
-const AP: Arg = Arg::positive("ap", "area ap of the lead plug");
-const KIKUCHI_AIKEN_LRB_TP: Arg = Arg::positive("tp", "yield stress tp of the lead");
-const ALPH: Arg = Arg::not_negative("alph", "shear modulus alph of the lead");
-const BETA: Arg = Arg::number("beta", "ratio beta of the initial stiffness to that after yield");
 const T_TEMP: Arg = Arg::of("-T", "temp", "temperature in degrees Celsius").within(Domain::Number);
 
 pub(super) const KINDS: &[Kind] = &[
@@ -40,14 +44,12 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Axial spring of an elastomeric bearing.")
             .example("uniaxialMaterial AxialSp 77 1 1 -1")
             .arguments(&[
-                SCE,
-                FTY,
-                FCY,
                 Arg::number("bte", "ratio bte of the stiffness in tension"),
                 Arg::number("bty", "ratio bty of the stiffness after cavitation"),
                 Arg::number("bcy", "ratio bcy of the stiffness after yield in compression"),
                 Arg::number("fcr", "stress fcr at which a cavitated spring closes"),
-            ]),
+            ])
+            .groups(&[&SPRING]),
         make: axial_sp,
     },
     Kind {
@@ -56,16 +58,14 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Axial spring of an elastomeric bearing, with hardening.")
             .example("uniaxialMaterial AxialSpHD 77 1 1 -1")
             .arguments(&[
-                SCE,
-                FTY,
-                FCY,
                 Arg::number("bte", "ratio bte of the stiffness in tension"),
                 Arg::number("bty", "ratio bty of the stiffness after cavitation"),
                 Arg::number("bth", "ratio bth of the stiffness after hardening in tension"),
                 Arg::number("bcy", "ratio bcy of the stiffness after yield in compression"),
                 Arg::number("fcr", "stress fcr at which a cavitated spring closes"),
                 Arg::number("ath", "displacement ath at which hardening begins, over that at cavitation"),
-            ]),
+            ])
+            .groups(&[&SPRING]),
         make: axial_sp_hd,
     },
     Kind {
@@ -73,7 +73,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial KikuchiAikenHDR $tag $tp $ar $hr <-coGHU $cg $ch $cu> <-coMSS $rs $rf>",
         text: Text::new("Shear spring of a high damping rubber bearing (Kikuchi and Aiken, 1997).")
             .example("uniaxialMaterial KikuchiAikenHDR 77 1 1 1")
-            .arguments(&[KIKUCHI_AIKEN_HDR_TP, AR, HR, CG, CH, CU, STIFFNESS_FACTOR, FORCE_FACTOR]),
+            .arguments(&[KIKUCHI_AIKEN_HDR_TP, LEAD[0], LEAD[1], CG, CH, CU, STIFFNESS_FACTOR, FORCE_FACTOR]),
         make: kikuchi_aiken_hdr,
     },
     Kind {
@@ -82,21 +82,8 @@ pub(super) const KINDS: &[Kind] = &[
                 <-coMSS $rs $rf>",
         text: Text::new("Shear spring of a lead rubber bearing (Kikuchi and Aiken, 1997).")
             .example("uniaxialMaterial KikuchiAikenLRB 77 1 1 1 1 1 1 1 2")
-            .arguments(&[
-                TYPE,
-                AR,
-                HR,
-                GR,
-                AP,
-                KIKUCHI_AIKEN_LRB_TP,
-                ALPH,
-                BETA,
-                T_TEMP,
-                RK,
-                RQ,
-                STIFFNESS_FACTOR,
-                FORCE_FACTOR,
-            ]),
+            .arguments(&[TYPE, T_TEMP, RK, RQ, STIFFNESS_FACTOR, FORCE_FACTOR])
+            .groups(&[&LEAD]),
         make: kikuchi_aiken_lrb,
     },
 ];
@@ -122,9 +109,7 @@ const YIELDED: &str = "ratio bcy of the stiffness after yield in compression";
 
 /// sce, fty and fcy, which both springs begin with.
 fn stiffness_and_strengths(a: &mut Args<'_>) -> Result<AxialParameters, Exception> {
-    let sce = a.number(&SCE)?;
-    let fty = a.number(&FTY)?;
-    let fcy = a.number(&FCY)?;
+    let [sce, fty, fcy] = a.numbers(&SPRING)?;
     if fcy > 0.0 {
         return Err(
             a.refuse(format!("fcy is {fcy}"), "expected the stress at yield in compression, not greater than 0")
@@ -208,8 +193,7 @@ fn kikuchi_aiken_hdr(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     let Some(compound) = compound else {
         return Err(a.unknown_name("compound", COMPOUNDS.iter().map(|c| c.name)));
     };
-    let area = a.number(&AR)?;
-    let height = a.number(&HR)?;
+    let [area, height] = a.numbers(&[LEAD[0], LEAD[1]])?;
     let (mut factors, mut springs) = ([1.0; 3], [1.0; 2]);
     while let Some(option) = a.option() {
         match option.as_ref() {
@@ -231,14 +215,16 @@ fn kikuchi_aiken_lrb(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
         1 => {}
         n => return Err(a.refuse(format!("the type of bearing is {n}"), "expected 1: there is no other")),
     }
+    let [rubber_area, height, rubber_modulus, lead_area, lead_strength, lead_modulus, stiffness_ratio] =
+        a.numbers(&LEAD)?;
     let mut p = LeadRubberParameters {
-        rubber_area: a.number(&AR)?,
-        height: a.number(&HR)?,
-        rubber_modulus: a.number(&GR)?,
-        lead_area: a.number(&AP)?,
-        lead_strength: a.number(&KIKUCHI_AIKEN_LRB_TP)?,
-        lead_modulus: a.number(&ALPH)?,
-        stiffness_ratio: a.number(&BETA)?,
+        rubber_area,
+        height,
+        rubber_modulus,
+        lead_area,
+        lead_strength,
+        lead_modulus,
+        stiffness_ratio,
         temperature: 15.0,
         factors: [1.0; 2],
     };

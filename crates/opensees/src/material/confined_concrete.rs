@@ -13,13 +13,17 @@ use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 use std::f64::consts::PI;
 
-const JACKET_T: Arg = Arg::of("-JacketC", "tfrp", "thickness of the jacket tfrp").within(Domain::Positive);
-const JACKET_E: Arg = Arg::of("-JacketC", "Efrp", "modulus of the jacket Efrp").within(Domain::Positive);
-const JACKET_ERUP: Arg = Arg::of("-JacketC", "erup", "hoop strain at rupture erup").within(Domain::Positive);
-const JACKET_R: Arg = Arg::of("-JacketC", "R", "radius of the concrete R").within(Domain::Positive);
-const L1: Arg = Arg::of("-varnoub", "L1", "length L1").within(Domain::Positive);
-const L2: Arg = Arg::of("-varnoub", "L2", "length L2").within(Domain::Positive);
-const L3: Arg = Arg::of("-varnoub", "L3", "length L3").within(Domain::Positive);
+const JACKET: [Arg; 4] = [
+    Arg::of("-JacketC", "tfrp", "thickness of the jacket tfrp").within(Domain::Positive),
+    Arg::of("-JacketC", "Efrp", "modulus of the jacket Efrp").within(Domain::Positive),
+    Arg::of("-JacketC", "erup", "hoop strain at rupture erup").within(Domain::Positive),
+    Arg::of("-JacketC", "R", "radius of the concrete R").within(Domain::Positive),
+];
+const SIDES: [Arg; 3] = [
+    Arg::of("-varnoub", "L1", "length L1").within(Domain::Positive),
+    Arg::of("-varnoub", "L2", "length L2").within(Domain::Positive),
+    Arg::of("-varnoub", "L3", "length L3").within(Domain::Positive),
+];
 /// A hoop.
 const HOOPS: [Arg; 6] = [
     Arg::of("-varnoub", "phis", "bar diameter of the hoops").within(Domain::NotNegative),
@@ -38,11 +42,13 @@ const TIES: [Arg; 6] = [
     Arg::of("-internal", "haRatioi", "hardening ratio of the inner ties").within(Domain::Number),
     Arg::of("-internal", "mui", "ductility of the inner ties").within(Domain::Number),
 ];
-const WRAP_COVER: Arg = Arg::of("-wrap", "cover", "cover of the jacket").within(Domain::NotNegative);
-const WRAP_AM: Arg = Arg::of("-wrap", "Am", "area Am of the jacket").within(Domain::Positive);
-const WRAP_SW: Arg = Arg::of("-wrap", "Sw", "spacing Sw of the jacket").within(Domain::Positive);
-const WRAP_FUIL: Arg = Arg::of("-wrap", "fuil", "strength fuil of the jacket").within(Domain::Positive);
-const WRAP_ES0W: Arg = Arg::of("-wrap", "Es0w", "modulus Es0w of the jacket").within(Domain::Positive);
+const WRAP: [Arg; 5] = [
+    Arg::of("-wrap", "cover", "cover of the jacket").within(Domain::NotNegative),
+    Arg::of("-wrap", "Am", "area Am of the jacket").within(Domain::Positive),
+    Arg::of("-wrap", "Sw", "spacing Sw of the jacket").within(Domain::Positive),
+    Arg::of("-wrap", "fuil", "strength fuil of the jacket").within(Domain::Positive),
+    Arg::of("-wrap", "Es0w", "modulus Es0w of the jacket").within(Domain::Positive),
+];
 const FPC: Arg = Arg::number("fpc", "compressive strength fpc").also(&["fc"]);
 const GAMMA: Arg =
     Arg::of("-gamma", "gamma", "share gamma of the strength to which the stress falls at the ultimate strain")
@@ -57,8 +63,8 @@ const EPSCU_LIMIT: Arg =
 const ST_RATIO: Arg = Arg::of("-stRatio", "stRatio", "strength ratio stRatio").within(Domain::Positive);
 
 const FRPCONFINED_CONCRETE02_EC: Arg = Arg::positive("Ec", "initial modulus Ec");
-const FT: Arg = Arg::positive("ft", "tensile strength ft");
-const ETS: Arg = Arg::positive("Ets", "softening modulus in tension Ets");
+const TENSION: [Arg; 2] =
+    [Arg::positive("ft", "tensile strength ft"), Arg::positive("Ets", "softening modulus in tension Ets")];
 const UNIT: Arg = Arg::whole("Unit", "units, 1: MPa, 0: ksi");
 const CONFINED_CONCRETE01_EC: Arg = Arg::positive("Ec", "modulus Ec");
 
@@ -76,15 +82,10 @@ pub(super) const KINDS: &[Kind] = &[
                 Arg::number("fc0", "strength fc0"),
                 FRPCONFINED_CONCRETE02_EC,
                 Arg::number("ec0", "strain at the strength ec0"),
-                JACKET_T,
-                JACKET_E,
-                JACKET_ERUP,
-                JACKET_R,
                 Arg::of("-Ultimate", "fcu", "ultimate stress and strain, in place of a jacket"),
-                FT,
-                ETS,
                 UNIT,
-            ]),
+            ])
+            .groups(&[&JACKET, &TENSION]),
         make: frp_confined_concrete02,
     },
     Kind {
@@ -106,15 +107,7 @@ pub(super) const KINDS: &[Kind] = &[
                 GAMMA,
                 NU,
                 Arg::flag("-varub", "Poisson's ratio grows with the strain to 0.5"),
-                L1,
-                L2,
-                L3,
                 PHI_LON,
-                WRAP_COVER,
-                WRAP_AM,
-                WRAP_SW,
-                WRAP_FUIL,
-                WRAP_ES0W,
                 Arg::flag("-gravel", "aggregate of gravel in place of crushed stone"),
                 Arg::flag("-silica", "concrete with silica fume"),
                 TOL,
@@ -122,7 +115,7 @@ pub(super) const KINDS: &[Kind] = &[
                 EPSCU_LIMIT,
                 ST_RATIO,
             ])
-            .groups(&[&HOOPS, &TIES]),
+            .groups(&[&SIDES, &HOOPS, &TIES, &WRAP]),
         make: confined_concrete01,
     },
 ];
@@ -143,13 +136,8 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
     let ec = a.number(&FRPCONFINED_CONCRETE02_EC)?;
     let epsc0 = compressive(a, "strain at the strength ec0")?;
     let (fcc, epscu) = if a.flag("-JacketC") {
-        let jacket = Jacket {
-            thickness: a.number(&JACKET_T)?,
-            modulus: a.number(&JACKET_E)?,
-            rupture: a.number(&JACKET_ERUP)?,
-            radius: a.number(&JACKET_R)?,
-        };
-        jacket.confined(fc0, epsc0)
+        let [thickness, modulus, rupture, radius] = a.numbers(&JACKET)?;
+        Jacket { thickness, modulus, rupture, radius }.confined(fc0, epsc0)
     } else if a.flag("-Ultimate") {
         (compressive(a, "ultimate stress fcu")?, compressive(a, "ultimate strain ecu")?)
     } else {
@@ -159,7 +147,7 @@ fn frp_confined_concrete02(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Ex
     if ec <= (fcc - fc0) / epscu {
         return Err(a.refuse("the initial modulus Ec is less than that of the second part", "expected more"));
     }
-    let (ft, ets) = (a.number(&FT)?, a.number(&ETS)?);
+    let [ft, ets] = a.numbers(&TENSION)?;
     let mpa = if a.int(UNIT.meaning)? == 0 { KSI } else { 1.0 };
     Ok(FrpConfinedConcrete02 { fc0, ec, fcc, epscu, ft, ets, mpa }.shared())
 }
@@ -188,34 +176,24 @@ fn section(a: &mut Args<'_>) -> Result<ConfinementSection, Exception> {
 
 /// A hoop with the words from its diameter on.
 fn hoop(a: &mut Args<'_>, words: &[Arg; 6], semi_length: f64) -> Result<Hoop, Exception> {
-    let [size, spacing, yield_stress, modulus, hardening, ductility] = words;
-    let diameter = a.number(size)?;
-    Ok(Hoop {
-        semi_length,
-        diameter,
-        area: PI * diameter * diameter / 4.0,
-        inertia: PI * diameter.powi(4) / 64.0,
-        spacing: a.number(spacing)?,
-        yield_stress: a.number(yield_stress)?,
-        modulus: a.number(modulus)?,
-        hardening: a.number(hardening)?,
-        ductility: a.number(ductility)?,
-    })
+    let [diameter, spacing, yield_stress, modulus, hardening, ductility] = a.numbers(words)?;
+    let (area, inertia) = (PI * diameter * diameter / 4.0, PI * diameter.powi(4) / 64.0);
+    Ok(Hoop { semi_length, diameter, area, inertia, spacing, yield_stress, modulus, hardening, ductility })
 }
 
 /// Semi-lengths of the hoops of a section from its sides.
 fn semi_lengths(a: &mut Args<'_>, section: ConfinementSection) -> Result<Vec<f64>, Exception> {
     use ConfinementSection::*;
-    let mut l = vec![0.5 * a.number(&L1)?];
+    let mut l = vec![0.5 * a.number(&SIDES[0])?];
     match section {
         S1 | Circular => {}
         S2 | S3 => l.push(l[0] * 2f64.sqrt() / 2.0),
         S5 => l.push(l[0]),
-        S4b => l.extend([l[0], 0.5 * a.number(&L2)?]),
-        Rectangular => l.push(0.5 * a.number(&L2)?),
+        S4b => l.extend([l[0], 0.5 * a.number(&SIDES[1])?]),
+        Rectangular => l.push(0.5 * a.number(&SIDES[1])?),
         S4a => {
-            l.push(0.5 * a.number(&L2)?);
-            l.extend([l[0], 0.5 * a.number(&L3)?]);
+            l.push(0.5 * a.number(&SIDES[1])?);
+            l.extend([l[0], 0.5 * a.number(&SIDES[2])?]);
         }
     }
     Ok(l)
@@ -226,15 +204,15 @@ const CROSS_TIES: f64 = std::f64::consts::SQRT_2 / 4.0;
 
 /// A jacket, and for a rectangle a second one.
 fn wrap(a: &mut Args<'_>, section: ConfinementSection, hoops: &mut Vec<Hoop>) -> Result<(), Exception> {
-    let cover = a.number(&WRAP_COVER)?;
+    let [cover, area, spacing, yield_stress, modulus] = a.numbers(&WRAP)?;
     let jacket = Hoop {
         semi_length: hoops[0].semi_length + 0.5 * hoops[0].diameter + cover,
         diameter: 0.0,
-        area: a.number(&WRAP_AM)?,
+        area,
         inertia: 0.0,
-        spacing: a.number(&WRAP_SW)?,
-        yield_stress: a.number(&WRAP_FUIL)?,
-        modulus: a.number(&WRAP_ES0W)?,
+        spacing,
+        yield_stress,
+        modulus,
         hardening: 1.0,
         ductility: 1.0,
     };

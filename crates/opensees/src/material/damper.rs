@@ -158,19 +158,19 @@ fn viscous_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
                 return Err(a.refuse(format!("there is no method {n}"), label));
             }
         };
-        (law.relative, law.absolute, law.max_halvings) = tolerances(a)?;
+        ([law.relative, law.absolute], law.max_halvings) = tolerances(a)?;
     }
     Ok(law.shared())
 }
 
 /// Relative and absolute tolerance of the integration, and the largest number of halvings.
-fn tolerances(a: &mut Args<'_>) -> Result<(f64, f64, i32), Exception> {
-    let (relative, absolute) = (a.number(&REL_TOL)?, a.number(&ABS_TOL)?);
+fn tolerances(a: &mut Args<'_>) -> Result<([f64; 2], i32), Exception> {
+    let tolerances = a.numbers(&[REL_TOL, ABS_TOL])?;
     let max_halvings = a.int("largest number of halvings maxHalf")?;
     if !(0..=20).contains(&max_halvings) {
         return Err(a.refuse(format!("maxHalf is {max_halvings}"), "expected maxHalf, 0 to 20"));
     }
-    Ok((relative, absolute, max_halvings))
+    Ok((tolerances, max_halvings))
 }
 
 fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -202,7 +202,7 @@ fn bilinear_oil_damper(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, E
                 return Err(a.refuse(format!("there is no method {n}"), label));
             }
         };
-        (law.relative, law.absolute, law.max_halvings) = tolerances(a)?;
+        ([law.relative, law.absolute], law.max_halvings) = tolerances(a)?;
     }
     Ok(law.shared())
 }

@@ -1,6 +1,7 @@
 //! Materials whose strength and stiffness deteriorate with cycles.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
@@ -10,7 +11,7 @@ use hysteron_engine::material::{
     Damage, ImkBilin, ImkDeterioration, ImkPeakOriented, ImkPinching, ImkSide, Material, Pinching, Pinching4,
     Pinching4Parameters, Pinching4Side,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::rules::Consistent;
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -262,10 +263,7 @@ fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let (ke, mut sides) = backbones(interp, a)?;
     let modes = [&BILINEAR_CAPACITIES, &BILINEAR_RATES];
     let [strength, capping, stiffness] = deterioration(interp, a, modes, &mut sides)?;
-    if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(ImkBilin { ke, sides, strength, capping, stiffness, rules: OpenSees }.shared());
-    }
-    Ok(ImkBilin { ke, sides, strength, capping, stiffness, rules: Consistent }.shared())
+    Ok(by_rules!(interp, IMK_TANGENT, rules => ImkBilin { ke, sides, strength, capping, stiffness, rules }))
 }
 
 /// The hinge of `IMKPeakOriented` and `IMKPinching`.
@@ -277,18 +275,12 @@ fn peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ImkPeakOriented, 
 
 fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let hinge = peak_oriented(interp, a)?;
-    if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(hinge.with(OpenSees).shared());
-    }
-    Ok(hinge.shared())
+    Ok(by_rules!(interp, IMK_TANGENT, rules => hinge.with(rules)))
 }
 
 fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let hinge = peak_oriented(interp, a)?;
     let [force, deformation] = a.read_all(interp, &PINCHING)?;
     let pinching = Pinching { force, deformation };
-    if interp.host.follows(&[slips::IMK_TANGENT]) {
-        return Ok(ImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
-    }
-    Ok(ImkPinching { hinge, pinching }.shared())
+    Ok(by_rules!(interp, IMK_TANGENT, rules => ImkPinching { hinge: hinge.with(rules), pinching }))
 }

@@ -9,12 +9,16 @@ use hysteron_engine::material::{Ecc01, Material};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
-const ALPHA_T1: Arg = Arg::positive("alphaT1", "exponent of unloading alphaT1");
-const ALPHA_T2: Arg = Arg::positive("alphaT2", "exponent of unloading alphaT2");
-const ALPHA_C: Arg = Arg::positive("alphaC", "exponent of unloading alphaC");
-const ALPHA_CU: Arg = Arg::positive("alphaCU", "exponent of softening alphaCU");
-const BETA_T: Arg = Arg::not_negative("betaT", "permanent part betaT of the tensile strain");
-const BETA_C: Arg = Arg::not_negative("betaC", "permanent part betaC of the compressive strain");
+const EXPONENTS: [Arg; 4] = [
+    Arg::positive("alphaT1", "exponent of unloading alphaT1"),
+    Arg::positive("alphaT2", "exponent of unloading alphaT2"),
+    Arg::positive("alphaC", "exponent of unloading alphaC"),
+    Arg::positive("alphaCU", "exponent of softening alphaCU"),
+];
+const PERMANENT: [Arg; 2] = [
+    Arg::not_negative("betaT", "permanent part betaT of the tensile strain"),
+    Arg::not_negative("betaC", "permanent part betaC of the compressive strain"),
+];
 
 const TENSION: [Arg; 5] = [
     Arg::positive("sigt0", "tensile stress at cracking sigt0"),
@@ -34,14 +38,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             Arg::new("sigc0", "compressive strength"),
             Arg::new("epsc0", "strain at the strength"),
             Arg::new("epsc1", "ultimate compressive strain"),
-            ALPHA_T1,
-            ALPHA_T2,
-            ALPHA_C,
-            ALPHA_CU,
-            BETA_T,
-            BETA_C,
         ])
-        .groups(&[&TENSION]),
+        .groups(&[&TENSION, &EXPONENTS, &PERMANENT]),
     make: ecc01,
 }];
 
@@ -57,8 +55,7 @@ fn ecc01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     if crushed >= bottom[1] {
         return Err(a.refuse(format!("the ultimate compressive strain epsc1 is {crushed}"), "expected it beyond epsc0"));
     }
-    let unloading = [a.number(&ALPHA_T1)?, a.number(&ALPHA_T2)?, a.number(&ALPHA_C)?];
-    let softening = a.number(&ALPHA_CU)?;
-    let permanent = [a.number(&BETA_T)?, a.number(&BETA_C)?];
+    let [unloading @ .., softening] = a.numbers(&EXPONENTS)?;
+    let permanent = a.numbers(&PERMANENT)?;
     Ok(Ecc01 { tension: [first, peak], ultimate, peak: bottom, crushed, unloading, softening, permanent }.shared())
 }

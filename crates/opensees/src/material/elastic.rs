@@ -1,15 +1,15 @@
 //! Elastic materials.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use crate::args::Args;
 use crate::checks;
 use crate::text::{Arg, Text};
-use crate::{Tcl, slips, warn};
+use crate::{Tcl, warn};
 use hysteron_engine::material::{
     Cable, Elastic, ElasticBilin, ElasticMultiLinear, ElasticPP, ElasticPPGap, ElasticPower, HookGap, Material,
     NoTension,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -172,10 +172,7 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg, x: f64, sign: f64
 
 fn cable(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [prestress, e, weight, length] = a.read_all(interp, &CABLE)?;
-    if interp.host.follows(&[slips::CABLE_SAG]) {
-        return Ok(Cable { prestress, e, weight, length, rules: OpenSees }.shared());
-    }
-    Ok(Cable { prestress, e, weight, length, rules: Consistent }.shared())
+    Ok(by_rules!(interp, CABLE_SAG, rules => Cable { prestress, e, weight, length, rules }))
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

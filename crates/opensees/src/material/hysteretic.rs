@@ -1,6 +1,7 @@
 //! Hysteretic materials.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use super::deteriorating::SIDES;
 use crate::args::Args;
 use crate::checks;
@@ -11,7 +12,7 @@ use hysteron_engine::material::{
     Bilin, BilinSide, BoucWen, Deterioration, Envelope, Hysteretic, Material, ModImkPeakOriented, ModImkPinching,
     PinchingPoint, Saws, SawsParameters, SelfCentering,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
+use hysteron_engine::rules::Consistent;
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -281,10 +282,9 @@ fn bilin02(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Material, Exception> {
     // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
     let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(interp, a, false)?;
-    if interp.host.follows(&[slips::BILIN_DETERIORATION]) {
-        return Ok(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: OpenSees }.shared());
-    }
-    Ok(Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules: Consistent }.shared())
+    Ok(
+        by_rules!(interp, BILIN_DETERIORATION, rules => Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules }),
+    )
 }
 
 /// The hinge of `ModIMKPeakOriented` and `ModIMKPinching`.
@@ -300,18 +300,12 @@ fn mod_imk(
 
 fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, _) = mod_imk(interp, a, false)?;
-    if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
-        return Ok(hinge.with(OpenSees).shared());
-    }
-    Ok(hinge.shared())
+    Ok(by_rules!(interp, MOD_IMK_DETERIORATION, rules => hinge.with(rules)))
 }
 
 fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, pinching) = mod_imk(interp, a, true)?;
-    if interp.host.follows(&[slips::MOD_IMK_DETERIORATION]) {
-        return Ok(ModImkPinching { hinge: hinge.with(OpenSees), pinching }.shared());
-    }
-    Ok(ModImkPinching { hinge, pinching }.shared())
+    Ok(by_rules!(interp, MOD_IMK_DETERIORATION, rules => ModImkPinching { hinge: hinge.with(rules), pinching }))
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -369,11 +363,9 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let slip = a.read_or(interp, &EPS_SLIP, 0.0)?;
     let bearing = a.read_or(interp, &EPS_BEAR, 0.0)?;
     let bearing_ratio = a.read_or(interp, &R_BEAR, 0.0)?;
-    if interp.host.follows(&[slips::SELF_CENTERING_JUMP]) {
-        let rules = OpenSees;
-        return Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }.shared());
-    }
-    Ok(SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules: Consistent }.shared())
+    Ok(
+        by_rules!(interp, SELF_CENTERING_JUMP, rules => SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }),
+    )
 }
 
 fn saws(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

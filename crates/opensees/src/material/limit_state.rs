@@ -28,12 +28,14 @@ const RHOT: Arg = Arg::number("rhot", "ratio of hoops rhot");
 
 const TAG: Arg = Arg::whole("tag", "tag of the limit curve");
 const SHEAR_ELEMENT: Arg = Arg::whole("element", "tag of the element");
-const RHO: Arg = Arg::not_negative("rho", "ratio of hoops rho");
-const FC: Arg = Arg::positive("fc", "concrete strength fc in psi");
-const B: Arg = Arg::positive("b", "width b");
-const H: Arg = Arg::positive("h", "depth h");
-const D: Arg = Arg::positive("d", "effective depth d");
-const SHEAR_FSW: Arg = Arg::not_negative("Fsw", "force of the hoops Fsw");
+const SHEAR: [Arg; 6] = [
+    Arg::not_negative("rho", "ratio of hoops rho"),
+    Arg::positive("fc", "concrete strength fc in psi"),
+    Arg::positive("b", "width b"),
+    Arg::positive("h", "depth h"),
+    Arg::positive("d", "effective depth d"),
+    Arg::not_negative("Fsw", "force of the hoops Fsw"),
+];
 const KDEG: Arg = Arg::number("Kdeg", "slope after failure Kdeg");
 const SHEAR_FRES: Arg = Arg::not_negative("Fres", "residual force Fres");
 const DEF_TYPE: Arg = Arg::whole("defType", "type of the deformation defType");
@@ -75,6 +77,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
 }];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("limitCurve", USAGE, limit_curve)
+    .arguments(&[TAG, SHEAR_ELEMENT])
     .about("Makes a surface of deformations and forces at which a column fails.")
     .defining(&[things::LIMIT_CURVE], 2)
     .with_kinds(|| kind::usages(CURVES))];
@@ -90,8 +93,8 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve Shear $tag $element $rho $fc $b $h $d $Fsw $Kdeg $Fres $defType $forType \
                 <$nodeI $nodeJ $dof $perpDirn> <$delta>",
         text: Text::new("Shear of a column after flexural yielding by its drift (Elwood); kip, in. and psi.")
-            .arguments(&[TAG, SHEAR_ELEMENT, RHO, FC, B, H, D, SHEAR_FSW, KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
-            .groups(&[DRIFT]),
+            .arguments(&[KDEG, SHEAR_FRES, DEF_TYPE, FOR_TYPE, DELTA])
+            .groups(&[&SHEAR, DRIFT]),
         make: shear,
     },
     CurveKind {
@@ -102,8 +105,6 @@ const CURVES: &[CurveKind] = &[
             "Axial load of a column by friction along its shear crack (Elwood and Moehle). The element is not removed.",
         )
         .arguments(&[
-            TAG,
-            SHEAR_ELEMENT,
             AXIAL_FSW,
             KDEG,
             AXIAL_FRES,
@@ -121,8 +122,6 @@ const CURVES: &[CurveKind] = &[
                 <$nodeI $nodeJ $dof $perpDirn>",
         text: Text::new("Straight lines between three points.")
             .arguments(&[
-                TAG,
-                SHEAR_ELEMENT,
                 Arg::new("Kdeg", "slope after failure, negative"),
                 Arg::new("Fres", "residual force"),
                 Arg::new(
@@ -139,8 +138,6 @@ const CURVES: &[CurveKind] = &[
         usage: "limitCurve RotationShearCurve $tag $element $nodeI $nodeJ $rotAxis $Vn $Vr $Kdeg \
                 $rotLim | $defType $b $d $h $L $st $As $Acc $ld $db $rhot $fc $fy $fyt $delta",
         text: Text::new("Rotation of a plastic hinge, or a shear force (Leborgne); kip, in. and ksi.").arguments(&[
-            TAG,
-            SHEAR_ELEMENT,
             NODE_I,
             NODE_J,
             ROT_AXIS,
@@ -209,9 +206,7 @@ fn watched(a: &mut Args<'_>) -> Result<(LimitDeformation, LimitForce), Exception
 }
 
 fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
-    let (rho, fc) = (a.number(&RHO)?, a.number(&FC)?);
-    let size = [a.number(&B)?, a.number(&H)?, a.number(&D)?];
-    let hoops = a.number(&SHEAR_FSW)?;
+    let [rho, fc, b, h, d, hoops] = a.numbers(&SHEAR)?;
     let (slope, residual) = (a.number(&KDEG)?, a.number(&SHEAR_FRES)?);
     if slope == 0.0 {
         return Err(
@@ -220,7 +215,7 @@ fn shear(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
     }
     let (deformation, force) = watched(a)?;
     let shift = a.optional_number(&DELTA)?.unwrap_or(0.0);
-    let surface = LimitSurface::Shear { rho, fc, size, hoops, shift };
+    let surface = LimitSurface::Shear { rho, fc, size: [b, h, d], hoops, shift };
     Ok(LimitCurve { element, deformation, force, surface, slope, residual })
 }
 
@@ -245,10 +240,8 @@ fn axial(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
 }
 
 fn three_point(a: &mut Args<'_>, element: i32) -> Result<LimitCurve, Exception> {
-    let mut points = [[0.0; 2]; 3];
-    for (i, point) in points.iter_mut().enumerate() {
-        *point = [a.number(&CURVE_POINTS[2 * i])?, a.number(&CURVE_POINTS[2 * i + 1])?];
-    }
+    let [x1, y1, x2, y2, x3, y3] = a.numbers(&CURVE_POINTS)?;
+    let points = [[x1, y1], [x2, y2], [x3, y3]];
     if !points.windows(2).all(|p| p[1][0] > p[0][0]) {
         return Err(a.refuse("the deformations of the points do not rise", "expected x1 < x2 < x3"));
     }

@@ -9,22 +9,26 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
 const FT: Arg = Arg::not_negative("Ft", "tensile strength Ft");
-const UCL: Arg = Arg::number("Ucl", "strain Ucl at which cracks are closed");
-const EMO: Arg = Arg::positive("Emo", "initial modulus Emo");
-const MASONRY_L: Arg = Arg::positive("L", "length L of the strut");
-const A1: Arg = Arg::positive("a1", "initial area a1");
-const A2: Arg = Arg::positive("a2", "last area a2");
-const MASONRY_D1: Arg = Arg::number("D1", "shortening D1 where the area begins to change");
-const MASONRY_D2: Arg = Arg::number("D2", "shortening D2 at the last area");
-const ACH: Arg = Arg::number("Ach", "factor Ach");
-const ARE: Arg = Arg::not_negative("Are", "factor Are");
-const BA: Arg = Arg::positive("Ba", "factor Ba of the focal point");
-const BCH: Arg = Arg::positive("Bch", "factor Bch");
-const GUN: Arg = Arg::positive("Gun", "ratio Gun of the slope of unloading");
-const GPLU: Arg = Arg::positive("Gplu", "ratio Gplu of the slope at the end of unloading");
-const GPLR: Arg = Arg::positive("Gplr", "ratio Gplr of the slope at the beginning of reloading");
-const EXP1: Arg = Arg::number("Exp1", "exponent Exp1 of the slopes");
-const EXP2: Arg = Arg::number("Exp2", "exponent Exp2 of inner cycles");
+const SHAPE: [Arg; 7] = [
+    Arg::number("Ucl", "strain Ucl at which cracks are closed"),
+    Arg::positive("Emo", "initial modulus Emo"),
+    Arg::positive("L", "length L of the strut"),
+    Arg::positive("a1", "initial area a1"),
+    Arg::positive("a2", "last area a2"),
+    Arg::number("D1", "shortening D1 where the area begins to change"),
+    Arg::number("D2", "shortening D2 at the last area"),
+];
+const CYCLES: [Arg; 9] = [
+    Arg::number("Ach", "factor Ach"),
+    Arg::not_negative("Are", "factor Are"),
+    Arg::positive("Ba", "factor Ba of the focal point"),
+    Arg::positive("Bch", "factor Bch"),
+    Arg::positive("Gun", "ratio Gun of the slope of unloading"),
+    Arg::positive("Gplu", "ratio Gplu of the slope at the end of unloading"),
+    Arg::positive("Gplr", "ratio Gplr of the slope at the beginning of reloading"),
+    Arg::number("Exp1", "exponent Exp1 of the slopes"),
+    Arg::number("Exp2", "exponent Exp2 of inner cycles"),
+];
 const MASONRY_IENV: Arg = Arg::whole("IENV", "shape IENV of the envelope");
 
 pub(super) const KINDS: &[Kind] = &[Kind {
@@ -41,24 +45,9 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             FT,
             Arg::number("Um", "strain at the strength Um"),
             Arg::number("Uult", "ultimate strain Uult"),
-            UCL,
-            EMO,
-            MASONRY_L,
-            A1,
-            A2,
-            MASONRY_D1,
-            MASONRY_D2,
-            ACH,
-            ARE,
-            BA,
-            BCH,
-            GUN,
-            GPLU,
-            GPLR,
-            EXP1,
-            EXP2,
             MASONRY_IENV,
-        ]),
+        ])
+        .groups(&[&SHAPE, &CYCLES]),
     make: masonry,
 }];
 
@@ -78,18 +67,11 @@ fn masonry(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         let label = format!("expected it beyond Um, {}", peak[1]);
         return Err(a.refuse(format!("the ultimate strain Uult is {ultimate}"), label));
     }
-    let closing = a.number(&UCL)?;
-    let (modulus, length) = (a.number(&EMO)?, a.number(&MASONRY_L)?);
-    let area = [a.number(&A1)?, a.number(&A2)?];
-    let shortening = [a.number(&MASONRY_D1)?, a.number(&MASONRY_D2)?];
-    if area[0] != area[1] && shortening[1] >= shortening[0] {
-        let label = format!("expected less than D1, {}", shortening[0]);
-        return Err(a.refuse(format!("the shortening D2 is {}", shortening[1]), label));
+    let [closing, modulus, length, a1, a2, d1, d2] = a.numbers(&SHAPE)?;
+    if a1 != a2 && d2 >= d1 {
+        return Err(a.refuse(format!("the shortening D2 is {d2}"), format!("expected less than D1, {d1}")));
     }
-    let (a_ch, a_re) = (a.number(&ACH)?, a.number(&ARE)?);
-    let (b_a, b_ch) = (a.number(&BA)?, a.number(&BCH)?);
-    let slopes = [a.number(&GUN)?, a.number(&GPLU)?, a.number(&GPLR)?];
-    let exponents = [a.number(&EXP1)?, a.number(&EXP2)?];
+    let [a_ch, a_re, b_a, b_ch, gun, gplu, gplr, exp1, exp2] = a.numbers(&CYCLES)?;
     let parabola = match a.int(MASONRY_IENV.meaning)? {
         1 => true,
         2 => false,
@@ -103,14 +85,14 @@ fn masonry(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
         closing,
         modulus,
         length,
-        area,
-        shortening,
+        area: [a1, a2],
+        shortening: [d1, d2],
         a_ch,
         a_re,
         b_a,
         b_ch,
-        slopes,
-        exponents,
+        slopes: [gun, gplu, gplr],
+        exponents: [exp1, exp2],
         parabola,
         compat,
     }

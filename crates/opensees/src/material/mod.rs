@@ -3,6 +3,7 @@
 pub(crate) mod backbone;
 mod bar_slip;
 mod bearing;
+mod by_rules;
 mod concrete;
 mod confined_concrete;
 mod damper;

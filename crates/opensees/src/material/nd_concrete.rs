@@ -69,9 +69,7 @@ impl Common {
             "-Cd" => self.compression.0[2] = a.floats("damage in compression")?,
             "-eta" => self.eta = a.number(&VISCOSITY)?,
             "-implex" => self.implex = true,
-            "-implexControl" => {
-                self.control = Some([a.number(&EXTRAPOLATION_CONTROL)?, a.number(&EXTRAPOLATION_LIMIT)?]);
-            }
+            "-implexControl" => self.control = Some(a.numbers(&EXTRAPOLATION_CONTROL)?),
             "-implexAlpha" => self.factor = Some(a.number(&EXTRAPOLATION_FACTOR)?),
             "-tangent" => self.tangent = true,
             "-autoRegularization" => self.reference_length = Some(a.number(&LENGTH)?),
@@ -130,38 +128,32 @@ fn shape(a: &mut Args<'_>) -> Result<f64, Exception> {
 }
 
 /// Arguments of the concretes with damage by curves, for a bar and in space.
-pub(super) const TENSION_STRAINS: Arg = Arg::of("-Te", "strains", "total strains in tension, as a list or as words");
-/// See [`TENSION_STRAINS`].
-pub(super) const TENSION_STRESSES: Arg = Arg::of("-Ts", "stresses", "stresses in tension, as many");
-/// See [`TENSION_STRAINS`].
-pub(super) const TENSION_DAMAGES: Arg = Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without");
-/// See [`TENSION_STRAINS`].
-pub(super) const COMPRESSION_STRAINS: Arg = Arg::of("-Ce", "strains", "total strains in compression, without sign");
-/// See [`TENSION_STRAINS`].
-pub(super) const COMPRESSION_STRESSES: Arg = Arg::of("-Cs", "stresses", "stresses in compression, as many");
-/// See [`TENSION_STRAINS`].
-pub(super) const COMPRESSION_DAMAGES: Arg =
-    Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without");
-/// See [`TENSION_STRAINS`].
-pub(super) const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity eta").within(Domain::NotNegative);
-/// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATED: Arg =
-    Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps");
-/// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATION_CONTROL: Arg =
-    Arg::of("-implexControl", "tolerance", "largest error of the extrapolated damage").within(Domain::Positive);
-/// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATION_LIMIT: Arg =
+pub(super) const CURVES: [Arg; 12] = [
+    Arg::of("-Te", "strains", "total strains in tension, as a list or as words"),
+    Arg::of("-Ts", "stresses", "stresses in tension, as many"),
+    Arg::of("-Td", "damages", "damage in tension from 0 to 1, as many; 0 without"),
+    Arg::of("-Ce", "strains", "total strains in compression, without sign"),
+    Arg::of("-Cs", "stresses", "stresses in compression, as many"),
+    Arg::of("-Cd", "damages", "damage in compression from 0 to 1, as many; 0 without"),
+    Arg::flag("-implex", "the equivalent strains are extrapolated from the last two steps"),
+    EXTRAPOLATION_CONTROL[0],
+    EXTRAPOLATION_CONTROL[1],
+    EXTRAPOLATION_FACTOR,
+    VISCOSITY,
+    LENGTH,
+];
+const VISCOSITY: Arg = Arg::of("-eta", "eta", "viscosity eta").within(Domain::NotNegative);
+const EXTRAPOLATION_CONTROL: [Arg; 2] = [
+    Arg::of("-implexControl", "tolerance", "largest error of the extrapolated damage").within(Domain::Positive),
     Arg::of("-implexControl", "limit", "least step over the first one for which the error counts")
-        .within(Domain::NotNegative);
-/// See [`TENSION_STRAINS`].
-pub(super) const LENGTH: Arg =
+        .within(Domain::NotNegative),
+];
+const LENGTH: Arg =
     Arg::of("-autoRegularization", "length", "length for which the curves hold").within(Domain::Positive);
 pub(super) const RHO: Arg = Arg::of("-rho", "rho", "mass per volume rho").within(Domain::NotNegative);
 pub(super) const CROSS_DAMAGE: Arg =
     Arg::of("-cdf", "share", "share of damage in tension that counts in compression").within(Domain::NotNegative);
-/// See [`TENSION_STRAINS`].
-pub(super) const EXTRAPOLATION_FACTOR: Arg =
+const EXTRAPOLATION_FACTOR: Arg =
     Arg::of("-implexAlpha", "alpha", "factor of the extrapolation").within(Domain::NotNegative);
 
 pub(super) const KINDS: &[Kind] = &[Kind {
@@ -171,24 +163,8 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             <-eta $eta> <-tangent> <-autoRegularization $length>",
     text: Text::new("Concrete with plasticity and damage by curves in tension and compression, or by its strengths.")
         .example("uniaxialMaterial ASDConcrete1D 77 30000. -fc 30.")
-        .arguments(&[
-            MODULUS,
-            FC,
-            FT,
-            TENSION_STRAINS,
-            TENSION_STRESSES,
-            TENSION_DAMAGES,
-            COMPRESSION_STRAINS,
-            COMPRESSION_STRESSES,
-            COMPRESSION_DAMAGES,
-            EXTRAPOLATED,
-            EXTRAPOLATION_CONTROL,
-            EXTRAPOLATION_LIMIT,
-            EXTRAPOLATION_FACTOR,
-            VISCOSITY,
-            Arg::flag("-tangent", "the tangent is the consistent one, not the secant"),
-            LENGTH,
-        ]),
+        .arguments(&[MODULUS, FC, FT, Arg::flag("-tangent", "the tangent is the consistent one, not the secant")])
+        .groups(&[&CURVES]),
     make: asd_concrete_1d,
 }];
 

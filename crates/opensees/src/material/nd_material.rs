@@ -15,35 +15,47 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::{Call, Exception, Value};
 use std::sync::Arc;
 
-const RATIO_X: Arg = Arg::not_negative("ratioX", "ratio of bars along x");
-const RATIO_Y: Arg = Arg::not_negative("ratioY", "ratio of bars along y");
-const FSAM_NU: Arg = Arg::not_negative("nu", "coefficient of friction nu of the interlock");
-const ALFADOW: Arg = Arg::not_negative("alfadow", "dowel stiffness alfadow over the modulus of the bars");
+const FSAM: [Arg; 4] = [
+    Arg::not_negative("ratioX", "ratio of bars along x"),
+    Arg::not_negative("ratioY", "ratio of bars along y"),
+    Arg::not_negative("nu", "coefficient of friction nu of the interlock"),
+    Arg::not_negative("alfadow", "dowel stiffness alfadow over the modulus of the bars"),
+];
 pub(super) const PARALLEL_WEIGHT: Arg = Arg::of("-weights", "w1", "weight").within(Domain::Number);
 
 const TAG: Arg = Arg::whole("tag", "tag of the material");
 pub(super) const ELASTIC_ISOTROPIC_E: Arg = Arg::positive("E", "modulus of elasticity E");
 pub(super) const NU: Arg = Arg::number("nu", "Poisson's ratio nu");
 const ELASTIC_ISOTROPIC_RHO: Arg = Arg::not_negative("rho", "mass per volume rho");
-const J2_PLASTICITY_K: Arg = Arg::positive("K", "bulk modulus K");
-const J2_PLASTICITY_G: Arg = Arg::positive("G", "shear modulus G");
-const SIG0: Arg = Arg::positive("sig0", "yield stress sig0");
-const SIG_INF: Arg = Arg::positive("sigInf", "saturated yield stress sigInf");
-const DELTA: Arg = Arg::not_negative("delta", "rate of saturation delta");
-const J2_PLASTICITY_H: Arg = Arg::number("H", "linear hardening modulus H");
+const J2_PLASTICITY: [Arg; 6] = [
+    Arg::positive("K", "bulk modulus K"),
+    Arg::positive("G", "shear modulus G"),
+    Arg::positive("sig0", "yield stress sig0"),
+    Arg::positive("sigInf", "saturated yield stress sigInf"),
+    Arg::not_negative("delta", "rate of saturation delta"),
+    Arg::number("H", "linear hardening modulus H"),
+];
 const ETA: Arg = Arg::number("eta", "viscosity eta");
 const J2_PLASTICITY_RHO: Arg = Arg::number("rho", "mass per volume, which has no effect");
-const EX: Arg = Arg::positive("Ex", "modulus Ex");
-const EY: Arg = Arg::positive("Ey", "modulus Ey");
-const EZ: Arg = Arg::positive("Ez", "modulus Ez");
-const NU_XY: Arg = Arg::number("nu_xy", "Poisson's ratio nu_xy");
-const NU_YZ: Arg = Arg::number("nu_yz", "Poisson's ratio nu_yz");
-const NU_ZX: Arg = Arg::number("nu_zx", "Poisson's ratio nu_zx");
-const GXY: Arg = Arg::positive("Gxy", "shear modulus Gxy");
-const GYZ: Arg = Arg::positive("Gyz", "shear modulus Gyz");
-const GZX: Arg = Arg::positive("Gzx", "shear modulus Gzx");
-const H_KIN: Arg = Arg::not_negative("H_kin", "modulus of kinematic hardening H_kin");
-const H_ISO: Arg = Arg::not_negative("H_iso", "modulus of isotropic hardening H_iso");
+const MODULI: [Arg; 3] =
+    [Arg::positive("Ex", "modulus Ex"), Arg::positive("Ey", "modulus Ey"), Arg::positive("Ez", "modulus Ez")];
+const RATIOS: [Arg; 3] = [
+    Arg::number("nu_xy", "Poisson's ratio nu_xy"),
+    Arg::number("nu_yz", "Poisson's ratio nu_yz"),
+    Arg::number("nu_zx", "Poisson's ratio nu_zx"),
+];
+const SHEAR_MODULI: [Arg; 3] = [
+    Arg::positive("Gxy", "shear modulus Gxy"),
+    Arg::positive("Gyz", "shear modulus Gyz"),
+    Arg::positive("Gzx", "shear modulus Gzx"),
+];
+const SIMPLIFIED_J2: [Arg; 5] = [
+    J2_PLASTICITY[1],
+    J2_PLASTICITY[0],
+    J2_PLASTICITY[2],
+    Arg::not_negative("H_kin", "modulus of kinematic hardening H_kin"),
+    Arg::not_negative("H_iso", "modulus of isotropic hardening H_iso"),
+];
 const EPS: Arg = Arg::number("eps", "initial strain");
 const EPS11: Arg = Arg::number("eps11", "initial strain");
 pub(super) const J2_BEAM_FIBER_RHO: Arg = Arg::number("rho", "mass per volume rho");
@@ -51,7 +63,7 @@ const PLATE_FROM_PLANE_STRESS_G: Arg = Arg::not_negative("G", "shear modulus G a
 const ANGLE: Arg = Arg::number("angle", "angle of the bars in degrees");
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("nDMaterial", USAGE, nd_material)
-    .arguments(&[Arg::thing("material", things::ND_MATERIAL), Arg::whole("tag", "tag of the material")])
+    .arguments(&[Arg::thing("material", things::ND_MATERIAL), TAG])
     .about("Makes a law of a continuum, for `quad`, bricks and plates.")
     .defining(&[things::ND_MATERIAL], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -66,7 +78,6 @@ const KINDS: &[Kind] = &[
         names: &["ElasticIsotropic", "ElasticIsotropic3D"],
         usage: "nDMaterial ElasticIsotropic $tag $E $nu <$rho>",
         text: Text::new("A linear elastic, isotropic continuum.").arguments(&[
-            TAG,
             ELASTIC_ISOTROPIC_E,
             NU,
             ELASTIC_ISOTROPIC_RHO,
@@ -76,59 +87,39 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["J2Plasticity", "J2"],
         usage: "nDMaterial J2Plasticity $tag $K $G $sig0 $sigInf $delta $H <$eta> <$rho>",
-        text: Text::new("Plasticity of von Mises with isotropic hardening that saturates, and viscosity.").arguments(
-            &[TAG, J2_PLASTICITY_K, J2_PLASTICITY_G, SIG0, SIG_INF, DELTA, J2_PLASTICITY_H, ETA, J2_PLASTICITY_RHO],
-        ),
+        text: Text::new("Plasticity of von Mises with isotropic hardening that saturates, and viscosity.")
+            .groups(&[&J2_PLASTICITY, &[ETA, J2_PLASTICITY_RHO]]),
         make: j2_plasticity,
     },
     Kind {
         names: &["ElasticOrthotropic", "ElasticOrthotropic3D"],
         usage: "nDMaterial ElasticOrthotropic $tag $Ex $Ey $Ez $nu_xy $nu_yz $nu_zx $Gxy $Gyz $Gzx <$rho>",
-        text: Text::new("A linear elastic continuum with other constants along each axis.").arguments(&[
-            TAG,
-            EX,
-            EY,
-            EZ,
-            NU_XY,
-            NU_YZ,
-            NU_ZX,
-            GXY,
-            GYZ,
-            GZX,
-            ELASTIC_ISOTROPIC_RHO,
+        text: Text::new("A linear elastic continuum with other constants along each axis.").groups(&[
+            &MODULI,
+            &RATIOS,
+            &SHEAR_MODULI,
+            &[ELASTIC_ISOTROPIC_RHO],
         ]),
         make: elastic_orthotropic,
     },
     Kind {
         names: &["Simplified3DJ2", "3DJ2", "SimplifiedJ2"],
         usage: "nDMaterial Simplified3DJ2 $tag $G $K $sig0 $H_kin $H_iso",
-        text: Text::new("Plasticity of von Mises with linear isotropic and kinematic hardening.").arguments(&[
-            TAG,
-            J2_PLASTICITY_G,
-            J2_PLASTICITY_K,
-            SIG0,
-            H_KIN,
-            H_ISO,
-        ]),
+        text: Text::new("Plasticity of von Mises with linear isotropic and kinematic hardening.")
+            .groups(&[&SIMPLIFIED_J2]),
         make: |_, a| Ok(NdMaterial::of_solid("SimplifiedJ2", simplified_j2(a)?.shared())),
     },
     Kind {
         names: &["PlaneStressSimplifiedJ2"],
         usage: "nDMaterial PlaneStressSimplifiedJ2 $tag $G $K $sig0 $H_kin $H_iso",
-        text: Text::new("Plasticity of von Mises with linear hardening, in plane stress alone.").arguments(&[
-            TAG,
-            J2_PLASTICITY_G,
-            J2_PLASTICITY_K,
-            SIG0,
-            H_KIN,
-            H_ISO,
-        ]),
+        text: Text::new("Plasticity of von Mises with linear hardening, in plane stress alone.")
+            .groups(&[&SIMPLIFIED_J2]),
         make: plane_stress_j2,
     },
     Kind {
         names: &["PlaneStress", "PlaneStressMaterial"],
         usage: "nDMaterial PlaneStress $tag $material",
-        text: Text::new("A law in space, used in plane stress.").arguments(&[TAG]),
+        text: Text::new("A law in space, used in plane stress."),
         make: |interp, a| {
             Ok(NdMaterial::of_shared_plane_stress("PlaneStressMaterial", of_solid(interp, a, Condensed::plane_stress)?))
         },
@@ -136,7 +127,7 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["PlaneStrain", "PlaneStrainMaterial"],
         usage: "nDMaterial PlaneStrain $tag $material",
-        text: Text::new("A law in space, used in plane strain.").arguments(&[TAG]),
+        text: Text::new("A law in space, used in plane strain."),
         make: |interp, a| {
             Ok(NdMaterial::of_plane_strain("PlaneStrainMaterial", of_solid(interp, a, Condensed::plane_strain)?))
         },
@@ -145,7 +136,6 @@ const KINDS: &[Kind] = &[
         names: &["InitStrain", "InitStrainMaterial"],
         usage: "nDMaterial InitStrain $tag $material $eps | $eps11 $eps22 $eps33 $eps12 $eps23 $eps13",
         text: Text::new("A law in space with strains at rest.").arguments(&[
-            TAG,
             EPS,
             EPS11,
             Arg::number("eps22", "initial strain 1"),
@@ -159,21 +149,15 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Parallel3D"],
         usage: "nDMaterial Parallel3D $tag $material1 $material2 ... <-weights $w1 $w2 ...>",
-        text: Text::new("Laws in space with one strain, whose stresses add up.").arguments(&[
-            TAG,
-            Arg::thing("material1", things::ND_MATERIAL),
-            PARALLEL_WEIGHT,
-        ]),
+        text: Text::new("Laws in space with one strain, whose stresses add up.")
+            .arguments(&[Arg::thing("material1", things::ND_MATERIAL), PARALLEL_WEIGHT]),
         make: parallel,
     },
     Kind {
         names: &["InitStress", "InitStressND", "InitStressNDMaterial", "InitStressMaterial"],
         usage: "nDMaterial InitStress $tag $material $sigma <$dimensions>",
-        text: Text::new("A law in space with a pressure at rest.").arguments(&[
-            TAG,
-            nd_wrapper::INITIAL_STRESS,
-            Arg::new("dimensions", "a number that is not used"),
-        ]),
+        text: Text::new("A law in space with a pressure at rest.")
+            .arguments(&[nd_wrapper::INITIAL_STRESS, Arg::new("dimensions", "a number that is not used")]),
         make: nd_wrapper::initial_stress,
     },
     Kind {
@@ -181,7 +165,6 @@ const KINDS: &[Kind] = &[
         usage: "nDMaterial Series3D $tag $material1 $material2 ... <-weights $w1 $w2 ...> <-maxIter $n> <-relTol $tol> <-absTol $tol> \
                 <-verbose>",
         text: Text::new("Laws in space with one stress, whose strains add up.").arguments(&[
-            TAG,
             Arg::thing("material1", things::ND_MATERIAL),
             PARALLEL_WEIGHT,
             nd_wrapper::SERIES_ITERATIONS,
@@ -194,29 +177,25 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["BeamFiber", "BeamFiberMaterial"],
         usage: "nDMaterial BeamFiber $tag $material",
-        text: Text::new("A law in space for fibres of beams in space: only the stresses 11, 12 and 13 are not zero.")
-            .arguments(&[TAG]),
+        text: Text::new("A law in space for fibres of beams in space: only the stresses 11, 12 and 13 are not zero."),
         make: nd_wrapper::beam_fiber,
     },
     Kind {
         names: &["BeamFiber2d", "BeamFiberMaterial2d"],
         usage: "nDMaterial BeamFiber2d $tag $material",
-        text: Text::new("A law in space for fibres of beams in the plane: only the stresses 11 and 12 are not zero.")
-            .arguments(&[TAG]),
+        text: Text::new("A law in space for fibres of beams in the plane: only the stresses 11 and 12 are not zero."),
         make: nd_wrapper::plane_beam_fiber,
     },
     Kind {
         names: &["BeamFiber2dPS", "BeamFiberMaterial2dPS"],
         usage: "nDMaterial BeamFiber2dPS $tag $material",
-        text: Text::new("A law in plane stress for fibres of beams in the plane: the stress 22 is zero.")
-            .arguments(&[TAG]),
+        text: Text::new("A law in plane stress for fibres of beams in the plane: the stress 22 is zero."),
         make: nd_wrapper::beam_fiber_of_plane_stress,
     },
     Kind {
         names: &["J2BeamFiber"],
         usage: "nDMaterial J2BeamFiber $tag $E $nu $sigmaY $Hiso $Hkin <$rho>",
         text: Text::new("Plasticity of von Mises with linear hardening for fibres of beams.").arguments(&[
-            TAG,
             ELASTIC_ISOTROPIC_E,
             NU,
             nd_wrapper::SIGMA_Y,
@@ -235,62 +214,44 @@ const KINDS: &[Kind] = &[
         .arguments(&[
             nd_concrete::MODULUS,
             nd_concrete::NU,
-            nd_concrete::TENSION_STRAINS,
-            nd_concrete::TENSION_STRESSES,
-            nd_concrete::TENSION_DAMAGES,
-            nd_concrete::COMPRESSION_STRAINS,
-            nd_concrete::COMPRESSION_STRESSES,
-            nd_concrete::COMPRESSION_DAMAGES,
             nd_concrete::RHO,
             Arg::of("-Kc", "Kc", "shape of the surface of failure, from 2/3 to 1"),
-            nd_concrete::VISCOSITY,
             nd_concrete::CROSS_DAMAGE,
-            nd_concrete::EXTRAPOLATED,
-            nd_concrete::EXTRAPOLATION_CONTROL,
-            nd_concrete::EXTRAPOLATION_LIMIT,
-            nd_concrete::EXTRAPOLATION_FACTOR,
             Arg::flag("-tangent", "the tangent is that of differences, not the secant"),
-            nd_concrete::LENGTH,
-        ]),
+        ])
+        .groups(&[&nd_concrete::CURVES]),
         make: nd_concrete::make,
     },
     Kind {
         names: &["FSAM"],
         usage: "nDMaterial FSAM $tag $rho $steelX $steelY $concrete $ratioX $ratioY $nu $alfadow",
-        text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles.").arguments(&[
-            TAG,
-            ELASTIC_ISOTROPIC_RHO,
-            Arg::thing("steelX", things::MATERIAL),
-            Arg::thing("steelY", things::MATERIAL),
-            Arg::thing("concrete", things::MATERIAL),
-            RATIO_X,
-            RATIO_Y,
-            FSAM_NU,
-            ALFADOW,
-        ]),
+        text: Text::new("Panel of reinforced concrete in plane stress, with cracks at fixed angles.")
+            .arguments(&[
+                ELASTIC_ISOTROPIC_RHO,
+                Arg::thing("steelX", things::MATERIAL),
+                Arg::thing("steelY", things::MATERIAL),
+                Arg::thing("concrete", things::MATERIAL),
+            ])
+            .groups(&[&FSAM]),
         make: fsam,
     },
     Kind {
         names: &["PlateFiber", "PlateFiberMaterial"],
         usage: "nDMaterial PlateFiber $tag $material",
-        text: Text::new("A continuum without stress across a plate.").arguments(&[TAG]),
+        text: Text::new("A continuum without stress across a plate."),
         make: plate_fiber,
     },
     Kind {
         names: &["PlateFromPlaneStress", "PlateFromPlaneStressMaterial"],
         usage: "nDMaterial PlateFromPlaneStress $tag $material $G",
-        text: Text::new("A membrane with a shear modulus across the plate.")
-            .arguments(&[TAG, PLATE_FROM_PLANE_STRESS_G]),
+        text: Text::new("A membrane with a shear modulus across the plate.").arguments(&[PLATE_FROM_PLANE_STRESS_G]),
         make: plate_from_plane_stress,
     },
     Kind {
         names: &["PlateRebar", "PlateRebarMaterial"],
         usage: "nDMaterial PlateRebar $tag $uniaxialMaterial $angle",
-        text: Text::new("Bars in one direction, smeared over a layer of a plate.").arguments(&[
-            TAG,
-            Arg::thing("uniaxialMaterial", things::MATERIAL),
-            ANGLE,
-        ]),
+        text: Text::new("Bars in one direction, smeared over a layer of a plate.")
+            .arguments(&[Arg::thing("uniaxialMaterial", things::MATERIAL), ANGLE]),
         make: plate_rebar,
     },
 ];
@@ -307,24 +268,17 @@ fn elastic_isotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Except
 }
 
 fn j2_plasticity(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let law = J2Plasticity {
-        bulk: a.number(&J2_PLASTICITY_K)?,
-        shear: a.number(&J2_PLASTICITY_G)?,
-        yield_stress: a.number(&SIG0)?,
-        saturated: a.number(&SIG_INF)?,
-        delta: a.number(&DELTA)?,
-        hardening: a.number(&J2_PLASTICITY_H)?,
-        viscosity: a.optional_number(&ETA)?.unwrap_or(0.0),
-        rho: a.optional_number(&J2_BEAM_FIBER_RHO)?.unwrap_or(0.0),
-    };
+    let [bulk, shear, yield_stress, saturated, delta, hardening] = a.numbers(&J2_PLASTICITY)?;
+    let viscosity = a.optional_number(&ETA)?.unwrap_or(0.0);
+    let rho = a.optional_number(&J2_BEAM_FIBER_RHO)?.unwrap_or(0.0);
+    let law = J2Plasticity { bulk, shear, yield_stress, saturated, delta, hardening, viscosity, rho };
     Ok(NdMaterial::of_solid("J2Plasticity", law.shared()))
 }
 
 fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
-    let e = [a.number(&EX)?, a.number(&EY)?, a.number(&EZ)?];
-    let nu = [a.number(&NU_XY)?, a.number(&NU_YZ)?, a.number(&NU_ZX)?];
+    let (e, nu) = (a.numbers(&MODULI)?, a.numbers(&RATIOS)?);
     let last = a.last_span();
-    let shear = [a.number(&GXY)?, a.number(&GYZ)?, a.number(&GZX)?];
+    let shear = a.numbers(&SHEAR_MODULI)?;
     let rho = if a.left() > 0 { a.number(&ELASTIC_ISOTROPIC_RHO)? } else { 0.0 };
     match (Orthotropic { e, nu, shear, rho }).solid() {
         Some(law) => Ok(NdMaterial::of_solid("ElasticOrthotropicMaterial", law.shared())),
@@ -337,13 +291,8 @@ fn elastic_orthotropic(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exce
 }
 
 fn simplified_j2(a: &mut Args<'_>) -> Result<SimplifiedJ2, Exception> {
-    Ok(SimplifiedJ2 {
-        shear: a.number(&J2_PLASTICITY_G)?,
-        bulk: a.number(&J2_PLASTICITY_K)?,
-        yield_stress: a.number(&SIG0)?,
-        kinematic: a.number(&H_KIN)?,
-        isotropic: a.number(&H_ISO)?,
-    })
+    let [shear, bulk, yield_stress, kinematic, isotropic] = a.numbers(&SIMPLIFIED_J2)?;
+    Ok(SimplifiedJ2 { shear, bulk, yield_stress, kinematic, isotropic })
 }
 
 fn plane_stress_j2(_: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
@@ -398,10 +347,8 @@ fn fsam(interp: &mut Tcl, a: &mut Args<'_>) -> Result<NdMaterial, Exception> {
         let message = format!("uniaxial material {tag} is {}", concrete.name());
         return Err(a.refuse(message, "expected a ConcreteCM"));
     };
-    let ratios = [a.number(&RATIO_X)?, a.number(&RATIO_Y)?];
-    let friction = a.number(&FSAM_NU)?;
-    let dowel = a.number(&ALFADOW)?;
-    let law = Fsam::new(bars, concrete, FsamParameters { rho, ratios, friction, dowel });
+    let [x, y, friction, dowel] = a.numbers(&FSAM)?;
+    let law = Fsam::new(bars, concrete, FsamParameters { rho, ratios: [x, y], friction, dowel });
     Ok(NdMaterial::of_plane_stress("FSAM", law))
 }
 

@@ -1,6 +1,7 @@
 //! Bars, plastic laws and connections.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use super::steel::{B, hardening_ratio};
 use crate::args::Args;
 use crate::checks;
@@ -11,39 +12,47 @@ use hysteron_engine::material::{
     BarFatigue, BondSp01, Buckling, DoddRestrepo, Gng, Hardening, MAX_BACKSTRESSES, Material, MultiLinear,
     ReinforcingSteel, SteelFractureDi, UvcUniaxial,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
-const GA_LSR: Arg = Arg::of("-GABuck", "lsr", "slenderness lsr").within(Domain::NotNegative);
-const GA_BETA: Arg = Arg::of("-GABuck", "beta", "amplification beta").within(Domain::Number);
-const GA_R: Arg = Arg::of("-GABuck", "r", "buckling reduction r").within(Domain::Number);
-const GA_GAMMA: Arg = Arg::of("-GABuck", "gamma", "buckling constant gamma").within(Domain::Number);
+const GOMES: [Arg; 4] = [
+    Arg::of("-GABuck", "lsr", "slenderness lsr").within(Domain::NotNegative),
+    Arg::of("-GABuck", "beta", "amplification beta").within(Domain::Number),
+    Arg::of("-GABuck", "r", "buckling reduction r").within(Domain::Number),
+    Arg::of("-GABuck", "gamma", "buckling constant gamma").within(Domain::Number),
+];
 const DM_ALPHA: Arg = Arg::of("-DMBuck", "alpha", "adjustment alpha").within(Domain::Number);
-const CM_CF: Arg = Arg::of("-CMFatigue", "Cf", "ductility constant Cf").within(Domain::NotNegative);
-const CM_ALPHA: Arg = Arg::of("-CMFatigue", "alpha", "fatigue exponent alpha").within(Domain::Number);
-const CM_CD: Arg = Arg::of("-CMFatigue", "Cd", "strength reduction constant Cd").within(Domain::NotNegative);
+const FATIGUE: [Arg; 3] = [
+    Arg::of("-CMFatigue", "Cf", "ductility constant Cf").within(Domain::NotNegative),
+    Arg::of("-CMFatigue", "alpha", "fatigue exponent alpha").within(Domain::Number),
+    Arg::of("-CMFatigue", "Cd", "strength reduction constant Cd").within(Domain::NotNegative),
+];
 const ISO_A1: Arg = Arg::of("-IsoHard", "a1", "hardening constant a1").within(Domain::Number);
 const ISO_LIMIT: Arg = Arg::of("-IsoHard", "limit", "least share of the plateau").within(Domain::Number);
-const MP_R1: Arg = Arg::of("-MPCurveParams", "R1", "constant R1").within(Domain::Number);
-const MP_R2: Arg = Arg::of("-MPCurveParams", "R2", "constant R2").within(Domain::Number);
-const MP_R3: Arg = Arg::of("-MPCurveParams", "R3", "constant R3").within(Domain::Number);
+const CURVE: [Arg; 3] = [
+    Arg::of("-MPCurveParams", "R1", "constant R1").within(Domain::Number),
+    Arg::of("-MPCurveParams", "R2", "constant R2").within(Domain::Number),
+    Arg::of("-MPCurveParams", "R3", "constant R3").within(Domain::Number),
+];
 const POINT_STRAIN: Arg = Arg::positive("u1", "strain of a point");
 const POINT_STRESS: Arg = Arg::number("f1", "stress of a point");
 
-const REINFORCING_STEEL_FY: Arg = Arg::positive("fy", "yield strength fy");
-const FU: Arg = Arg::positive("fu", "ultimate strength fu");
-const ES: Arg = Arg::positive("Es", "elastic modulus Es");
-const REINFORCING_STEEL_ESH: Arg = Arg::positive("Esh", "tangent of hardening Esh");
-const ESH_2: Arg = Arg::positive("esh", "strain of hardening esh");
-const EULT: Arg = Arg::positive("eult", "ultimate strain eult");
-const UVCUNIAXIAL_E: Arg = Arg::positive("E", "elastic modulus E");
-const UVCUNIAXIAL_FY: Arg = Arg::positive("fy", "initial yield stress fy");
-const QINF: Arg = Arg::number("QInf", "growth QInf of the yield stress");
-const UVCUNIAXIAL_B: Arg = Arg::number("b", "rate b of the growth");
-const DINF: Arg = Arg::number("DInf", "decrease DInf of the yield stress");
-const A: Arg = Arg::number("a", "rate a of the decrease");
+const REINFORCING: [Arg; 2] = [Arg::positive("fy", "yield strength fy"), Arg::positive("fu", "ultimate strength fu")];
+const REINFORCING_CURVE: [Arg; 4] = [
+    Arg::positive("Es", "elastic modulus Es"),
+    Arg::positive("Esh", "tangent of hardening Esh"),
+    Arg::positive("esh", "strain of hardening esh"),
+    Arg::positive("eult", "ultimate strain eult"),
+];
+const UVC: [Arg; 6] = [
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("fy", "initial yield stress fy"),
+    Arg::number("QInf", "growth QInf of the yield stress"),
+    Arg::number("b", "rate b of the growth"),
+    Arg::number("DInf", "decrease DInf of the yield stress"),
+    Arg::number("a", "rate a of the decrease"),
+];
 const MODULUS_OF_BACKSTRESS: Arg = Arg::number("C1", "modulus C of backstress");
 const RATE_OF_BACKSTRESS: Arg = Arg::not_negative("gamma1", "rate gamma of backstress");
 const UVCUNIAXIAL_N: Arg = Arg::whole("N", "number of backstresses N");
@@ -116,26 +125,11 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Reinforcing bar with yield plateau, strain hardening, buckling and fatigue.")
             .example("uniaxialMaterial ReinforcingSteel 77 60. 90. 29000. 700. 0.008 0.1")
             .arguments(&[
-                REINFORCING_STEEL_FY,
-                FU,
-                ES,
-                REINFORCING_STEEL_ESH,
-                ESH_2,
-                EULT,
-                GA_LSR,
-                GA_BETA,
-                GA_R,
-                GA_GAMMA,
                 Arg::of("-DMBuck", "lsr", "buckling of Dhakal and Maekawa: slenderness, adjustment 0.75 to 1"),
-                CM_CF,
-                CM_ALPHA,
-                CM_CD,
                 ISO_A1,
                 ISO_LIMIT,
-                MP_R1,
-                MP_R2,
-                MP_R3,
-            ]),
+            ])
+            .groups(&[&REINFORCING, &REINFORCING_CURVE, &GOMES, &FATIGUE, &CURVE]),
         make: reinforcing_steel,
     },
     Kind {
@@ -168,18 +162,13 @@ pub(super) const KINDS: &[Kind] = &[
         text: Text::new("Structural steel: updated Voce-Chaboche plasticity.")
             .example("uniaxialMaterial UVCuniaxial 77 200. 2. 0.5 10. 0.3 100. 2 20. 40. 4. 5.")
             .arguments(&[
-                UVCUNIAXIAL_E,
-                UVCUNIAXIAL_FY,
-                QINF,
-                UVCUNIAXIAL_B,
-                DINF,
-                A,
                 UVCUNIAXIAL_N,
                 MODULUS_OF_BACKSTRESS,
                 RATE_OF_BACKSTRESS,
                 MODULUS_OF_BACKSTRESS.called("C2"),
                 RATE_OF_BACKSTRESS.called("gamma2"),
-            ]),
+            ])
+            .groups(&[&UVC]),
         make: uvc_uniaxial,
     },
     Kind {
@@ -270,12 +259,7 @@ fn multi_linear(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
 }
 
 fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let e = a.number(&UVCUNIAXIAL_E)?;
-    let fy = a.number(&UVCUNIAXIAL_FY)?;
-    let q_inf = a.number(&QINF)?;
-    let b = a.number(&UVCUNIAXIAL_B)?;
-    let d_inf = a.number(&DINF)?;
-    let rate = a.number(&A)?;
+    let [e, fy, q_inf, b, d_inf, rate] = a.numbers(&UVC)?;
     let n = a.int(UVCUNIAXIAL_N.meaning)?;
     if !(0..=MAX_BACKSTRESSES as i32).contains(&n) {
         return Err(a.refuse(format!("there are {n} backstresses"), format!("expected 0 to {MAX_BACKSTRESSES}")));
@@ -285,10 +269,7 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
         backstresses
             .push([a.nth_number(&MODULUS_OF_BACKSTRESS, i as usize)?, a.nth_number(&RATE_OF_BACKSTRESS, i as usize)?]);
     }
-    if interp.host.follows(&[slips::UVC_RETURN]) {
-        return Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: OpenSees }.shared());
-    }
-    Ok(UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules: Consistent }.shared())
+    Ok(by_rules!(interp, UVC_RETURN, rules => UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules }))
 }
 
 /// Yield strength, ksi, and yield slip, in, from which on the units cannot be those of the law.
@@ -313,10 +294,7 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     for arg in &UNUSED {
         a.read_optional(interp, arg)?;
     }
-    if interp.host.follows(&[slips::BOND_SLIP_TANGENT]) {
-        return Ok(BondSp01 { fy, sy, fu, su, b, r, rules: OpenSees }.shared());
-    }
-    Ok(BondSp01 { fy, sy, fu, su, b, r, rules: Consistent }.shared())
+    Ok(by_rules!(interp, BOND_SLIP_TANGENT, rules => BondSp01 { fy, sy, fu, su, b, r, rules }))
 }
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -335,12 +313,11 @@ fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
 }
 
 fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (fy, fu) = (a.number(&REINFORCING_STEEL_FY)?, a.number(&FU)?);
+    let [fy, fu] = a.numbers(&REINFORCING)?;
     if fu <= fy {
         return Err(a.refuse(format!("the ultimate strength fu is {fu}"), format!("expected more than fy, {fy}")));
     }
-    let (es, esh) = (a.number(&ES)?, a.number(&REINFORCING_STEEL_ESH)?);
-    let (eps_sh, eps_ult) = (a.number(&ESH_2)?, a.number(&EULT)?);
+    let [es, esh, eps_sh, eps_ult] = a.numbers(&REINFORCING_CURVE)?;
     if eps_sh <= fy / es || eps_ult <= eps_sh {
         return Err(a.refuse(
             format!("the strains of yield, hardening and ultimate stress are {}, {eps_sh}, {eps_ult}", fy / es),
@@ -352,13 +329,11 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-GABuck" => {
-                let slenderness = a.number(&GA_LSR)?;
-                a.number(&GA_BETA)?;
-                let reduction = a.number(&GA_R)?.clamp(0.0, 1.0);
-                buckling = Buckling::Gomes { slenderness, reduction, pivot: a.number(&GA_GAMMA)? };
+                let [slenderness, _, reduction, pivot] = a.numbers(&GOMES)?;
+                buckling = Buckling::Gomes { slenderness, reduction: reduction.clamp(0.0, 1.0), pivot };
             }
             "-DMBuck" => {
-                let slenderness = a.number(&GA_LSR)?;
+                let slenderness = a.number(&GOMES[0])?;
                 let alpha = a.optional_number(&DM_ALPHA)?.unwrap_or(1.0);
                 if !(0.75..=1.0).contains(&alpha) {
                     return Err(a.refuse(format!("the adjustment alpha is {alpha}"), "expected 0.75 to 1"));
@@ -366,15 +341,14 @@ fn reinforcing_steel(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exc
                 buckling = Buckling::Dhakal { slenderness, alpha };
             }
             "-CMFatigue" => {
-                let (cf, alpha) = (a.number(&CM_CF)?, a.number(&CM_ALPHA)?);
-                let cd = a.number(&CM_CD)?;
+                let [cf, alpha, cd] = a.numbers(&FATIGUE)?;
                 fatigue = (cf != 0.0 && alpha != 0.0).then_some(BarFatigue { cf, alpha, cd });
             }
             "-IsoHard" => {
                 let rate = a.optional_number(&ISO_A1)?.unwrap_or(4.3);
                 hardening = [rate, a.optional_number(&ISO_LIMIT)?.unwrap_or(0.01)];
             }
-            "-MPCurveParams" => curve = [a.number(&MP_R1)?, a.number(&MP_R2)?, a.number(&MP_R3)?],
+            "-MPCurveParams" => curve = a.numbers(&CURVE)?,
             _ => ignore_unknown(interp, a)?,
         }
     }

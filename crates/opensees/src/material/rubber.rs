@@ -37,12 +37,16 @@ const PRELOAD_STRAIN: Arg = Arg::of("-preload", "strain", "strain of the preload
 const EXCESS: Arg = Arg::not_negative("excess", "excess of stiffness of virgin rubber");
 const STRAIN: Arg = Arg::positive("strain", "strain over which the excess goes");
 const POWER_P: Arg = Arg::of("-power", "p", "exponent of the way back to the virgin path").within(Domain::Positive);
-const A1: Arg = Arg::not_negative("a1", "force a1 of the linear term");
-const A2: Arg = Arg::not_negative("a2", "force a2 of the cubic term");
-const A3: Arg = Arg::not_negative("a3", "force a3 of the fifth-order term");
-const KY: Arg = Arg::positive("ky", "stiffness ky of the hysteretic part per strain");
-const FY: Arg = Arg::positive("fy", "strength fy of the hysteretic part");
-const BETA: Arg = Arg::number("beta", "loop shape beta");
+const FORCES: [Arg; 3] = [
+    Arg::not_negative("a1", "force a1 of the linear term"),
+    Arg::not_negative("a2", "force a2 of the cubic term"),
+    Arg::not_negative("a3", "force a3 of the fifth-order term"),
+];
+const LOOP: [Arg; 3] = [
+    Arg::positive("ky", "stiffness ky of the hysteretic part per strain"),
+    Arg::positive("fy", "strength fy of the hysteretic part"),
+    Arg::number("beta", "loop shape beta"),
+];
 const ETA: Arg = Arg::positive("eta", "exponent eta of the transition");
 const PHI_MAX: Arg = Arg::not_negative("phiMax", "largest temporary hardening phiMax");
 
@@ -72,31 +76,17 @@ pub(crate) const RHEOLOGY_ARGUMENTS: &[Arg] = &[
     PRELOAD_STRAIN,
 ];
 
-const LAYERS: Arg = Arg::count("layers", "number of layers of rubber").after("-conduction");
-const T_RUBBER: Arg = Arg::positive("tRubber", "thickness tRubber of a layer of rubber").after("-conduction");
-const T_STEEL: Arg = Arg::not_negative("tSteel", "thickness tSteel of a steel plate").after("-conduction");
-const T_PLATE: Arg = Arg::not_negative("tPlate", "thickness tPlate of an end plate").after("-conduction");
-const RUBBER_PROPERTIES: [Arg; 2] = [
-    Arg::positive("kRubber", "thermal conductivity kRubber").after("-conduction"),
-    Arg::positive("cRubber", "heat capacity cRubber per volume of rubber").after("-conduction"),
-];
-const STEEL_PROPERTIES: [Arg; 2] = [
-    Arg::positive("kSteel", "thermal conductivity kSteel").after("-conduction"),
-    Arg::positive("cSteel", "heat capacity cSteel per volume of steel").after("-conduction"),
-];
-const FILM: Arg = Arg::not_negative("film", "heat transfer coefficient film of the end plates").after("-conduction");
-
 /// Arguments of a stack of layers that conduct heat.
 pub(crate) const CONDUCTION: [Arg; 9] = [
-    LAYERS,
-    T_RUBBER,
-    T_STEEL,
-    T_PLATE,
-    RUBBER_PROPERTIES[0],
-    RUBBER_PROPERTIES[1],
-    STEEL_PROPERTIES[0],
-    STEEL_PROPERTIES[1],
-    FILM,
+    Arg::count("layers", "number of layers of rubber").after("-conduction"),
+    Arg::positive("tRubber", "thickness tRubber of a layer of rubber").after("-conduction"),
+    Arg::not_negative("tSteel", "thickness tSteel of a steel plate").after("-conduction"),
+    Arg::not_negative("tPlate", "thickness tPlate of an end plate").after("-conduction"),
+    Arg::positive("kRubber", "thermal conductivity kRubber").after("-conduction"),
+    Arg::positive("cRubber", "heat capacity cRubber per volume of rubber").after("-conduction"),
+    Arg::positive("kSteel", "thermal conductivity kSteel").after("-conduction"),
+    Arg::positive("cSteel", "heat capacity cSteel per volume of steel").after("-conduction"),
+    Arg::not_negative("film", "heat transfer coefficient film of the end plates").after("-conduction"),
 ];
 
 pub(super) const KINDS: &[Kind] = &[
@@ -137,26 +127,7 @@ pub(super) const KINDS: &[Kind] = &[
             "uniaxialMaterial HDR_mat 77 46. 59. 317. 1.04 0.38 30. 0.71 3.4 0.37 0.06 0.57 121. 1.8 0.9 0.32 \
              0.14 0.018 20.4",
         )
-        .arguments(&[
-            A1,
-            A2,
-            A3,
-            SOFTENING[0][0],
-            SOFTENING[0][1],
-            SOFTENING[1][0],
-            SOFTENING[1][1],
-            SOFTENING[2][0],
-            SOFTENING[2][1],
-            SOFTENING[3][0],
-            SOFTENING[3][1],
-            KY,
-            FY,
-            BETA,
-            ETA,
-            PHI_MAX,
-            PPHI,
-            THICKNESS,
-        ])
+        .groups(&[&FORCES, SOFTENING.as_flattened(), &LOOP, &[ETA, PHI_MAX, PPHI, THICKNESS]])
         .own(),
         make: gallardo,
     },
@@ -323,15 +294,9 @@ fn compound(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Compound, Exception> {
 }
 
 fn stack(a: &mut Args<'_>) -> Result<Stack, Exception> {
-    Ok(Stack {
-        layers: a.count(&LAYERS)?,
-        rubber: a.number(&T_RUBBER)?,
-        steel: a.number(&T_STEEL)?,
-        plate: a.number(&T_PLATE)?,
-        rubber_properties: (a.number(&RUBBER_PROPERTIES[0])?, a.number(&RUBBER_PROPERTIES[1])?),
-        steel_properties: (a.number(&STEEL_PROPERTIES[0])?, a.number(&STEEL_PROPERTIES[1])?),
-        film: a.number(&FILM)?,
-    })
+    let [layers, rubber, steel, plate, k_rubber, c_rubber, k_steel, c_steel, film] = a.numbers(&CONDUCTION)?;
+    let (rubber_properties, steel_properties) = ((k_rubber, c_rubber), (k_steel, c_steel));
+    Ok(Stack { layers: layers as usize, rubber, steel, plate, rubber_properties, steel_properties, film })
 }
 
 fn softening(a: &mut Args<'_>) -> Result<Softening, Exception> {
@@ -380,12 +345,10 @@ fn decay(a: &mut Args<'_>, [factor, power]: &[Arg; 2]) -> Result<Decay, Exceptio
 }
 
 fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let forces = [a.number(&A1)?, a.number(&A2)?, a.number(&A3)?];
+    let forces = a.numbers(&FORCES)?;
     let softening = [decay(a, &SOFTENING[0])?, decay(a, &SOFTENING[1])?, decay(a, &SOFTENING[2])?];
     let cycling = decay(a, &SOFTENING[3])?;
-    let ky = a.number(&KY)?;
-    let fy = a.number(&FY)?;
-    let beta = a.number(&BETA)?;
+    let [ky, fy, beta] = a.numbers(&LOOP)?;
     if !(0.5..=1.0).contains(&beta) {
         return Err(a.refuse(format!("beta is {beta}"), "expected a number from 0.5 to 1"));
     }
@@ -397,7 +360,6 @@ fn gallardo(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
             "expected a number less than 0.5: the hysteretic force would not be bounded",
         ));
     }
-    let phi_rate = a.number(&PPHI)?;
-    let height = a.number(&THICKNESS)?;
+    let [phi_rate, height] = a.numbers(&[PPHI, THICKNESS])?;
     Ok(GallardoShear { a: forces, softening, cycling, ky, fy, beta, eta, phi_max, phi_rate, height }.shared())
 }

@@ -1,6 +1,7 @@
 //! Springs between piles and soil.
 
 use super::Kind;
+use super::by_rules::by_rules;
 use crate::args::Args;
 use crate::checks;
 use crate::slips;
@@ -9,7 +10,6 @@ use crate::{Tcl, warn};
 use hysteron_engine::material::{
     HyperbolicGap, Material, PyBackbone, PySimple1, QzBackbone, QzSimple1, SoilSpring, TzBackbone, TzSimple1,
 };
-use hysteron_engine::rules::{Consistent, OpenSees};
 use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
@@ -158,8 +158,5 @@ fn hyperbolic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
         warn(interp, d.at(place, "expected a number greater than 0"))?;
     }
     let gap = negative(interp, a, &GAP)?;
-    if interp.host.follows(&[slips::HYPERBOLIC_GAP_TRIALS]) {
-        return Ok(HyperbolicGap { kmax, kur, rf, fult, gap, rules: OpenSees }.shared());
-    }
-    Ok(HyperbolicGap { kmax, kur, rf, fult, gap, rules: Consistent }.shared())
+    Ok(by_rules!(interp, HYPERBOLIC_GAP_TRIALS, rules => HyperbolicGap { kmax, kur, rf, fult, gap, rules }))
 }

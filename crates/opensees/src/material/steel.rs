@@ -11,20 +11,26 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use hysteron_tcl::diagnostic::Diagnostic;
 
-const N: Arg = Arg::positive("n", "number of fingers n");
-const BO: Arg = Arg::positive("bo", "width of a finger bo");
-const H: Arg = Arg::positive("h", "thickness of a finger h");
-const FY: Arg = Arg::positive("fy", "yield stress fy");
-const CAST_FUSE_E: Arg = Arg::positive("E", "elastic modulus E");
-const CAST_FUSE_L: Arg = Arg::positive("L", "length of a finger L");
+const FINGERS: [Arg; 6] = [
+    Arg::positive("n", "number of fingers n"),
+    Arg::positive("bo", "width of a finger bo"),
+    Arg::positive("h", "thickness of a finger h"),
+    Arg::positive("fy", "yield stress fy"),
+    Arg::positive("E", "elastic modulus E"),
+    Arg::positive("L", "length of a finger L"),
+];
 const CAST_FUSE_B: Arg = Arg::number("b", "hardening ratio b");
-const CAST_FUSE_R0: Arg = Arg::positive("R0", "radius R0");
-const CAST_FUSE_C_R1: Arg = Arg::not_negative("cR1", "coefficient cR1");
-const CAST_FUSE_C_R2: Arg = Arg::positive("cR2", "coefficient cR2");
-const CAST_FUSE_A1: Arg = Arg::not_negative("a1", "isotropic hardening a1");
-const A2: Arg = Arg::positive("a2", "isotropic hardening a2");
-const A3: Arg = Arg::not_negative("a3", "isotropic hardening a3");
-const A4: Arg = Arg::positive("a4", "isotropic hardening a4");
+const FUSE_TRANSITION: [Arg; 3] = [
+    Arg::positive("R0", "radius R0"),
+    Arg::not_negative("cR1", "coefficient cR1"),
+    Arg::positive("cR2", "coefficient cR2"),
+];
+const FUSE_ISOTROPIC: [Arg; 4] = [
+    Arg::not_negative("a1", "isotropic hardening a1"),
+    Arg::positive("a2", "isotropic hardening a2"),
+    Arg::not_negative("a3", "isotropic hardening a3"),
+    Arg::positive("a4", "isotropic hardening a4"),
+];
 
 /// Yield strength and modulus of steels for which OpenSees takes any number.
 const USUAL: [Arg; 2] = [
@@ -95,22 +101,7 @@ pub(super) const KINDS: &[Kind] = &[
         usage: "uniaxialMaterial CastFuse $tag $n $bo $h $fy $E $L $b $R0 $cR1 $cR2 <$a1 $a2 $a3 $a4>",
         text: Text::new("Yielding fingers of a cast steel brace, which pull at large deformations.")
             .example("uniaxialMaterial CastFuse 77 8 5. 1.5 50. 29000. 12. 0.05 20. 0.92 0.15")
-            .arguments(&[
-                N,
-                BO,
-                H,
-                FY,
-                CAST_FUSE_E,
-                CAST_FUSE_L,
-                CAST_FUSE_B,
-                CAST_FUSE_R0,
-                CAST_FUSE_C_R1,
-                CAST_FUSE_C_R2,
-                CAST_FUSE_A1,
-                A2,
-                A3,
-                A4,
-            ]),
+            .groups(&[&FINGERS, &[CAST_FUSE_B], &FUSE_TRANSITION, &FUSE_ISOTROPIC]),
         make: cast_fuse,
     },
     Kind {
@@ -270,18 +261,12 @@ fn steel_mpf(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
 }
 
 fn cast_fuse(_: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let legs = a.number(&N)?;
-    let (width, thickness) = (a.number(&BO)?, a.number(&H)?);
-    let (fy, e) = (a.number(&FY)?, a.number(&CAST_FUSE_E)?);
-    let length = a.number(&CAST_FUSE_L)?;
+    let [legs, width, thickness, fy, e, length] = a.numbers(&FINGERS)?;
     let b = a.number(&CAST_FUSE_B)?;
     if b >= 1.0 {
         return Err(a.refuse(format!("the hardening ratio b is {b}"), "expected less than 1"));
     }
-    let r = [a.number(&CAST_FUSE_R0)?, a.number(&CAST_FUSE_C_R1)?, a.number(&CAST_FUSE_C_R2)?];
-    let mut hardening = [0.0, 1.0, 0.0, 1.0];
-    if a.left() > 0 {
-        hardening = [a.number(&CAST_FUSE_A1)?, a.number(&A2)?, a.number(&A3)?, a.number(&A4)?];
-    }
+    let r = a.numbers(&FUSE_TRANSITION)?;
+    let hardening = if a.left() > 0 { a.numbers(&FUSE_ISOTROPIC)? } else { [0.0, 1.0, 0.0, 1.0] };
     Ok(Cast { legs, width, thickness, length, fy, e, b, r, a: hardening }.shared())
 }

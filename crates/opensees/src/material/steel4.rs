@@ -9,16 +9,22 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
 const KIN_BK: Arg = Arg::of("-kin", "bk", "kinematic hardening ratio bk").within(Domain::Number);
-const KIN_R0: Arg = Arg::of("-kin", "R0", "radius R0").within(Domain::Positive);
-const KIN_R1: Arg = Arg::of("-kin", "r1", "coefficient r1").within(Domain::NotNegative);
-const KIN_R2: Arg = Arg::of("-kin", "r2", "coefficient r2").within(Domain::Positive);
-const ISO_BI: Arg = Arg::of("-iso", "bi", "isotropic hardening ratio bi").within(Domain::NotNegative);
-const ISO_RHOI: Arg = Arg::of("-iso", "rhoi", "position of the turn rhoi").within(Domain::Positive);
-const ISO_BL: Arg = Arg::of("-iso", "bl", "ratio of the bound bl").within(Domain::NotNegative);
-const ISO_RI: Arg = Arg::of("-iso", "Ri", "radius Ri").within(Domain::Positive);
+const RADII: [Arg; 3] = [
+    Arg::of("-kin", "R0", "radius R0").within(Domain::Positive),
+    Arg::of("-kin", "r1", "coefficient r1").within(Domain::NotNegative),
+    Arg::of("-kin", "r2", "coefficient r2").within(Domain::Positive),
+];
+const ISOTROPIC: [Arg; 4] = [
+    Arg::of("-iso", "bi", "isotropic hardening ratio bi").within(Domain::NotNegative),
+    Arg::of("-iso", "rhoi", "position of the turn rhoi").within(Domain::Positive),
+    Arg::of("-iso", "bl", "ratio of the bound bl").within(Domain::NotNegative),
+    Arg::of("-iso", "Ri", "radius Ri").within(Domain::Positive),
+];
 const ISO_LYP: Arg = Arg::of("-iso", "lyp", "length of the yield plateau lyp").within(Domain::NotNegative);
-const ULT_FU: Arg = Arg::of("-ult", "fu", "ultimate strength fu").within(Domain::Positive);
-const ULT_RU: Arg = Arg::of("-ult", "Ru", "radius Ru").within(Domain::Positive);
+const ULTIMATE: [Arg; 2] = [
+    Arg::of("-ult", "fu", "ultimate strength fu").within(Domain::Positive),
+    Arg::of("-ult", "Ru", "radius Ru").within(Domain::Positive),
+];
 
 const FY: Arg = Arg::positive("fy", "yield stress fy");
 const STEEL4_E0: Arg = Arg::positive("E0", "elastic modulus E0");
@@ -36,19 +42,11 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             STEEL4_E0,
             Arg::flag("-asym", "what follows is given for tension, then for compression"),
             KIN_BK,
-            KIN_R0,
-            KIN_R1,
-            KIN_R2,
-            ISO_BI,
-            ISO_RHOI,
-            ISO_BL,
-            ISO_RI,
             ISO_LYP,
-            ULT_FU,
-            ULT_RU,
             INIT_SIG0,
             MEM_CYCLES,
-        ]),
+        ])
+        .groups(&[&RADII, &ISOTROPIC, &ULTIMATE]),
     make: steel4,
 }];
 
@@ -61,21 +59,19 @@ fn kinematic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
     if side.b >= 1.0 {
         return Err(a.refuse(format!("the hardening ratio bk is {}", side.b), "expected less than 1"));
     }
-    side.r = [a.number(&KIN_R0)?, a.number(&KIN_R1)?, a.number(&KIN_R2)?];
+    side.r = a.numbers(&RADII)?;
     Ok(())
 }
 
 /// Isotropic hardening of a side; in tension the length of the yield plateau follows.
 fn isotropic(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
-    let (first, rho) = (a.number(&ISO_BI)?, a.number(&ISO_RHOI)?);
-    let last = a.number(&ISO_BL)?;
-    side.isotropic = [first, last, rho, a.number(&ISO_RI)?];
+    let [first, rho, last, radius] = a.numbers(&ISOTROPIC)?;
+    side.isotropic = [first, last, rho, radius];
     Ok(())
 }
 
 fn ultimate(a: &mut Args<'_>, side: &mut Steel4Side) -> Result<(), Exception> {
-    side.ultimate = a.number(&ULT_FU)?;
-    side.ultimate_radius = a.number(&ULT_RU)?;
+    [side.ultimate, side.ultimate_radius] = a.numbers(&ULTIMATE)?;
     Ok(())
 }
 

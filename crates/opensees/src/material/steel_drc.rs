@@ -9,20 +9,26 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 
 const PSH: Arg = Arg::of("-Psh", "Psh", "exponent Psh of hardening").within(Domain::Positive);
-const ESH1: Arg = Arg::of("-shPoint", "esh1", "strain esh1 on the hardening curve").within(Domain::Number);
-const FSH1: Arg = Arg::of("-shPoint", "fsh1", "stress fsh1 there").within(Domain::Number);
+const POINT: [Arg; 2] = [
+    Arg::of("-shPoint", "esh1", "strain esh1 on the hardening curve").within(Domain::Number),
+    Arg::of("-shPoint", "fsh1", "stress fsh1 there").within(Domain::Number),
+];
 const OMEGA_FAC: Arg =
     Arg::of("-omegaFactor", "omegaFac", "factor of the Bauschinger curves omegaFac").within(Domain::Positive);
 const EFRACT: Arg = Arg::of("-fractStrain", "efract", "strain of fracture efract").within(Domain::Number);
-const DAMPER_C: Arg = Arg::of("-viscousDamper", "C", "damping coefficient C").within(Domain::NotNegative);
-const DAMPER_ALPHA: Arg = Arg::of("-viscousDamper", "alpha", "velocity exponent alpha").within(Domain::Positive);
+const DAMPER: [Arg; 2] = [
+    Arg::of("-viscousDamper", "C", "damping coefficient C").within(Domain::NotNegative),
+    Arg::of("-viscousDamper", "alpha", "velocity exponent alpha").within(Domain::Positive),
+];
 const DFU: Arg = Arg::of("-Dfu", "Dfu", "length Dfu of the straight line after a reversal").within(Domain::Positive);
 
-const ES: Arg = Arg::positive("Es", "elastic modulus Es");
-const FY: Arg = Arg::positive("fy", "yield stress fy");
-const EU: Arg = Arg::positive("eu", "strain eu of the strength");
-const FU: Arg = Arg::positive("fu", "strength fu");
-const ESH: Arg = Arg::positive("esh", "strain esh where hardening begins");
+const SKELETON: [Arg; 5] = [
+    Arg::positive("Es", "elastic modulus Es"),
+    Arg::positive("fy", "yield stress fy"),
+    Arg::positive("eu", "strain eu of the strength"),
+    Arg::positive("fu", "strength fu"),
+    Arg::positive("esh", "strain esh where hardening begins"),
+];
 
 pub(super) const KINDS: &[Kind] = &[Kind {
     names: &["SteelDRC"],
@@ -34,14 +40,7 @@ pub(super) const KINDS: &[Kind] = &[Kind {
     )
     .example("uniaxialMaterial SteelDRC 77 1 1 1 1 0.5")
     .arguments(&[
-        ES,
-        FY,
-        EU,
-        FU,
-        ESH,
         PSH,
-        ESH1,
-        FSH1,
         OMEGA_FAC,
         EFRACT,
         Arg::of("-bausch", "type", "Bauschinger curves: 0 power, 1 cubic, 2 rational").within(Domain::Whole),
@@ -51,27 +50,22 @@ pub(super) const KINDS: &[Kind] = &[Kind {
             "stiffness: 0 tangent, 1 secant from the last reversal if that is more, 2 elastic",
         )
         .within(Domain::Whole),
-        DAMPER_C,
-        DAMPER_ALPHA,
         DFU,
-    ]),
+    ])
+    .groups(&[&SKELETON, &POINT, &DAMPER]),
     make: steel_drc,
 }];
 
 fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
-    let (e, fy) = (a.number(&ES)?, a.number(&FY)?);
-    let ultimate = [a.number(&EU)?, a.number(&FU)?];
-    let hardening = a.number(&ESH)?;
-    if hardening >= ultimate[0] {
-        return Err(
-            a.refuse(format!("the strain esh is {hardening}"), format!("expected less than eu, {}", ultimate[0]))
-        );
+    let [e, fy, eu, fu, hardening] = a.numbers(&SKELETON)?;
+    if hardening >= eu {
+        return Err(a.refuse(format!("the strain esh is {hardening}"), format!("expected less than eu, {eu}")));
     }
     let mut law = SteelDrc {
         e,
         fy,
         hardening,
-        ultimate,
+        ultimate: [eu, fu],
         power: 3.0,
         fracture: None,
         omega: 1.0,
@@ -85,20 +79,18 @@ fn steel_drc(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     while let Some(option) = a.option() {
         match option.to_lowercase().as_str() {
             "-psh" => law.power = a.number(&PSH)?,
-            "-shpoint" => point = [a.number(&ESH1)?, a.number(&FSH1)?],
+            "-shpoint" => point = a.numbers(&POINT)?,
             "-omegafactor" | "-omegafac" => law.omega = a.number(&OMEGA_FAC)?,
             "-fractstrain" => law.fracture = Some(a.number(&EFRACT)?).filter(|x| *x != -1.0),
             "-bausch" => law.curve = curve(a)?,
             "-stiffoutput" => law.stiffness = stiffness(a)?,
-            "-viscousdamper" => {
-                law.viscous = [a.number(&DAMPER_C)?, a.number(&DAMPER_ALPHA)?];
-            }
+            "-viscousdamper" => law.viscous = a.numbers(&DAMPER)?,
             "-dfu" => law.straight = a.number(&DFU)?,
             _ => ignore_unknown(interp, a)?,
         }
     }
-    if let Some(fracture) = law.fracture.filter(|x| *x <= ultimate[0]) {
-        let label = format!("expected more than eu, {}", ultimate[0]);
+    if let Some(fracture) = law.fracture.filter(|x| *x <= eu) {
+        let label = format!("expected more than eu, {eu}");
         return Err(a.refuse(format!("the strain of fracture is {fracture}"), label));
     }
     if point[0] != 0.0 && point[1] != 0.0 {

@@ -9,7 +9,7 @@ use crate::text::{Arg, Domain, Text};
 use crate::things;
 use crate::{Tcl, ignore_unknown, warn};
 use hysteron_engine::material::{
-    Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialError, MinMax, Parallel, PathIndependent,
+    Fatigue, FatigueParameters, InitialState, Iteration, Material, MaterialResult, MinMax, Parallel, PathIndependent,
     Series,
 };
 use hysteron_engine::shared::Shared;
@@ -217,7 +217,7 @@ fn init_stress(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception
     begun(a, InitialState::stress(inner, stress), "expected a stress that the material can have")
 }
 
-fn begun(a: &Args<'_>, law: Result<InitialState, MaterialError>, label: &str) -> Result<Material, Exception> {
+fn begun(a: &Args<'_>, law: MaterialResult<InitialState>, label: &str) -> Result<Material, Exception> {
     match law {
         Ok(law) => Ok(law.shared()),
         Err(e) => Err(a.refuse(e.to_string(), label)),

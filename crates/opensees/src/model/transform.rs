@@ -34,19 +34,19 @@ const KINDS: &[kind::Kind<TransformKind>] = &[
     kind::Kind {
         names: &["Linear"],
         usage: USAGE_LINEAR,
-        text: Text::new("Displacements are small: equilibrium is formed in the undeformed geometry.").arguments(&[TAG]),
+        text: Text::new("Displacements are small: equilibrium is formed in the undeformed geometry."),
         make: TransformKind::Linear,
     },
     kind::Kind {
         names: &["PDelta", "LinearWithPDelta"],
         usage: USAGE_PDELTA,
-        text: Text::new("Equilibrium of the axial force in the displaced chord; else as `Linear`.").arguments(&[TAG]),
+        text: Text::new("Equilibrium of the axial force in the displaced chord; else as `Linear`."),
         make: TransformKind::PDelta,
     },
     kind::Kind {
         names: &["Corotational", "Corotational2d", "Corotational3d"],
         usage: USAGE_COROTATIONAL,
-        text: Text::new("Large displacements and rotations of the chord, with small deformations.").arguments(&[TAG]),
+        text: Text::new("Large displacements and rotations of the chord, with small deformations."),
         make: TransformKind::Corotational,
     },
 ];

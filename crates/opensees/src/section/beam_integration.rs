@@ -51,40 +51,37 @@ const KINDS: &[Kind] = &[
     Kind {
         names: &["Lobatto"],
         usage: "beamIntegration Lobatto $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Lobatto points, the ends of the beam among them.").arguments(&[TAG]),
+        text: Text::new("Gauss-Lobatto points, the ends of the beam among them."),
         make: Family::Simple(|| Rule::Lobatto),
     },
     Kind {
         names: &["Legendre"],
         usage: "beamIntegration Legendre $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Legendre points, all inside the beam.").arguments(&[TAG]),
+        text: Text::new("Gauss-Legendre points, all inside the beam."),
         make: Family::Simple(|| Rule::Legendre),
     },
     Kind {
         names: &["Radau"],
         usage: "beamIntegration Radau $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Gauss-Radau points, one of them at the first end.").arguments(&[TAG]),
+        text: Text::new("Gauss-Radau points, one of them at the first end."),
         make: Family::Simple(|| Rule::Radau),
     },
     Kind {
         names: &["NewtonCotes"],
         usage: "beamIntegration NewtonCotes $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of Newton and Cotes.")
-            .arguments(&[TAG]),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Newton and Cotes."),
         make: Family::Simple(|| Rule::NewtonCotes),
     },
     Kind {
         names: &["Trapezoidal"],
         usage: "beamIntegration Trapezoidal $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of the trapezoidal rule.")
-            .arguments(&[TAG]),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of the trapezoidal rule."),
         make: Family::Simple(|| Rule::Trapezoidal),
     },
     Kind {
         names: &["CompositeSimpson", "Simpson"],
         usage: "beamIntegration CompositeSimpson $tag $section $n | $tag $n $sections ...",
-        text: Text::new("Equally spaced points, the ends among them, with the weights of Simpson's rule.")
-            .arguments(&[TAG]),
+        text: Text::new("Equally spaced points, the ends among them, with the weights of Simpson's rule."),
         make: Family::Simple(|| Rule::Simpson),
     },
     Kind {
@@ -93,8 +90,7 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Plastic hinges of given lengths by Gauss-Radau points over four hinge lengths; the beam between them is \
              elastic.",
-        )
-        .arguments(&[TAG]),
+        ),
         make: Family::Hinges(Hinge::Radau),
     },
     Kind {
@@ -102,8 +98,7 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration HingeRadauTwo $tag $secI $lpI $secJ $lpJ $secE",
         text: Text::new(
             "Plastic hinges of given lengths with two Gauss-Radau points each; the beam between them is elastic.",
-        )
-        .arguments(&[TAG]),
+        ),
         make: Family::Hinges(Hinge::RadauTwo),
     },
     Kind {
@@ -111,15 +106,13 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration HingeMidpoint $tag $secI $lpI $secJ $lpJ $secE",
         text: Text::new(
             "Plastic hinges of given lengths with a point in the middle of each; the beam between them is elastic.",
-        )
-        .arguments(&[TAG]),
+        ),
         make: Family::Hinges(Hinge::Midpoint),
     },
     Kind {
         names: &["HingeEndpoint"],
         usage: "beamIntegration HingeEndpoint $tag $secI $lpI $secJ $lpJ $secE",
-        text: Text::new("Plastic hinges of given lengths with a point at each end; the beam between them is elastic.")
-            .arguments(&[TAG]),
+        text: Text::new("Plastic hinges of given lengths with a point at each end; the beam between them is elastic."),
         make: Family::Hinges(Hinge::Endpoint),
     },
     Kind {
@@ -129,20 +122,19 @@ const KINDS: &[Kind] = &[
         text: Text::new(
             "Points of the hinge at i, then of that at j, at given places with given weights; two Gauss points between \
              the hinges.",
-        )
-        .arguments(&[TAG]),
+        ),
         make: Family::Ends,
     },
     Kind {
         names: &["UserDefined"],
         usage: "beamIntegration UserDefined $tag $n $sections ... $places ... $weights ...",
-        text: Text::new("Points at given places with given weights.").arguments(&[TAG]),
+        text: Text::new("Points at given places with given weights."),
         make: Family::Located(|places, weights, n| (weights.len() == n).then_some(Rule::Given(places, weights))),
     },
     Kind {
         names: &["FixedLocation"],
         usage: "beamIntegration FixedLocation $tag $n $sections ... $places ...",
-        text: Text::new("Points at given places, with weights that are exact for polynomials.").arguments(&[TAG]),
+        text: Text::new("Points at given places, with weights that are exact for polynomials."),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::Located(places, weights))),
     },
     Kind {
@@ -150,15 +142,13 @@ const KINDS: &[Kind] = &[
         usage: "beamIntegration LowOrder $tag $n $sections ... $places ... <$weights ...>",
         text: Text::new(
             "Points at given places, some with given weights; the other weights are exact for polynomials.",
-        )
-        .arguments(&[TAG]),
+        ),
         make: Family::Located(|places, weights, n| (weights.len() <= n).then_some(Rule::Located(places, weights))),
     },
     Kind {
         names: &["MidDistance"],
         usage: "beamIntegration MidDistance $tag $n $sections ... $places ...",
-        text: Text::new("Points at given places, each with the length up to the middle between it and its neighbours.")
-            .arguments(&[TAG]),
+        text: Text::new("Points at given places, each with the length up to the middle between it and its neighbours."),
         make: Family::Located(|places, weights, _| weights.is_empty().then_some(Rule::MidDistance(places))),
     },
 ];

@@ -50,7 +50,7 @@ const FRAME: [Arg; 8] = [
 ];
 
 pub(crate) const COMMANDS: &[Command] = &[Command::new("section", SECTION, section)
-    .arguments(&[Arg::whole("tag", "tag of the section")])
+    .arguments(&[TAG])
     .about("Makes a cross-section.")
     .defining(&[things::SECTION, things::PLATE], 2)
     .with_kinds(|| kind::usages(KINDS))];
@@ -76,7 +76,7 @@ const KINDS: &[Kind] = &[
                 (in space)",
         text: Text::new("A linear elastic section.")
             .example("section Elastic 77 1 1 1")
-            .arguments(&[TAG, ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_G, ALPHA_Y, ELASTIC_IY, ELASTIC_J, ALPHA_Z]),
+            .arguments(&[ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_G, ALPHA_Y, ELASTIC_IY, ELASTIC_J, ALPHA_Z]),
         make: Make::Beam(elastic),
     },
     Kind {
@@ -87,7 +87,7 @@ const KINDS: &[Kind] = &[
             "An elastic section whose properties are given by their names, or in the order of `section Elastic`.",
         )
         .example("section ElasticFrame 9 -E 2e8 -A 0.1 -Iz 1e-3 -Iy 1e-3 -G 8e7 -J 1e-3")
-        .arguments(&[TAG, ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_IY, ELASTIC_G, ELASTIC_J])
+        .arguments(&[ELASTIC_E, ELASTIC_A, ELASTIC_IZ, ELASTIC_IY, ELASTIC_G, ELASTIC_J])
         .groups(&[&FRAME]),
         make: Make::Beam(elastic_frame),
     },
@@ -96,7 +96,7 @@ const KINDS: &[Kind] = &[
         usage: "section Fiber $tag <-GJ $GJ | -torsion $material> <-noCentroid> {fibers}",
         text: Text::new("A section of fibres, which `fiber`, `patch` and `layer` in its body make.")
             .example("section Fiber 77 -GJ 1. {fiber 0.1 0.1 1. 1; fiber -0.1 0.1 1. 1; fiber 0. -0.1 1. 1}")
-            .arguments(&[TAG, FIBER_GJ, Arg::of("-torsion", "material", "law of torsion")]),
+            .arguments(&[FIBER_GJ, Arg::of("-torsion", "material", "law of torsion")]),
         make: Make::Beam(fibers),
     },
     Kind {
@@ -105,7 +105,6 @@ const KINDS: &[Kind] = &[
         text: Text::new("A section of uniaxial laws, one for each resultant, optionally added to another section.")
             .example("section Aggregator 77 1 P")
             .arguments(&[
-                TAG,
                 Arg::new("material1", "tags of the laws, each followed by the response that it adds"),
                 Arg::of("-section", "section", "tag of a section").within(Domain::Whole),
             ]),
@@ -116,7 +115,7 @@ const KINDS: &[Kind] = &[
         usage: "section Parallel $tag $section1 <$section2 ...>",
         text: Text::new("Other sections with the same deformations, whose resultants are added.")
             .example("section Parallel 77 1 1")
-            .arguments(&[TAG, Arg::thing("section1", things::SECTION)]),
+            .arguments(&[Arg::thing("section1", things::SECTION)]),
         make: Make::Beam(parallel),
     },
     Kind {
@@ -124,7 +123,7 @@ const KINDS: &[Kind] = &[
         usage: "section Uniaxial $tag $material P|Mz|Vy|My|Vz|T",
         text: Text::new("A section with one resultant.")
             .example("section Uniaxial 77 1 P")
-            .arguments(&[TAG, Arg::thing("material", things::MATERIAL)]),
+            .arguments(&[Arg::thing("material", things::MATERIAL)]),
         make: Make::Beam(uniaxial),
     },
     nd_fiber::ND_FIBER,

@@ -11,40 +11,48 @@ use hysteron_engine::shared::Shared;
 use hysteron_tcl::Exception;
 use std::f64::consts::PI;
 
-const A_TOP: Arg = Arg::not_negative("Atop", "area of a top bar Atop");
-const A_BOTTOM: Arg = Arg::not_negative("Abottom", "area of a bottom bar Abottom");
-const A_SIDE: Arg = Arg::not_negative("Aside", "area of a side bar Aside");
+const RECTANGULAR_BARS: [Arg; 3] = [
+    Arg::not_negative("Atop", "area of a top bar Atop"),
+    Arg::not_negative("Abottom", "area of a bottom bar Abottom"),
+    Arg::not_negative("Aside", "area of a side bar Aside"),
+];
 const AS: Arg = Arg::not_negative("As", "area of a bar As");
 const NFTW: Arg = Arg::count("nftw", "fibers across the web nftw");
 const NFDW: Arg = Arg::count("nfdw", "fibers of the web nfdw");
 const NFTF: Arg = Arg::count("nftf", "fibers of a flange nftf");
 const NFBF: Arg = Arg::count("nfbf", "fibers across a flange nfbf");
-const NFCORE: Arg = Arg::count("nfcore", "fibers of the core nfcore");
-const NFCOVER: Arg = Arg::count("nfcover", "fibers of the cover nfcover");
-const NFS: Arg = Arg::count("nfs", "bars of a layer nfs");
-const RINGS_CORE: Arg = Arg::count("nRingsCore", "rings of the core");
-const RINGS_COVER: Arg = Arg::count("nRingsCover", "rings of the cover");
-const WEDGES: Arg = Arg::count("nWedges", "number of wedges");
+const RECTANGULAR_PARTS: [Arg; 3] = [
+    Arg::count("nfcore", "fibers of the core nfcore"),
+    Arg::count("nfcover", "fibers of the cover nfcover"),
+    Arg::count("nfs", "bars of a layer nfs"),
+];
+const CIRCULAR_PARTS: [Arg; 3] = [
+    Arg::count("nRingsCore", "rings of the core"),
+    Arg::count("nRingsCover", "rings of the cover"),
+    Arg::count("nWedges", "number of wedges"),
+];
 const BARS: Arg = Arg::count("nSteel", "number of bars");
 const GJ: Arg = Arg::of("-GJ", "GJ", "torsional rigidity GJ").within(Domain::NotNegative);
 
-const WFSECTION2D_D: Arg = Arg::positive("d", "depth d");
-const TW: Arg = Arg::positive("tw", "thickness of the web tw");
-const BF: Arg = Arg::positive("bf", "width of the flanges bf");
-const TF: Arg = Arg::positive("tf", "thickness of the flanges tf");
-const B: Arg = Arg::positive("b", "width b");
+const FLANGED: [Arg; 4] = [
+    Arg::positive("d", "depth d"),
+    Arg::positive("tw", "thickness of the web tw"),
+    Arg::positive("bf", "width of the flanges bf"),
+    Arg::positive("tf", "thickness of the flanges tf"),
+];
 const COVER_DEPTH: Arg = Arg::positive("coverDepth", "depth of the cover");
+const RECTANGLE: [Arg; 3] = [FLANGED[0], Arg::positive("b", "width b"), COVER_DEPTH];
 const RCCIRCULAR_SECTION_D: Arg = Arg::positive("d", "diameter d");
 
-pub(super) const WIDE_FLANGE: Kind =
-    Kind {
-        names: &["WFSection2d", "WSection2d"],
-        usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
-        text: Text::new("A wide flange of fibres.").example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4").arguments(
-            &[Arg::thing("material", things::MATERIAL), WFSECTION2D_D, TW, BF, TF, NFDW, NFTF, NFBF, NFTW, GJ],
-        ),
-        make: Make::Beam(wide_flange),
-    };
+pub(super) const WIDE_FLANGE: Kind = Kind {
+    names: &["WFSection2d", "WSection2d"],
+    usage: "section WFSection2d $tag $material $d $tw $bf $tf $nfdw $nftf <$nfbf $nftw> <-GJ $GJ>",
+    text: Text::new("A wide flange of fibres.")
+        .example("section WFSection2d 77 1 10. 0.5 6. 0.8 20 4")
+        .arguments(&[Arg::thing("material", things::MATERIAL), NFDW, NFTF, NFBF, NFTW, GJ])
+        .groups(&[&FLANGED]),
+    make: Make::Beam(wide_flange),
+};
 
 pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
     names: &["RCSection2d"],
@@ -55,16 +63,8 @@ pub(super) const RECTANGULAR_CONCRETE: Kind = Kind {
             Arg::thing("core", things::MATERIAL),
             Arg::thing("cover", things::MATERIAL),
             Arg::thing("steel", things::MATERIAL),
-            WFSECTION2D_D,
-            B,
-            COVER_DEPTH,
-            A_TOP,
-            A_BOTTOM,
-            A_SIDE,
-            NFCORE,
-            NFCOVER,
-            NFS,
-        ]),
+        ])
+        .groups(&[&RECTANGLE, &RECTANGULAR_BARS, &RECTANGULAR_PARTS]),
     make: Make::Beam(rectangular_concrete),
 };
 
@@ -81,13 +81,11 @@ pub(super) const CIRCULAR_CONCRETE: Kind = Kind {
             RCCIRCULAR_SECTION_D,
             COVER_DEPTH,
             AS,
-            RINGS_CORE,
-            RINGS_COVER,
-            WEDGES,
             BARS,
             GJ,
             Arg::of("-torsion", "material", "law of torsion, in space"),
-        ]),
+        ])
+        .groups(&[&CIRCULAR_PARTS]),
     make: Make::Beam(circular_concrete),
 };
 
@@ -125,8 +123,7 @@ fn finished(interp: &mut Tcl, a: &mut Args<'_>, fibers: Vec<Fiber>) -> Result<Sh
 
 fn wide_flange(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let steel = material(interp, a)?;
-    let (d, tw) = (a.number(&WFSECTION2D_D)?, a.number(&TW)?);
-    let (bf, tf) = (a.number(&BF)?, a.number(&TF)?);
+    let [d, tw, bf, tf] = a.numbers(&FLANGED)?;
     let dw = d - 2.0 * tf;
     if dw <= 0.0 {
         return Err(a.refuse(format!("the flanges are {tf} thick and the section is {d} deep"), "expected less"));
@@ -155,14 +152,13 @@ fn concrete(interp: &Tcl, a: &mut Args<'_>) -> Result<[Tagged; 3], Exception> {
 
 fn rectangular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection, Exception> {
     let [core, cover, steel] = concrete(interp, a)?;
-    let (d, b) = (a.number(&WFSECTION2D_D)?, a.number(&B)?);
-    let depth = a.number(&COVER_DEPTH)?;
+    let [d, b, depth] = a.numbers(&RECTANGLE)?;
     let (inner, width) = (d - 2.0 * depth, b - 2.0 * depth);
     if inner <= 0.0 || width <= 0.0 {
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
     }
-    let [top, bottom, side] = [a.number(&A_TOP)?, a.number(&A_BOTTOM)?, a.number(&A_SIDE)?];
-    let [in_core, in_cover, bars] = a.parts([&NFCORE, &NFCOVER, &NFS])?;
+    let [top, bottom, side] = a.numbers(&RECTANGULAR_BARS)?;
+    let [in_core, in_cover, bars] = a.parts(RECTANGULAR_PARTS.each_ref())?;
     let mut fibers = vec![];
     let mut add = |y, area, material: &Tagged| fibers.push(Fiber { y, z: 0.0, area, material: material.clone() });
     for (of, wide) in [(&core, width), (&cover, 2.0 * depth)] {
@@ -188,7 +184,7 @@ fn circular_concrete(interp: &mut Tcl, a: &mut Args<'_>) -> Result<SharedSection
         return Err(a.refuse(format!("the cover of {depth} leaves no core"), "expected less"));
     }
     let bar = a.number(&AS)?;
-    let [rings_core, rings_cover, wedges] = a.parts([&RINGS_CORE, &RINGS_COVER, &WEDGES])?;
+    let [rings_core, rings_cover, wedges] = a.parts(CIRCULAR_PARTS.each_ref())?;
     let [bars] = a.parts([&BARS])?;
     let mut fibers = vec![];
     let mut ring = |at: f64, area: f64, count: usize, material: &Tagged| {

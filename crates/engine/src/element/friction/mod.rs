@@ -8,7 +8,7 @@ mod vel_dependent;
 mod vel_normal_frc_dep;
 mod vel_pressure_dep;
 
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct;
 use std::fmt;
 use std::sync::Arc;
@@ -74,25 +74,26 @@ state_struct! {
     }
 }
 
+/// Responses by the word after `frictionModel`.
+const RESPONSES: [Response<Contact, ()>; 4] = [
+    Response::new(&["normalForce", "N", "normalFrc"], &["N"], |c, (), out| out[0] = c.normal),
+    Response::new(&["velocity", "vel"], &["vel"], |c, (), out| out[0] = c.speed),
+    Response::new(&["frictionForce", "Ff", "frnForce", "frnFrc"], &["frnFrc"], |c, (), out| {
+        out[0] = c.mu * c.normal.max(0.0);
+    }),
+    Response::new(&["frictionCoeff", "mu", "frnCoeff", "COF"], &["COF"], |c, (), out| out[0] = c.mu),
+];
+
 impl Contact {
     /// The response for the arguments after `frictionModel`; `None` for an unknown name.
     pub fn probe(words: &[&str]) -> Option<Probe> {
-        Some(match *words.first()? {
-            "normalForce" | "N" | "normalFrc" => Probe::new(1, ["N"]),
-            "velocity" | "vel" => Probe::new(2, ["vel"]),
-            "frictionForce" | "Ff" | "frnForce" | "frnFrc" => Probe::new(3, ["frnFrc"]),
-            "frictionCoeff" | "mu" | "frnCoeff" | "COF" => Probe::new(4, ["COF"]),
-            _ => return None,
-        })
+        Response::find(&RESPONSES, words.first()?)
     }
 
     /// Value of the response `id`.
     pub fn value(&self, id: u32) -> f64 {
-        match id {
-            1 => self.normal,
-            2 => self.speed,
-            3 => self.mu * self.normal.max(0.0),
-            _ => self.mu,
-        }
+        let mut value = [0.0];
+        Response::read(&RESPONSES, id, self, &(), &mut value);
+        value[0]
     }
 }

@@ -191,8 +191,8 @@ impl EnhancedShell {
         let histories = h.committed.chunks_exact(self.words).zip(h.trial.chunks_exact_mut(self.words));
         for ((p, (old, new)), k) in points.iter().zip(histories).zip(&mut sum.tangents) {
             let e: [f64; PLATE_ORDER] = std::array::from_fn(|i| dot(&p.rows[i], u) + dot(&p.internal[i], q.as_slice()));
-            let mut s = [0.0; PLATE_ORDER];
-            self.section.update(&old[SECTION..], &e, dt, &mut new[SECTION..], &mut s, k)?;
+            let s;
+            (s, *k) = self.section.update(&old[SECTION..], &e, dt, &mut new[SECTION..])?;
             new[..PLATE_ORDER].copy_from_slice(&s);
             new[PLATE_ORDER..2 * PLATE_ORDER].copy_from_slice(&e);
             for (i, s) in s.iter().enumerate() {

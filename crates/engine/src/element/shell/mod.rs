@@ -245,10 +245,9 @@ impl Element for Shell {
         force.fill(0.0);
         let histories = h.committed.chunks_exact(self.words).zip(h.trial.chunks_exact_mut(self.words));
         for (point, (old, new)) in self.points.iter().zip(histories) {
-            let (mut s, mut k) = ([0.0; PLATE_ORDER], [[0.0; PLATE_ORDER]; PLATE_ORDER]);
             let e = Self::deformations(point, &u);
             let (resultants, next) = new.split_at_mut(PLATE_ORDER);
-            self.section.update(&old[PLATE_ORDER..], &e, m.dt, next, &mut s, &mut k)?;
+            let (s, k) = self.section.update(&old[PLATE_ORDER..], &e, m.dt, next)?;
             resultants.copy_from_slice(&s);
             for (i, (row, s)) in point.rows.iter().zip(&s).enumerate() {
                 axpy(work(i) * point.area * s, &row[..n], force);

@@ -146,14 +146,13 @@ impl Element for UpdatedShell {
         let step: Row = std::array::from_fn(|i| if i < n { m.disp[i] - start[i] } else { 0.0 });
         let mut responses = Vec::with_capacity(NODES);
         for (p, point) in points.iter().enumerate() {
-            let mut r = Response { s: [0.0; PLATE_ORDER], k: [[0.0; PLATE_ORDER]; PLATE_ORDER] };
             let strains = self.strains() + p * PLATE_ORDER;
             let e: [f64; PLATE_ORDER] = std::array::from_fn(|i| h.committed[strains + i] + dot(&point.rows[i], &step));
             h.trial[strains..strains + PLATE_ORDER].copy_from_slice(&e);
             let own = p * words + PLATE_ORDER..(p + 1) * words;
-            self.flat.section.update(&h.committed[own.clone()], &e, m.dt, &mut h.trial[own], &mut r.s, &mut r.k)?;
-            h.trial[p * words..p * words + PLATE_ORDER].copy_from_slice(&r.s);
-            responses.push(r);
+            let (s, k) = self.flat.section.update(&h.committed[own.clone()], &e, m.dt, &mut h.trial[own])?;
+            h.trial[p * words..p * words + PLATE_ORDER].copy_from_slice(&s);
+            responses.push(Response { s, k });
         }
         h.trial[self.start()..].copy_from_slice(m.disp);
         output.force.copy_from_slice(&Self::forces(&points, &responses)[..n]);

@@ -1,9 +1,9 @@
 //! Concrete with plasticity and damage in tension and compression, for one stress (Petracca, 2023, OpenSees documentation
 //! of `ASDConcrete1D`, after Petracca and others, 2017).
 
-use crate::material::multiaxial::{CurvePoint, Extrapolation, HardeningCurve};
-use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, Strain, Stress, UniaxialLaw, finite};
-use crate::probe::Probe;
+use crate::material::multiaxial::{CONCRETE_RESPONSES, Extrapolation, HardeningCurve, ReachedPoints};
+use crate::material::{CHARACTERISTIC_LENGTH, MaterialError, MaterialResult, Strain, Stress, UniaxialLaw, finite};
+use crate::probe::{Probe, Response};
 
 /// Parameters of the concrete.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,10 +45,6 @@ crate::state_struct! {
         damage: [f64; 2],
     }
 }
-
-const DAMAGE: u32 = 1;
-const PLASTIC: u32 = 2;
-const TOTAL: u32 = 3;
 
 impl AsdConcrete1d {
     /// State at the end of a step, and the rates of the equivalent strains with the strain. `explicit` extrapolates the
@@ -107,17 +103,13 @@ impl AsdConcrete1d {
         (t.stress, t.effective) = (stress, effective);
         (t, tangent)
     }
-
-    fn points(&self, s: &History) -> [CurvePoint; 2] {
-        [self.curves[0].at(s.equivalent[0]), self.curves[1].at(s.equivalent[1])]
-    }
 }
 
 impl UniaxialLaw for AsdConcrete1d {
     type State = History;
     const NAME: &'static str = "ASDConcrete1D";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (implicit, tangent) = self.solve(c, strain.value, strain.dt, None);
         let Some(extrapolation) = self.extrapolation else {
             return finite(Self::NAME, strain.value, implicit.stress, tangent, implicit);
@@ -155,21 +147,18 @@ impl UniaxialLaw for AsdConcrete1d {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match words.first()?.to_lowercase().as_str() {
-            "damage" => Some(Probe::new(DAMAGE, ["d+", "d-"])),
-            "equivalentplasticstrain" => Some(Probe::new(PLASTIC, ["PLE+", "PLE-"])),
-            "equivalenttotalstrain" => Some(Probe::new(TOTAL, ["TE+", "TE-"])),
-            _ => None,
-        }
+        Response::find(&CONCRETE_RESPONSES, &words.first()?.to_lowercase())
     }
 
     fn read(&self, path: &[u32], s: &History, out: &mut [f64]) {
-        let points = self.points(s);
-        match path[0] {
-            DAMAGE => out.copy_from_slice(&points.map(|p| p.damage)),
-            PLASTIC => out.copy_from_slice(&points.map(|p| p.plastic(self.e))),
-            _ => out.copy_from_slice(&s.equivalent),
-        }
+        let points = [self.curves[0].at(s.equivalent[0]), self.curves[1].at(s.equivalent[1])];
+        Response::read(
+            &CONCRETE_RESPONSES,
+            path[0],
+            &ReachedPoints { e: self.e, equivalent: s.equivalent, points },
+            &(),
+            out,
+        );
     }
 }
 

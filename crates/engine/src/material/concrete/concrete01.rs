@@ -1,8 +1,8 @@
 //! Concrete without tension: Kent, Scott and Park.
 
 use crate::material::concrete::karsan_jirsa::{permanent_strain, unloading_line};
-use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, PointResponse, Response, updates_blocks, words_of};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::{any, flag, select};
 use crate::state_struct::StateStruct;
 
@@ -102,7 +102,7 @@ impl Concrete01 {
     /// Trial state, stress and tangent from the committed state and the trial strain. Without `ENVELOPE` the point must
     /// not be on the envelope.
     #[inline(always)]
-    fn response<const ENVELOPE: bool>(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+    fn response<const ENVELOPE: bool>(&self, c: [f64; History::LEN], eps: f64) -> PointResponse<{ History::LEN }> {
         let [strain, stress, softening, min, end, unloading] = c;
         let modulus = self.modulus();
         let slope = modulus - unloading;
@@ -129,7 +129,7 @@ impl Concrete01 {
         // A strain that has not changed.
         let same = (eps - strain).abs() < f64::EPSILON;
         let keep = |old, new| select(same, old, new);
-        let next = [
+        let words = [
             keep(strain, eps),
             keep(stress, value),
             keep(softening, modulus - tangent),
@@ -137,7 +137,7 @@ impl Concrete01 {
             keep(end, select(on_envelope, new_end, end)),
             keep(unloading, next_unloading),
         ];
-        (next, next[1], keep(modulus - softening, tangent))
+        PointResponse { words, value: words[1], tangent: keep(modulus - softening, tangent) }
     }
 }
 
@@ -146,11 +146,8 @@ impl UniaxialLaw for Concrete01 {
     const NAME: &'static str = "Concrete01";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent) = self.response::<true>(words, strain.value);
-        Ok((Stress { value, tangent, damping: 0.0 }, History::read(&next)))
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
+        Ok(self.response::<true>(words_of(c), strain.value).read())
     }
 
     updates_blocks!();

@@ -1,6 +1,6 @@
 //! Concrete of Kent, Scott and Park with debris in its cracks (Stanton and McNiven, 1979).
 
-use crate::material::{Concrete01, MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw, finite};
+use crate::material::{Concrete01, MaterialResult, Strain, Strains, Stress, Stresses, UniaxialLaw, finite};
 use crate::state_struct::StateStruct;
 
 /// Concrete without tensile strength, in which cracks close before they are shut.
@@ -71,7 +71,7 @@ impl Concrete01Sitc {
     }
 
     /// Response. As in OpenSees, debris acts under tensile strains in fibers of sections only.
-    fn respond(&self, c: &History, e: f64, fiber: bool) -> Result<(Stress, History), MaterialError> {
+    fn respond(&self, c: &History, e: f64, fiber: bool) -> MaterialResult<(Stress, History)> {
         let d = e - c.strain;
         let mut t = History { strain: e, ..*c };
         if d.abs() < f64::EPSILON {
@@ -116,7 +116,7 @@ impl UniaxialLaw for Concrete01Sitc {
     type State = History;
     const NAME: &'static str = "Concrete01WithSITC";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.respond(c, strain.value, false)
     }
 
@@ -127,7 +127,7 @@ impl UniaxialLaw for Concrete01Sitc {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let points = committed.chunks_exact(History::LEN).zip(next.chunks_exact_mut(History::LEN));
         for (i, ((old, new), e)) in points.zip(strains.value).enumerate() {
             let (s, h) = self.respond(&History::read(old), *e, true)?;

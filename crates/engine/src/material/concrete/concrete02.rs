@@ -1,7 +1,7 @@
 //! Concrete with tension softening: Yassin.
 
-use crate::material::lanes::{PointLaw, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::lanes::{PointLaw, PointResponse, updates_blocks};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -84,7 +84,7 @@ pub(super) trait Envelope {
 
     /// The history after a strain, its stress and its tangent.
     #[inline(always)]
-    fn cycle(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+    fn cycle(&self, c: [f64; History::LEN], eps: f64) -> PointResponse<{ History::LEN }> {
         let [strain, stress, softening, min, tension] = c;
         let modulus = self.modulus();
         let step = eps - strain;
@@ -111,14 +111,14 @@ pub(super) trait Envelope {
         // A strain that has not changed.
         let same = step.abs() < f64::EPSILON;
         let keep = |old, new| select(same, old, new);
-        let next = [
+        let words = [
             keep(strain, eps),
             keep(stress, value),
             keep(softening, modulus - tangent),
             keep(min, select(on_envelope, eps, min)),
             keep(tension, select(widens, eps - end, tension)),
         ];
-        (next, next[1], keep(modulus - softening, tangent))
+        PointResponse { words, value: words[1], tangent: keep(modulus - softening, tangent) }
     }
 }
 
@@ -146,7 +146,7 @@ impl Envelope for Concrete02 {
 
 impl PointLaw<{ History::LEN }> for Concrete02 {
     #[inline(always)]
-    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64) {
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> PointResponse<{ History::LEN }> {
         self.cycle(c, eps)
     }
 }
@@ -156,7 +156,7 @@ impl UniaxialLaw for Concrete02 {
     const NAME: &'static str = "Concrete02";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         Ok(self.respond_to(c, strain.value))
     }
 

@@ -2,8 +2,8 @@
 
 use crate::material::concrete::concrete02::{Envelope, FLAT_TANGENT, History};
 use crate::material::concrete::popovics;
-use crate::material::{Concrete02, MaterialError, Strain, Stress, UniaxialLaw, finite};
-use crate::state_struct::StateStruct;
+use crate::material::lanes::words_of;
+use crate::material::{Concrete02, MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// [`Concrete02`] with an initial modulus.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +34,9 @@ impl UniaxialLaw for Concrete02Is {
     type State = History;
     const NAME: &'static str = "Concrete02IS";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent) = self.cycle(words, strain.value);
-        finite(Self::NAME, strain.value, value, tangent, History::read(&next))
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
+        let (stress, next) = self.cycle(words_of(c), strain.value).read();
+        finite(Self::NAME, strain.value, stress.value, stress.tangent, next)
     }
 
     fn initial_tangent(&self) -> f64 {

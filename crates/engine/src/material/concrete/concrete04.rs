@@ -2,7 +2,7 @@
 
 use crate::material::concrete::karsan_jirsa::{permanent_strain, unloading_line};
 use crate::material::concrete::popovics;
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Concrete in compression and tension.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +99,7 @@ impl UniaxialLaw for Concrete04 {
     type State = History;
     const NAME: &'static str = "Concrete04";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let d = strain.value - c.strain;
         let mut t = *c;
         let (value, tangent) = if self.ft == 0.0 && strain.value > 0.0 {

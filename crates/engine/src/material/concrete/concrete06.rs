@@ -1,7 +1,7 @@
 //! Concrete with Thorenfeldt's curve in compression and tension stiffening after Belarbi and Hsu, with reloading of
 //! Palermo and Vecchio (2003, <https://doi.org/10.14359/12804>).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Largest slope of the upper line of reloading, over the initial modulus (Seckin, 1981).
 const UPPER_SLOPE: f64 = 0.071;
@@ -115,7 +115,7 @@ impl UniaxialLaw for Concrete06 {
     type State = History;
     const NAME: &'static str = "Concrete06";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let begun = if c.begun == 0.0 { self.begin() } else { *c };
         let (c, e) = (&begun, strain.value);
         let mut t = History { strain: e, ..*c };

@@ -2,7 +2,7 @@
 
 mod trial;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 use trial::Trial;
 
 /// Concrete of Chang and Mander with simple rules of unloading.
@@ -101,7 +101,7 @@ impl UniaxialLaw for Concrete07 {
     type State = History;
     const NAME: &'static str = "Concrete07";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let mut t = Trial {
             law: self,

@@ -2,7 +2,7 @@
 //! unloading, reloading and transition between them. The rules of the cycles have the numbers of that report, with gaps
 //! closed as by Kolozvari, Orakcal and Wallace (2015, PEER 2015/12).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// An envelope of Tsai's curve, straight from a strain on to zero stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -467,7 +467,7 @@ impl UniaxialLaw for ConcreteCm {
     type State = History;
     const NAME: &'static str = "ConcreteCM";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let mut t = History { strain: e, ..*c };
         let (stress, tangent, rule) = if self.monotonic || c.direction == 0.0 {

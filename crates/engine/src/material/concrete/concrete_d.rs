@@ -1,6 +1,6 @@
 //! Concrete of the Chinese code for the design of concrete structures (GB 50010-2010, appendix C), with plastic strains.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Base of the growth of the plastic strain, as OpenSees has it.
 const GROWTH: f64 = 2718.0 / 1000.0;
@@ -91,7 +91,7 @@ impl UniaxialLaw for ConcreteD {
     type State = History;
     const NAME: &'static str = "ConcreteD";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let step = e - c.strain;
         if step.abs() < f64::EPSILON {

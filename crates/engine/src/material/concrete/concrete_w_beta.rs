@@ -1,6 +1,6 @@
 //! Concrete of planar trusses and panels (Lu and Panagiotou, 2014, <https://doi.org/10.1061/(ASCE)ST.1943-541X.0000875>).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Factor of the rate of tension stiffening over the root of its share (Stevens, Uzumeri, Collins and Will, 1991).
 const STIFFENING_RATE: f64 = 540.0;
@@ -160,7 +160,7 @@ impl UniaxialLaw for ConcreteWBeta {
     type State = History;
     const NAME: &'static str = "ConcretewBeta";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         if (e - c.strain).abs() < f64::EPSILON {
             return Ok((Stress { value: c.stress, tangent: self.e0 - c.softening, damping: 0.0 }, *c));

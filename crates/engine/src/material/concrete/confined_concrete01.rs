@@ -3,7 +3,7 @@
 mod confinement;
 
 use crate::material::concrete::karsan_jirsa::permanent_strain;
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 pub use confinement::{Confinement, ConfinementSection, Dilation, Hoop, UltimateStrain};
 
 /// Concrete without tension along a given envelope.
@@ -77,7 +77,7 @@ impl UniaxialLaw for ConfinedConcrete01 {
     type State = History;
     const NAME: &'static str = "ConfinedConcrete01";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let d = e - c.strain;
         if d.abs() < f64::EPSILON {

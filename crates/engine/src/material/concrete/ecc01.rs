@@ -1,6 +1,6 @@
 //! Engineered cementitious composite, ductile in tension (Han, Feenstra and Billington, 2003).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Exponent of the curve before the peak in compression.
 const PRE_PEAK: f64 = 5.0;
@@ -56,6 +56,24 @@ mod branch {
     pub(super) const CLOSED: f64 = -6.0;
 }
 
+/// A branch between the extreme strain of a side and the other side.
+struct Inside {
+    branch: f64,
+    /// Strain and stress of the turn that it begins at.
+    turn: [f64; 2],
+    /// Permanent strain.
+    permanent: f64,
+    /// Stress at the extreme strain.
+    at_end: f64,
+}
+
+impl Inside {
+    /// A branch without a permanent strain, from the last turn.
+    fn begun(branch: f64, c: &History) -> Self {
+        Self { branch, turn: c.turn, permanent: 0.0, at_end: 0.0 }
+    }
+}
+
 impl Ecc01 {
     fn envelope(&self, e: f64) -> (f64, f64) {
         let [[st0, et0], [st1, et1]] = self.tension;
@@ -84,25 +102,24 @@ impl Ecc01 {
         }
     }
 
-    /// Branch in tension below the largest strain, the turn that it begins at, and its permanent strain and stress at the
-    /// largest strain.
-    fn inside_tension(&self, c: &History, e: f64, largest: f64) -> (f64, [f64; 2], f64, f64) {
+    /// Branch in tension below the largest strain.
+    fn inside_tension(&self, c: &History, e: f64, largest: f64) -> Inside {
         use branch::*;
         let [[st0, et0], [st1, et1]] = self.tension;
         if largest <= et0 {
-            return (ENVELOPE, c.turn, 0.0, 0.0);
+            return Inside::begun(ENVELOPE, c);
         }
         if largest > self.ultimate {
-            return (if e <= self.ultimate { OPEN } else { ENVELOPE }, c.turn, 0.0, 0.0);
+            return Inside::begun(if e <= self.ultimate { OPEN } else { ENVELOPE }, c);
         }
         let hardening = largest <= et1;
-        let (permanent, top) = if hardening {
+        let (permanent, at_end) = if hardening {
             (self.permanent[0] * (largest - et0), st0 + (st1 - st0) * (largest - et0) / (et1 - et0))
         } else {
             (self.permanent[0] * (et1 - et0), st1 * (1.0 - (largest - et1) / (self.ultimate - et1)))
         };
         if e <= permanent {
-            return (OPEN, c.turn, permanent, top);
+            return Inside { branch: OPEN, turn: c.turn, permanent, at_end };
         }
         let [envelope, unloads, reloads] = if hardening {
             [HARDENING, UNLOADS_HARDENING, RELOADS_HARDENING]
@@ -113,50 +130,50 @@ impl Ecc01 {
         let here = [c.strain, c.stress];
         if e <= c.strain {
             if c.branch == envelope {
-                turn = [largest, top];
+                turn = [largest, at_end];
             } else if c.branch == reloads {
                 turn = here;
             }
-            return (unloads, turn, permanent, top);
+            return Inside { branch: unloads, turn, permanent, at_end };
         }
         if c.branch == unloads {
             turn = here;
         } else if c.branch == OPEN || hardening && c.branch <= -1.0 {
             turn = [permanent, 0.0];
         }
-        (reloads, turn, permanent, top)
+        Inside { branch: reloads, turn, permanent, at_end }
     }
 
     /// The same in compression above the least strain.
-    fn inside_compression(&self, c: &History, e: f64, least: f64) -> (f64, [f64; 2], f64, f64) {
+    fn inside_compression(&self, c: &History, e: f64, least: f64) -> Inside {
         use branch::*;
         let [sc0, ec0] = self.peak;
         if least >= ec0 {
-            return (-ENVELOPE, c.turn, 0.0, 0.0);
+            return Inside::begun(-ENVELOPE, c);
         }
         if least < self.crushed {
-            return (if e >= self.crushed { CLOSED } else { -SOFTENING }, c.turn, 0.0, 0.0);
+            return Inside::begun(if e >= self.crushed { CLOSED } else { -SOFTENING }, c);
         }
         let permanent = self.permanent[1] * (least - ec0);
-        let bottom = sc0 * ((least - self.crushed) / (ec0 - self.crushed)).powf(self.softening);
+        let at_end = sc0 * ((least - self.crushed) / (ec0 - self.crushed)).powf(self.softening);
         if e >= permanent {
-            return (CLOSED, c.turn, permanent, bottom);
+            return Inside { branch: CLOSED, turn: c.turn, permanent, at_end };
         }
         let (mut turn, here) = (c.turn, [c.strain, c.stress]);
         if e >= c.strain {
             if c.branch == CRUSHING {
-                turn = [least, bottom];
+                turn = [least, at_end];
             } else if c.branch == RELOADS_CRUSHED {
                 turn = here;
             }
-            return (UNLOADS_CRUSHED, turn, permanent, bottom);
+            return Inside { branch: UNLOADS_CRUSHED, turn, permanent, at_end };
         }
         if c.branch == UNLOADS_CRUSHED {
             turn = here;
         } else if c.branch == CLOSED || c.branch >= 1.0 {
             turn = [permanent, 0.0];
         }
-        (RELOADS_CRUSHED, turn, permanent, bottom)
+        Inside { branch: RELOADS_CRUSHED, turn, permanent, at_end }
     }
 
     /// Branch of the envelope at a strain.
@@ -172,18 +189,18 @@ impl UniaxialLaw for Ecc01 {
     type State = History;
     const NAME: &'static str = "ECC01";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         use branch::*;
         let e = strain.value;
         let mut t = History { strain: e, ..*c };
         t.extreme = [c.extreme[0].min(e), c.extreme[1].max(e)];
         let end = if e > 0.0 { t.extreme[1] } else { t.extreme[0] };
-        let (now, turn, permanent, at_end) = if (e - c.strain).abs() < f64::EPSILON {
+        let Inside { branch: now, turn, permanent, at_end } = if (e - c.strain).abs() < f64::EPSILON {
             // The branch goes on.
             let inside = if e > 0.0 { self.inside_tension(c, e, end) } else { self.inside_compression(c, e, end) };
-            (c.branch, c.turn, inside.2, inside.3)
+            Inside { branch: c.branch, turn: c.turn, ..inside }
         } else if e == end {
-            (self.on_envelope(e), c.turn, 0.0, 0.0)
+            Inside::begun(self.on_envelope(e), c)
         } else if e > 0.0 {
             self.inside_tension(c, e, end)
         } else {

@@ -2,7 +2,7 @@
 //!
 //! Stresses and strains of the equations are positive in compression.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Tangent of a material that has failed.
 const NO_STIFFNESS: f64 = 1e-15;
@@ -353,7 +353,7 @@ impl UniaxialLaw for FrpConfinedConcrete02 {
     type State = History;
     const NAME: &'static str = "FRPConfinedConcrete02";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let begun = if c.begun == 0.0 { self.begin() } else { *c };
         let (c, e) = (&begun, -strain.value);
         if c.failed == 0.0 && (e - c.strain).abs() <= MIN_INCREMENT {

@@ -2,7 +2,7 @@
 
 mod opensees;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Parameters of the strut. Stresses and strains are negative in compression.
 #[derive(Clone, Debug, PartialEq)]
@@ -397,7 +397,7 @@ impl UniaxialLaw for Masonry {
     type State = History;
     const NAME: &'static str = "Masonry";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value / self.length;
         let t = History { strain: strain.value, e, ..*c };
         let mut trial = Trial { law: self, c, t };

@@ -1,7 +1,7 @@
 //! Oil damper with a relief valve and the stiffness of its brace.
 
 use crate::material::damper::viscous_damper::{History, dormand_prince, update};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::Dual;
 
 /// Spring and bilinear dashpot in series: dF/dt = K (v - g(F)), where g is F/C up to the relief force Fr and
@@ -124,7 +124,7 @@ impl UniaxialLaw for BilinearOilDamper {
     type State = History;
     const NAME: &'static str = "BilinearOilDamper";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         update(self.compat, self.gap, c, strain, |end| {
             let force = self.integrate(c, end, strain.dt);
             let failed = || MaterialError(format!("BilinearOilDamper found no force at a rate of {end:.6e}"));

@@ -1,6 +1,6 @@
 //! Spring and Coulomb friction side by side, the friction regularised by the rate.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Friction of constant size against the rate of deformation, and a spring.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ impl UniaxialLaw for CoulombDamper {
     type State = ();
     const NAME: &'static str = "CoulombDamper";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let (slope, rate) = (self.friction / self.slow, strain.rate);
         let (force, damping) =
             if rate.abs() < self.slow { (slope * rate, slope) } else { (self.friction.copysign(rate), 0.0) };

@@ -1,6 +1,6 @@
 //! Maxwell model: a spring and a linear dashpot in series.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Spring and dashpot in series (Kasai, Oohara and Sekiguchi, 2001). The stress relaxes with the time constant C /
 /// (Lᵅ K). The integration is exact for half of the strain increment at the start of a step and half at its end.
@@ -34,7 +34,7 @@ impl UniaxialLaw for Maxwell {
     type State = History;
     const NAME: &'static str = "Maxwell";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let relaxation = self.c / self.length.powf(self.alpha) / self.k;
         let rest = (-strain.dt / relaxation).exp();
         let slope = 0.5 * self.k * (1.0 + rest);

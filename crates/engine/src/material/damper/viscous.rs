@@ -1,6 +1,6 @@
 //! Nonlinear dashpot.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// σ = C |ε̇|^α sign ε̇. There is no stiffness, and no force if the nodal velocities are zero (static analyses).
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ impl UniaxialLaw for Viscous {
     const NAME: &'static str = "Viscous";
 
     #[inline]
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         if self.alpha == 1.0 {
             // A shortcut without powers that gives the bits of the general case.
             return Ok((Stress { value: self.c * strain.rate, tangent: 0.0, damping: self.c }, ()));

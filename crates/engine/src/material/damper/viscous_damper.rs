@@ -1,6 +1,6 @@
 //! Nonlinear viscous damper with the stiffness of its brace.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::Dual;
 
 /// Spring and nonlinear dashpot in series: dF/dt = K (v - |F/C|^(1/α) sign F). Each step is divided in halves until
@@ -169,7 +169,7 @@ impl ViscousDamper {
     }
 
     /// Force at the end of the step, with its derivative with respect to the final rate.
-    fn integrate(&self, c: &History, end: f64, dt: f64) -> Result<Dual, MaterialError> {
+    fn integrate(&self, c: &History, end: f64, dt: f64) -> MaterialResult<Dual> {
         let start = Dual { value: c.rate, slope: 0.0 };
         let mut force = Dual { value: c.stress, slope: 0.0 };
         if dt <= 0.0 {
@@ -203,8 +203,8 @@ pub(super) fn update(
     gap: f64,
     c: &History,
     strain: Strain,
-    integrate: impl FnOnce(f64) -> Result<Dual, MaterialError>,
-) -> Result<(Stress, History), MaterialError> {
+    integrate: impl FnOnce(f64) -> MaterialResult<Dual>,
+) -> MaterialResult<(Stress, History)> {
     let end = if compat && strain.rate == 0.0 { c.rate } else { strain.rate };
     let force = integrate(end)?;
     let mut t = History { strain: strain.value, rate: strain.rate, ..*c };
@@ -236,7 +236,7 @@ impl UniaxialLaw for ViscousDamper {
     type State = History;
     const NAME: &'static str = "ViscousDamper";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         update(self.compat, self.gap, c, strain, |end| self.integrate(c, end, strain.dt))
     }
 

@@ -127,9 +127,17 @@ const COVER: f64 = 0.1;
 /// Share of the force of unloading at which reloading begins.
 const RELOADING_RATIO: f64 = 1.1;
 
+/// Backbone of one side up to the yield force: forces and slips, positive, and the stiffnesses before and after it.
+struct YieldingBar {
+    force: [f64; 2],
+    slip: [f64; 2],
+    k1: f64,
+    k2: f64,
+}
+
 impl BarSlip {
-    /// Backbone of one side: stresses and slips, positive. `steel` is the area that carries the force.
-    fn backbone(&self, [elastic, yielded]: [f64; 2], steel: f64) -> ([f64; 2], [f64; 2], f64, f64) {
+    /// Backbone of one side. `steel` is the area that carries the force.
+    fn backbone(&self, [elastic, yielded]: [f64; 2], steel: f64) -> YieldingBar {
         let perimeter = PI * self.diameter / (PI * self.diameter.powi(2) / 4.0);
         let (fy, fu) = (self.fy, self.fu);
         let length = (fu - fy) / (yielded * perimeter);
@@ -142,7 +150,8 @@ impl BarSlip {
             let strain = le2.powi(2) / self.es - le1.powi(2) / self.es + length.powi(2) / self.eh;
             (fu - fy) * steel / (perimeter * 0.5 * yielded * strain + fy * length / self.es)
         };
-        ([0.5 * fy * steel, fy * steel], [0.5 * fy * steel / k1, fy * steel / k1], k1, k2)
+        let force = [0.5 * fy * steel, fy * steel];
+        YieldingBar { force, slip: [0.5 * fy * steel / k1, fy * steel / k1], k1, k2 }
     }
 
     /// Steel area in compression over that in tension: concrete takes a part of the force.
@@ -163,14 +172,14 @@ impl BarSlip {
         let steel = bar * self.bars;
         let perimeter = PI * self.diameter / bar;
         let (fy, fu) = (self.fy, self.fu);
-        let (s, e, k1, k2) = self.backbone([et, yt], steel);
+        let YieldingBar { force: s, slip: e, k1, k2 } = self.backbone([et, yt], steel);
         let e3 = fy * steel / k1 + (fu - fy) * steel / k2;
         let s3 = fu * steel;
         let e4 = 10.0 * e3;
         let tension = ([s[0], s[1], s3, s3 + (s3 - s[1]) * (e4 - e3) / (e3 - e[1])], [e[0], e[1], e3, e4]);
         let limit = 1.0 - residual * self.anchorage * PI * self.diameter * steel / bar / s3;
         let pressed = steel * self.compression_factor(steel);
-        let (s, e, k1, k2) = self.backbone([ec, yc], pressed);
+        let YieldingBar { force: s, slip: e, k1, k2 } = self.backbone([ec, yc], pressed);
         let [delta, ultimate] = SLIP.map(|slip| slip * self.unit.millimetre());
         let free = fy * pressed / k1 + (fu - fy) * pressed / k2;
         let (e3, s3) =

@@ -5,7 +5,7 @@ mod opensees;
 mod rules;
 
 use super::hinge::{Envelope, FLAT, NOTHING, no_force, of_hinge, of_member};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 pub use backbone::BilinSide;
 use backbone::{Backbone, Line, meet};
@@ -410,7 +410,7 @@ impl<R: Rules> UniaxialLaw for Bilin<R> {
     type State = History;
     const NAME: &'static str = "Bilin";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (k, d) = (self.k(), strain.value - c.strain);
         let virgin = c.direction == 0.0;
         if d.abs() < f64::EPSILON && !virgin {

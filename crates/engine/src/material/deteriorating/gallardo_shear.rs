@@ -3,7 +3,7 @@
 //! Equations: J. A. Gallardo, J. C. de la Llera, J. I. Restrepo, M. Chen (2023), A numerical model for non-linear shear
 //! behavior of high damping rubber bearings, Engineering Structures 289, 116234, as their published programs step them.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw, finite};
 use crate::numeric::bracketed_root;
 
 /// Speed at which the softening follows an outward increment of the strain.
@@ -144,7 +144,7 @@ impl UniaxialLaw for GallardoShear {
     type State = History;
     const NAME: &'static str = "HDR_mat";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let x = strain.value / self.height;
         let d = x - c.strain;
         let mut next = History { strain: x, ..*c };

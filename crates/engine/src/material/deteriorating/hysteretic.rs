@@ -2,7 +2,7 @@
 
 pub(super) mod cycle;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
 
 /// The envelope on one side: stresses and strains of its three points, positive on both sides.
@@ -152,7 +152,7 @@ impl UniaxialLaw for Hysteretic {
     type State = Cycle;
     const NAME: &'static str = "Hysteretic";
 
-    fn update(&self, c: &Cycle, strain: Strain) -> Result<(Stress, Cycle), MaterialError> {
+    fn update(&self, c: &Cycle, strain: Strain) -> MaterialResult<(Stress, Cycle)> {
         self.step(c, strain)
     }
 

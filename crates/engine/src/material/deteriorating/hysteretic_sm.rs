@@ -2,7 +2,7 @@
 //! and Filippou, 2000).
 
 use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Number of points of an envelope.
 const POINTS: usize = 7;
@@ -238,7 +238,7 @@ impl UniaxialLaw for HystereticSm {
     type State = History;
     const NAME: &'static str = "HystereticSM";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.step(c, strain)
     }
 

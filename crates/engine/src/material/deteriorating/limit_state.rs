@@ -4,7 +4,7 @@ mod curve;
 mod rotation_shear;
 
 use crate::material::deteriorating::hysteretic::cycle::{Cycle, Enveloped, FLAT_SLOPE_RATIO, MAX_STRAIN, Reloading};
-use crate::material::{Envelope, MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{Envelope, MaterialResult, Strain, Stress, UniaxialLaw, finite};
 use crate::probe::Probe;
 pub use curve::{ColumnResponse, LimitCurve, LimitDeformation, LimitForce, LimitSurface};
 pub use rotation_shear::{Column, RotationLimit, RotationShear};
@@ -193,7 +193,7 @@ impl UniaxialLaw for LimitState {
     type State = History;
     const NAME: &'static str = "LimitState";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (mut stress, t) = self.step(c, strain)?;
         if self.is_axial() && (c.flag == 1.0 || c.flag == 2.0) {
             let side = usize::from(t.cycle.strain <= 0.0);

@@ -2,7 +2,7 @@
 //! and Krawinkler, 2005, <https://doi.org/10.1002/eqe.495>; Lignos and Krawinkler, 2012).
 
 use super::hinge::{Envelope, FLAT, no_force, of_hinge, of_member, sign};
-use crate::material::{BilinSide, Deterioration, MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{BilinSide, Deterioration, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
@@ -386,7 +386,7 @@ impl<R: Rules> UniaxialLaw for ModImkPeakOriented<R> {
     type State = History;
     const NAME: &'static str = "ModIMKPeakOriented";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.step(None, c, strain.value).ok_or_else(|| no_force(Self::NAME, strain.value))
     }
 
@@ -403,7 +403,7 @@ impl<R: Rules> UniaxialLaw for ModImkPinching<R> {
     type State = History;
     const NAME: &'static str = "ModIMKPinching";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.hinge.step(Some(&self.pinching), c, strain.value).ok_or_else(|| no_force(Self::NAME, strain.value))
     }
 

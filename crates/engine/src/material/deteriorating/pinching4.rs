@@ -2,7 +2,7 @@
 
 mod path;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use path::{Ends, FLAT, Path, Target};
 use std::fmt;
@@ -387,11 +387,11 @@ impl<R: Rules> UniaxialLaw for Pinching4<R> {
     type State = History;
     const NAME: &'static str = "Pinching4";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let c = if c.steps == 0.0 { self.virgin() } else { *c };
         let mut t = History { strain: strain.value, steps: c.steps + 1.0, ..c };
         (t.softened, t.weakened) = ([c.used[0]; 2], [c.used[1]; 2]);

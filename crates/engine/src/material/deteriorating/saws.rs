@@ -2,7 +2,7 @@
 
 mod opensees;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
@@ -435,7 +435,7 @@ impl<R: Rules> UniaxialLaw for Saws<R> {
     type State = History;
     const NAME: &'static str = "SAWS";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let u = strain.value;
         let mut t = History { strain: u, ..*c };
         if u.abs() >= self.ultimate {

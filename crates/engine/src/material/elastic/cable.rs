@@ -2,7 +2,7 @@
 
 mod opensees;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
 use crate::rules::Consistent;
 use std::fmt;
@@ -56,7 +56,7 @@ impl<R: Rules> Cable<R> {
     }
 
     /// Stress at a strain; 0 where the cable is slack.
-    fn stress(&self, strain: f64) -> Result<f64, MaterialError> {
+    fn stress(&self, strain: f64) -> MaterialResult<f64> {
         let taut = self.prestress + self.e * strain;
         if self.sag() == 0.0 {
             return Ok(taut.max(0.0));
@@ -76,7 +76,7 @@ impl<R: Rules> UniaxialLaw for Cable<R> {
     type State = ();
     const NAME: &'static str = "Cable";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let value = self.stress(strain.value)?;
         let tangent = if value > 0.0 { R::tangent(self, value) } else { 0.0 };
         Ok((Stress { value, tangent, damping: 0.0 }, ()))

@@ -1,6 +1,6 @@
 //! Linear elasticity, with an optional second modulus in compression and an optional dashpot in parallel.
 
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Strains, Stress, Stresses, UniaxialLaw};
 
 /// σ = E ε + η ε̇, with E = `e_pos` for ε ≥ 0 and `e_neg` for ε < 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ impl UniaxialLaw for Elastic {
     const NAME: &'static str = "Elastic";
 
     #[inline]
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let e = if strain.value >= 0.0 { self.e_pos } else { self.e_neg };
         Ok((Stress { value: e * strain.value + self.eta * strain.rate, tangent: e, damping: self.eta }, ()))
     }
@@ -36,7 +36,7 @@ impl UniaxialLaw for Elastic {
         strains: &Strains<'_>,
         _: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = strains.value.len();
         let (e_pos, e_neg, eta) = (self.e_pos, self.e_neg, self.eta);
         for (tangent, x) in stresses.tangent[..n].iter_mut().zip(strains.value) {

@@ -1,6 +1,6 @@
 //! Multilinear elastic laws.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Bilinear elasticity on each side.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ impl UniaxialLaw for ElasticBilin {
     type State = ();
     const NAME: &'static str = "ElasticBilin";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let (side, s) = if strain.value >= 0.0 { (0, 1.0) } else { (1, -1.0) };
         let (x, bend) = (strain.value.abs(), self.bend[side]);
         let (stress, tangent) = if x < bend {
@@ -63,7 +63,7 @@ impl UniaxialLaw for ElasticMultiLinear {
     type State = ();
     const NAME: &'static str = "ElasticMultiLinear";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let (stress, tangent) = self.at(strain.value);
         Ok((Stress { value: stress + self.eta * strain.rate, tangent, damping: self.eta }, ()))
     }

@@ -1,6 +1,6 @@
 //! Elastic law of powers of the strain.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// σ = Σ cᵢ sgn(ε) |ε|^eᵢ + η ε̇.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl UniaxialLaw for ElasticPower {
     type State = ();
     const NAME: &'static str = "ElasticPowerFunc";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let (stress, tangent) = self.at(strain.value);
         Ok((Stress { value: stress + self.eta * strain.rate, tangent, damping: self.eta }, ()))
     }

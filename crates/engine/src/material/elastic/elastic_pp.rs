@@ -1,6 +1,6 @@
 //! Elastic-perfectly plastic law.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Elastic-perfectly plastic law with different yield strains in tension and compression and an initial strain.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ impl UniaxialLaw for ElasticPP {
     const NAME: &'static str = "ElasticPP";
 
     #[inline]
-    fn update(&self, committed: &PlasticStrain, strain: Strain) -> Result<(Stress, PlasticStrain), MaterialError> {
+    fn update(&self, committed: &PlasticStrain, strain: Strain) -> MaterialResult<(Stress, PlasticStrain)> {
         let elastic = self.e * (strain.value - self.ezero - committed.ep);
         let (excess, limit, sign) =
             if elastic >= 0.0 { (elastic - self.fyp, self.fyp, 1.0) } else { (self.fyn - elastic, self.fyn, -1.0) };

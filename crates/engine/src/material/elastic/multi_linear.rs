@@ -1,6 +1,6 @@
 //! Multilinear plasticity by Masing's rule.
 
-use crate::material::{MaterialError, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits, updates_each_point};
+use crate::material::{MaterialResult, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits, updates_each_point};
 
 /// Hysteresis with a symmetric piecewise linear envelope. Every branch after a reversal is the envelope scaled by
 /// two.
@@ -77,7 +77,7 @@ impl Uniaxial for MultiLinear {
         }
     }
 
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         next.copy_from_slice(&committed[..next.len()]);
         let x = strain.value;
         let rests = (x - committed[STRAIN]).abs() < f64::EPSILON;

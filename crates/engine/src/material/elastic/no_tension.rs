@@ -1,6 +1,6 @@
 //! Elastic no-tension material.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// σ = E ε in compression, and σ = a E tanh(b ε) in tension (zero for a = 0).
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ impl UniaxialLaw for NoTension {
     const NAME: &'static str = "ENT";
 
     #[inline]
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let (e, x) = (self.e, strain.value);
         let tanh = if self.a == 0.0 { 0.0 } else { (x * self.b).tanh() };
         let value = if x < 0.0 { e * x } else { self.a * e * tanh };

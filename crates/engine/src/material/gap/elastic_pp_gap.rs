@@ -1,6 +1,6 @@
 //! Elastic-plastic gap spring.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// A spring that acts in one direction after a gap has closed. Plastic deformation widens the gap. Without
 /// accumulated damage, unloading through the open gap restores it.
@@ -32,7 +32,7 @@ impl UniaxialLaw for ElasticPPGap {
     type State = Shift;
     const NAME: &'static str = "ElasticPPGap";
 
-    fn update(&self, c: &Shift, strain: Strain) -> Result<(Stress, Shift), MaterialError> {
+    fn update(&self, c: &Shift, strain: Strain) -> MaterialResult<(Stress, Shift)> {
         let (e, fy, gap, eta, x) = (self.e, self.fy, self.gap, self.eta, strain.value);
         let s = if fy >= 0.0 { 1.0 } else { -1.0 };
         let (first_yield, contact) = (fy / e + gap, gap + c.contact);

@@ -1,7 +1,7 @@
 //! Grip 'n' grab: a ratcheting tension device (Cook, Rodgers, MacRae and Chase, 2018,
 //! <https://doi.org/10.1061/(ASCE)ST.1943-541X.0002042>).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// A device that yields in tension, has no force in compression, and grips anew at every tooth that it passes.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl UniaxialLaw for Gng {
     type State = History;
     const NAME: &'static str = "GNG";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let yield_stress = self.yield_stress + c.hardened;
         let first = self.yield_stress / self.e;

@@ -1,6 +1,6 @@
 //! Pounding: Hertz contact with a damping force.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Force K_h δⁿ (1 + ξ δ̇ / v₀) in compression, with the contact depth δ and the approach speed v₀ at first contact.
 /// There is no damping without nodal velocities. Sources: Lankarani and Nikravesh; Muthukumar and DesRoches, 2006,
@@ -33,7 +33,7 @@ impl UniaxialLaw for HertzDamp {
     type State = Contact;
     const NAME: &'static str = "HertzDamp";
 
-    fn update(&self, c: &Contact, strain: Strain) -> Result<(Stress, Contact), MaterialError> {
+    fn update(&self, c: &Contact, strain: Strain) -> MaterialResult<(Stress, Contact)> {
         let depth = self.gap - strain.value;
         if depth <= 0.0 {
             return Ok(Default::default());

@@ -1,6 +1,6 @@
 //! Elastic material with a gap on either side.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Linear elastic beyond a gap in either sense.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ impl UniaxialLaw for HookGap {
     type State = ();
     const NAME: &'static str = "HookGap";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let x = strain.value;
         let past = (x - self.gap[1]).max(0.0) + (x - self.gap[0]).min(0.0);
         let tangent = if self.gap[0] < x && x < self.gap[1] { 0.0 } else { self.e };

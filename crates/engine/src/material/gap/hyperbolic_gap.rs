@@ -1,6 +1,6 @@
 //! Backfill of an abutment: a hyperbolic envelope in compression behind a gap (Duncan and Mokwa, 2001; Wilson and Elgamal, 2010).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
@@ -89,11 +89,11 @@ impl<R: Rules> UniaxialLaw for HyperbolicGap<R> {
     type State = History;
     const NAME: &'static str = "HyperbolicGapMaterial";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut t = History { strain: strain.value, steps: c.steps + 1.0, ..*c };
         if c.steps == 0.0 {
             t.tangent = self.kmax;

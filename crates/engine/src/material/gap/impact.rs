@@ -1,6 +1,6 @@
 //! Pounding: a bilinear approximation of Hertz contact.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Contact in compression behind a gap, with energy dissipation. The stiffness is K₁ up to the yield displacement δ_y
 /// and K₂ beyond. Unloading follows K₁ to the line of slope K₂ through the contact point, then that line. Source:
@@ -36,7 +36,7 @@ impl UniaxialLaw for Impact {
     type State = History;
     const NAME: &'static str = "ImpactMaterial";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let u = strain.value;
         let (stress, tangent) = if u >= self.gap {
             (0.0, 0.0)

@@ -1,6 +1,6 @@
 //! Pounding: Hertz contact with damping during approach.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Force K_h δⁿ + 2 ξ sqrt(K_h δⁿ⁻¹ m) δ̇ in compression while the contact depth δ increases. Otherwise the force is
 /// K_h δⁿ (Jankowski, 2005, <https://doi.org/10.1002/eqe.434>). There is no damping without nodal velocities.
@@ -24,7 +24,7 @@ impl UniaxialLaw for JankowskiImpact {
     type State = ();
     const NAME: &'static str = "JankowskiImpact";
 
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         let depth = self.gap - strain.value;
         if depth <= 0.0 {
             return Ok(Default::default());

@@ -1,6 +1,6 @@
 //! Ratchet: a strut that follows the closing of its ends without force, and resists their opening.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Teeth of a ratchet at equal distances, or a ratchet without teeth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +58,7 @@ impl UniaxialLaw for Ratchet {
     type State = History;
     const NAME: &'static str = "Ratchet";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let x = strain.value;
         let at = self.first + c.moved;
         let engaged = x >= at - PRECISION * self.travel;

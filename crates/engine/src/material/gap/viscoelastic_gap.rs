@@ -1,6 +1,6 @@
 //! Contact with a spring and a dashpot side by side, which carries compression alone (Hughes and Mosqueda, 2020).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Spring and dashpot behind a gap.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ impl UniaxialLaw for ViscoelasticGap {
     const NAME: &'static str = "ViscoelasticGap";
 
     /// The dashpot pulls at the end of a contact, as in the source.
-    fn update(&self, _: &(), strain: Strain) -> Result<(Stress, ()), MaterialError> {
+    fn update(&self, _: &(), strain: Strain) -> MaterialResult<(Stress, ())> {
         if strain.value >= self.gap {
             return Ok((Stress::default(), ()));
         }

@@ -2,7 +2,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Multiaxial, Tangent};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 
 /// Largest number of Newton's iterations for the plastic multiplier.
 const MAX_ITERATIONS: usize = 50;
@@ -41,7 +41,7 @@ impl BeamJ2 {
         xi: &[f64; N],
         resistance: &[f64; N],
         limit: f64,
-    ) -> Result<(f64, [f64; N], f64), MaterialError> {
+    ) -> MaterialResult<(f64, [f64; N], f64)> {
         let weight: [f64; N] = of(2.0 / 3.0, 2.0);
         let hardening = 2.0 / 3.0 * self.isotropic;
         let mut multiplier = 0.0;
@@ -81,13 +81,7 @@ impl<const N: usize> Multiaxial<N> for BeamJ2 {
         self.rho
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; N],
-        _: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; N], Tangent<N>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; N], _: f64, next: &mut [f64]) -> MultiaxialResult<N> {
         let stiffness: [f64; N] = of(self.e, self.shear);
         let back: [f64; N] = of(self.kinematic, self.kinematic / 3.0);
         let root = (2.0f64 / 3.0).sqrt();

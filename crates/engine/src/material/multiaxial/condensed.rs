@@ -1,11 +1,11 @@
 //! Laws of which some strains are zero, and some follow from stresses that are zero.
 
-use super::plain_methods::properties_of_inner;
+use super::plain_methods::inner_methods;
 use super::{
     BEAM_FIBRE, Elastic, LAYER, Multiaxial, PLANE, PLANE_BEAM_FIBRE, SOLID, STRIP, SharedMultiaxial, THICK_PLANE,
     Tangent,
 };
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::{axpy, invert};
 use crate::probe::Probe;
 use std::sync::Arc;
@@ -91,13 +91,7 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
     }
 
     /// Solves for the strains without stress, from those of the committed state.
-    fn solve(
-        &self,
-        committed: &[f64],
-        e: &[f64; N],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; M], Tangent<M>), MaterialError> {
+    fn solve(&self, committed: &[f64], e: &[f64; N], dt: f64, next: &mut [f64]) -> MultiaxialResult<M> {
         let n = self.free.len();
         let (own, history) = committed.split_at(n);
         let (found, after) = next.split_at_mut(n);
@@ -138,7 +132,7 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
     }
 
     /// Inverse of the tangent among the strains without stress.
-    fn flexibility(&self, tangent: &Tangent<M>) -> Result<[f64; MAX_FREE * MAX_FREE], MaterialError> {
+    fn flexibility(&self, tangent: &Tangent<M>) -> MaterialResult<[f64; MAX_FREE * MAX_FREE]> {
         let n = self.free.len();
         let mut k = [0.0; MAX_FREE * MAX_FREE];
         for (row, i) in k.chunks_exact_mut(n.max(1)).zip(&self.free) {
@@ -151,7 +145,7 @@ impl<const M: usize, const N: usize> Condensed<M, N> {
     }
 
     /// Tangent by the given strains alone.
-    fn condense(&self, tangent: &Tangent<M>) -> Result<Tangent<N>, MaterialError> {
+    fn condense(&self, tangent: &Tangent<M>) -> MaterialResult<Tangent<N>> {
         let n = self.free.len();
         let inverse = self.flexibility(tangent)?;
         let mut out = self.given.map(|i| self.given.map(|j| tangent[i][j]));
@@ -231,18 +225,9 @@ impl<const M: usize, const N: usize> Multiaxial<N> for Condensed<M, N> {
         own.fill(0.0);
         self.law.init(history);
     }
-    fn is_linear(&self) -> bool {
-        self.law.is_linear()
-    }
-    properties_of_inner! { law }
+    inner_methods! { law: is_linear is_symmetric properties }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; N],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; N], Tangent<N>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; N], dt: f64, next: &mut [f64]) -> MultiaxialResult<N> {
         let (stress, tangent) = self.solve(committed, e, dt, next)?;
         Ok((self.given.map(|i| stress[i]), self.condense(&tangent)?))
     }

@@ -3,9 +3,11 @@
 
 use super::plain_methods::plain_methods;
 use super::{Multiaxial, PLANE, Tangent};
-use crate::material::{ConcreteCm, ConcreteHistory, Material, MaterialError, Slot, Strain, UniaxialLaw};
+use crate::material::{
+    ConcreteCm, ConcreteHistory, Material, MaterialResult, MultiaxialResult, Slot, Strain, UniaxialLaw,
+};
 use crate::numeric::axpy;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 use std::f64::consts::FRAC_PI_2;
@@ -138,7 +140,7 @@ impl Fsam {
         strains: [f64; 2],
         histories: &[ConcreteHistory; 2],
         peaks: &mut [f64; 2],
-    ) -> Result<(Local, [ConcreteHistory; 2]), MaterialError> {
+    ) -> MaterialResult<(Local, [ConcreteHistory; 2])> {
         let mut local = Local { stress: [0.0; PLANE], tangent: [[0.0; PLANE]; PLANE], shown: [[0.0; 2]; 2] };
         let (mut next, before) = (*histories, *peaks);
         for i in 0..2 {
@@ -156,7 +158,7 @@ impl Fsam {
     }
 
     /// Concrete before the first crack, in the directions of the principal strains. The angle is theirs.
-    fn uncracked(&self, e: &[f64; PLANE], peaks: &mut [f64; 2]) -> Result<(Local, f64, [f64; 2]), MaterialError> {
+    fn uncracked(&self, e: &[f64; PLANE], peaks: &mut [f64; 2]) -> MaterialResult<(Local, f64, [f64; 2])> {
         let difference = e[0] - e[1];
         let angle = 0.5 * if e[2] == 0.0 && difference == 0.0 { FRAC_PI_2 } else { (e[2] / difference).atan() };
         let [along, beside, _] = times(&rotation(angle), e);
@@ -171,7 +173,7 @@ impl Fsam {
     }
 
     /// Concrete with a crack across the direction `angle`.
-    fn cracked(&self, angle: f64, e: &[f64; PLANE], strut: &mut Strut) -> Result<Local, MaterialError> {
+    fn cracked(&self, angle: f64, e: &[f64; PLANE], strut: &mut Strut) -> MaterialResult<Local> {
         let [along, beside, slip] = times(&rotation(angle), e);
         let (mut local, histories) =
             self.pair(&self.concrete, [along, beside], &strut.concrete.clone(), &mut strut.peaks)?;
@@ -208,7 +210,7 @@ impl Fsam {
         e: &[f64; PLANE],
         state: &mut PanelState,
         (stress, tangent): (&mut [f64; PLANE], &mut Tangent<PLANE>),
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let both = state.cracks > 1.0;
         let angles = [state.angle, across(state.angle)];
         for (i, angle) in angles.into_iter().enumerate().take(if both { 2 } else { 1 }) {
@@ -253,7 +255,7 @@ impl Fsam {
         (angle, principal): (f64, [f64; 2]),
         state: &mut PanelState,
         concrete: &mut [f64; PLANE],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let opened = match state.cracks {
             0.0 => principal[0].max(principal[1]) >= self.concrete.tension.strain,
             // The strain along the first crack has left the envelope in tension.
@@ -301,13 +303,7 @@ impl Multiaxial<PLANE> for Fsam {
         self.parameters.ratios[0]
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; PLANE],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; PLANE], Tangent<PLANE>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; PLANE], dt: f64, next: &mut [f64]) -> MultiaxialResult<PLANE> {
         let mut state = PanelState { strain: *e, ..PanelState::read(committed) };
         let (mut concrete, mut tangent) = ([0.0; PLANE], [[0.0; PLANE]; PLANE]);
         let mut principal = (0.0, [0.0; 2]);
@@ -348,54 +344,44 @@ impl Multiaxial<PLANE> for Fsam {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let name = words.first()?.to_lowercase();
-        let plane = |stem: &str| [11, 22, 12].map(|i| format!("{stem}{i}"));
-        let pair = || ["eps11", "sig11"];
-        Some(match name.as_str() {
-            "panel_strain" => Probe::new(STRAIN, plane("eps")),
-            "panel_stress" => Probe::new(STRESS, plane("sigma")),
-            "panel_stress_concrete" => Probe::new(CONCRETE, plane("sigma")),
-            "panel_stress_steel" => Probe::new(STEEL, plane("sigma")),
-            "strain_stress_steelx" => Probe::new(BAR, pair()),
-            "strain_stress_steely" => Probe::new(BAR + 1, pair()),
-            "strain_stress_concrete1" => Probe::new(STRUT, pair()),
-            "strain_stress_concrete2" => Probe::new(STRUT + 1, pair()),
-            "strain_stress_interlock1" => Probe::new(INTERLOCK, pair()),
-            "strain_stress_interlock2" => Probe::new(INTERLOCK + 1, pair()),
-            "cracking_angles" => Probe::new(ANGLES, ["alpha", "beta"]),
-            _ => return None,
-        })
+        Response::find(&RESPONSES, &words.first()?.to_lowercase())
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let s = PanelState::read(state);
-        let [concrete, steel] = s.parts;
-        match path[0] {
-            STRAIN => out.copy_from_slice(&s.strain),
-            STRESS => out.iter_mut().zip(concrete).zip(steel).for_each(|((out, c), s)| *out = c + s),
-            CONCRETE => out.copy_from_slice(&concrete),
-            STEEL => out.copy_from_slice(&steel),
-            STRUT | STRUT_ACROSS => out.copy_from_slice(&s.shown[(path[0] - STRUT) as usize]),
-            BAR | BAR_ALONG_Y => {
-                let bar = &self.bars[(path[0] - BAR) as usize];
-                out.copy_from_slice(&[bar.strain(state), bar.stress(state)]);
-            }
-            ANGLES => {
-                let second = if s.cracks > 1.0 { across(s.angle) } else { UNCRACKED_ANGLE };
-                out.copy_from_slice(&[s.angle, second]);
-            }
-            kind => out.copy_from_slice(&s.struts[(kind - INTERLOCK) as usize].slip),
-        }
+        Response::read(&RESPONSES, path[0], self, state, out);
     }
 }
 
-const STRAIN: u32 = 1;
-const STRESS: u32 = 2;
-const CONCRETE: u32 = 3;
-const STEEL: u32 = 4;
-const BAR: u32 = 5;
-const BAR_ALONG_Y: u32 = 6;
-const STRUT: u32 = 7;
-const STRUT_ACROSS: u32 = 8;
-const INTERLOCK: u32 = 9;
-const ANGLES: u32 = 11;
+const STRAINS: [&str; PLANE] = ["eps11", "eps22", "eps12"];
+const STRESSES: [&str; PLANE] = ["sigma11", "sigma22", "sigma12"];
+const PAIR: [&str; 2] = ["eps11", "sig11"];
+
+const RESPONSES: [Response<Fsam>; 11] = [
+    Response::new(&["panel_strain"], &STRAINS, |_, s, out| out.copy_from_slice(&PanelState::read(s).strain)),
+    Response::new(&["panel_stress"], &STRESSES, |p, s, out| out.copy_from_slice(&p.shown_stress(s, [0.0; PLANE]))),
+    Response::new(&["panel_stress_concrete"], &STRESSES, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).parts[0])
+    }),
+    Response::new(&["panel_stress_steel"], &STRESSES, |_, s, out| out.copy_from_slice(&PanelState::read(s).parts[1])),
+    Response::new(&["strain_stress_steelx"], &PAIR, |p, s, out| p.show_bar(0, s, out)),
+    Response::new(&["strain_stress_steely"], &PAIR, |p, s, out| p.show_bar(1, s, out)),
+    Response::new(&["strain_stress_concrete1"], &PAIR, |_, s, out| out.copy_from_slice(&PanelState::read(s).shown[0])),
+    Response::new(&["strain_stress_concrete2"], &PAIR, |_, s, out| out.copy_from_slice(&PanelState::read(s).shown[1])),
+    Response::new(&["strain_stress_interlock1"], &PAIR, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).struts[0].slip);
+    }),
+    Response::new(&["strain_stress_interlock2"], &PAIR, |_, s, out| {
+        out.copy_from_slice(&PanelState::read(s).struts[1].slip);
+    }),
+    Response::new(&["cracking_angles"], &["alpha", "beta"], |_, s, out| {
+        let s = PanelState::read(s);
+        out.copy_from_slice(&[s.angle, if s.cracks > 1.0 { across(s.angle) } else { UNCRACKED_ANGLE }]);
+    }),
+];
+
+impl Fsam {
+    /// Strain and stress of a bar.
+    fn show_bar(&self, bar: usize, state: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(&[self.bars[bar].strain(state), self.bars[bar].stress(state)]);
+    }
+}

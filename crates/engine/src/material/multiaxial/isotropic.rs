@@ -3,7 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::simplified_j2::isotropic_stiffness;
 use super::{LAYER, Multiaxial, NdMaterial, SOLID, Tangent, linear};
-use crate::material::MaterialError;
+use crate::material::MultiaxialResult;
 use nalgebra::Matrix3;
 use std::sync::Arc;
 
@@ -136,7 +136,7 @@ impl<const N: usize> Multiaxial<N> for Elastic<N> {
     fn density(&self) -> f64 {
         self.rho
     }
-    fn update(&self, _: &[f64], e: &[f64; N], _: f64, _: &mut [f64]) -> Result<([f64; N], Tangent<N>), MaterialError> {
+    fn update(&self, _: &[f64], e: &[f64; N], _: f64, _: &mut [f64]) -> MultiaxialResult<N> {
         Ok((linear(&self.stiffness, e), self.stiffness))
     }
     fn initial_tangent(&self) -> Tangent<N> {

@@ -3,7 +3,7 @@
 use super::plain_methods::plain_methods;
 use super::simplified_j2::{deviator, isotropic_stiffness, norm};
 use super::{Multiaxial, SOLID, Tangent};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
@@ -56,7 +56,7 @@ impl J2Plasticity {
     }
 
     /// Plastic multiplier for the norm of the trial stress.
-    fn multiplier(&self, norm: f64, xi: f64, viscous: f64) -> Result<f64, MaterialError> {
+    fn multiplier(&self, norm: f64, xi: f64, viscous: f64) -> MaterialResult<f64> {
         let root = (2.0f64 / 3.0).sqrt();
         let mut gamma = 0.0;
         for _ in 0..MAX_ITERATIONS {
@@ -92,13 +92,7 @@ impl Multiaxial<SOLID> for J2Plasticity {
         self.rho
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let mut state = J2State::read(committed);
         let (strain, trace) = deviator(e);
         let trial: [f64; SOLID] = std::array::from_fn(|i| 2.0 * self.shear * (strain[i] - state.plastic[i]));

@@ -17,13 +17,13 @@ mod wall_strip;
 mod weighted;
 mod wrapped;
 
-use super::{MaterialError, WatchesColumns};
+use super::{MaterialResult, WatchesColumns};
 use crate::probe::Probe;
 use std::fmt;
 use std::sync::Arc;
 
-pub(super) use asd_concrete::CurvePoint;
 pub use asd_concrete::{AsdConcrete, Extrapolation, HardeningCurve};
+pub(super) use asd_concrete::{RESPONSES as CONCRETE_RESPONSES, ReachedPoints};
 pub use beam_j2::BeamJ2;
 pub use condensed::Condensed;
 pub use family::NdMaterial;
@@ -56,6 +56,9 @@ pub const STRIP: usize = 2;
 /// Derivatives of the stresses by the strains, row by row.
 pub type Tangent<const N: usize> = [[f64; N]; N];
 
+/// Stresses of a law that may have none, and their derivatives by the strains.
+pub type MultiaxialResult<const N: usize> = MaterialResult<([f64; N], Tangent<N>)>;
+
 /// A law of N stresses. No method has a default: a law around others decides on every one of them.
 pub trait Multiaxial<const N: usize>: WatchesColumns + fmt::Debug + Send + Sync {
     /// Number of state variables.
@@ -78,13 +81,7 @@ pub trait Multiaxial<const N: usize>: WatchesColumns + fmt::Debug + Send + Sync 
     ///
     /// # Errors
     /// There is no stress at these strains.
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; N],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; N], Tangent<N>), MaterialError>;
+    fn update(&self, committed: &[f64], e: &[f64; N], dt: f64, next: &mut [f64]) -> MultiaxialResult<N>;
 
     /// Derivatives of the stresses in the virgin state.
     fn initial_tangent(&self) -> Tangent<N>;

@@ -41,12 +41,31 @@ macro_rules! plain_methods {
 
 pub(crate) use plain_methods;
 
-/// Writes the constant properties of a law around another, which are those of the other.
-macro_rules! properties_of_inner {
-    ($inner:ident) => {
+/// Writes the named methods of a law around another, which are those of the other: `storage` of the state, whether it
+/// `is_linear` and `is_symmetric`, its other constant `properties`, and its `responses`.
+macro_rules! inner_methods {
+    ($inner:ident: $($method:ident)*) => {
+        $($crate::material::multiaxial::plain_methods::inner_methods!(@$method $inner);)*
+    };
+    (@storage $inner:ident) => {
+        fn state_len(&self) -> usize {
+            self.$inner.state_len()
+        }
+        fn init(&self, state: &mut [f64]) {
+            self.$inner.init(state);
+        }
+    };
+    (@is_linear $inner:ident) => {
+        fn is_linear(&self) -> bool {
+            self.$inner.is_linear()
+        }
+    };
+    (@is_symmetric $inner:ident) => {
         fn is_symmetric(&self) -> bool {
             self.$inner.is_symmetric()
         }
+    };
+    (@properties $inner:ident) => {
         fn depends_on_time(&self) -> bool {
             self.$inner.depends_on_time()
         }
@@ -57,6 +76,14 @@ macro_rules! properties_of_inner {
             self.$inner.reinforcement()
         }
     };
+    (@responses $inner:ident) => {
+        fn probe(&self, words: &[&str]) -> Option<$crate::probe::Probe> {
+            self.$inner.probe(words)
+        }
+        fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
+            self.$inner.read(path, state, out);
+        }
+    };
 }
 
-pub(crate) use properties_of_inner;
+pub(crate) use inner_methods;

@@ -1,8 +1,8 @@
 //! Laws in space in series: one stress, and strains that add up with weights.
 
-use super::plain_methods::{plain_methods, properties_of_inner};
+use super::plain_methods::{inner_methods, plain_methods};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::probe::Probe;
 use nalgebra::{SMatrix, SVector};
 use std::sync::Arc;
@@ -62,7 +62,7 @@ impl SeriesSolids {
         strains: &[Vector],
         dt: f64,
         mut next: &mut [f64],
-    ) -> Result<Vec<(Vector, Matrix)>, MaterialError> {
+    ) -> MaterialResult<Vec<(Vector, Matrix)>> {
         let mut out = vec![];
         for ((law, _), strain) in self.laws.iter().zip(strains) {
             let (own, rest) = committed.split_at(law.state_len());
@@ -81,7 +81,7 @@ impl SeriesSolids {
         strains: &mut [Vector],
         next: &mut [f64],
         initial: Option<&[Matrix]>,
-    ) -> Result<Option<(Vector, Matrix)>, MaterialError> {
+    ) -> MaterialResult<Option<(Vector, Matrix)>> {
         let SeriesTolerance { iterations, relative, absolute } = self.tolerance;
         let iterations = if initial.is_some() { PATIENCE * iterations } else { iterations };
         let mut best = f64::INFINITY;
@@ -132,18 +132,9 @@ impl Multiaxial<SOLID> for SeriesSolids {
         strains.fill(0.0);
         self.laws.init(rest);
     }
-    fn is_linear(&self) -> bool {
-        self.laws.is_linear()
-    }
-    properties_of_inner! { laws }
+    inner_methods! { laws: is_linear is_symmetric properties }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let (old, histories) = committed.split_at(self.strains());
         let (found, trial) = next.split_at_mut(self.strains());
         let e = Vector::from(*e);

@@ -2,7 +2,7 @@
 
 use super::plain_methods::plain_methods;
 use super::{Multiaxial, SOLID, Tangent};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MultiaxialResult};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
 
@@ -76,13 +76,7 @@ impl Multiaxial<SOLID> for SimplifiedJ2 {
         0.0
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        _: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], _: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let mut state = PlasticState::read(committed);
         let (strain, trace) = deviator(e);
         let double = 2.0 * self.shear;

@@ -1,8 +1,8 @@
 //! Horizontal strain of a wall from its shear strain.
 
+use super::plain_methods::inner_methods;
 use super::{Multiaxial, PLANE, STRIP, SharedMultiaxial, Tangent};
-use crate::material::MaterialError;
-use crate::probe::Probe;
+use crate::material::MultiaxialResult;
 use std::sync::Arc;
 
 /// A panel in plane stress whose horizontal strain is a function of the shear strain γ: a (1 - 3^(-800 |γ|)) |γ| (Massone, Lopez
@@ -48,26 +48,12 @@ crate::watches_columns!(WallStrip => |s| in [&s.panel]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<STRIP> for WallStrip {
-    fn state_len(&self) -> usize {
-        self.panel.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.panel.init(state);
-    }
+    inner_methods! { panel: storage properties responses }
     fn is_linear(&self) -> bool {
         false
     }
     fn is_symmetric(&self) -> bool {
         false
-    }
-    fn depends_on_time(&self) -> bool {
-        self.panel.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.panel.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.panel.reinforcement()
     }
     fn shown_stress(&self, next: &[f64], [vertical, shear]: [f64; STRIP]) -> [f64; STRIP] {
         let [_, vertical, shear] = self.panel.shown_stress(next, [0.0, vertical, shear]);
@@ -76,24 +62,12 @@ impl Multiaxial<STRIP> for WallStrip {
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<STRIP>> {
         Some(Arc::new(Self { panel: self.panel.of_length(length)?, limit: self.limit }))
     }
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; STRIP],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; STRIP], Tangent<STRIP>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; STRIP], dt: f64, next: &mut [f64]) -> MultiaxialResult<STRIP> {
         let (strains, slope) = self.strains(*e);
         let ([_, vertical, shear], tangent) = self.panel.update(committed, &strains, dt, next)?;
         Ok(([vertical, shear], Self::tangent(&tangent, slope)))
     }
     fn initial_tangent(&self) -> Tangent<STRIP> {
         Self::tangent(&self.panel.initial_tangent(), 0.0)
-    }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.panel.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.panel.read(path, state, out);
     }
 }

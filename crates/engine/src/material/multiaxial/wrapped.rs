@@ -1,10 +1,9 @@
 //! Laws in space around others: an initial strain, and a weighted sum.
 
-use super::plain_methods::{plain_methods, properties_of_inner};
+use super::plain_methods::{inner_methods, plain_methods};
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, WeightedLaws};
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
-use crate::probe::Probe;
 use nalgebra::{SMatrix, SVector};
 use std::sync::Arc;
 
@@ -17,7 +16,7 @@ const TOLERANCE: f64 = 1e-14;
 ///
 /// # Errors
 /// The law has no stress on the way, no stiffness, or does not reach the stress.
-pub fn strain_of_stress(law: &SharedMultiaxial<SOLID>, stress: &[f64; SOLID]) -> Result<[f64; SOLID], MaterialError> {
+pub fn strain_of_stress(law: &SharedMultiaxial<SOLID>, stress: &[f64; SOLID]) -> MaterialResult<[f64; SOLID]> {
     let mut state = vec![0.0; law.state_len()];
     law.init(&mut state);
     let (mut next, mut strain) = (state.clone(), [0.0; SOLID]);
@@ -54,23 +53,11 @@ crate::watches_columns!(InitialStrain => |s| in [&s.law]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for InitialStrain {
-    fn state_len(&self) -> usize {
-        self.law.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.law.init(state);
-    }
     fn is_linear(&self) -> bool {
         false
     }
-    properties_of_inner! { law }
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    inner_methods! { law: storage is_symmetric properties responses }
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         self.law.update(committed, &std::array::from_fn(|i| e[i] + self.strain[i]), dt, next)
     }
     fn initial_tangent(&self) -> Tangent<SOLID> {
@@ -81,12 +68,6 @@ impl Multiaxial<SOLID> for InitialStrain {
     }
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<SOLID>> {
         Some(Arc::new(Self { law: self.law.of_length(length)?, ..self.clone() }))
-    }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.law.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.law.read(path, state, out);
     }
 }
 
@@ -102,29 +83,14 @@ crate::watches_columns!(ParallelSolids => |s| in [&s.laws]);
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<SOLID> for ParallelSolids {
     plain_methods! { SOLID: shown_stress }
-    fn state_len(&self) -> usize {
-        self.laws.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.laws.init(state);
-    }
-    fn is_linear(&self) -> bool {
-        self.laws.is_linear()
-    }
-    properties_of_inner! { laws }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.laws.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.laws.read(path, state, out);
-    }
+    inner_methods! { laws: storage is_linear is_symmetric properties responses }
     fn update(
         &self,
         mut committed: &[f64],
         e: &[f64; SOLID],
         dt: f64,
         mut next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    ) -> MultiaxialResult<SOLID> {
         let (mut stress, mut tangent) = ([0.0; SOLID], [[0.0; SOLID]; SOLID]);
         for (law, weight) in self.laws.iter() {
             let (own, rest) = committed.split_at(law.state_len());

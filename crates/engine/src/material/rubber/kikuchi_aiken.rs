@@ -3,7 +3,7 @@
 mod opensees;
 
 use crate::material::roles::{PartialCommit, ShownStrain, TrialTrace, UniaxialRoles};
-use crate::material::{MaterialError, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::numeric::{bracketed_root, sign};
 use crate::rules::Consistent;
 use crate::state_struct::StateStruct;
@@ -270,7 +270,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     ///
     /// # Errors
     /// The value is not positive, or by OpenSees' rules not finite.
-    fn check(&self, x: f64, gamma: f64) -> Result<(), MaterialError> {
+    fn check(&self, x: f64, gamma: f64) -> MaterialResult {
         if R::accepts(x) {
             return Ok(());
         }
@@ -279,7 +279,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     }
 
     /// Force and stiffness on the skeleton.
-    fn skeleton(&self, t: &mut Head) -> Result<(f64, f64), MaterialError> {
+    fn skeleton(&self, t: &mut Head) -> MaterialResult<(f64, f64)> {
         let gamma = t.max / self.device.height();
         let (fm, k) = self.device.skeleton(gamma);
         self.check(fm, gamma)?;
@@ -301,7 +301,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     }
 
     /// Adds a reversal at the committed state; `next` holds the committed reversals.
-    fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(), MaterialError> {
+    fn reverse(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> MaterialResult {
         let gamma = c.d.abs() / self.device.height();
         if c.depth == 0.0 {
             let shape = self.device.shape(gamma, R::LOOPS);
@@ -342,7 +342,7 @@ impl<D: Device, R: Rules> KikuchiAiken<D, R> {
     }
 
     /// Force and stiffness inside the skeleton.
-    fn inside(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> Result<(f64, f64), MaterialError> {
+    fn inside(&self, c: &Head, t: &mut Head, next: &mut [f64]) -> MaterialResult<(f64, f64)> {
         if t.sign * c.sign < 0.0 || c.depth == 0.0 {
             self.reverse(c, t, next)?;
         }
@@ -377,7 +377,7 @@ impl<D: Device, R: Rules> Uniaxial for KikuchiAiken<D, R> {
     }
 
     /// Closed reversals keep stale values, because nothing reads them.
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let c = Head::read(committed);
         let used = offset(c.depth() + 1);
         next[Head::LEN..used].copy_from_slice(&committed[Head::LEN..used]);

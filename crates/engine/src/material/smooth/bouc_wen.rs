@@ -1,6 +1,6 @@
 //! Bouc-Wen hysteresis with degradation (Baber and Noori, 1985; Haukaas and Der Kiureghian, 2004).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::{bracketed_root, sign};
 
 /// Maximum number of iterations for z; bisection alone needs fewer.
@@ -84,7 +84,7 @@ impl BoucWen {
     ///
     /// In the direction of the step (y = z sign d) it is the last root. Other roots may lie behind y_c if the law
     /// unloads steeply (γ > β). Newton's method from z_c would converge to one of them after a large step.
-    fn solve(&self, c: &History, d: f64) -> Result<f64, MaterialError> {
+    fn solve(&self, c: &History, d: f64) -> MaterialResult<f64> {
         let s = d.signum();
         let along = |y: f64| {
             let (value, slope) = self.residual(c, d, s * y);
@@ -107,7 +107,7 @@ impl UniaxialLaw for BoucWen {
     type State = History;
     const NAME: &'static str = "BoucWen";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let d = strain.value - c.strain;
         let initial = UniaxialLaw::initial_tangent(self);
         if d == 0.0 {

@@ -2,7 +2,7 @@
 
 use super::BoucWen;
 use super::bouc_wen::History;
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// σ = q z + α_L E ε + α_NL E sgn(ε) |ε|^μ with ż = [1 - |z|^η (γ + β sign(ε̇ z))] ε̇/ε_y, the yield strain ε_y = f_y/E and q = f_y
 /// - α_L E ε_y - α_NL E ε_y^μ (Bouc, 1971; Wen, 1976). Backward Euler integrates z, as in [`BoucWen`].
@@ -53,7 +53,7 @@ impl UniaxialLaw for BoucWenOriginal {
     type State = History;
     const NAME: &'static str = "BoucWenOriginal";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (mut stress, next) = self.hysteresis.update(c, strain)?;
         let (value, slope) = self.elastic(strain.value);
         stress.value += value;

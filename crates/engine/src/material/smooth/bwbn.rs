@@ -1,6 +1,6 @@
 //! Bouc-Wen hysteresis with pinching (Baber and Noori, 1986).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// z at the beginning of Newton's method, as in OpenSees: it decides which of several roots is found.
 const START: f64 = 0.01;
@@ -90,7 +90,7 @@ impl UniaxialLaw for Bwbn {
     type State = History;
     const NAME: &'static str = "BWBN";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let d = strain.value - c.strain;
         let (k, initial) = ((1.0 - self.alpha) * self.ko, UniaxialLaw::initial_tangent(self));
         let elastic = self.alpha * self.ko;

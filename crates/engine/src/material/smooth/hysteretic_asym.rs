@@ -1,6 +1,6 @@
 //! Smooth asymmetric hysteresis of exponential type.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// The exponential law of Vaiana, Sessa and Rosati (2021, <https://doi.org/10.1016/j.ymssp.2020.106984>). Every
 /// branch approaches one of two limit curves by exp(-a |u - u_c|) from its first point u_c:
@@ -42,7 +42,7 @@ impl HystereticAsym {
     }
 
     /// Response on the branch that begins at the committed point.
-    pub(super) fn branch(&self, c: &History, u: f64) -> Result<(Stress, History), MaterialError> {
+    pub(super) fn branch(&self, c: &History, u: f64) -> MaterialResult<(Stress, History)> {
         let d = u - c.strain;
         let s = if d >= 0.0 { 1.0 } else { -1.0 };
         let a = 0.5 * (self.ka - self.kb) / self.fo;
@@ -64,7 +64,7 @@ impl UniaxialLaw for HystereticAsym {
     type State = History;
     const NAME: &'static str = "HystereticAsym";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.branch(c, strain.value)
     }
 

@@ -1,7 +1,7 @@
 //! Smooth hysteresis of algebraic type.
 
 use crate::material::smooth::hysteretic_asym::History;
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// The algebraic law of Vaiana, Sessa, Marmo and Rosati (2019, <https://doi.org/10.1007/s11071-019-05022-5>). A
 /// branch that begins at u_c approaches the limit curve
@@ -51,7 +51,7 @@ impl UniaxialLaw for HystereticPoly {
     type State = History;
     const NAME: &'static str = "HystereticPoly";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (u, k, power) = (strain.value, self.ka - self.kb, 1.0 - self.a);
         let s = if u >= c.strain { 1.0 } else { -1.0 };
         let [uo, far, height] = self.range();

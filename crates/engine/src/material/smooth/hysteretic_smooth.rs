@@ -1,7 +1,7 @@
 //! Smooth symmetric hysteresis of exponential type.
 
 use crate::material::smooth::hysteretic_asym::{History, HystereticAsym};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// The exponential law of Vaiana, Sessa, Marmo and Rosati (2018, <https://doi.org/10.1007/s11071-018-4282-2>): [`HystereticAsym`] with
 /// b₁ = b₂ = β and γ = 0.
@@ -22,7 +22,7 @@ impl UniaxialLaw for HystereticSmooth {
     type State = History;
     const NAME: &'static str = "HystereticSmooth";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.law.branch(c, strain.value)
     }
 

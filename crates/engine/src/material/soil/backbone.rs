@@ -1,7 +1,8 @@
 //! Backbone curves (`hystereticBackbone`), and the elastic law that follows one.
 
 use crate::material::{
-    Material, MaterialError, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits, updates_each_point,
+    Material, MaterialError, MaterialResult, Strain, Stress, Uniaxial, UniaxialRoles, UniaxialTraits,
+    updates_each_point,
 };
 use std::sync::Arc;
 
@@ -239,7 +240,7 @@ impl Backbone {
     ///
     /// # Errors
     /// A material has no response at this strain.
-    pub fn at(&self, strain: f64) -> Result<(f64, f64), MaterialError> {
+    pub fn at(&self, strain: f64) -> MaterialResult<(f64, f64)> {
         Ok(match self {
             Self::Multilinear(points) => multilinear(points, strain),
             Self::Arctangent { k1, k2 } => {
@@ -330,7 +331,7 @@ impl Uniaxial for BackboneElastic {
         0
     }
     fn init(&self, _: &mut [f64]) {}
-    fn update(&self, _: &[f64], strain: Strain, _: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, _: &[f64], strain: Strain, _: &mut [f64]) -> MaterialResult<Stress> {
         let (stress, slope) = self.backbone.at(strain.value)?;
         let (value, tangent) = (self.factor * stress, self.factor * slope);
         if !(value.is_finite() && tangent.is_finite()) {

@@ -1,6 +1,6 @@
 //! Slip of an anchored bar by strain penetration (Zhao and Sritharan, 2007, ACI Structural Journal 104(2), 133-141).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
@@ -197,7 +197,7 @@ impl<R: Rules> UniaxialLaw for BondSp01<R> {
     type State = History;
     const NAME: &'static str = "Bond_SP01";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut t = History { slip: strain.value, ..*c };
         let (d, elastic) = (strain.value - c.slip, self.elastic());
         let (value, tangent) = if d.abs() <= f64::EPSILON {

@@ -1,6 +1,6 @@
 //! Yielding fingers of a cast steel brace (Gray, Christopoulos and Packer, 2010, and Lignos).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Differences of strains that count as none.
 const NONE: f64 = 10.0 * f64::EPSILON;
@@ -89,7 +89,7 @@ impl UniaxialLaw for Cast {
     type State = History;
     const NAME: &'static str = "CastFuse";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (kp, pp) = (self.stiffness(), self.strength());
         let (e, first) = (strain.value, pp / kp);
         let d = e - c.strain;

@@ -3,7 +3,7 @@
 mod bauschinger;
 mod opensees;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 pub(super) use bauschinger::Bauschinger;
 
 /// Steel of Dodd and Restrepo. A reversal follows a Bauschinger curve to the strength or to a former reversal.
@@ -236,7 +236,7 @@ impl UniaxialLaw for DoddRestrepo {
     type State = History;
     const NAME: &'static str = "Dodd_Restrepo";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         if (strain.value - c.strain).abs() <= f64::EPSILON {
             return Ok((Stress { value: c.stress, tangent: self.e0 + c.softening, damping: 0.0 }, *c));
         }

@@ -1,6 +1,6 @@
 //! Plasticity with linear isotropic and kinematic hardening.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// One-dimensional rate-independent plasticity by return mapping (Simo and Hughes, 1998, chapter 1).
 #[derive(Clone, Debug, PartialEq)]
@@ -33,11 +33,11 @@ impl UniaxialLaw for Hardening {
     type State = History;
     const NAME: &'static str = "Hardening";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let steps = c.steps + 1.0;
         let elastic = self.e * (strain.value - c.plastic);
         let relative = elastic - self.h_kin * c.plastic;

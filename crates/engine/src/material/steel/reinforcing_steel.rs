@@ -5,7 +5,7 @@ mod branches;
 mod buckling;
 mod curve;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use branches::Path;
 pub use buckling::Buckling;
 use curve::{Backbone, Curve};
@@ -139,7 +139,7 @@ impl UniaxialLaw for ReinforcingSteel {
     type State = History;
     const NAME: &'static str = "ReinforcingSteel";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         /// Strain beyond which the natural strain is not sought.
         const LEAST: f64 = -0.95;
         if strain.value < LEAST {

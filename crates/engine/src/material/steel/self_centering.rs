@@ -2,7 +2,7 @@
 
 mod opensees;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 use std::fmt;
 
@@ -101,11 +101,11 @@ impl<R: Rules> UniaxialLaw for SelfCentering<R> {
     type State = History;
     const NAME: &'static str = "SelfCentering";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let d = strain.value - c.strain;
         let steps = c.steps + 1.0;
         let mut t = R::begin(c, last, steps);

@@ -1,7 +1,7 @@
 //! Superelastic shape-memory alloy with linear transformations (Auricchio, Taylor and Lubliner, 1997).
 
-use crate::material::lanes::{PointLaw, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::lanes::{PointLaw, PointResponse, updates_blocks};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct as _;
 
@@ -58,7 +58,7 @@ impl Sma {
 
 impl PointLaw<{ History::LEN }> for Sma {
     #[inline(always)]
-    fn response(&self, c: [f64; History::LEN], x: f64) -> ([f64; History::LEN], f64, f64) {
+    fn response(&self, c: [f64; History::LEN], x: f64) -> PointResponse<{ History::LEN }> {
         let [strain, stress, martensite, softening] = c;
         let side = select(x < 0.0, -1.0, 1.0);
         let (size, along) = (x.abs(), side * stress);
@@ -70,8 +70,8 @@ impl PointLaw<{ History::LEN }> for Sma {
         // The direction of the next step is unknown at rest, so the tangent of the last step is kept.
         let same = x == strain;
         let keep = |old, new| select(same, old, new);
-        let next = [x, keep(stress, value), keep(martensite, m), keep(softening, tangent - self.e)];
-        (next, next[1], keep(self.e + softening, tangent))
+        let words = [x, keep(stress, value), keep(martensite, m), keep(softening, tangent - self.e)];
+        PointResponse { words, value: words[1], tangent: keep(self.e + softening, tangent) }
     }
 }
 
@@ -80,7 +80,7 @@ impl UniaxialLaw for Sma {
     const NAME: &'static str = "SMA";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         Ok(self.respond_to(c, strain.value))
     }
 

@@ -1,6 +1,6 @@
 //! Shape-memory alloy with three stiffnesses (Aceto, Camata and Petracca, ASDEA Software Technology).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// A flag whose way back from the upper plateau is softer than the elastic stiffness.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +107,7 @@ impl UniaxialLaw for Sma3k {
     type State = History;
     const NAME: &'static str = "ASD_SMA_3K";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut begun = *c;
         if c.begun == 0.0 {
             let share = 1.0 - self.beta;

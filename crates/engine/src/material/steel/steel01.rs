@@ -1,7 +1,7 @@
 //! Bilinear steel with kinematic and optional isotropic hardening.
 
-use crate::material::lanes::{BlockLaw, LaneInput, Response, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, PointResponse, Response, updates_blocks, words_of};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::lanes::select;
 use crate::state_struct::StateStruct;
 
@@ -56,17 +56,15 @@ impl BlockLaw<{ History::LEN }> for Steel01 {
         let law = self.clone();
         let mut turned = [0.0; W];
         for (i, turned) in turned.iter_mut().enumerate() {
-            let (next, value, tangent, turns) = law.response(given.point(i), given.strain[i]);
-            out.set(i, (next, value, tangent));
-            *turned = turns;
+            let point;
+            (point, *turned) = law.response(given.point(i), given.strain[i]);
+            out.set(i, point);
         }
         if law.is_isotropic() {
             for (i, turns) in turned.into_iter().enumerate().filter(|(_, turns)| *turns != 0.0) {
                 let mut next = History::read(&out.point(i));
                 law.shift(turns, &mut next);
-                let mut words = [0.0; History::LEN];
-                next.write(&mut words);
-                out.set_point(i, words);
+                out.set_point(i, words_of(&next));
             }
         }
     }
@@ -77,15 +75,13 @@ impl UniaxialLaw for Steel01 {
     const NAME: &'static str = "Steel01";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
-        let mut words = [0.0; History::LEN];
-        c.write(&mut words);
-        let (next, value, tangent, turns) = self.response(words, strain.value);
-        let mut next = History::read(&next);
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
+        let (point, turns) = self.response(words_of(c), strain.value);
+        let (stress, mut next) = point.read();
         if self.is_isotropic() && turns != 0.0 {
             self.shift(turns, &mut next);
         }
-        Ok((Stress { value, tangent, damping: 0.0 }, next))
+        Ok((stress, next))
     }
 
     updates_blocks!();
@@ -102,10 +98,10 @@ impl Steel01 {
         self.a[0] != 0.0 || self.a[2] != 0.0 || self.fy / self.e0 <= 0.0
     }
 
-    /// Trial state, stress and tangent without a branch, and 1 for a turn towards tension, -1 for one towards
-    /// compression. The shifts of a turn are not in the state.
+    /// Response without a branch, and 1 for a turn towards tension, -1 for one towards compression. The shifts of a turn are
+    /// not in the state.
     #[inline(always)]
-    fn response(&self, c: [f64; History::LEN], eps: f64) -> ([f64; History::LEN], f64, f64, f64) {
+    fn response(&self, c: [f64; History::LEN], eps: f64) -> (PointResponse<{ History::LEN }>, f64) {
         let [min, max, shift_p, shift_n, loading, strain, stress, tangent] = c;
         let d = eps - strain;
         let moved = d.abs() > f64::EPSILON;
@@ -122,7 +118,7 @@ impl Steel01 {
         let (falls, rises) = (moved & (begun == 1.0) & (d < 0.0), moved & (begun == -1.0) & (d > 0.0));
         let new_loading = select(falls, -1.0, select(rises, 1.0, begun));
         let keep = |old, new| select(moved, new, old);
-        let next = [
+        let words = [
             select(rises & (strain < min), strain, min),
             select(falls & (strain > max), strain, max),
             shift_p,
@@ -132,8 +128,9 @@ impl Steel01 {
             keep(stress, new_stress),
             keep(tangent, new_tangent),
         ];
-        let virgin = (next[7] == 0.0) & (loading == 0.0) & (next[4] == 0.0);
-        (next, next[6], select(virgin, self.e0, next[7]), select(falls, -1.0, select(rises, 1.0, 0.0)))
+        let virgin = (words[7] == 0.0) & (loading == 0.0) & (words[4] == 0.0);
+        let point = PointResponse { words, value: words[6], tangent: select(virgin, self.e0, words[7]) };
+        (point, select(falls, -1.0, select(rises, 1.0, 0.0)))
     }
 
     /// Shift of the envelope after a turn.

@@ -1,7 +1,7 @@
 //! Steel of Giuffrè, Menegotto and Pinto with isotropic hardening.
 
-use crate::material::lanes::{BlockLaw, LaneInput, Response, no_stress, updates_blocks};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::lanes::{BlockLaw, LaneInput, PointResponse, Response, no_stress, updates_blocks, words_of};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::elementary::{exp, ln, power};
 use crate::numeric::lanes::{Lanes, any, flag, in_lanes, select};
 use crate::numeric::sign;
@@ -197,8 +197,7 @@ impl BlockLaw<{ History::LEN }> for Steel02 {
             turned = given.words.map(|column| *column);
             for i in (0..W).filter(|i| turns[*i] != 0) {
                 let c = History::read(&given.point(i));
-                let mut words = [0.0; History::LEN];
-                law.branch(&c, given.strain[i]).unwrap_or(c).write(&mut words);
+                let words: [f64; History::LEN] = words_of(&law.branch(&c, given.strain[i]).unwrap_or(c));
                 turned.iter_mut().zip(words).for_each(|(column, word)| column[i] = word);
             }
             from.words.iter_mut().zip(&turned).for_each(|(column, own)| *column = own);
@@ -209,7 +208,7 @@ impl BlockLaw<{ History::LEN }> for Steel02 {
             let at_rest = words[LOADING] == 0.0;
             words[STRAIN] = select(at_rest, words[STRAIN], strain);
             words[STRESS] = select(at_rest, words[STRESS], value - law.sig_init);
-            out.set(i, (words, value, tangent));
+            out.set(i, PointResponse { words, value, tangent });
         }
     }
 }
@@ -219,13 +218,11 @@ impl UniaxialLaw for Steel02 {
     const NAME: &'static str = "Steel02";
     const BY_QUANTITY: bool = true;
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let Some(mut t) = self.branch(c, strain.value) else {
             return Ok((Stress { value: self.sig_init, tangent: self.e0, damping: 0.0 }, *c));
         };
-        let mut words = [0.0; History::LEN];
-        t.write(&mut words);
-        let mut point = BranchPoint { law: self, words, strain: strain.value, stress: (0.0, 0.0) };
+        let mut point = BranchPoint { law: self, words: words_of(&t), strain: strain.value, stress: (0.0, 0.0) };
         in_lanes(&mut point);
         let (value, tangent) = point.stress;
         t.stress = value - self.sig_init;

@@ -1,6 +1,6 @@
 //! Steel of Menegotto and Pinto (1973) with the isotropic hardening of `Steel01` (Mackie and Stojadinovic, 2003).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Exponent of isotropic hardening.
 const HARDENING: f64 = 0.8;
@@ -79,7 +79,7 @@ impl UniaxialLaw for Steel03 {
     type State = History;
     const NAME: &'static str = "Steel03";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let (e, mut t) = (strain.value, *c);
         let step = e - c.strain;
         let yielding = self.fy / self.e0;

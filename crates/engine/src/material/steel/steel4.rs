@@ -1,7 +1,7 @@
 //! Steel with asymmetric kinematic and isotropic hardening, an ultimate strength and a memory of its cycles (Zsarnóczay,
 //! 2013, after Menegotto and Pinto, 1973).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Strain step of the difference that is the tangent.
 const TANGENT_STEP: f64 = 1e-7;
@@ -237,7 +237,7 @@ impl UniaxialLaw for Steel4 {
     type State = History;
     const NAME: &'static str = "Steel4";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let first = self.initial / self.e0;
         let begun = if c.begun == 0.0 {
             History { begun: 1.0, strain: first, stress: self.initial, ..History::default() }

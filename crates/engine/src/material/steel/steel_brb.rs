@@ -1,8 +1,8 @@
 //! Steel of a buckling-restrained brace.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 
 /// Maximum number of iterations for the plastic strain; bisection alone needs fewer.
 const MAX_ITERATIONS: u32 = 200;
@@ -71,7 +71,7 @@ impl SteelBrb {
 
     /// Loads from zero stress, or from a stress with the sign of the increment. Returns the plastic increment and the
     /// tangent.
-    fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> Result<(f64, f64), MaterialError> {
+    fn load(&self, b: &BrbBranch, old: &History, stress: f64, de: f64) -> MaterialResult<(f64, f64)> {
         // The residual x - share |de| increases with the plastic strain x along the increment.
         let sign = de.signum();
         let residual = |x: f64| {
@@ -94,7 +94,7 @@ impl UniaxialLaw for SteelBrb {
     type State = History;
     const NAME: &'static str = "SteelBRB";
 
-    fn update(&self, old: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, old: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let de = strain.value - old.strain;
         let elastic = old.stress + self.e * de;
         let unloads = old.stress * de < 0.0;
@@ -125,14 +125,15 @@ impl UniaxialLaw for SteelBrb {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        Some(match *words.first()? {
-            "cumPlasticStrain" => Probe::new(0, ["cumPlasticStrain"]),
-            "dissipatedEnergy" => Probe::new(1, ["dissipatedEnergy"]),
-            _ => return None,
-        })
+        Response::find(&RESPONSES, words.first()?)
     }
 
     fn read(&self, path: &[u32], state: &History, out: &mut [f64]) {
-        out[0] = if path[0] == 0 { state.cumulative } else { state.dissipated };
+        Response::read(&RESPONSES, path[0], self, state, out);
     }
 }
+
+const RESPONSES: [Response<SteelBrb, History>; 2] = [
+    Response::new(&["cumPlasticStrain"], &["cumPlasticStrain"], |_, s, out| out[0] = s.cumulative),
+    Response::new(&["dissipatedEnergy"], &["dissipatedEnergy"], |_, s, out| out[0] = s.dissipated),
+];

@@ -5,7 +5,7 @@ mod curves;
 mod opensees;
 mod reversal;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 pub use curves::BauschingerKind;
 use curves::{Curve, End};
 
@@ -272,7 +272,7 @@ impl UniaxialLaw for SteelDrc {
     type State = History;
     const NAME: &'static str = "SteelDRC";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         if (strain.value - c.strain).abs() < f64::EPSILON {
             let tangent = self.reported(c, c.strain, c.stress, self.e + c.softening);
             return Ok((Stress { value: c.stress, tangent, damping: 0.0 }, *c));

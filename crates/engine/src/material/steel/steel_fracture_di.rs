@@ -1,6 +1,6 @@
 //! Steel of Giuffrè, Menegotto and Pinto that breaks when a damage index comes to its limit.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw, finite};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Exponent of isotropic hardening.
 const HARDENING: f64 = 0.8;
@@ -202,7 +202,7 @@ impl UniaxialLaw for SteelFractureDi {
     type State = History;
     const NAME: &'static str = "SteelFractureDI";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let mut t = *c;
         t.strain = strain.value;
         let step = t.strain - c.strain;

@@ -1,7 +1,7 @@
 //! Steel after Menegotto and Pinto (1973) with the curves of Filippou, Popov and Bertero (1983, EERC 83-19), and with bounds
 //! by Kolozvari, Orakcal and Wallace (2015, PEER 2015/12): a short reloading does not overshoot the curve that it left.
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 
 /// Steel with its own yield strength and hardening on either side: tension, compression.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +101,7 @@ impl UniaxialLaw for SteelMpf {
     type State = History;
     const NAME: &'static str = "SteelMPF";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let e = strain.value;
         let mut t = *c;
         let d = e - c.strain;

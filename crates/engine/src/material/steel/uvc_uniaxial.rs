@@ -1,7 +1,7 @@
 //! Updated Voce-Chaboche plasticity of structural steel (Hartloper, de Castro e Sousa and Lignos, 2021,
 //! <https://doi.org/10.1061/(ASCE)ST.1943-541X.0002964>).
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::{Consistent, OpenSees};
 use std::fmt;
 
@@ -158,7 +158,7 @@ impl<R: Rules> UniaxialLaw for UvcUniaxial<R> {
     type State = History;
     const NAME: &'static str = "UVCuniaxial";
 
-    fn update(&self, c: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, c: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let trial = c.stress + self.e * (strain.value - c.strain);
         let relative = trial - c.back.iter().sum::<f64>();
         let (limit, _) = self.yield_stress(c.plastic);

@@ -1,8 +1,8 @@
 //! Low-cycle fatigue around another material.
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
-use crate::probe::Probe;
+use crate::material::{Material, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
+use crate::probe::{Probe, Response};
 use crate::state_struct::StateStruct;
 
 /// Parameters of [`Fatigue`].
@@ -178,13 +178,7 @@ impl Wrapper for FatigueCount {
     fn init(&self, own: &mut [f64], _: &[Slot]) {
         Cycles::default().write(own);
     }
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let old = Cycles::read(committed);
         let s = inner[0].update(committed, strain, next)?;
         let failed = old.failed != 0.0;
@@ -221,19 +215,17 @@ impl Wrapper for FatigueCount {
         inner[0].shown(strain, state)
     }
     fn probe(&self, _: &[Slot], word: &str) -> Option<Probe> {
-        match word {
-            "damage" => Some(Probe::new(0, ["DI"])),
-            "cyclesAndRange" => Some(Probe::new(1, (1..=6).map(|i| format!("cyclesAndRange{i}")))),
-            "failure" => Some(Probe::new(2, ["failure"])),
-            _ => None,
-        }
+        Response::find(&RESPONSES, word)
     }
     fn read(&self, _: &[Slot], id: u32, state: &[f64], out: &mut [f64]) {
-        let c = Cycles::read(state);
-        match id {
-            0 => out[0] = c.damage,
-            1 => out.copy_from_slice(c.counted.as_flattened()),
-            _ => out[0] = c.failed,
-        }
+        Response::read(&RESPONSES, id, self, &Cycles::read(state), out);
     }
 }
+
+const RESPONSES: [Response<FatigueCount, Cycles>; 3] = [
+    Response::new(&["damage"], &["DI"], |_, c, out| out[0] = c.damage),
+    Response::new(&["cyclesAndRange"], &CYCLES_AND_RANGE, |_, c, out| out.copy_from_slice(c.counted.as_flattened())),
+    Response::new(&["failure"], &["failure"], |_, c, out| out[0] = c.failed),
+];
+const CYCLES_AND_RANGE: [&str; 6] =
+    ["cyclesAndRange1", "cyclesAndRange2", "cyclesAndRange3", "cyclesAndRange4", "cyclesAndRange5", "cyclesAndRange6"];

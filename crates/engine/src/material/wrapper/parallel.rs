@@ -1,7 +1,7 @@
 //! Materials in parallel.
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
+use crate::material::{Material, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 
 /// Materials with the same strain. The stress is the sum of their stresses, each multiplied by its factor.
@@ -26,13 +26,7 @@ impl Wrapper for WeightedSum {
     const NUMBERED: bool = true;
 
     fn init(&self, _: &mut [f64], _: &[Slot]) {}
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let mut sum = Stress::default();
         for (slot, factor) in inner.iter().zip(&self.factors) {
             let s = slot.update(committed, strain, next)?;

@@ -1,7 +1,7 @@
 //! A law without its history.
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
+use crate::material::{Material, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 
 /// A law that is virgin at each strain: its stress is that of one step from zero.
@@ -24,13 +24,7 @@ impl Wrapper for Virgin {
     const NUMBERED: bool = false;
 
     fn init(&self, _: &mut [f64], _: &[Slot]) {}
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let stress = inner[0].update(committed, strain, next)?;
         inner[0].keep_history(committed, next);
         Ok(stress)

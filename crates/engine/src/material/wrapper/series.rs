@@ -1,7 +1,7 @@
 //! Materials in series.
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
+use crate::material::{Material, MaterialError, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
 use crate::probe::Probe;
 
 /// Materials with the same stress. The strain is the sum of their strains.
@@ -100,7 +100,7 @@ impl Components<'_> {
         self.slots.iter().any(|slot| slot.material.depends_on_time())
     }
 
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let initial = self.initial_tangent();
         if (strain.value - committed[STRAIN]).abs() < f64::EPSILON && !self.depends_on_time() {
             next.copy_from_slice(&committed[..next.len()]);
@@ -125,7 +125,7 @@ impl Components<'_> {
         value: f64,
         dt: f64,
         next: &mut [f64],
-    ) -> Result<ComponentResponse, MaterialError> {
+    ) -> MaterialResult<ComponentResponse> {
         // The components' rates are unknown, since only the total rate is given.
         let s = self.slots[i].update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok(ComponentResponse { stress: s.value, flexibility: flexibility(s.tangent) })
@@ -138,7 +138,7 @@ impl Components<'_> {
         strain: Strain,
         next: &mut [f64],
         (limit, tolerance): (usize, f64),
-    ) -> Result<Stress, MaterialError> {
+    ) -> MaterialResult<Stress> {
         let mut tangent = self.initial_tangent() + committed[SOFTENING];
         let mut dq = tangent * (strain.value - committed[STRAIN]);
         let mut stress = committed[STRESS] + dq;
@@ -165,7 +165,7 @@ impl Components<'_> {
 
     /// Newton's method for the common stress. If a large step cycles between the kinks of the components, the strain
     /// is applied in increments. Every component stress is still that of one step from the committed state.
-    fn converge(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn converge(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         for increments in INCREMENTS {
             next.copy_from_slice(&committed[..next.len()]);
             let start = committed[STRAIN];
@@ -201,7 +201,7 @@ impl Components<'_> {
         strain: Strain,
         mut stress: f64,
         next: &mut [f64],
-    ) -> Result<Option<Stress>, MaterialError> {
+    ) -> MaterialResult<Option<Stress>> {
         let mut scale = self.initial_tangent().abs() * strain.value.abs();
         let mut rounding = Rounding { smallest: f64::INFINITY, stagnant: 0 };
         for _ in 0..MAX_ITERATIONS {
@@ -267,13 +267,7 @@ impl Wrapper for CommonStress {
     fn init(&self, own: &mut [f64], _: &[Slot]) {
         own.fill(0.0);
     }
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         self.of(inner).update(committed, strain, next)
     }
     fn initial_tangent(&self, inner: &[Slot]) -> f64 {

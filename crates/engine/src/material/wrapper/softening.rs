@@ -2,7 +2,7 @@
 //! (`crate::element::amendment`).
 
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
-use crate::material::{Material, MaterialError, Slot, Strain, Stress, UniaxialTraits};
+use crate::material::{Material, MaterialResult, Slot, Strain, Stress, UniaxialTraits};
 use crate::numeric::Dual;
 use crate::probe::Probe;
 
@@ -121,13 +121,7 @@ impl Wrapper for SofteningFactor {
         let Peak { now, ever } = self.softening.virgin();
         (own[PEAK], own[EVER], own[FACTOR]) = (now.value, ever, self.virgin_factor());
     }
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let old = Peak { now: Dual::constant(committed[PEAK]), ever: committed[EVER] };
         let trial = Dual { value: strain.value, slope: 1.0 };
         let peak = self.softening.advance(old, trial, strain.dt.abs());

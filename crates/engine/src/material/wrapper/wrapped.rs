@@ -3,7 +3,8 @@
 use crate::material::roles::{LawParameters, LawResponses, PointLayout, ShownStrain, TrialTrace, UniaxialRoles};
 use crate::material::wrapper::wrapper::{Wrapped, Wrapper};
 use crate::material::{
-    Material, MaterialError, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits,
+    Material, MaterialError, MaterialResult, SharedUniaxial, Shift, Slot, Strain, Strains, Stress, Stresses, Uniaxial,
+    UniaxialTraits,
 };
 use crate::parameter::{Changed, NewValue, exchange};
 use crate::probe::Probe;
@@ -45,13 +46,7 @@ impl Wrapper for StrainLimits {
     fn init(&self, own: &mut [f64], _: &[Slot]) {
         own[FAILED] = 0.0;
     }
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError> {
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         if committed[FAILED] != 0.0 || strain.value >= self.max || strain.value <= self.min {
             next.copy_from_slice(&committed[..next.len()]);
             next[FAILED] = 1.0;
@@ -95,7 +90,7 @@ impl InitialState {
     ///
     /// # Errors
     /// The material has no stress at this strain.
-    pub fn strain((material, tag): (Material, i32), strain: f64) -> Result<Self, MaterialError> {
+    pub fn strain((material, tag): (Material, i32), strain: f64) -> MaterialResult<Self> {
         let law = Self { name: "InitStrainMaterial", inner: Slot::new(material, tag, 0), strain };
         law.begin(strain).map(|_| law)
     }
@@ -104,7 +99,7 @@ impl InitialState {
     ///
     /// # Errors
     /// No strain has this stress.
-    pub fn stress((material, tag): (Material, i32), stress: f64) -> Result<Self, MaterialError> {
+    pub fn stress((material, tag): (Material, i32), stress: f64) -> MaterialResult<Self> {
         let tangent = material.initial_tangent();
         let mut law = Self { name: "InitStressMaterial", inner: Slot::new(material, tag, 0), strain: 0.0 };
         let tolerance = if stress == 0.0 { STRESS_TOLERANCE } else { STRESS_TOLERANCE * stress.abs() };
@@ -124,7 +119,7 @@ impl InitialState {
     }
 
     /// State and stress of the material after one step from rest to a strain.
-    fn begin(&self, value: f64) -> Result<(Vec<f64>, Stress), MaterialError> {
+    fn begin(&self, value: f64) -> MaterialResult<(Vec<f64>, Stress)> {
         let mut rest = vec![0.0; self.inner.len()];
         self.inner.init(&mut rest);
         let mut state = rest.clone();
@@ -150,7 +145,7 @@ impl Uniaxial for InitialState {
             state[..initial.len()].copy_from_slice(&initial);
         }
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         self.inner.update(committed, Strain { value: strain.value + self.strain, ..strain }, next)
     }
     fn update_all(
@@ -159,7 +154,7 @@ impl Uniaxial for InitialState {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         self.inner.update_all(committed, &Shift::All(self.strain), strains, next, stresses)
     }
     fn initial_tangent(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use crate::material::roles::{LawParameters, LawResponses, ShownStrain, TrialTrace, UniaxialRoles};
 use crate::material::{
-    LimitCurve, Material, MaterialError, ObservedColumns, SharedUniaxial, Slot, Strain, Stress, Uniaxial,
+    LimitCurve, Material, MaterialResult, ObservedColumns, SharedUniaxial, Slot, Strain, Stress, Uniaxial,
     UniaxialTraits, WatchesColumns, updates_each_point,
 };
 use crate::parameter::{Changed, NewValue, existing, last_of};
@@ -25,13 +25,7 @@ pub trait Wrapper: fmt::Debug + Clone + Send + Sync + 'static {
     ///
     /// # Errors
     /// A law inside has no response at this strain.
-    fn update(
-        &self,
-        inner: &[Slot],
-        committed: &[f64],
-        strain: Strain,
-        next: &mut [f64],
-    ) -> Result<Stress, MaterialError>;
+    fn update(&self, inner: &[Slot], committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress>;
     /// Tangent of the virgin material.
     fn initial_tangent(&self, inner: &[Slot]) -> f64;
     /// Its constant properties, from those of the laws inside in parallel.
@@ -101,7 +95,7 @@ impl<W: Wrapper> Uniaxial for Wrapped<W> {
         self.wrapper.init(&mut state[..W::HEADER], &self.inner);
         self.inner.iter().for_each(|slot| slot.init(state));
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         self.wrapper.update(&self.inner, committed, strain, next)
     }
     fn initial_tangent(&self) -> f64 {

@@ -3,7 +3,7 @@
 
 use super::runs::FEW_POINTS;
 use super::{FiberSection, NO_RATE, Parts, RunBlock};
-use crate::material::{MaterialError, Strains, Stresses};
+use crate::material::{MaterialResult, Strains, Stresses};
 use crate::numeric::lanes::BLOCK;
 use crate::section::SectionSlot;
 use std::cell::RefCell;
@@ -54,7 +54,7 @@ impl FiberSection {
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         if self.biaxial {
             self.update_in_order::<3>(slots, committed, dt, trial)
         } else {
@@ -68,7 +68,7 @@ impl FiberSection {
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = self.points.len();
         for slot in slots {
             let step = slot.step(committed, dt, trial);
@@ -94,7 +94,7 @@ impl FiberSection {
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         for block in self.blocks.iter().filter(|b| b.is_few(&self.runs)) {
             let update = match block.points.len() {
                 1 => Self::update_gathered::<1>,
@@ -115,7 +115,7 @@ impl FiberSection {
         committed: &[f64],
         dt: f64,
         trial: &mut [f64],
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let (n, start, words) = (self.points.len(), block.points.start, block.words(&self.runs));
         let all = P * slots.len();
         for (slot, at) in slots.iter().zip((0..).step_by(P)) {

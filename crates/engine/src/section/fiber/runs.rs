@@ -4,7 +4,7 @@ use super::Fiber;
 use super::joined::MAX_WORDS;
 use super::points::Points;
 use crate::material::{
-    Material, MaterialError, ObservedColumns, Shift, Slot, Strain, Strains, Stresses, WatchesColumns,
+    Material, MaterialResult, ObservedColumns, Shift, Slot, Strain, Strains, Stresses, WatchesColumns,
 };
 use crate::numeric::lanes::BLOCK;
 use std::collections::HashMap;
@@ -253,7 +253,7 @@ impl RunBlock {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let material = &runs[self.runs.start].slot.material;
         if self.runs.len() == 1 {
             return material.update_all(committed, strains, next, stresses);
@@ -273,7 +273,7 @@ impl RunBlock {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = self.points.len();
         for (i, material) in self.materials(runs).enumerate() {
             let (mut old, mut new) = (vec![0.0; material.state_len()], vec![0.0; material.state_len()]);

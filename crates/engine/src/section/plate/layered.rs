@@ -1,9 +1,10 @@
 //! Plates of layers, and the materials of a layer.
 
 use super::{PLATE_ORDER, PlateSection, PlateTangent, SHEAR_FACTOR};
-use crate::material::multiaxial::plain_methods::plain_methods;
+use crate::material::multiaxial::plain_methods::{inner_methods, plain_methods};
 use crate::material::{
-    CHARACTERISTIC_LENGTH, LAYER, Material, MaterialError, Multiaxial, PLANE, SharedMultiaxial, Slot, Strain, Tangent,
+    CHARACTERISTIC_LENGTH, LAYER, Material, Multiaxial, MultiaxialResult, PLANE, SharedMultiaxial, Slot, Strain,
+    Tangent,
 };
 use crate::parameter::NewValue;
 use crate::probe::Probe;
@@ -66,13 +67,7 @@ impl Multiaxial<LAYER> for PlateRebar {
         self.bar.read(path, state, out);
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; LAYER],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; LAYER], dt: f64, next: &mut [f64]) -> MultiaxialResult<LAYER> {
         let value = self.direction.iter().zip(e).map(|(a, e)| a * e).sum();
         let stress = self.bar.update(committed, Strain { value, rate: 0.0, dt }, next)?;
         Ok((self.direction.map(|a| a * stress.value), self.tangent(stress.tangent)))
@@ -105,27 +100,7 @@ crate::watches_columns!(PlateFromPlaneStress => |s| in [&s.membrane]);
 
 #[deny(clippy::missing_trait_methods)]
 impl Multiaxial<LAYER> for PlateFromPlaneStress {
-    fn state_len(&self) -> usize {
-        self.membrane.state_len()
-    }
-    fn init(&self, state: &mut [f64]) {
-        self.membrane.init(state);
-    }
-    fn is_linear(&self) -> bool {
-        self.membrane.is_linear()
-    }
-    fn is_symmetric(&self) -> bool {
-        self.membrane.is_symmetric()
-    }
-    fn depends_on_time(&self) -> bool {
-        self.membrane.depends_on_time()
-    }
-    fn density(&self) -> f64 {
-        self.membrane.density()
-    }
-    fn reinforcement(&self) -> f64 {
-        self.membrane.reinforcement()
-    }
+    inner_methods! { membrane: storage is_linear is_symmetric properties responses }
     fn shown_stress(&self, next: &[f64], [s11, s22, s12, s23, s31]: [f64; LAYER]) -> [f64; LAYER] {
         let [s11, s22, s12] = self.membrane.shown_stress(next, [s11, s22, s12]);
         [s11, s22, s12, s23, s31]
@@ -133,20 +108,8 @@ impl Multiaxial<LAYER> for PlateFromPlaneStress {
     fn of_length(&self, length: f64) -> Option<SharedMultiaxial<LAYER>> {
         Some(Arc::new(Self { membrane: self.membrane.of_length(length)?, shear: self.shear }))
     }
-    fn probe(&self, words: &[&str]) -> Option<Probe> {
-        self.membrane.probe(words)
-    }
-    fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        self.membrane.read(path, state, out);
-    }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; LAYER],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; LAYER], Tangent<LAYER>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; LAYER], dt: f64, next: &mut [f64]) -> MultiaxialResult<LAYER> {
         let ([s11, s22, s12], tangent) = self.membrane.update(committed, &[e[0], e[1], e[2]], dt, next)?;
         Ok(([s11, s22, s12, self.shear * e[3], self.shear * e[4]], self.with_shear(&tangent)))
     }
@@ -223,28 +186,28 @@ impl LayeredPlate {
             (start..end, &layer.material)
         })
     }
-}
 
-/// Adds a layer to resultants and tangent.
-fn add(
-    (layer, root): (&Layer, f64),
-    (stress, tangent): (&[f64; LAYER], &Tangent<LAYER>),
-    s: &mut [f64; PLATE_ORDER],
-    k: &mut PlateTangent,
-) {
-    let (z, t) = (layer.z, layer.thickness);
-    // Shares of a stress in the resultants, and of a deformation in the strain: 31 is q1, 23 is q2.
-    let shares = |i: usize| match i {
-        0..3 => [(i, 1.0, 1.0), (i + 3, z, -z)],
-        3 => [(7, root, root), (7, 0.0, 0.0)],
-        _ => [(6, root, root), (6, 0.0, 0.0)],
-    };
-    for (i, (stress, row)) in stress.iter().zip(tangent).enumerate() {
-        for (to, force, _) in shares(i) {
-            s[to] += force * stress * t;
-            for (j, slope) in row.iter().enumerate() {
-                for (by, _, strain) in shares(j) {
-                    k[to][by] += force * strain * slope * t;
+    /// Adds stresses and tangent of a layer to resultants and tangent.
+    fn add(
+        &self,
+        layer: &Layer,
+        (stress, tangent): &([f64; LAYER], Tangent<LAYER>),
+        (s, k): &mut ([f64; PLATE_ORDER], PlateTangent),
+    ) {
+        let (z, t, root) = (layer.z, layer.thickness, self.root);
+        // Shares of a stress in the resultants, and of a deformation in the strain: 31 is q1, 23 is q2.
+        let shares = |i: usize| match i {
+            0..3 => [(i, 1.0, 1.0), (i + 3, z, -z)],
+            3 => [(7, root, root), (7, 0.0, 0.0)],
+            _ => [(6, root, root), (6, 0.0, 0.0)],
+        };
+        for (i, (stress, row)) in stress.iter().zip(tangent).enumerate() {
+            for (to, force, _) in shares(i) {
+                s[to] += force * stress * t;
+                for (j, slope) in row.iter().enumerate() {
+                    for (by, _, strain) in shares(j) {
+                        k[to][by] += force * strain * slope * t;
+                    }
                 }
             }
         }
@@ -285,19 +248,17 @@ impl PlateSection for LayeredPlate {
         e: &[f64; PLATE_ORDER],
         dt: f64,
         next: &mut [f64],
-        s: &mut [f64; PLATE_ORDER],
-        k: &mut PlateTangent,
-    ) -> Result<(), MaterialError> {
-        let (root, mut at) = (self.root, 0);
+    ) -> MultiaxialResult<PLATE_ORDER> {
+        let mut sum = ([0.0; PLATE_ORDER], [[0.0; PLATE_ORDER]; PLATE_ORDER]);
+        let mut at = 0;
         for layer in &self.layers {
             let strain = self.strain(layer, e);
             let own = at..at + layer.material.state_len();
-            let (stress, tangent) =
-                layer.material.update(&committed[own.clone()], &strain, dt, &mut next[own.clone()])?;
-            add((layer, root), (&stress, &tangent), s, k);
+            let answer = layer.material.update(&committed[own.clone()], &strain, dt, &mut next[own.clone()])?;
+            self.add(layer, &answer, &mut sum);
             at = own.end;
         }
-        Ok(())
+        Ok(sum)
     }
 
     fn layers(&self) -> usize {
@@ -314,15 +275,10 @@ impl PlateSection for LayeredPlate {
     }
 
     fn initial_stiffness(&self) -> PlateTangent {
-        let mut k = [[0.0; PLATE_ORDER]; PLATE_ORDER];
+        let mut sum = ([0.0; PLATE_ORDER], [[0.0; PLATE_ORDER]; PLATE_ORDER]);
         for layer in &self.layers {
-            add(
-                (layer, self.root),
-                (&[0.0; LAYER], &layer.material.initial_tangent()),
-                &mut [0.0; PLATE_ORDER],
-                &mut k,
-            );
+            self.add(layer, &([0.0; LAYER], layer.material.initial_tangent()), &mut sum);
         }
-        k
+        sum.1
     }
 }

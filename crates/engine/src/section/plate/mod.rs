@@ -7,7 +7,7 @@
 mod layered;
 mod response;
 
-use crate::material::{LAYER, MaterialError, WatchesColumns};
+use crate::material::{LAYER, MultiaxialResult, WatchesColumns};
 use std::fmt;
 use std::sync::Arc;
 
@@ -42,7 +42,8 @@ pub trait PlateSection: WatchesColumns + fmt::Debug + Send + Sync {
     /// Mass per area.
     fn mass(&self) -> f64;
 
-    /// Adds resultants and tangent for the deformations `e` to `s` and `k`, and writes every variable of `next`.
+    /// Resultants for the deformations `e`, and their derivatives; writes every variable of `next`. `dt` is the domain time
+    /// since the committed state.
     ///
     /// # Errors
     /// A material has no response at these deformations.
@@ -52,9 +53,7 @@ pub trait PlateSection: WatchesColumns + fmt::Debug + Send + Sync {
         e: &[f64; PLATE_ORDER],
         dt: f64,
         next: &mut [f64],
-        s: &mut [f64; PLATE_ORDER],
-        k: &mut PlateTangent,
-    ) -> Result<(), MaterialError>;
+    ) -> MultiaxialResult<PLATE_ORDER>;
 
     /// Tangent of the virgin section.
     fn initial_stiffness(&self) -> PlateTangent;
@@ -105,21 +104,13 @@ impl PlateSection for ElasticPlate {
         self.rho * self.thickness
     }
 
-    fn update(
-        &self,
-        _: &[f64],
-        e: &[f64; PLATE_ORDER],
-        _: f64,
-        _: &mut [f64],
-        s: &mut [f64; PLATE_ORDER],
-        k: &mut PlateTangent,
-    ) -> Result<(), MaterialError> {
-        let stiffness = self.initial_stiffness();
-        for ((s, row), k) in s.iter_mut().zip(&stiffness).zip(k) {
+    fn update(&self, _: &[f64], e: &[f64; PLATE_ORDER], _: f64, _: &mut [f64]) -> MultiaxialResult<PLATE_ORDER> {
+        let (mut s, mut k) = ([0.0; PLATE_ORDER], [[0.0; PLATE_ORDER]; PLATE_ORDER]);
+        for ((s, row), k) in s.iter_mut().zip(&self.initial_stiffness()).zip(&mut k) {
             *s += row.iter().zip(e).map(|(k, e)| k * e).sum::<f64>();
             k.iter_mut().zip(row).for_each(|(k, added)| *k += added);
         }
-        Ok(())
+        Ok((s, k))
     }
 
     fn layers(&self) -> usize {

@@ -1,6 +1,6 @@
 //! Cycles between two envelopes, which the laws of this kind share.
 
-use crate::material::{MaterialError, Strain, Stress};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress};
 use crate::state_struct::StateStruct;
 
 /// Largest strain of an envelope, which no analysis reaches.
@@ -52,7 +52,7 @@ pub(in crate::material) trait Enveloped {
     ///
     /// # Errors
     /// Damage has left no number.
-    fn step(&self, c: &Self::History, strain: Strain) -> Result<(Stress, Self::History), MaterialError> {
+    fn step(&self, c: &Self::History, strain: Strain) -> MaterialResult<(Stress, Self::History)> {
         let (was, initial) = (*Self::cycle(c), self.initial());
         let d = strain.value - was.strain;
         if d.abs() < f64::EPSILON {

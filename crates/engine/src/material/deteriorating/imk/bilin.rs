@@ -2,7 +2,7 @@
 
 use super::{Curve, ImkDeterioration, ImkSide, Motion, Rules};
 use crate::material::deteriorating::hinge::{no_force, sign};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 
 /// Unloading stiffness after the residual strength was reached, divided by the elastic stiffness.
@@ -146,11 +146,11 @@ impl<R: Rules> UniaxialLaw for ImkBilin<R> {
     type State = History;
     const NAME: &'static str = "IMKBilin";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let begun = |h: &History| if h.motion.started == 0.0 { self.virgin() } else { *h };
         let (c, last) = (begun(c), begun(last));
         let (mut t, failed, du) = (c, c.stage == LOST, strain.value - c.motion.strain);

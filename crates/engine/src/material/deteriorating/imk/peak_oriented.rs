@@ -2,7 +2,7 @@
 
 use super::{Curve, ImkDeterioration, ImkSide, Motion, Rules};
 use crate::material::deteriorating::hinge::{no_force, sign};
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::rules::Consistent;
 
 /// Branches; those after `UNLOADING` have the sign of their side.
@@ -292,11 +292,11 @@ impl<R: Rules> UniaxialLaw for ImkPeakOriented<R> {
     type State = History;
     const NAME: &'static str = "IMKPeakOriented";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.step(None, c, last, strain.value).ok_or_else(|| no_force(Self::NAME, strain.value))
     }
 
@@ -309,11 +309,11 @@ impl<R: Rules> UniaxialLaw for ImkPinching<R> {
     type State = History;
     const NAME: &'static str = "IMKPinching";
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.hinge.step(Some(&self.pinching), c, last, strain.value).ok_or_else(|| no_force(Self::NAME, strain.value))
     }
 

@@ -1,5 +1,7 @@
 //! Hardening curves of concrete: stress, damage and effective stress for a total strain.
 
+use crate::probe::Response;
+
 /// A point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::material) struct CurvePoint {
@@ -19,6 +21,22 @@ impl CurvePoint {
         self.strain - self.effective / e
     }
 }
+
+/// Points of the curves of tension and compression that a point of concrete has reached, and its modulus of elasticity.
+pub(in crate::material) struct ReachedPoints {
+    pub(in crate::material) e: f64,
+    pub(in crate::material) equivalent: [f64; 2],
+    pub(in crate::material) points: [CurvePoint; 2],
+}
+
+/// Responses of concrete, by their names in small letters.
+pub(in crate::material) const RESPONSES: [Response<ReachedPoints, ()>; 3] = [
+    Response::new(&["damage"], &["d+", "d-"], |r, (), out| out.copy_from_slice(&r.points.map(|p| p.damage))),
+    Response::new(&["equivalentplasticstrain"], &["PLE+", "PLE-"], |r, (), out| {
+        out.copy_from_slice(&r.points.map(|p| p.plastic(r.e)));
+    }),
+    Response::new(&["equivalenttotalstrain"], &["TE+", "TE-"], |r, (), out| out.copy_from_slice(&r.equivalent)),
+];
 
 /// Stress and damage by the total strain, straight between points. The first part is elastic.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,13 +5,14 @@ mod curve;
 
 use super::simplified_j2::isotropic_stiffness;
 use super::{Multiaxial, SOLID, SharedMultiaxial, Tangent, linear};
-use crate::material::MaterialError;
 use crate::material::multiaxial::plain_methods::plain_methods;
+use crate::material::{MaterialError, MaterialResult, MultiaxialResult};
 use crate::numeric::axpy;
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct;
 use crate::state_struct::StateStruct;
-pub(in crate::material) use curve::CurvePoint;
+use curve::CurvePoint;
+pub(in crate::material) use curve::{RESPONSES, ReachedPoints};
 use nalgebra::{Matrix3, SymmetricEigen};
 use std::sync::Arc;
 
@@ -114,7 +115,7 @@ impl AsdConcrete {
         (alpha * sum + (3.0 * second).sqrt() + beta * s1.max(0.0) - gamma * (-s1).max(0.0)) / (1.0 - alpha)
     }
 
-    fn split(&self, stress: &[f64; SOLID]) -> Result<Split, MaterialError> {
+    fn split(&self, stress: &[f64; SOLID]) -> MaterialResult<Split> {
         let [s11, s22, s33, s12, s23, s31] = *stress;
         let matrix = Matrix3::new(s11, s12, s31, s12, s22, s23, s31, s23, s33);
         let eigen = SymmetricEigen::try_new(matrix, f64::EPSILON, MAX_ITERATIONS)
@@ -172,13 +173,7 @@ impl AsdConcrete {
     }
 
     /// Stress and state for a strain. `explicit` extrapolates the equivalent strains.
-    fn solve(
-        &self,
-        c: &ConcreteState,
-        e: &[f64; SOLID],
-        dt: f64,
-        explicit: bool,
-    ) -> Result<ConcreteState, MaterialError> {
+    fn solve(&self, c: &ConcreteState, e: &[f64; SOLID], dt: f64, explicit: bool) -> MaterialResult<ConcreteState> {
         let mut next = ConcreteState { strain: *e, before: c.equivalent, begun: 1.0, ..*c };
         next.steps = if c.begun == 0.0 { [dt, dt] } else { [dt, c.steps[1]] };
         let step: [f64; SOLID] = std::array::from_fn(|i| e[i] - c.strain[i]);
@@ -239,7 +234,7 @@ impl AsdConcrete {
         e: &[f64; SOLID],
         dt: f64,
         stress: &[f64; SOLID],
-    ) -> Result<Tangent<SOLID>, MaterialError> {
+    ) -> MaterialResult<Tangent<SOLID>> {
         let step = self.tension.perturbation(&self.compression);
         let mut tangent = [[0.0; SOLID]; SOLID];
         for j in 0..SOLID {
@@ -277,13 +272,7 @@ impl Multiaxial<SOLID> for AsdConcrete {
         self.rho
     }
 
-    fn update(
-        &self,
-        committed: &[f64],
-        e: &[f64; SOLID],
-        dt: f64,
-        next: &mut [f64],
-    ) -> Result<([f64; SOLID], Tangent<SOLID>), MaterialError> {
+    fn update(&self, committed: &[f64], e: &[f64; SOLID], dt: f64, next: &mut [f64]) -> MultiaxialResult<SOLID> {
         let c = ConcreteState::read(committed);
         let implicit = self.solve(&c, e, dt, false)?;
         implicit.write(next);
@@ -319,25 +308,12 @@ impl Multiaxial<SOLID> for AsdConcrete {
     }
 
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        match words.first()?.to_lowercase().as_str() {
-            "damage" => Some(Probe::new(DAMAGE, ["d+", "d-"])),
-            "equivalentplasticstrain" => Some(Probe::new(PLASTIC, ["PLE+", "PLE-"])),
-            "equivalenttotalstrain" => Some(Probe::new(TOTAL, ["TE+", "TE-"])),
-            _ => None,
-        }
+        Response::find(&RESPONSES, &words.first()?.to_lowercase())
     }
 
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let s = ConcreteState::read(state);
-        let points = [self.tension.at(s.equivalent[0]), self.compression.at(s.equivalent[1])];
-        match path[0] {
-            DAMAGE => out.copy_from_slice(&points.map(|p| p.damage)),
-            PLASTIC => out.copy_from_slice(&points.map(|p| p.plastic(self.e))),
-            _ => out.copy_from_slice(&s.equivalent),
-        }
+        let [x, y] = ConcreteState::read(state).equivalent;
+        let points = [self.tension.at(x), self.compression.at(y)];
+        Response::read(&RESPONSES, path[0], &ReachedPoints { e: self.e, equivalent: [x, y], points }, &(), out);
     }
 }
-
-const DAMAGE: u32 = 1;
-const PLASTIC: u32 = 2;
-const TOTAL: u32 = 3;

@@ -2,7 +2,7 @@
 
 use super::{AxialSpring, Branch, History, Rules};
 use crate::material::roles::{LastTrial, PointLayout, UniaxialRoles, VirginPoints};
-use crate::material::{MaterialError, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits};
+use crate::material::{MaterialResult, Strain, Strains, Stress, Stresses, Uniaxial, UniaxialTraits};
 use crate::state_struct::{Field, StateStruct};
 
 /// History of spring `i` of `n`. A bundle stores one quantity after the other, so that the test for all-elastic
@@ -29,7 +29,7 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
     fn init(&self, state: &mut [f64]) {
         self.init_all(1, state);
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let (stress, t) = self.step(&read(committed, 0, 1), strain.value);
         write(&t, next, 0, 1);
         Ok(stress)
@@ -41,7 +41,7 @@ impl<const HD: bool, R: Rules> Uniaxial for AxialSpring<HD, R> {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = strains.value.len();
         for (i, &u) in strains.value.iter().enumerate() {
             let (stress, t) = self.step(&read(committed, i, n), u);
@@ -83,7 +83,7 @@ impl<const HD: bool, R: Rules> LastTrial for AxialSpring<HD, R> {
         strains: &Strains<'_>,
         next: &mut [f64],
         stresses: &mut Stresses<'_>,
-    ) -> Result<(), MaterialError> {
+    ) -> MaterialResult {
         let n = strains.value.len();
         for (i, (&u, &before)) in strains.value.iter().zip(before).enumerate() {
             let c = History { u: before, ..read(committed, i, n) };

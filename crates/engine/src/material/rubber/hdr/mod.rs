@@ -7,9 +7,9 @@ mod thermal;
 
 use crate::material::roles::{LawResponses, UniaxialRoles};
 use crate::material::wrapper::softening::{Peak, Softening};
-use crate::material::{MaterialError, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, Uniaxial, UniaxialTraits, updates_each_point};
 use crate::numeric::{Dual, sign};
-use crate::probe::Probe;
+use crate::probe::{Probe, Response};
 use crate::state_struct::StateStruct;
 use overstress::Branch;
 
@@ -159,7 +159,7 @@ impl HdrRheology {
         law: &Branches,
         strain: Dual,
         time: f64,
-    ) -> Result<(TrialState, f64), MaterialError> {
+    ) -> MaterialResult<(TrialState, f64)> {
         let mut slip_eq = old.slip_eq;
         let trial = law.c1 * (strain - slip_eq);
         if trial.value.abs() > law.tau_cr.value && law.c1.value > 0.0 {
@@ -178,7 +178,7 @@ impl HdrRheology {
     }
 
     /// Parameters at a temperature.
-    fn parameters(&self, temperature: Dual) -> Result<[Dual; 10], MaterialError> {
+    fn parameters(&self, temperature: Dual) -> MaterialResult<[Dual; 10]> {
         if self.thermal.is_some() && !self.hold_ends {
             self.compound.at(temperature.value).map_err(|e| MaterialError(format!("HDRRheology: {e}")))?;
         }
@@ -186,13 +186,7 @@ impl HdrRheology {
     }
 
     /// One substep.
-    fn substep(
-        &self,
-        old: &TrialState,
-        strain: Dual,
-        time: f64,
-        modes: &mut [f64],
-    ) -> Result<TrialState, MaterialError> {
+    fn substep(&self, old: &TrialState, strain: Dual, time: f64, modes: &mut [f64]) -> MaterialResult<TrialState> {
         let peak = self.softening.map_or(old.peak, |s| s.advance(old.peak, strain, time));
         let (before, after) = (self.factor(old.peak), self.factor(peak));
         let mut end = old.temperature;
@@ -242,7 +236,7 @@ impl HdrRheology {
         time: f64,
         substeps: f64,
         modes: &mut [f64],
-    ) -> Result<(TrialState, f64), MaterialError> {
+    ) -> MaterialResult<(TrialState, f64)> {
         let (mut point, mut largest_rise) = (*old, 0.0f64);
         for i in 1..=substeps as usize {
             let share = i as f64 / substeps;
@@ -282,19 +276,27 @@ impl HdrRheology {
     }
 }
 
-/// Names of the responses with their numbers in a probe's path.
-const RESPONSES: [(&str, u32); 8] = [
-    ("temperature", 0),
-    ("equilibrium", 1),
-    ("overstress", 2),
-    ("heat", 3),
-    ("stored", 4),
-    ("heatStored", 5),
-    ("heatLost", 6),
-    ("factor", 7),
+/// Responses besides the temperatures.
+const RESPONSES: [Response<HdrRheology, Shown>; 9] = [
+    Response::new(&["temperature"], &["temperature"], |_, s, out| out[0] = s.history.temperature),
+    Response::new(&["equilibrium"], &["equilibrium"], |law, s, out| out[0] = law.area * s.history.equilibrium),
+    Response::new(&["overstress"], &["overstress"], |law, s, out| out[0] = law.area * s.history.overstress),
+    Response::new(&["heat"], &["heat"], |law, s, out| out[0] = law.volume() * s.history.heat),
+    Response::new(&["stored"], &["stored"], |law, s, out| out[0] = law.volume() * s.factor * s.history.stored),
+    Response::new(&["heatStored"], &["heatStored"], |law, s, out| out[0] = law.volume() * s.content),
+    Response::new(&["heatLost"], &["heatLost"], |law, s, out| out[0] = law.volume() * (s.history.heat - s.content)),
+    Response::new(&["factor"], &["factor"], |_, s, out| out[0] = s.factor),
+    Response::new(&["dashpotStrain"], &["dashpotStrain"], |_, s, out| out[0] = s.history.strain - s.history.gamma_b),
 ];
-const PROFILE: u32 = 8;
-const DASHPOT: u32 = 9;
+/// The temperatures through the height.
+const PROFILE: u32 = RESPONSES.len() as u32;
+
+/// A state with its heat content and the factor of softening.
+struct Shown {
+    history: History,
+    content: f64,
+    factor: f64,
+}
 
 impl Uniaxial for HdrRheology {
     updates_each_point! {}
@@ -309,7 +311,7 @@ impl Uniaxial for HdrRheology {
         let peak = self.softening.map_or(0.0, |s| s.virgin().ever);
         History { temperature: self.ambient, peak, ever: peak, ..History::default() }.write(state);
     }
-    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> Result<Stress, MaterialError> {
+    fn update(&self, committed: &[f64], strain: Strain, next: &mut [f64]) -> MaterialResult<Stress> {
         let old = TrialState::new(&History::read(committed));
         let gamma = Dual { value: strain.value / self.height, slope: 1.0 };
         // Negative steps of LoadControl remove a load, and they take time too.
@@ -364,29 +366,18 @@ impl Uniaxial for HdrRheology {
 
 impl LawResponses for HdrRheology {
     fn probe(&self, words: &[&str]) -> Option<Probe> {
-        let word = *words.first()?;
-        match word {
+        match *words.first()? {
             "temperatures" => Some(Probe::new(PROFILE, (1..=self.heat_cells()).map(|i| format!("temperature{i}")))),
-            "dashpotStrain" => Some(Probe::new(DASHPOT, [word])),
-            _ => RESPONSES.iter().find(|(name, _)| *name == word).map(|(name, id)| Probe::new(*id, [*name])),
+            word => Response::find(&RESPONSES, word),
         }
     }
     fn read(&self, path: &[u32], state: &[f64], out: &mut [f64]) {
-        let h = History::read(state);
+        let history = History::read(state);
         let modes = &state[History::LEN..self.state_len()];
-        let content = self.heat_content(modes);
-        let factor = self.softening.map_or(1.0, |s| s.factor(Dual::constant(h.peak)).value);
-        out[0] = match path[0] {
-            0 => h.temperature,
-            1 => self.area * h.equilibrium,
-            2 => self.area * h.overstress,
-            3 => self.volume() * h.heat,
-            4 => self.volume() * factor * h.stored,
-            5 => self.volume() * content,
-            6 => self.volume() * (h.heat - content),
-            7 => factor,
-            DASHPOT => h.strain - h.gamma_b,
-            _ => return self.temperatures(h.temperature - self.ambient, modes, out),
-        };
+        if path[0] == PROFILE {
+            return self.temperatures(history.temperature - self.ambient, modes, out);
+        }
+        let factor = self.softening.map_or(1.0, |s| s.factor(Dual::constant(history.peak)).value);
+        Response::read(&RESPONSES, path[0], self, &Shown { history, content: self.heat_content(modes), factor }, out);
     }
 }

@@ -9,7 +9,7 @@
 //! substeps follow its embedded error estimate (Hairer and Wanner, Solving Ordinary Differential Equations II, Table
 //! IV.6.5).
 
-use crate::material::MaterialError;
+use crate::material::{MaterialError, MaterialResult};
 use crate::numeric::{Dual, sign};
 
 /// Parameters of the branch, with their derivatives from the temperature.
@@ -137,7 +137,7 @@ impl Branch {
     ///
     /// # Errors
     /// The substeps do not reach the end of the step.
-    pub(super) fn flow(&self, (b, slip): (Dual, Dual), increment: Dual, time: f64) -> Result<Flow, MaterialError> {
+    pub(super) fn flow(&self, (b, slip): (Dual, Dual), increment: Dual, time: f64) -> MaterialResult<Flow> {
         let mut out = Flow { b, slip, ..Flow::default() };
         self.return_to_yield(&mut out);
         if time <= 0.0 {

@@ -11,7 +11,7 @@ mod qz_simple1;
 mod tz_simple1;
 mod zone;
 
-use crate::material::{MaterialError, Strain, Stress, UniaxialLaw};
+use crate::material::{MaterialError, MaterialResult, Strain, Stress, UniaxialLaw};
 use crate::numeric::bracketed_root;
 use opensees::SpringIncrement;
 use std::fmt;
@@ -180,11 +180,11 @@ impl<S: Soil> UniaxialLaw for SoilSpring<S> {
     type State = History;
     const NAME: &'static str = S::NAME;
 
-    fn update(&self, committed: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update(&self, committed: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         self.update_on(committed, committed, strain)
     }
 
-    fn update_on(&self, c: &History, last: &History, strain: Strain) -> Result<(Stress, History), MaterialError> {
+    fn update_on(&self, c: &History, last: &History, strain: Strain) -> MaterialResult<(Stress, History)> {
         let virgin = self.virgin();
         let c = if c.far.tangent == 0.0 { &virgin } else { c };
         let steps = c.steps + 1.0;
