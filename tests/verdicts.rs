@@ -90,7 +90,7 @@ const TABLE: &[Row] = &[
     ("filled rubber that wears not", "mullins_softening + strain_stiffening", "gap_impact + mullins_softening", 80),
     ("filled rubber that stiffens not", "mullins_softening + cyclic_degradation", "mullins_softening", 80),
     ("plain rubber", "none", "none", 85),
-    ("creep", "rate_dependence", "sensor_gain", 30),
+    ("creep", "rate_dependence", "rate_dependence", 95),
     ("held forces", "none", "none", 85),
     ("permanent set", "unknown", "unknown", 90),
     ("held deformations", "none", "none", 85),
