@@ -26,6 +26,8 @@ mod shaken;
 mod structures;
 #[path = "support/studies.rs"]
 mod studies;
+#[path = "verdicts/whole_laws.rs"]
+mod whole_laws;
 
 use bearings::Dependences;
 use hysteron::diagnose::Settings;
@@ -36,6 +38,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 use studies::{CheckpointRecorder, Concealed};
+use whole_laws::Truth;
 
 /// A study, its truth, the cause that the diagnosis names with a second one beside it, and its confidence, %.
 type Row = (&'static str, &'static str, &'static str, u32);
@@ -64,6 +67,7 @@ const TABLE: &[Row] = &[
     ("mullins", "mullins_softening", "mullins_softening", 95),
     ("degradation", "cyclic_degradation", "cyclic_degradation", 85),
     ("stiffening", "strain_stiffening", "strain_stiffening", 95),
+    ("gradual yielding", "rounded_yielding", "rounded_yielding", 95),
     ("axial loads", "axial_shear_interaction", "axial_shear_interaction", 95),
     ("axial varies", "varying_axial_load", "varying_axial_load", 90),
     ("cavitation", "cavitation", "cavitation", 95),
@@ -90,7 +94,7 @@ const TABLE: &[Row] = &[
     ("filled rubber that wears not", "mullins_softening + strain_stiffening", "gap_impact + mullins_softening", 80),
     ("filled rubber that stiffens not", "mullins_softening + cyclic_degradation", "mullins_softening", 80),
     ("plain rubber", "none", "none", 85),
-    ("creep", "rate_dependence", "sensor_gain", 30),
+    ("creep", "rate_dependence", "rate_dependence", 95),
     ("held forces", "none", "none", 85),
     ("permanent set", "unknown", "unknown", 90),
     ("held deformations", "none", "none", 85),
@@ -98,6 +102,12 @@ const TABLE: &[Row] = &[
     ("cold without crystals", "none", "none", 85),
     ("pulled rubber", "none", "none", 85),
     ("pulled rubber that cavitates", "cavitation", "cavitation", 95),
+    ("lead of a sharp model", "rounded_yielding", "rounded_yielding", 95),
+    ("warm lead of a sharp model", "rounded_yielding + self_heating", "rounded_yielding + self_heating", 95),
+    ("lead of a smooth model", "none", "none", 85),
+    ("warm lead of a smooth model", "self_heating", "self_heating", 75),
+    ("slider", "none", "none", 85),
+    ("warm fast slider", "rate_dependence + self_heating", "rate_dependence + self_heating", 90),
     ("incoherent piers", "unknown", "unknown", 40),
     ("rocking ground", "unknown", "unknown", 60),
     ("turning floor", "unknown", "unknown", 90),
@@ -167,6 +177,7 @@ const STUDIES: &[Named] = &[
     ("mullins", imposed::mullins),
     ("degradation", || imposed::degradation(0.09)),
     ("stiffening", imposed::stiffening),
+    ("gradual yielding", imposed::gradual),
     ("axial loads", imposed::axial_loads),
     ("axial varies", imposed::axial_varies),
     ("cavitation", imposed::cavitation),
@@ -203,6 +214,12 @@ const STUDIES: &[Named] = &[
     ("cold without crystals", || rubber::crystallising(0.0)),
     ("pulled rubber", || rubber::pulled(false)),
     ("pulled rubber that cavitates", || rubber::pulled(true)),
+    ("lead of a sharp model", || whole_laws::sharp_lead(Truth::Lead)),
+    ("warm lead of a sharp model", || whole_laws::sharp_lead(Truth::WarmLead)),
+    ("lead of a smooth model", || whole_laws::smooth_lead(Truth::Lead)),
+    ("warm lead of a smooth model", || whole_laws::smooth_lead(Truth::WarmLead)),
+    ("slider", || whole_laws::slider(Truth::Slider)),
+    ("warm fast slider", || whole_laws::slider(Truth::WarmFastSlider)),
     ("incoherent piers", || structures::incoherent_piers(0.5)),
     ("rocking ground", || structures::rocking_ground(0.4)),
     ("turning floor", structures::turning_floor),

@@ -3,9 +3,9 @@
 use super::driver::{SingleElement, difference, path};
 use super::learned::{AGING, CURVE, SOFTENING, law};
 use hysteron::element::amendment::{
-    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Learned,
-    Mullins, Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening,
-    Temperature, Yielding,
+    Amended, Amendment, Axial, Bristles, Cavitation, Coupling, Creep, Damping, Degradation, Friction, Gap, Heating,
+    Learned, Mullins, Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip,
+    Stiffening, Temperature, Yielding,
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
@@ -79,6 +79,7 @@ fn laws() -> Vec<Arc<dyn Amendment>> {
         Arc::new(Bristles { force: 15.0, stiffness: 4e3, breakaway: 10.0, speed: 0.8, slip: 0.02, rest: 0.03 }),
         Arc::new(Sliding { force: 15.0, speed: 0.3 }),
         Arc::new(Relaxation { strength: 0.6, time: 0.02, decades: 2.4 }),
+        Arc::new(Creep { compliance: 1e-4, time: 0.02, decades: 2.4 }),
         Arc::new(Gap { at: 0.03, stiffness: 5e5, power: 1.5, damping: 0.1, sides: Sides::Both }),
         Arc::new(Damping { coefficient: 10.0, power: 0.5 }),
         Arc::new(Learned::new(law(AGING).unwrap(), vec![]).unwrap()),
@@ -371,6 +372,33 @@ fn overstress_relaxes_with_its_time_constants() {
     let relaxing = slow(Arc::new(Relaxation { strength: 0.5, time: 0.02, decades: 0.0 }));
     let still = slow(Arc::new(plain()));
     assert!((relaxing[2999] - still[2999]).abs() < 1e-2 * still[2999]);
+}
+
+/// A spring with a Kelvin element in series under a deformation that is held: the standard linear solid.
+#[test]
+fn creep_in_series_relaxes_the_force_of_a_spring() {
+    let (modulus, compliance, time) = (50.0, 0.03, 0.4);
+    let spring = BarOptions { area: 1.0, rho: 0.0, consistent: false, rayleigh: false };
+    let spring = Truss::new(Material::new(Elastic::new(modulus)), 1, &[1.0], 1, &[0.0, 0.0], spring).unwrap();
+    let of = |compliance: f64| {
+        let law = Arc::new(Creep { compliance, time, decades: 0.0 });
+        let mut e = SingleElement::new(Amended::new(Arc::new(spring.clone()), law, &[]).unwrap());
+        let mut held = |_: usize| {
+            let force = e.force(&[0.0, 0.02])[1];
+            e.commit();
+            force
+        };
+        (0..200).map(&mut held).collect::<Vec<f64>>()
+    };
+    let more = modulus * compliance;
+    let forces = of(compliance);
+    // The driver's step of 0.01 s takes the deformation on linearly: half a step later it would be there at once.
+    for i in [5, 20, 60, 199] {
+        let t = 0.01 * (i as f64 + 0.5);
+        let expected = modulus * 0.02 * (1.0 + more * (-t * (1.0 + more) / time).exp()) / (1.0 + more);
+        assert!((forces[i] - expected).abs() < 1e-3 * expected, "{i}: {} {expected}", forces[i]);
+    }
+    assert!(of(0.0).iter().all(|f| (f - modulus * 0.02).abs() < 1e-12));
 }
 
 #[test]

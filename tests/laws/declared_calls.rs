@@ -86,6 +86,7 @@ const CALLS: &[(usize, usize, &str)] = &[
     (2, 3, "algorithm NewtonLineSearch -type InitialInterpolated -tol 0.3 -maxIter 0.3 -minEta 0.3 -maxEta 0.3"),
     (2, 3, "amend element 1 bristles -force 5. -stiffness 1000."),
     (2, 3, "amend element 1 pressure -reference 1. -axialSeries 9"),
+    (2, 3, "amend element 1 creep -compliance 0.001 -time 1."),
     (2, 3, "amend element 1 relaxation -strength 0.5 -time 1."),
     (2, 3, "amend element 1 sliding -force 5. -speed 0.0075"),
     (2, 3, "amend element 1 stiffening -factor 400. -from 0.01 -power 1."),

@@ -95,6 +95,29 @@ pub fn along(path: &[f64], mut law: impl FnMut(f64, f64) -> f64) -> Vec<f64> {
     path.iter().map(|&u| law(u, spring.force(u, K0, FY))).collect()
 }
 
+/// A spring that yields gradually: its stiffness falls in proportion to its force while it is loaded (Bouc 1967, with an
+/// exponent of one), and is elastic while it is unloaded.
+pub fn gradual() -> Concealed {
+    pad(two_tests(), |t| {
+        let (mut force, mut before) = (0.0f64, 0.0);
+        let law = |&u: &f64| {
+            let mut du = u - before;
+            before = u;
+            if force * du < 0.0 {
+                let elastic = du.abs().min(force.abs() / K0).copysign(du);
+                force += K0 * elastic;
+                du -= elastic;
+            }
+            if du != 0.0 {
+                let limit = FY.copysign(du);
+                force = limit + (force - limit) * (-K0 * du.abs() / FY).exp();
+            }
+            K * u + force
+        };
+        t.path.iter().map(law).collect()
+    })
+}
+
 /// Nothing is missing; the noise has a memory of ten samples.
 pub fn slow_noise() -> Concealed {
     let (mut noise, mut last) = (Noise::default(), 0.0);

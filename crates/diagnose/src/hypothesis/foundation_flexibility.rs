@@ -53,10 +53,13 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
-/// Times in which soil follows a footing, s. The cone that a footing rotates is exactly this model with the time z₀/c from its
-/// apex (Meek and Wolf 1993, Earthquake Engineering and Structural Dynamics 22, 759-771; Wolf 1994). With the static stiffness
-/// of a disk it is (9π/32)(1 - ν)(c/cₛ) r/cₛ in rocking and (9π/32) r/cₛ in torsion: 0.88 to 1.25 times the time of shear waves
-/// over the radius. Radii are 2 to 20 m, soils have 100 to 400 m/s.
+/// Times in which soil follows a footing, s. A cone that a footing rotates is exactly this model with the time τ = z₀/c of its
+/// waves c over the depth z₀ of its apex. Its inertia I ∝ z⁴ has θ'' + 4 θ'/z + (ω/c)² θ = 0 with waves that leave,
+/// θ ∝ e^(-iωz/c) (1 + iωz/c) / z³. The moment -ρ c² I θ' at the footing is (3 - (ωτ)²/(1 + iωτ)) ρ c² I / z₀ times θ: a spring
+/// 3 ρ c² I / z₀ and a dashpot ρ c I to the mass that follows. With the static stiffness of a disk τ is
+/// (9π/32)(1 - ν)(c/cₛ) r/cₛ in rocking and (9π/32) r/cₛ in torsion: 0.88 to 1.25 times the time of shear waves over the
+/// radius. Waves of compression are taken at most twice as fast as those of shear, as in Wolf and Deeks (2004), Foundation
+/// Vibration Analysis, section 3.4. Radii are 2 to 20 m, soils have 100 to 400 m/s.
 const FOLLOWING_TIMES: [f64; 2] = [0.003, 0.3];
 
 /// Difference of stiffnesses that count as similar, in parts of the larger one. A choice.
@@ -226,7 +229,7 @@ fn spring_materials(name: &str, addition: Addition) -> Vec<(&'static str, String
 ///
 /// A dashpot c to a mass m, which the ground itself does not drive, has the force c (v - w) at the speeds v and w with
 /// ẇ = (v - w) / τ and τ = m / c. c w is the force of a spring c / τ and a dashpot c in series: that is taken from the dashpot c.
-/// Source of the model: Wolf (1994), Foundation vibration analysis using simple physical models, Prentice Hall.
+/// [`FOLLOWING_TIMES`] has the source of the model.
 fn spring_part(name: &str, addition: Addition) -> Option<(&'static str, String)> {
     (addition == Addition::FollowingSoil).then(|| {
         let dashpot = format!("$hy_{name}_dashpot");
@@ -273,6 +276,7 @@ mod tests {
     use super::{FOLLOWING_TIMES, propose};
     use crate::inspect::response::ResponseRanges;
     use crate::test_support::{pad_study, proposal_context, shaken_inventory};
+    use nalgebra::Complex;
     use std::f64::consts::PI;
 
     /// A footing lifts off where the column above it bends, at a moment on the scale of that; springs come with a dashpot and
@@ -304,6 +308,20 @@ mod tests {
         let lifts = "rocking spring of a footing that lifts off: \
                      hy_rocking_lift hy_rocking hy_rocking_dashpot hy_rocking_lifted";
         assert_eq!(rocking(forms(Some(5.0))), [springs[0], springs[1], yields, lifts]);
+    }
+
+    /// The moment of a rotating cone, from the slope of the waves that leave it, over ρ c² I / z₀: that of a spring, and of a
+    /// dashpot to a mass that follows.
+    #[test]
+    fn a_rotating_cone_is_a_spring_and_a_mass_that_follows() {
+        let i = Complex::<f64>::i();
+        for x in [0.05, 0.4, 1.0, 3.0, 12.0] {
+            let wave = |z: f64| (-i * x * z).exp() * (1.0 + i * x * z) / z.powi(3);
+            let slope = (wave(1.0 + 1e-5) - wave(1.0 - 1e-5)) / 2e-5;
+            let follows = 1.0 / (1.0 + i * x);
+            let model = 3.0 + i * x * (1.0 - follows);
+            assert!((-slope / wave(1.0) - model).norm() < 1e-6 * model.norm(), "{x}");
+        }
     }
 
     /// From the rocking stiffness 8 G r³ / (3 (1 - ν)) of a disk and 3 ρ c² I / z₀ of a cone, with c the speed of waves of

@@ -29,6 +29,7 @@ mod mullins_softening;
 mod own_options;
 mod pinching;
 mod rate_dependence;
+mod rounded_yielding;
 mod self_heating;
 pub(crate) mod sensor;
 mod strain_stiffening;
@@ -94,6 +95,7 @@ pub const ALL: &[Hypothesis] = &[
     isolation_layer::HYPOTHESIS,
     late_support::HYPOTHESIS,
     superstructure_yielding::HYPOTHESIS,
+    rounded_yielding::HYPOTHESIS,
     changed_mass::HYPOTHESIS,
     damping::HYPOTHESIS,
     torsion::HYPOTHESIS,

@@ -9,10 +9,10 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     statement: "the force depends on how fast the device is strained: a viscous overstress",
     refuted_by: "the same motion at a tenth of the speed gives the same force",
     look_alikes: &["friction", "damping", "mullins_softening"],
-    shows: "more force in fast parts of a run than in slow ones; a drop while the motion rests",
+    shows: "more force in fast parts than in slow ones; a drop at rest; creep under a held force",
     parted_by: "`friction` does not grow with speed, and `mullins_softening` does not come back in the next fast cycle",
     place: "nonlinear groups, and linear ones on the ground; needs a clock",
-    forms: "`overstress`, linear and of a power; `relaxation` with one time and with times over three decades; `damping` of a power",
+    forms: "`overstress`, linear and of a power; `relaxation` with one time; `relaxation` and `creep` over three decades; `damping` of a power",
     needs_clock: true,
     memory: &[Family::Rate],
     materials: &[],
@@ -25,6 +25,7 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
         Quantity::new("spring", "stiffness in series", Dimension::Stiffness),
         Quantity::new("strength", "strength of the relaxation", Dimension::Ratio),
         Quantity::new("time", "relaxation time", Dimension::Time),
+        Quantity::new("creep", "deformation that creep adds under the largest force", Dimension::Length),
         Quantity::new("friction", "factor on the friction of the compound", Dimension::Ratio),
         Quantity::new("overstress", "factor on the overstress of the compound", Dimension::Ratio),
         Quantity::new("stiffening", "factor on the stiffening of the compound", Dimension::Ratio),
@@ -59,19 +60,26 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
             "$hy_power",
             vec![AddedParameter::linear("power", 0.08, 1.0, 0.3)],
         ));
+        // Times from a sampling interval to the longest run.
+        let (step, longest) = (s.sampling_interval(), s.longest_run());
+        let time = AddedParameter::log("time", step, longest, (step * longest).sqrt());
         let relaxation = |form: &str, more: &str| {
             let line = format!("{} -strength $hy_strength -time $hy_time{more} {dir}", m.amend("relaxation"));
-            // Relaxation times from a sampling interval to the longest run.
-            let (step, longest) = (s.sampling_interval(), s.longest_run());
-            let added = vec![
-                AddedParameter::log("strength", 0.01, 20.0, 0.3),
-                AddedParameter::log("time", step, longest, (step * longest).sqrt()),
-            ];
+            let added = vec![AddedParameter::log("strength", 0.01, 20.0, 0.3), time.clone()];
             Proposal::script_edit("rate_dependence", form, location.clone(), vec![line], added)
         };
         out.push(relaxation("quasi-linear overstress, one relaxation time", ""));
         out.push(relaxation("quasi-linear overstress, relaxation times over three decades", " -decades 3"));
         if !of_elastic {
+            // Beside an elastic device creep is an overstress of another stiffness.
+            let compliance = format!("[expr {{$hy_creep/{:.6e}}}]", m.force);
+            let line = format!("{} -compliance {compliance} -time $hy_time -decades 3 {dir}", m.amend("creep"));
+            let added = vec![
+                AddedParameter::log("creep", 1e-3 * m.deformation, 3.0 * m.deformation, 0.1 * m.deformation),
+                time,
+            ];
+            let form = "creep in series, retardation times over three decades";
+            out.push(Proposal::script_edit("rate_dependence", form, location.clone(), vec![line], added));
             let (line, force) = m.dashpot(&m.amend("damping"), "$hy_power");
             let added = vec![force, AddedParameter::linear("power", 0.1, 1.2, 1.0)];
             out.push(Proposal::script_edit("rate_dependence", "dashpot", location.clone(), vec![line], added));

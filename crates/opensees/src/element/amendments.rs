@@ -5,7 +5,7 @@ use crate::args::Args;
 use crate::text::{Arg, Domain};
 use crate::{Outcome, Tcl};
 use hysteron_engine::element::amendment::{
-    Amendment, Axial, Bristles, Cavitation, Coupling, Damping, Degradation, Friction, Gap, Heating, Mullins,
+    Amendment, Axial, Bristles, Cavitation, Coupling, Creep, Damping, Degradation, Friction, Gap, Heating, Mullins,
     Overstress, PeakOriented, Pinching, Pressure, Relaxation, Share, Sides, Sliding, Slip, Stiffening, Temperature,
     Yielding,
 };
@@ -166,6 +166,21 @@ pub const AMENDMENTS: &[AmendmentKind] = &[
             ),
         ],
         make: |[strength, time, decades], _, _| Arc::new(Relaxation { strength, time, decades }),
+    }),
+    law(&Law {
+        name: "creep",
+        about: "The deformation goes on under a force that is held.",
+        options: [
+            needed("-compliance", "deformation per force that creep adds in the end", NotNegative),
+            needed("-time", "retardation time, the shortest where there are several", Positive),
+            optional(
+                "-decades",
+                "decades over which four retardation times are spread; 0: there is one",
+                NotNegative,
+                0.0,
+            ),
+        ],
+        make: |[compliance, time, decades], _, _| Arc::new(Creep { compliance, time, decades }),
     }),
     law(&Law {
         name: "axial",

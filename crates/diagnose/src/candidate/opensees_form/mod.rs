@@ -57,6 +57,7 @@ const UNTRANSLATED: &[(&str, &str)] = &[
     ("pinching", "slack that depends on the largest deformation"),
     ("pressure", "a strength that follows the axial force"),
     ("sliding", "friction smoothed over speed"),
+    ("creep", "a deformation that follows the element's own force late"),
     ("relaxation", "an overstress that relaxes with the element's own force"),
     ("slip", "slip in series with a part of the force"),
     ("cavitation", "cavitation with damage"),

@@ -25,7 +25,7 @@ pub(super) struct OwnOption {
     needs: &'static [&'static str],
     /// Words that it must not have.
     without: &'static [&'static str],
-    /// Words by index, the number that each must be, and what takes its place.
+    /// Words by index, the number that each must be, and what takes its place. `{old}` is the word itself, `{n}` word n.
     replaced: &'static [(usize, Option<f64>, &'static str)],
     /// Option whose value is replaced.
     after: Option<(&'static str, &'static str)>,
@@ -96,7 +96,9 @@ impl OwnOption {
             if number.is_some_and(|n| word.text.parse() != Ok(n)) {
                 return None;
             }
-            out.push(TextEdit { start: word.start, end: word.end, text: with.replace("{old}", word.text) });
+            let named = with.replace("{old}", word.text);
+            let text = words.iter().enumerate().fold(named, |text, (n, w)| text.replace(&format!("{{{n}}}"), w.text));
+            out.push(TextEdit { start: word.start, end: word.end, text });
         }
         if let Some((option, with)) = self.after {
             let word = words.get(words.iter().position(|w| w.text == option)? + 1)?;
@@ -167,6 +169,15 @@ mod tests {
         assert_eq!(edited("pinching", steel), None);
         let damaged = steel.replace("0.0 0.", "$::hy_damageDuctility $::hy_damageEnergy");
         assert_eq!(edited("cyclic_degradation", steel), Some(damaged));
+        // The Bouc-Wen law has the numbers of the bilinear one, in other places.
+        let (sharp, scale) =
+            ("uniaxialMaterial Steel01 2 $Fy 2000.0 0.02", "[expr {0.5/pow(double($Fy)/(2000.0),$::hy_exponent)}]");
+        let smooth = format!("uniaxialMaterial BoucWen 2 0.02 2000.0 $::hy_exponent {scale} {scale} 1.0 0.0 0.0 0.0");
+        assert_eq!(edited("rounded_yielding", sharp), Some(smooth));
+        assert_eq!(edited("rounded_yielding", &format!("{sharp} 0 1 0 1")), None);
+        let sharp = "element elastomericBearingPlasticity 1 1 2 $k $q 0.1 0.0 1.0 -P 7 -Mz 8";
+        let smooth = "element elastomericBearingBoucWen 1 1 2 $k $q 0.1 0.0 1.0 $::hy_exponent 0.5 0.5 -P 7 -Mz 8";
+        assert_eq!(edited("rounded_yielding", sharp).as_deref(), Some(smooth));
     }
 
     #[test]

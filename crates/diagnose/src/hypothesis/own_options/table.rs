@@ -36,6 +36,12 @@ const DAMAGE: [OwnParameter; 2] = [
     OwnParameter::linear("damageEnergy", 0.0, 0.2, 0.01, Unit::One),
 ];
 
+/// Corners are rounder with a smaller exponent, and those of a bilinear law with a large one.
+const EXPONENT: OwnParameter = OwnParameter::log("exponent", 0.5, 20.0, 2.0, Unit::One);
+
+/// Part of the fall of the stiffness that follows the sense of the motion: with one half a device unloads elastically.
+const UNLOADING: OwnParameter = OwnParameter::linear("unloading", 0.2, 1.0, 0.5, Unit::One);
+
 /// Words of `BoucWen`, with and without tolerance and number of iterations.
 const BOUC_WEN: &[usize] = &[12, 13, 14];
 /// Losses over the work of the run with most of it. The hysteretic energy is less than that work, and Ao stays positive.
@@ -194,6 +200,47 @@ pub(super) const OWN_OPTIONS: &[OwnOption] = &[
         replaced: &[(9, Some(0.0), "$::hy_deltaA")],
         parameters: &[OwnParameter::linear("deltaA", 0.0, 0.9, 0.2, Unit::PerWork)],
         source: "Baber and Wen (1981)",
+        ..NONE
+    },
+    OwnOption {
+        kinds: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity"],
+        cause: "rounded_yielding",
+        form: "smooth transition to yielding",
+        replaced: &[(1, None, "elastomericBearingBoucWen"), (9, None, "{old} $::hy_exponent 0.5 0.5")],
+        parameters: &[EXPONENT],
+        source: "Park, Wen and Ang (1986)",
+        ..NONE
+    },
+    OwnOption {
+        kinds: &["elastomericBearingPlasticity", "ElastomericBearingPlasticity"],
+        cause: "rounded_yielding",
+        form: "smooth transition to yielding, and unloading of another stiffness",
+        replaced: &[
+            (1, None, "elastomericBearingBoucWen"),
+            (9, None, "{old} $::hy_exponent $::hy_unloading [expr {1.0-$::hy_unloading}]"),
+        ],
+        parameters: &[EXPONENT, UNLOADING],
+        source: "Park, Wen and Ang (1986)",
+        ..NONE
+    },
+    OwnOption {
+        kinds: &["Steel01"],
+        cause: "rounded_yielding",
+        form: "smooth transition to yielding",
+        lengths: &[6],
+        replaced: &[
+            (1, None, "BoucWen"),
+            (3, None, "{5}"),
+            (4, None, "{old} $::hy_exponent"),
+            (
+                5,
+                None,
+                "[expr {0.5/pow(double({3})/({4}),$::hy_exponent)}] [expr {0.5/pow(double({3})/({4}),$::hy_exponent)}] \
+                 1.0 0.0 0.0 0.0",
+            ),
+        ],
+        parameters: &[EXPONENT],
+        source: "Wen (1976)",
         ..NONE
     },
 ];

@@ -251,7 +251,7 @@ impl Amended {
         let mut by_u = [[0.0; MAX_DOFS]; 2];
         for (row, out) in self.rows.iter().zip(&mut by_u) {
             row.force_by_disp(tangent, &mut out[..n]);
-            // Slack depends on the hysteretic part alone.
+            // Slack depends on the force without the elastic part.
             out.iter_mut().zip(&row.row).for_each(|(d, a)| *d -= slack.stiffness * a);
         }
         let mut out = [([0.0; MAX_DOFS], [0.0; MAX_DOFS]); 2];
@@ -286,7 +286,7 @@ impl Amended {
         let (mut inner, mut own) = h.split_at(self.inner.len());
         let law_range = HEADER_LEN..HEADER_LEN + self.law.state_len();
         let before = [own.committed[0], own.committed[1]];
-        let slack = self.law.slack(&own.committed[law_range.clone()]);
+        let slack = self.law.slack(&own.committed[law_range.clone()], motion.dt);
         let weakening = self.law.weakening(&own.committed[law_range.clone()]).filter(|_| slack.is_none());
         let slack_share =
             slack.as_ref().map(|slack| self.solve_slack(slack, motion, &mut inner)).transpose()?.unwrap_or_default();
@@ -389,7 +389,7 @@ impl Element for Amended {
         if self.law.weakening(&virgin).is_some() {
             return;
         }
-        let slack = self.law.slack(&virgin).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
+        let slack = self.law.slack(&virgin, 0.0).map(|s| s.at_rest(&self.by_deformation(tangent))).unwrap_or_default();
         let h = &mut Histories { committed: &virgin, trial: &mut next };
         if let Ok(v) = self.law.amend(h, &DeformationState { slack, ..DeformationState::default() }) {
             self.add_tangent(&v, tangent);

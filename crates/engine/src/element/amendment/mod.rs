@@ -10,6 +10,7 @@ mod axial;
 mod bristles;
 mod cavitation;
 mod coupling;
+mod creep;
 mod damping;
 mod degradation;
 mod friction;
@@ -41,6 +42,7 @@ pub use axial::Axial;
 pub use bristles::Bristles;
 pub use cavitation::Cavitation;
 pub use coupling::Coupling;
+pub use creep::Creep;
 pub use damping::Damping;
 pub use degradation::Degradation;
 pub use friction::Friction;
@@ -55,7 +57,7 @@ pub use pinching::Pinching;
 pub use pressure::Pressure;
 pub use relaxation::Relaxation;
 pub use share::{Share, Weakening};
-pub use slack::{Slack, SlackShare};
+pub use slack::{Slack, SlackCurve, SlackShare};
 pub use sliding::Sliding;
 pub use slip::Slip;
 pub use stiffening::Stiffening;
@@ -145,8 +147,8 @@ pub trait AmendmentLaw: fmt::Debug + Send + Sync + 'static {
     /// The law's equation has no solution for the step.
     fn amend(&self, committed: &Self::State, demand: &DeformationState) -> ElementResult<(AmendedForce, Self::State)>;
 
-    /// Slack in series with the element.
-    fn slack(&self, _committed: &Self::State) -> Option<Slack> {
+    /// Slack in series with the element, at the end of an increment of time.
+    fn slack(&self, _committed: &Self::State, _dt: f64) -> Option<Slack> {
         None
     }
 
@@ -182,8 +184,8 @@ pub trait Amendment: fmt::Debug + Send + Sync {
     /// # Errors
     /// The law's equation has no solution for the step.
     fn amend(&self, h: &mut Histories<'_>, demand: &DeformationState) -> ElementResult<AmendedForce>;
-    /// Slack in series with the element.
-    fn slack(&self, committed: &[f64]) -> Option<Slack>;
+    /// Slack in series with the element, at the end of an increment of time.
+    fn slack(&self, committed: &[f64], dt: f64) -> Option<Slack>;
     /// Loss of strength of the element, at the committed state.
     fn weakening(&self, committed: &[f64]) -> Option<Weakening>;
     /// Returns true if the force depends on the increment of time.
@@ -209,8 +211,8 @@ impl<L: AmendmentLaw> Amendment for L {
         state.write(h.trial);
         Ok(amended)
     }
-    fn slack(&self, committed: &[f64]) -> Option<Slack> {
-        AmendmentLaw::slack(self, &L::State::read(committed))
+    fn slack(&self, committed: &[f64], dt: f64) -> Option<Slack> {
+        AmendmentLaw::slack(self, &L::State::read(committed), dt)
     }
     fn weakening(&self, committed: &[f64]) -> Option<Weakening> {
         AmendmentLaw::weakening(self, &L::State::read(committed))

@@ -3,8 +3,15 @@
 use super::{AmendedForce, AmendmentLaw, DeformationState, Pair};
 use crate::element::ElementResult;
 
-/// Number of relaxation times.
-const TIME_COUNT: usize = 4;
+/// Largest number of relaxation times.
+pub(super) const TIME_COUNT: usize = 4;
+
+/// Times at equal distances of their logarithms, and their number: one where they spread over no decades.
+pub(super) fn times(shortest: f64, decades: f64) -> (impl Iterator<Item = f64>, usize) {
+    let n = if decades > 0.0 { TIME_COUNT } else { 1 };
+    let step = decades / (TIME_COUNT - 1) as f64;
+    ((0..n).map(move |i| shortest * 10f64.powf(step * i as f64)), n)
+}
 
 /// Fung's quasi-linear viscoelasticity (Biomechanics, 1981). The amended force is q + Σ h_i with h_i' = g_i q' - h_i /
 /// τ_i. There is one relaxation time, or four at equal distances of ln τ, which share g. Four of them let the force
@@ -36,10 +43,9 @@ crate::state_struct! {
 impl Relaxation {
     /// Relaxation times τ_i with their parts of the strength g_i.
     fn branches(&self) -> impl Iterator<Item = (f64, f64)> {
-        let n = if self.decades > 0.0 { TIME_COUNT } else { 1 };
-        let (time, strength) = (self.time, self.strength / n as f64);
-        let step = self.decades / (TIME_COUNT - 1) as f64;
-        (0..n).map(move |i| (time * 10f64.powf(step * i as f64), strength))
+        let (times, count) = times(self.time, self.decades);
+        let strength = self.strength / count as f64;
+        times.map(move |time| (time, strength))
     }
 }
 

@@ -3,18 +3,35 @@
 use super::Pair;
 use crate::element::{ElementError, ElementResult};
 
-/// Slack s(z) = ½ size tanh(z / width) in each direction. The force z = q(e - s) - k (e - s) is that of the element at
-/// e - s without its elastic part. The flexibility ds/dz has its maximum at z = 0 and vanishes for large |z|.
+/// Slack s(z) in each direction. The force z = q(e - s) - k (e - s) is that of the element at e - s without its elastic
+/// part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slack {
-    /// Total slack deformation, from z → -∞ to z → ∞.
-    pub size: f64,
-    /// Force scale of the slack.
-    pub width: f64,
+    /// The function s(z).
+    pub curve: SlackCurve,
     /// Stiffness k of the elastic part.
     pub stiffness: f64,
     /// Committed slack deformation, the start of the iteration.
     pub committed: Pair,
+}
+
+/// Slack deformation over the force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SlackCurve {
+    /// ½ size tanh(z / width). The flexibility ds/dz has its maximum at z = 0 and vanishes for large |z|.
+    Bounded {
+        /// Total slack deformation, from z → -∞ to z → ∞.
+        size: f64,
+        /// Force scale of the slack.
+        width: f64,
+    },
+    /// s₀ + flexibility z.
+    Linear {
+        /// Slack s₀ without force.
+        unloaded: Pair,
+        /// Flexibility ds/dz.
+        flexibility: f64,
+    },
 }
 
 /// Slack deformation with derivatives.
@@ -31,7 +48,7 @@ pub struct SlackShare {
 /// Forces of an element, and their derivatives with respect to the deformations.
 pub(super) type ForceAndTangent = (Pair, [Pair; 2]);
 
-/// Largest number of iterations; tolerance, as a part of `size`; smallest line search factor.
+/// Largest number of iterations; tolerance, as a part of the slack's scale; smallest line search factor.
 const MAX_ITERATIONS: usize = 200;
 const RELATIVE_TOLERANCE: f64 = 1e-12;
 const MIN_STEP: f64 = 1e-4;
@@ -39,9 +56,25 @@ const MIN_STEP: f64 = 1e-4;
 const MIN_DETERMINANT: f64 = 1e-6;
 
 impl Slack {
-    fn slack_at(&self, z: f64) -> (f64, f64) {
-        let t = (z / self.width).tanh();
-        (0.5 * self.size * t, 0.5 * self.size / self.width * (1.0 - t * t))
+    /// Slack of a direction and its flexibility.
+    fn slack_at(&self, direction: usize, z: f64) -> (f64, f64) {
+        match self.curve {
+            SlackCurve::Bounded { size, width } => {
+                let t = (z / width).tanh();
+                (0.5 * size * t, 0.5 * size / width * (1.0 - t * t))
+            }
+            SlackCurve::Linear { unloaded, flexibility } => (unloaded[direction] + flexibility * z, flexibility),
+        }
+    }
+
+    /// Largest slack, and the deformation that its tolerance is a part of.
+    fn bounds(&self, e: Pair) -> (f64, f64) {
+        match self.curve {
+            SlackCurve::Bounded { size, .. } => (0.5 * size, size),
+            SlackCurve::Linear { unloaded, .. } => {
+                (f64::INFINITY, e[0].hypot(e[1]).max(unloaded[0].hypot(unloaded[1])))
+            }
+        }
     }
 
     /// Slack deformation at the total deformation `e`, by Newton's method with a line search.
@@ -53,21 +86,21 @@ impl Slack {
         e: Pair,
         mut evaluate: impl FnMut(Pair) -> ElementResult<ForceAndTangent>,
     ) -> ElementResult<SlackShare> {
-        let half = 0.5 * self.size;
-        let size = self.size.max(f64::MIN_POSITIVE);
-        let mut s = self.committed.map(|s| s.clamp(-half, half));
+        let (most, scale) = self.bounds(e);
+        let tolerance = RELATIVE_TOLERANCE * scale.max(f64::MIN_POSITIVE);
+        let mut s = self.committed.map(|s| s.clamp(-most, most));
         // Start of the last step, its direction, its length and the error before it.
         let mut last: Option<(Pair, Pair, f64, f64)> = None;
         for _ in 0..MAX_ITERATIONS {
             let (q, tangent) = evaluate(s)?;
             let (mut residual, mut flexibility) = ([0.0; 2], [0.0; 2]);
             for i in 0..2 {
-                let (target, slope) = self.slack_at(q[i] - self.stiffness * (e[i] - s[i]));
+                let (target, slope) = self.slack_at(i, q[i] - self.stiffness * (e[i] - s[i]));
                 residual[i] = target - s[i];
                 flexibility[i] = slope;
             }
             let error = residual[0].hypot(residual[1]);
-            if error <= RELATIVE_TOLERANCE * size {
+            if error <= tolerance {
                 return Ok(SlackShare { by: s, follows: self.follows(&tangent, flexibility), flexibility });
             }
             match last {
@@ -75,7 +108,7 @@ impl Slack {
                 Some((from, direction, length, before)) if error >= before && length > MIN_STEP => {
                     let length = 0.5 * length;
                     last = Some((from, direction, length, before));
-                    s = std::array::from_fn(|i| (from[i] + length * direction[i]).clamp(-half, half));
+                    s = std::array::from_fn(|i| (from[i] + length * direction[i]).clamp(-most, most));
                 }
                 _ => {
                     // (I + D (K - k))⁻¹ is the transpose of `follows` for the transposed tangent.
@@ -83,7 +116,7 @@ impl Slack {
                     let by = self.follows(&transposed, flexibility);
                     let direction = std::array::from_fn(|i| by[0][i] * residual[0] + by[1][i] * residual[1]);
                     last = Some((s, direction, 1.0, error));
-                    s = std::array::from_fn(|i| (s[i] + direction[i]).clamp(-half, half));
+                    s = std::array::from_fn(|i| (s[i] + direction[i]).clamp(-most, most));
                 }
             }
         }
@@ -105,7 +138,7 @@ impl Slack {
 
     /// Slack deformation 0 with the derivatives for the stiffness of the virgin element.
     pub(super) fn at_rest(&self, tangent: &[Pair; 2]) -> SlackShare {
-        let flexibility = [self.slack_at(0.0).1; 2];
+        let flexibility = [self.slack_at(0, 0.0).1; 2];
         SlackShare { by: [0.0; 2], follows: self.follows(tangent, flexibility), flexibility }
     }
 }

@@ -1,6 +1,6 @@
 //! Slip in series with the hysteretic part.
 
-use super::{AmendedForce, AmendmentLaw, DeformationState, Pair, Share, Slack};
+use super::{AmendedForce, AmendmentLaw, DeformationState, Pair, Share, Slack, SlackCurve};
 use crate::element::ElementResult;
 
 /// The hysteretic part z = q - k e has slack s(z) in series: q' = q(e - s) + k s. The slip-lock element in series is
@@ -32,9 +32,10 @@ impl AmendmentLaw for Slip {
     type State = SlipState;
     const NAME: &'static str = "slip";
 
-    fn slack(&self, committed: &SlipState) -> Option<Slack> {
+    fn slack(&self, committed: &SlipState, _: f64) -> Option<Slack> {
         let size = self.size + self.growth * committed.largest;
-        Some(Slack { size, width: self.width, stiffness: self.share.stiffness, committed: committed.slip })
+        let curve = SlackCurve::Bounded { size, width: self.width };
+        Some(Slack { curve, stiffness: self.share.stiffness, committed: committed.slip })
     }
 
     fn amend(&self, committed: &SlipState, d: &DeformationState) -> ElementResult<(AmendedForce, SlipState)> {

@@ -106,7 +106,7 @@ impl Amendment for Learned {
         }
         Ok(out)
     }
-    fn slack(&self, _: &[f64]) -> Option<Slack> {
+    fn slack(&self, _: &[f64], _: f64) -> Option<Slack> {
         None
     }
     fn weakening(&self, _: &[f64]) -> Option<Weakening> {
