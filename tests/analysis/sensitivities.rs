@@ -77,6 +77,23 @@ fn a_bar_that_yields_in_motion_has_the_derivatives_of_openseespy() {
     assert_close(&found, &expected.concat(), 1e-5);
 }
 
+/// The names and rows of openseespy 3.7.1.
+#[test]
+fn recorders_write_derivatives() {
+    let ran = run(&shaken_bar(
+        "recorder Node -file u.out -time -node 2 -dof 1 \"sensitivity 1\"
+        recorder Node -file v.out -node 2 -dof 1 \"velSensitivity 5\"
+        recorder Node -file a.out -node 2 -dof 1 \"accSensitivity 6\"
+        sensitivityAlgorithm -computeAtEachStep; analyze 4 0.01
+        puts \"[sensNodeVel 2 1 5] [sensNodeAccel 2 1 6]\"",
+    ));
+    let rows = [[0.01, -5.66073e-10], [0.02, -5.56845e-09], [0.03, -2.77731e-08], [0.04, -9.52129e-08]];
+    assert_close(&ran.tables["u.out"].concat(), &rows.concat(), 2e-6);
+    let last = ["v.out", "a.out"].map(|file| ran.tables[file][3][0]);
+    assert_close(&last, &ran.numbers(), 1e-15);
+    assert_close(&last, &[4.3878397387e-03, -1.4980491660e+00], 1e-6);
+}
+
 /// The analysis itself has the same bits with derivatives and without, and a static one before it and changes between steps
 /// leave them what they are.
 #[test]

@@ -1,7 +1,7 @@
 //! Responses of nodes.
 
 use super::{Group, Missing, RecordError, Source};
-use crate::analysis::{Engine, ReactionKind, Recorded};
+use crate::analysis::{Engine, ReactionKind, Recorded, State};
 use crate::model::Tag;
 use crate::series::Series;
 
@@ -27,11 +27,46 @@ pub enum NodeQuantity {
     Mode(usize),
     /// Shapes of all modes: a row of each.
     Modes,
+    /// Derivative of a motion with respect to a parameter.
+    Derivative(Motion, Tag),
     /// Length of the displacement over the chosen degrees of freedom: one column a node.
     DispNorm,
 }
 
+/// Motion of which there are derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Displacement.
+    Disp,
+    /// Velocity.
+    Vel,
+    /// Acceleration.
+    Accel,
+}
+
+impl Motion {
+    /// Names of its derivative in a recorder command, before the tag of the parameter.
+    const DERIVATIVES: [(&'static str, Self); 3] =
+        [("sensitivity", Self::Disp), ("velSensitivity", Self::Vel), ("accSensitivity", Self::Accel)];
+
+    /// Its values at all degrees of freedom.
+    fn of(self, state: &State) -> &[f64] {
+        match self {
+            Self::Disp => &state.disp,
+            Self::Vel => &state.vel,
+            Self::Accel => &state.accel,
+        }
+    }
+}
+
 impl NodeQuantity {
+    /// A derivative by its name.
+    fn derivative(name: &str) -> Option<Self> {
+        let mut of = Motion::DERIVATIVES.into_iter().filter_map(|(of, motion)| Some((name.strip_prefix(of)?, motion)));
+        let (tag, motion) = of.next()?;
+        Some(Self::Derivative(motion, tag.trim().parse().ok()?))
+    }
+
     /// By its name in a recorder command.
     pub fn parse(name: &str) -> Option<Self> {
         Some(match name {
@@ -50,9 +85,11 @@ impl NodeQuantity {
             }
             "dispNorm" => Self::DispNorm,
             "eigen" => Self::Modes,
-            _ => match name.strip_prefix("eigen")?.trim().parse().ok()? {
-                0 => Self::Modes,
-                mode => Self::Mode(mode),
+            _ => match name.strip_prefix("eigen").map(|mode| mode.trim().parse()) {
+                Some(Ok(0)) => Self::Modes,
+                Some(Ok(mode)) => Self::Mode(mode),
+                Some(Err(_)) => return None,
+                None => Self::derivative(name)?,
             },
         })
     }
@@ -68,6 +105,11 @@ impl NodeQuantity {
             Self::Unbalance { .. } => "U".to_owned(),
             Self::Mode(m) => format!("E{m}"),
             Self::Modes => "E".to_owned(),
+            Self::Derivative(motion, parameter) => match motion {
+                Motion::Disp => format!("sD{parameter}_"),
+                Motion::Vel => format!("sV{parameter}_"),
+                Motion::Accel => format!("sA{parameter}_"),
+            },
         }
     }
 
@@ -85,6 +127,9 @@ impl NodeQuantity {
         "unbalanceIncludingInertia",
         "dispNorm",
         "eigen 1",
+        "sensitivity 1",
+        "velSensitivity 1",
+        "accSensitivity 1",
     ];
 }
 
@@ -124,7 +169,10 @@ impl NodeResponse {
             NodeQuantity::Accel => &state.accel,
             NodeQuantity::Mode(m) => engine.modes()?.shapes.get(m.checked_sub(1)?)?,
             NodeQuantity::Modes => engine.modes()?.shapes.get(self.mode)?,
-            NodeQuantity::IncrDisp | NodeQuantity::Reaction(_) | NodeQuantity::Unbalance { .. } => &self.reactions,
+            NodeQuantity::IncrDisp
+            | NodeQuantity::Reaction(_)
+            | NodeQuantity::Unbalance { .. }
+            | NodeQuantity::Derivative(..) => &self.reactions,
         })
     }
 
@@ -137,6 +185,14 @@ impl NodeResponse {
                 engine.keep_reactions(&self.reactions);
             }
             NodeQuantity::Unbalance { inertia } => engine.unbalanced(inertia, &mut self.reactions).map_err(failed)?,
+            NodeQuantity::Derivative(motion, parameter) => {
+                self.reactions.clear();
+                if let Some(derivative) = engine.derivative(parameter) {
+                    for i in 0..engine.model().dofs() {
+                        self.reactions.push(derivative.of(|e| motion.of(e.state())[i]).map_err(failed)?);
+                    }
+                }
+            }
             NodeQuantity::IncrDisp => {
                 let disp = &engine.state().disp;
                 self.last.resize(disp.len(), 0.0);

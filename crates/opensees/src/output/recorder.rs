@@ -60,7 +60,8 @@ const KINDS: &[Kind] = &[
         text: Text::new("Records responses of nodes.").arguments(&[PRECISION, Arg::of(
             "-dof",
             "dof",
-            "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, eigen N, eigen (a \
+            "degrees of freedom, then the response: disp, vel, accel, incrDisp, reaction, unbalance, \
+             sensitivity P, velSensitivity P, accSensitivity P (derivatives with respect to parameter P), eigen N, eigen (a \
              row of each mode) ...",
         )]),
         make: |interp, call, a| node(interp, call, a, Recorder::history),
