@@ -247,9 +247,7 @@ fn named_parts(
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
-    }
+    ends.need_frame(a)?;
     let (s, spec, place) = if a.at_option() {
         named_parts(interp, a)?
     } else {
@@ -270,9 +268,7 @@ fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Eleme
 
 fn make_modified(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let [area, e, iz] = a.numbers(&IN_PLANE)?;
     let factors = [a.numbers(&FACTORS)?, [4.0, 4.0, 2.0]];
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
@@ -301,9 +297,7 @@ fn modified_options(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ElasticOptions
 
 fn make_modified_space(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let [area, e, g, j, iy, iz] = a.numbers(&IN_SPACE)?;
     let about_y = a.numbers(&FACTORS_Y)?;
     let factors = [a.numbers(&FACTORS_Z)?, about_y];

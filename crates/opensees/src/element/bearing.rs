@@ -225,9 +225,7 @@ fn make_plastic(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<d
 
 fn make_ufrp(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let uy = a.read(interp, &YIELD)?;
     let polynomial = a.read_all(interp, &POLYNOMIAL)?;
     let [b, c] = a.read_all(interp, &FIBRES)?;

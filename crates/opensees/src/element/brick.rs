@@ -71,7 +71,7 @@ pub(super) const FOUR_NODES: Kind = Kind {
     usage: "element FourNodeTetrahedron $tag $n1 $n2 $n3 $n4 $material <$b1 $b2 $b3>",
     text: Text::new("Four-node tetrahedron with one point of integration.")
         .example("element FourNodeTetrahedron 77 1 2 4 5 1")
-        .groups(&[&CORNERS, BODY_FORCES]),
+        .groups(&[&[CORNERS[0], CORNERS[1], CORNERS[2], CORNERS[3]], BODY_FORCES]),
     make: Make::AnyNodes(tetrahedron::<4, 12>),
 };
 
@@ -82,7 +82,7 @@ pub(super) const TEN_NODES: Kind = Kind {
         "Ten-node tetrahedron; nodes 5 to 10 are the middles of the edges 1-2, 2-3, 1-3, 1-4, 3-4 and 2-4.",
     )
     .example("element TenNodeTetrahedron 77 1 2 4 5 11 12 13 14 15 16 1")
-    .groups(&[&CORNERS, &TEN_NODE]),
+    .groups(&[&[CORNERS[0]], &TEN_NODE]),
     make: Make::AnyNodes(tetrahedron::<10, 30>),
 };
 

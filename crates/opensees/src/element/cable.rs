@@ -35,9 +35,7 @@ pub(super) const CATENARY: Kind = Kind {
 };
 
 fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if (ends.ndm, ends.ndf) != (3, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 3))?;
     let weight = a.number(&WEIGHT)?;
     if weight == 0.0 {
         return Err(a.refuse("the weight per length is 0", "expected another number, negative downwards"));

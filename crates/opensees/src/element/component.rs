@@ -39,9 +39,7 @@ pub(super) const COMPONENT: Kind = Kind {
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let [area, e, i] = a.numbers(&SECTION)?;
     let (spec, _) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();

@@ -115,9 +115,7 @@ fn make_in_plane(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
 }
 
 fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if (ends.ndm, ends.ndf) != (3, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 3))?;
     let (normal, mut friction) = stiffnesses(a)?;
     friction.cohesion = a.number(&COHESION)?;
     let direction = direction(a)?;
@@ -137,9 +135,7 @@ fn make_in_space(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn E
 }
 
 fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if (ends.ndm, ends.ndf) != (3, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 3))?;
     let direction = direction(a)?;
     let [gap, friction, tangential, kn, kn2, yield_penetration, cohesion] = a.numbers(&IMPACT_NUMBERS)?;
     let options =

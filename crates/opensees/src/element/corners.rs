@@ -8,13 +8,16 @@ use hysteron_engine::model::NodeId;
 use hysteron_tcl::Exception;
 use nalgebra::Vector3;
 
-/// Corners of a quadrilateral; those of a triangle are the first three.
+/// Corners of a quadrilateral.
 pub(super) const CORNERS: [Arg; 4] = [
     Arg::whole("i", "tag of a corner's node"),
     Arg::whole("j", "tag of a corner's node"),
     Arg::whole("k", "tag of a corner's node"),
     Arg::whole("l", "tag of a corner's node"),
 ];
+
+/// Corners of a triangle.
+pub(super) const TRIANGLE_CORNERS: [Arg; 3] = [CORNERS[0], CORNERS[1], CORNERS[2]];
 
 /// A node that has so many dimensions and degrees of freedom, and its place.
 pub(super) fn placed_node(

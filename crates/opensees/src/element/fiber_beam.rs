@@ -157,9 +157,7 @@ fn make_displacement(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<
 
 fn make_axial_equilibrium(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let [n] = a.parts([&POINTS])?;
     let section = a.of(&interp.host.builder.definitions.sections)?;
     let (transform, _) = a.of(&interp.host.builder.definitions.transforms)?;
@@ -242,13 +240,6 @@ fn make_mixed(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn
     build(|_: &[f64]| Ok(mixed), (interp, a), words, ends, nodes)
 }
 
-fn check(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
-    if matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
-        return Ok(());
-    }
-    Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"))
-}
-
 /// The words after the nodes, in any of the forms that OpenSees has had. `deflects` is given where deflections count, and says
 /// whether those of shear do.
 fn take(
@@ -258,7 +249,7 @@ fn take(
     default: Rule,
     deflects: Option<bool>,
 ) -> Result<Words, Exception> {
-    check(a, ends)?;
+    ends.need_frame(a)?;
     // Others have lumped masses alone.
     let by_displacements = default == Rule::Legendre;
     let second_is_number = a.ahead().nth(1).is_some_and(|v| v.as_f64().is_some());
@@ -462,7 +453,7 @@ fn deformable(
 
 fn make_with_hinges(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    check(a, ends)?;
+    ends.need_frame(a)?;
     let sections = &interp.host.builder.definitions.sections;
     let (section_i, lp_i) = (a.of(sections)?, a.number(&LP_I)?);
     let (section_j, lp_j) = (a.of(sections)?, a.number(&LP_J)?);

@@ -73,9 +73,7 @@ pub(super) const HEATED_PENDULUM: super::Kind = super::Kind {
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let compat = interp.host.follows(&[slips::PTV_HEAT, slips::PTV_FORCE, slips::PTV_TENSION]);
     let on = |a: &mut Args<'_>, what: &str| Ok::<bool, Exception>(one_of(a, what, 0..=1)? == 1);
     let mu = a.number(&MU_REF)?;

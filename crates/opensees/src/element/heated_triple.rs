@@ -115,9 +115,7 @@ fn materials(interp: &Tcl, a: &mut Args<'_>) -> Result<(Body, [(Material, i32); 
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let compat = interp.host.follows(&[slips::TRIPLE_X_HEAT, slips::TRIPLE_X_CONDUCTION, slips::TRIPLE_X_FORCE]);
     if one_of(a, "way tagT to the displacements of the surfaces", 0..=1)? == 0 {
         let d = Diagnostic::warning(

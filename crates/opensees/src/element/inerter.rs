@@ -47,9 +47,7 @@ type Vectors = (Option<Vector3<f64>>, Option<Vector3<f64>>);
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {
-        return Err(ends.wrong(a, "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions"));
-    }
+    ends.need_any(a)?;
     let mut options = InerterOptions::default();
     if !matches!(a.word("option -dir")?.as_ref(), "-dir" | "-dof") {
         return Err(a.unknown_name("option in this place", ["-dir"]));

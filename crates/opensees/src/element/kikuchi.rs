@@ -158,9 +158,7 @@ fn limit(a: &mut Args<'_>) -> Result<f64, Exception> {
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let o = options(interp, a)?;
     let missing = |option, what| option_missing(a, nodes, NAME, option, what);
     let shape = o.shape.ok_or_else(|| missing("-shape", "round or square"))?;

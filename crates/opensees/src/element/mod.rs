@@ -197,6 +197,25 @@ impl Ends {
         j.iter().zip(i).map(|(j, i)| j - i).collect()
     }
 
+    /// Refuses nodes that have not so many dimensions and degrees of freedom.
+    fn need(&self, a: &Args<'_>, (ndm, ndf): (usize, usize)) -> Result<(), Exception> {
+        let fits = (self.ndm, self.ndf) == (ndm, ndf);
+        if fits { Ok(()) } else { Err(self.wrong(a, &format!("{ndf} degrees of freedom in {ndm} dimensions"))) }
+    }
+
+    /// Refuses nodes that are not those of frames.
+    fn need_frame(&self, a: &Args<'_>) -> Result<(), Exception> {
+        let fits = matches!((self.ndm, self.ndf), (2, 3) | (3, 6));
+        if fits { Ok(()) } else { Err(self.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions")) }
+    }
+
+    /// Refuses nodes that are neither those of trusses nor those of frames.
+    fn need_any(&self, a: &Args<'_>) -> Result<(), Exception> {
+        let fits = matches!((self.ndm, self.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6));
+        let wanted = "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions";
+        if fits { Ok(()) } else { Err(self.wrong(a, wanted)) }
+    }
+
     /// The error for nodes that the element cannot join.
     fn wrong(&self, a: &Args<'_>, wanted: &str) -> Exception {
         let message = format!(

@@ -36,9 +36,7 @@ const NAME: &str = "multipleNormalSpring";
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let n = divisions(a, &N_DIVIDE)?;
     let last = a.last_span();
     let (mut material, mut outline, mut size) = (None, None, None);

@@ -1,6 +1,6 @@
 //! `element quad`, `bbarQuad`, `SSPquad`, `tri31`, `quad9n`, `quad8n`, `tri6n` and `enhancedQuad`.
 
-use super::corners::{CORNERS, placed_nodes};
+use super::corners::{CORNERS, TRIANGLE_CORNERS, placed_nodes};
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::Tcl;
@@ -60,7 +60,7 @@ pub(super) const TRIANGLE: Kind = Kind {
     usage: "element tri31 $tag $i $j $k $thickness PlaneStrain|PlaneStress $material <$pressure $rho $bx $by>",
     text: Text::new("Three-node triangle of plane elasticity.")
         .example("element tri31 77 1 2 3 1. PlaneStress 1")
-        .groups(&[&CORNERS, &[QUAD_THICKNESS], BODY]),
+        .groups(&[&TRIANGLE_CORNERS, &[QUAD_THICKNESS], BODY]),
     make: Make::AnyNodes(make_triangle),
 };
 

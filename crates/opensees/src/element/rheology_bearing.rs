@@ -1,6 +1,6 @@
 //! `element HDRRheologyBearing`.
 
-use super::rubber_bearing::{AC, COVER, Common, KC, MASS, PHI_M, SHEAR_DIST, in_space, layers};
+use super::rubber_bearing::{AC, COVER, Common, KC, MASS, PHI_M, SHEAR_DIST, layers};
 use super::{Ends, Kind, Make};
 use crate::Tcl;
 use crate::args::Args;
@@ -50,7 +50,7 @@ pub(super) const RHEOLOGY: Kind = Kind {
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    in_space(a, ends)?;
+    ends.need(a, (3, 6))?;
     let mut c = Common::new(a.last_span());
     let mut layers = layers(interp, a, false)?;
     let (mut varies, mut p_delta) = (true, true);

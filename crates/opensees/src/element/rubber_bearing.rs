@@ -176,10 +176,6 @@ impl Common {
     }
 }
 
-pub(super) fn in_space(a: &Args<'_>, ends: &Ends) -> Result<(), Exception> {
-    if (ends.ndm, ends.ndf) == (3, 6) { Ok(()) } else { Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions")) }
-}
-
 /// Material and geometry: G, K, D1, D2, ts, tr, n.
 pub(super) fn layers(interp: &mut Tcl, a: &mut Args<'_>, plugged: bool) -> Result<Layers, Exception> {
     let [g_r, k_bulk, d1, d2, ts, tr, n] = &LAYERS;
@@ -242,7 +238,7 @@ fn first_form(a: &Args<'_>) -> Result<(), Exception> {
 }
 
 fn make_hdr(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    in_space(a, ends)?;
+    ends.need(a, (3, 6))?;
     let mut c = Common::new(a.last_span());
     first_form(a)?;
     let mut layers = layers(interp, a, false)?;
@@ -301,7 +297,7 @@ fn switches<const N: usize>(interp: &mut Tcl, a: &mut Args<'_>, what: [&str; N])
 }
 
 fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    in_space(a, ends)?;
+    ends.need(a, (3, 6))?;
     let mut c = Common::new(a.last_span());
     let (qy, alpha) = yielding(interp, a)?;
     let mut layers = layers(interp, a, false)?;
@@ -339,7 +335,7 @@ fn make_elastomeric(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<A
 }
 
 fn make_leaded(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    in_space(a, ends)?;
+    ends.need(a, (3, 6))?;
     let mut c = Common::new(a.last_span());
     let (qy, alpha) = yielding(interp, a)?;
     let mut layers = layers(interp, a, true)?;

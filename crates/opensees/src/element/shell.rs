@@ -1,6 +1,6 @@
 //! `element ShellMITC4`, `ShellDKGQ`, `ShellDKGT`, `ShellNLDKGQ`, `ASDShellQ4`, `ASDShellT3`.
 
-use super::corners::{CORNERS, placed_node};
+use super::corners::{CORNERS, TRIANGLE_CORNERS, placed_node};
 use super::damping::{damped, optional};
 use super::{Kind, Make, refused};
 use crate::args::Args;
@@ -48,7 +48,9 @@ pub(super) const DKGQ: Kind = Kind {
 pub(super) const DKGT: Kind = Kind {
     names: &["ShellDKGT", "shellDKGT"],
     usage: "element ShellDKGT $tag $i $j $k $section <-damp $damping>",
-    text: Text::new("Three-node thin shell with drilling.").example("element ShellDKGT 77 1 3 4 1").groups(&[&CORNERS]),
+    text: Text::new("Three-node thin shell with drilling.")
+        .example("element ShellDKGT 77 1 3 4 1")
+        .groups(&[&TRIANGLE_CORNERS]),
     make: Make::AnyNodes(|interp, a| make(interp, a, Formulation::KirchhoffTriangle)),
 };
 
@@ -89,7 +91,7 @@ pub(super) const ENHANCED_TRIANGLE: Kind = Kind {
             Arg::flag("-reducedIntegration", "one point, and a penalty on the drilling strain"),
             Arg::flag("-drillingNL", "with -reducedIntegration, the drilling stiffness is damaged with the section"),
         ])
-        .groups(&[&CORNERS, LOCAL_AXES]),
+        .groups(&[&TRIANGLE_CORNERS, LOCAL_AXES]),
     make: Make::AnyNodes(|interp, a| make_enhanced(interp, a, 3)),
 };
 

@@ -67,9 +67,7 @@ fn section(interp: &mut Tcl, a: &mut Args<'_>, ndm: usize) -> Result<ElasticSect
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
-    }
+    ends.need_frame(a)?;
     let s = section(interp, a, ends.ndm)?;
     let (spec, tag) = a.of(&interp.host.builder.definitions.transforms)?;
     let place = a.last_span();

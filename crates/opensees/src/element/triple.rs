@@ -101,9 +101,7 @@ pub(super) fn chain(e: f64, [l1, l2, l3]: &[f64; 3], [_, d2, d3]: &[f64; 3], inn
 }
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     let definitions = &interp.host.builder.definitions;
     let mut friction = || a.of(&definitions.frictions).map(|(f, _)| f);
     let frictions: [Friction; 3] = [friction()?, friction()?, friction()?];

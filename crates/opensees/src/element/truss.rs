@@ -119,8 +119,6 @@ fn words(
             _ => ignore_unknown(interp, a)?,
         }
     }
-    if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {
-        return Err(ends.wrong(a, "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions"));
-    }
+    ends.need_any(a)?;
     Ok((material, tag, options))
 }

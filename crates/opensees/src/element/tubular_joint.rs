@@ -35,9 +35,7 @@ pub(super) const TUBULAR_JOINT: Kind = Kind {
 
 fn make(_: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let brace_diameter = a.number(&BRACE_DIAMETER)?;
     let brace_angle = a.number(&BRACE_ANGLE)?;
     if !(brace_angle > 0.0 && brace_angle < 180.0) {

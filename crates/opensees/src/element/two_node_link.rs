@@ -29,9 +29,7 @@ pub(super) const TWO_NODE_LINK: Kind = Kind {
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if !matches!((ends.ndm, ends.ndf), (1, 1) | (2, 2 | 3) | (3, 3 | 6)) {
-        return Err(ends.wrong(a, "1 degree of freedom in 1, 2 or 3 in 2, 3 or 6 in 3 dimensions"));
-    }
+    ends.need_any(a)?;
     let (mut mats, mut dirs) = (vec![], vec![]);
     let mut last = nodes;
     let (mut orient, mut orient_at) = ((None, None), nodes);

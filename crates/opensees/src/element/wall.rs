@@ -284,9 +284,7 @@ fn count(a: &mut Args<'_>) -> Result<usize, Exception> {
 fn ends(interp: &mut Tcl, a: &mut Args<'_>) -> Result<(Vec<NodeId>, f64), Exception> {
     let ends = Ends::take(interp, a)?;
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (2, 3) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 dimensions"));
-    }
+    ends.need(a, (2, 3))?;
     let (below, above) = ends.place;
     let height = above.y - below.y;
     if above.x != below.x || height <= 0.0 {

@@ -32,9 +32,7 @@ pub(super) const YAMAMOTO: Kind = Kind {
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
     let nodes = a.last_span();
-    if (ends.ndm, ends.ndf) != (3, 6) {
-        return Err(ends.wrong(a, "6 degrees of freedom in 3 dimensions"));
-    }
+    ends.need(a, (3, 6))?;
     match a.int(TP.meaning)? {
         1 => {}
         tp => return Err(a.refuse(format!("there is no compound {tp}"), "expected 1, Bridgestone's X0.6R")),

@@ -23,9 +23,7 @@ pub(super) const ZERO_LENGTH_SECTION: Kind = Kind {
 };
 
 fn make(interp: &mut Tcl, a: &mut Args<'_>, ends: &Ends) -> Result<Arc<dyn Element>, Exception> {
-    if !matches!((ends.ndm, ends.ndf), (2, 3) | (3, 6)) {
-        return Err(ends.wrong(a, "3 degrees of freedom in 2 or 6 in 3 dimensions"));
-    }
+    ends.need_frame(a)?;
     let section = a.of(&interp.host.builder.definitions.sections)?;
     let (mut x, mut y, mut rayleigh) = (Vector3::x(), Vector3::y(), true);
     let mut orient = a.last_span();

@@ -1,5 +1,6 @@
 //! Yielding fingers of a cast steel brace (Gray, Christopoulos and Packer, 2010, and Lignos).
 
+use super::steel_fracture_di::transition;
 use crate::material::{MaterialResult, Strain, Stress, UniaxialLaw, finite};
 
 /// Differences of strains that count as none.
@@ -109,10 +110,8 @@ impl UniaxialLaw for Cast {
         let r = self.r[0] * (1.0 - (self.r[1] * xi) / (self.r[2] + xi));
         let (length, rise) = (t.corner[0] - t.turn[0], t.corner[1] - t.turn[1]);
         let x = (e - t.turn[0]) / length;
-        let sum = 1.0 + x.abs().powf(r);
-        let root = sum.powf(1.0 / r);
-        let bent = (self.b * x + (1.0 - self.b) * x / root) * rise + t.turn[1];
-        let slope = (self.b + (1.0 - self.b) / (sum * root)) * (rise / length);
+        let (share, slope) = transition(x, self.b, r);
+        let (bent, slope) = (share * rise + t.turn[1], slope * (rise / length));
         let (value, tangent) = if e > 0.0 && bent > 0.0 || e < 0.0 && bent < 0.0 {
             let angle = 2.0 * e / self.length;
             let cos = angle.cos();

@@ -84,7 +84,7 @@ crate::state_struct! {
 }
 
 /// Value and derivative of the curve between two asymptotes of slope 1 and b that meet at a ratio of 1.
-fn transition(ratio: f64, b: f64, sharpness: f64) -> (f64, f64) {
+pub(super) fn transition(ratio: f64, b: f64, sharpness: f64) -> (f64, f64) {
     let sum = 1.0 + ratio.abs().powf(sharpness);
     let root = sum.powf(1.0 / sharpness);
     (b * ratio + (1.0 - b) * ratio / root, b + (1.0 - b) / (sum * root))
