@@ -335,7 +335,7 @@ impl Engine {
     }
 
     /// The state, to be gone back to. What follows from here and what follows [`Engine::restore`] is the same to the
-    /// bit: factors of earlier steps are forgotten both times, and nothing else is remembered.
+    /// bit: factors of earlier steps are forgotten both times, and nothing else is remembered. Derivatives begin anew.
     pub fn checkpoint(&mut self) -> State {
         self.forget_work();
         self.committed.clone()
@@ -343,6 +343,7 @@ impl Engine {
 
     /// Go back to a state that [`Engine::checkpoint`] gave.
     pub fn restore(&mut self, state: &State) {
+        self.derivatives = Derivatives::default();
         self.change_state(|s, _| s.clone_from(state));
         self.forget_work();
         self.note_led();
