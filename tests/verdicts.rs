@@ -91,7 +91,12 @@ const TABLE: &[Row] = &[
     ("pressed warm fast pendulum", "rate_dependence + varying_axial_load + self_heating", "self_heating", 85),
     ("pendulum of varying weight", "none", "none", 85),
     ("filled rubber", "mullins_softening + cyclic_degradation + strain_stiffening", "mullins_softening", 60),
-    ("filled rubber that wears not", "mullins_softening + strain_stiffening", "gap_impact + mullins_softening", 80),
+    (
+        "filled rubber that wears not",
+        "mullins_softening + strain_stiffening",
+        "strain_stiffening + mullins_softening",
+        75,
+    ),
     ("filled rubber that stiffens not", "mullins_softening + cyclic_degradation", "mullins_softening", 80),
     ("plain rubber", "none", "none", 85),
     ("creep", "rate_dependence", "rate_dependence", 95),
