@@ -90,7 +90,7 @@ const TABLE: &[Row] = &[
     ("pressed fast pendulum", "rate_dependence + varying_axial_load", "rate_dependence + varying_axial_load", 95),
     ("pressed warm fast pendulum", "rate_dependence + varying_axial_load + self_heating", "self_heating", 85),
     ("pendulum of varying weight", "none", "none", 85),
-    ("filled rubber", "mullins_softening + cyclic_degradation + strain_stiffening", "mullins_softening", 60),
+    ("filled rubber", "mullins_softening + cyclic_degradation + strain_stiffening", "mullins_softening", 75),
     (
         "filled rubber that wears not",
         "mullins_softening + strain_stiffening",
