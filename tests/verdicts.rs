@@ -97,7 +97,12 @@ const TABLE: &[Row] = &[
         "strain_stiffening + mullins_softening",
         75,
     ),
-    ("filled rubber that stiffens not", "mullins_softening + cyclic_degradation", "mullins_softening", 80),
+    (
+        "filled rubber that stiffens not",
+        "mullins_softening + cyclic_degradation",
+        "mullins_softening + cyclic_degradation",
+        95,
+    ),
     ("plain rubber", "none", "none", 85),
     ("creep", "rate_dependence", "rate_dependence", 95),
     ("held forces", "none", "none", 85),
