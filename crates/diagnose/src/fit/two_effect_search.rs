@@ -216,6 +216,7 @@ impl PairSearch<'_> {
             // The second effect at its proposed start, and as it was fitted alone.
             let mut points = halton_points(&variant.start(&one.fitted.values), point.len(), SECOND_EFFECT_POINTS);
             points.push([&point[..], &other.fitted.point[own..]].concat());
+            points.extend(variant.further_starts(&one.fitted.values));
             Some((n, (Arc::new(variant), points)))
         };
         others.filter_map(candidate).collect()

@@ -42,6 +42,11 @@ pub(super) const HYPOTHESIS: Hypothesis = Hypothesis {
     propose,
 };
 
+/// Largest exponent of the way back to the virgin path, and a further start. Choices: the error function of Ogden and Roxburgh
+/// (1999) comes back within a few hundredths of the largest strain where their m is small beside the energy.
+const MAX_POWER: f64 = 40.0;
+const SHARP_POWER: f64 = 12.0;
+
 fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
     let mut out = vec![];
     for m in s.moving_groups(false) {
@@ -75,7 +80,9 @@ fn propose(s: &ProposalContext<'_>) -> Vec<Proposal> {
             let onset = |start: f64| {
                 AddedParameter::log("onset", 1e-3 * m.deformation, 3.0 * m.deformation, start * m.deformation)
             };
-            let recovering = vec![virgin.clone(), AddedParameter::linear("power", 0.2, 8.0, 2.0), onset(0.1)];
+            let power = AddedParameter::log("power", 0.2, MAX_POWER, 2.0);
+            let power = AddedParameter { further_starts: vec![SHARP_POWER], ..power };
+            let recovering = vec![virgin.clone(), power, onset(0.1)];
             out.push(form("excess", "$hy_power", recovering));
             // Back at its largest strain, rubber is as stiff as virgin rubber (Ogden and Roxburgh 1999).
             // Or the virgin path itself has softened (Simo 1987; Govindjee and Simo 1991).

@@ -16,7 +16,7 @@ use crate::evidence::holdout::{self, HeldOutErrors, HoldoutJudgement, judge};
 use crate::evidence::memory_evidence::{DeviceRuns, RecordedEvidence};
 use crate::evidence::parametric_bootstrap::BootstrapResult;
 use crate::evidence::second_effect::has_second_effect;
-use crate::evidence::verdict_evidence::{RankedStudy, VerdictEvidence};
+use crate::evidence::verdict_evidence::{ProbabilityLimit, RankedStudy, VerdictEvidence};
 use crate::evidence::verdict_model::{CauseProbabilities, cause_probabilities};
 use crate::fit::fitted::FittedHypothesis;
 use crate::fit::halton_points::points_around;
@@ -25,7 +25,7 @@ use crate::fit::phenomena::{PhenomenonShares, phenomenon_shares};
 use crate::fit::scheduler::Scheduler;
 use crate::fit::search_settings::LAST_ITERATIONS;
 use crate::fit::step_error::StepError;
-use crate::hypothesis::{changed_condition, is_sensor_fault};
+use crate::hypothesis::{changed_condition, is_sensor_fault, look_alike};
 use crate::inspect::insertion::InsertionPoint;
 use crate::inspect::inventory::ModelInventory;
 use crate::inspect::response::ResponseRanges;
@@ -35,6 +35,9 @@ use hysteron_identify::study::{
     InitialRun, ObservedChannel, Role, ScoredRun, ScriptSimulator, Study, simulate_and_score,
 };
 use std::sync::Arc;
+
+/// Forms of look-alikes that are tried on the runs held out. A choice.
+const LOOK_ALIKE_FORMS: usize = 3;
 
 /// Basis of the conclusion besides the ranking.
 pub(super) struct ConclusionContext<'a> {
@@ -172,7 +175,7 @@ struct VerdictJudge<'a, 'b> {
 impl VerdictJudge<'_, '_> {
     /// Repairs the most probable cause. If the runs held out lower its probability, the next most probable one follows.
     fn verdict(&mut self, evidence: &mut VerdictEvidence) -> Result<JudgedVerdict, String> {
-        let mut repairs: Vec<(&'static str, Repair)> = vec![];
+        let (mut repairs, mut look_alikes): (Vec<(&'static str, Repair)>, Vec<Repair>) = (vec![], vec![]);
         let (cause, probabilities) = loop {
             let probabilities = cause_probabilities(evidence);
             let cause = probabilities[0].0;
@@ -181,7 +184,11 @@ impl VerdictJudge<'_, '_> {
             if repairs.iter().any(is_judged) {
                 break (cause, probabilities);
             }
-            let repair = self.best_repair(cause, evidence)?;
+            let known = look_alikes.iter().position(|r| r.hypothesis.cause() == cause);
+            let repair = match known {
+                Some(n) => look_alikes.swap_remove(n),
+                None => self.best_repair(cause, evidence)?,
+            };
             let judged = repair.evidence(self.c);
             // A repair with limits of its own does not limit what is unknown.
             let stands = repair.limits.is_empty() && !repair.is_refused();
@@ -189,6 +196,10 @@ impl VerdictJudge<'_, '_> {
             evidence.limits.extend(of_repair.filter(|l| l.cause != "unknown" || stands));
             evidence.judged.push(judged);
             evidence.limits.extend(repair.limits.clone());
+            if let Some((limit, other)) = self.better_look_alike(&repair)? {
+                evidence.limits.push(limit);
+                look_alikes.push(other);
+            }
             if cause == "none" {
                 let uncertainty = uncertainty_of(self.c, &repair);
                 evidence.limits.extend(uncertainty.and_then(|u| limit_by_judgement(&u.judgement)));
@@ -222,6 +233,29 @@ impl VerdictJudge<'_, '_> {
         let nearest = self.repair(best.clone())?;
         let is_better = !nearest.is_refused() && nearest.fitted.objective < repaired.fitted.objective;
         Ok(if is_better { nearest } else { repaired })
+    }
+
+    /// Repair by a look-alike beside the same second effect, where a repair predicts the runs held out in part and that one
+    /// predicts them clearly better; with the limit of the first cause: its part of the errors that both leave there.
+    fn better_look_alike(&mut self, repair: &Repair) -> Result<Option<(ProbabilityLimit, Repair)>, String> {
+        let (first, ranked) = (&repair.hypothesis, self.ranked);
+        let held_out = |r: &Repair| r.errors.and_then(|e| e.after);
+        let own = held_out(repair).filter(|_| matches!(repair.judgement, HoldoutJudgement::PartlyPredicted(_)));
+        let is_rival =
+            |e: &&FittedHypothesis| look_alike(e.cause(), first.cause()) && e.second_cause() == first.second_cause();
+        let mut best: Option<Repair> = None;
+        for rival in ranked.iter().filter(|e| own.is_some() && is_rival(e)).take(LOOK_ALIKE_FORMS) {
+            let other = self.repair(rival.clone())?;
+            let least = best.as_ref().map_or(own, &held_out);
+            if !other.is_refused() && predicts_clearly_better(held_out(&other), least) {
+                best = Some(other);
+            }
+        }
+        Ok(best.and_then(|other| {
+            let (own, others) = (own?, held_out(&other)?);
+            let reason = format!("{} predicts the runs held out better", other.hypothesis.cause());
+            Some((ProbabilityLimit::new(first.cause(), others / (own + others), reason), other))
+        }))
     }
 
     /// Repair by the best form of a cause, or by its second form if the runs held out refute the first alone.
