@@ -9,7 +9,7 @@ use hysteron::element::amendment::{
 };
 use hysteron::element::axes::Orientation;
 use hysteron::element::bearing::{BoucWenShear, Link, PlaneBearing, SpaceBearing};
-use hysteron::element::{BarOptions, Element, ElementError, ElementInput, ElementOutput, Histories, Truss};
+use hysteron::element::{BarOptions, Element, ElementError, ElementInput, ElementOutput, Histories, MatrixMask, Truss};
 use hysteron::material::{Elastic, Material, Softening, Steel01};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -492,12 +492,8 @@ fn zero_time_causes_no_relaxation() {
         time: 0.0,
         dynamic: false,
     };
-    element
-        .respond(
-            &motion,
-            &mut Histories { committed: &state, trial: &mut next },
-            ElementOutput { force: &mut force, tangent: None, damping: None, part: hysteron::element::MatrixMask::ALL },
-        )
-        .unwrap();
+    let mut histories = Histories { committed: &state, trial: &mut next };
+    let output = ElementOutput { force: &mut force, tangent: None, damping: None, part: MatrixMask::ALL };
+    element.respond(&motion, &mut histories, output).unwrap();
     assert!(force.iter().all(|f| f.is_finite()));
 }

@@ -23,7 +23,7 @@ fn page_is_that_of_the_register() {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(&path, page()).unwrap();
     }
-    assert!(fs::read_to_string(path).unwrap() == page(), "run this test with UPDATE=1");
+    assert!(fs::read_to_string(path).unwrap() == page(), "run this test with HYSTERON_WRITE=1");
 }
 
 #[test]

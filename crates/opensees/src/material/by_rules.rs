@@ -2,8 +2,8 @@
 
 /// A law by the rules of OpenSees where the run follows one of the slips, else by consistent ones.
 macro_rules! by_rules {
-    ($interp:ident, $slip:ident, $rules:ident => $law:expr) => {
-        if $interp.host.follows(&[$crate::slips::$slip]) {
+    ($interp:ident, $slip:expr, $rules:ident => $law:expr) => {
+        if $interp.host.follows(&[$slip]) {
             let $rules = hysteron_engine::rules::OpenSees;
             $law.shared()
         } else {

@@ -263,7 +263,7 @@ fn imk_bilin(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     let (ke, mut sides) = backbones(interp, a)?;
     let modes = [&BILINEAR_CAPACITIES, &BILINEAR_RATES];
     let [strength, capping, stiffness] = deterioration(interp, a, modes, &mut sides)?;
-    Ok(by_rules!(interp, IMK_TANGENT, rules => ImkBilin { ke, sides, strength, capping, stiffness, rules }))
+    Ok(by_rules!(interp, slips::IMK_TANGENT, rules => ImkBilin { ke, sides, strength, capping, stiffness, rules }))
 }
 
 /// The hinge of `IMKPeakOriented` and `IMKPinching`.
@@ -275,12 +275,12 @@ fn peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<ImkPeakOriented, 
 
 fn imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let hinge = peak_oriented(interp, a)?;
-    Ok(by_rules!(interp, IMK_TANGENT, rules => hinge.with(rules)))
+    Ok(by_rules!(interp, slips::IMK_TANGENT, rules => hinge.with(rules)))
 }
 
 fn imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let hinge = peak_oriented(interp, a)?;
     let [force, deformation] = a.read_all(interp, &PINCHING)?;
     let pinching = Pinching { force, deformation };
-    Ok(by_rules!(interp, IMK_TANGENT, rules => ImkPinching { hinge: hinge.with(rules), pinching }))
+    Ok(by_rules!(interp, slips::IMK_TANGENT, rules => ImkPinching { hinge: hinge.with(rules), pinching }))
 }

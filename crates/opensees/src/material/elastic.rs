@@ -4,6 +4,7 @@ use super::Kind;
 use super::by_rules::by_rules;
 use crate::args::Args;
 use crate::checks;
+use crate::slips;
 use crate::text::{Arg, Text};
 use crate::{Tcl, warn};
 use hysteron_engine::material::{
@@ -172,7 +173,7 @@ fn yield_strain(interp: &mut Tcl, a: &mut Args<'_>, arg: &Arg, x: f64, sign: f64
 
 fn cable(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let [prestress, e, weight, length] = a.read_all(interp, &CABLE)?;
-    Ok(by_rules!(interp, CABLE_SAG, rules => Cable { prestress, e, weight, length, rules }))
+    Ok(by_rules!(interp, slips::CABLE_SAG, rules => Cable { prestress, e, weight, length, rules }))
 }
 
 fn elastic(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -283,7 +283,7 @@ fn bilinear(interp: &mut Tcl, a: &mut Args<'_>, steady_cap: bool) -> Result<Mate
     // The deterioration of the accelerated stiffness has no part in bilinear hysteresis.
     let Hinge { ke, sides, modes: [strength, capping, _, stiffness], n, .. } = hinge(interp, a, false)?;
     Ok(
-        by_rules!(interp, BILIN_DETERIORATION, rules => Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules }),
+        by_rules!(interp, slips::BILIN_DETERIORATION, rules => Bilin { ke, sides, strength, capping, stiffness, n, steady_cap, rules }),
     )
 }
 
@@ -300,12 +300,12 @@ fn mod_imk(
 
 fn mod_imk_peak_oriented(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, _) = mod_imk(interp, a, false)?;
-    Ok(by_rules!(interp, MOD_IMK_DETERIORATION, rules => hinge.with(rules)))
+    Ok(by_rules!(interp, slips::MOD_IMK_DETERIORATION, rules => hinge.with(rules)))
 }
 
 fn mod_imk_pinching(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
     let (hinge, pinching) = mod_imk(interp, a, true)?;
-    Ok(by_rules!(interp, MOD_IMK_DETERIORATION, rules => ModImkPinching { hinge: hinge.with(rules), pinching }))
+    Ok(by_rules!(interp, slips::MOD_IMK_DETERIORATION, rules => ModImkPinching { hinge: hinge.with(rules), pinching }))
 }
 
 fn bouc_wen(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {
@@ -364,7 +364,7 @@ fn self_centering(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
     let bearing = a.read_or(interp, &EPS_BEAR, 0.0)?;
     let bearing_ratio = a.read_or(interp, &R_BEAR, 0.0)?;
     Ok(
-        by_rules!(interp, SELF_CENTERING_JUMP, rules => SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }),
+        by_rules!(interp, slips::SELF_CENTERING_JUMP, rules => SelfCentering { k1, k2, activation, beta, slip, bearing, bearing_ratio, rules }),
     )
 }
 

@@ -269,7 +269,9 @@ fn uvc_uniaxial(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exceptio
         backstresses
             .push([a.nth_number(&MODULUS_OF_BACKSTRESS, i as usize)?, a.nth_number(&RATE_OF_BACKSTRESS, i as usize)?]);
     }
-    Ok(by_rules!(interp, UVC_RETURN, rules => UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules }))
+    Ok(
+        by_rules!(interp, slips::UVC_RETURN, rules => UvcUniaxial { e, fy, q_inf, b, d_inf, a: rate, backstresses, rules }),
+    )
 }
 
 /// Yield strength, ksi, and yield slip, in, from which on the units cannot be those of the law.
@@ -294,7 +296,7 @@ fn bond_sp01(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> 
     for arg in &UNUSED {
         a.read_optional(interp, arg)?;
     }
-    Ok(by_rules!(interp, BOND_SLIP_TANGENT, rules => BondSp01 { fy, sy, fu, su, b, r, rules }))
+    Ok(by_rules!(interp, slips::BOND_SLIP_TANGENT, rules => BondSp01 { fy, sy, fu, su, b, r, rules }))
 }
 
 fn gng(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Exception> {

@@ -158,5 +158,5 @@ fn hyperbolic_gap(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Material, Except
         warn(interp, d.at(place, "expected a number greater than 0"))?;
     }
     let gap = negative(interp, a, &GAP)?;
-    Ok(by_rules!(interp, HYPERBOLIC_GAP_TRIALS, rules => HyperbolicGap { kmax, kur, rf, fult, gap, rules }))
+    Ok(by_rules!(interp, slips::HYPERBOLIC_GAP_TRIALS, rules => HyperbolicGap { kmax, kur, rf, fult, gap, rules }))
 }
