@@ -37,7 +37,6 @@ const LISTS: &[&str] = &[
     "sectionLocation",
     "sectionStiffness",
     "sectionWeight",
-    "sensSectionForce",
     "testNorm",
     "testNorms",
 ];
@@ -45,11 +44,11 @@ const LISTS: &[&str] = &[
 /// Command whose answer is a list also where an element has no such response.
 const LISTED_NOTHING: &str = "eleResponse";
 
-/// Commands whose whole number openseespy gives as a list.
-const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements"];
+/// Commands whose one number openseespy gives as a list.
+const LISTED_NUMBERS: &[&str] = &["getNDF", "getNDM", "getNumElements", "sensSectionForce"];
 
 /// Commands that answer nothing in openseespy.
-const SILENT: &[&str] = &["responseSpectrumAnalysis"];
+const SILENT: &[&str] = &["computeGradients", "responseSpectrumAnalysis"];
 
 /// Kind of the answer of a command in Python.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -60,7 +59,7 @@ pub(crate) enum Answer {
     List,
     /// The same, and where the element asked has no such response.
     ListOrNothing,
-    /// A list, even of one whole number.
+    /// A list, even of one number.
     ListedNumber,
     /// Nothing.
     Silent,
@@ -106,7 +105,7 @@ impl Answer {
                 let tags = tags.iter().map(|t| t.to_f64().unwrap_or_default() as i64);
                 Ok(PyList::new(py, tags.collect::<Vec<_>>())?.into_any().unbind())
             }
-            (Form::Int(_), Self::ListedNumber) => list(py, value),
+            (Form::Int(_) | Form::Double(_), Self::ListedNumber) => list(py, value),
             _ => object(py, value),
         }
     }

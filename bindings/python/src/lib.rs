@@ -48,6 +48,7 @@ fn _hysteron(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(messages::script_usages, m)?)?;
     m.add_function(wrap_pyfunction!(messages::reference, m)?)?;
     m.add_function(wrap_pyfunction!(messages::usage_in_python, m)?)?;
+    m.add_function(wrap_pyfunction!(methods::asks, m)?)?;
     m.add_function(wrap_pyfunction!(trace::record_calls, m)?)?;
     Ok(())
 }

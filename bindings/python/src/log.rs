@@ -2,7 +2,7 @@
 
 use hysteron_opensees::effect::{Effect, effect};
 use hysteron_opensees::run::Run;
-use hysteron_opensees::{Continued, Command};
+use hysteron_opensees::{Command, Continued};
 use hysteron_tcl::{Exception, Form, Value};
 
 /// Words that are kept at most: some 30 MB. A model that was told more cannot be copied.

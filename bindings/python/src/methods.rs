@@ -56,6 +56,12 @@ impl Entry {
     }
 }
 
+/// Returns true for a command that answers and leaves the model as it is.
+#[pyfunction]
+pub(crate) fn asks(name: &str) -> PyResult<bool> {
+    Ok(Entry::of(name)?.asks)
+}
+
 // A command as an attribute of the class of models. Its text is that of the command alone.
 #[allow(missing_docs)]
 #[pyclass(frozen, module = "hysteron._hysteron")]

@@ -163,6 +163,39 @@ def test_bodies_of_sections_are_kept():
     assert study.objective([1.5e8]) == pytest.approx(expected, rel=1e-6)
 
 
+def test_loads_behind_an_analysis_stay_there():
+    def model(k=3.0):
+        m = Model(1, 1)
+        m.node(1, 0.0)
+        m.node(2, 1.0)
+        m.fix(1, 1)
+        m.uniaxialMaterial("Elastic", 1, k)
+        m.element("truss", 1, 1, 2, 1.0, 1)
+        m.timeSeries("Linear", 1)
+        m.pattern("Plain", 1, 1)
+        m.load(2, 1.0)
+        # A query that nothing follows from leaves the body open.
+        m.nodeCoord(2)
+        m.load(2, 0.5)
+        m.parameter(1, "element", 1, "E")
+        m.integrator("LoadControl", 0.5)
+        m.analysis("Static")
+        m.sensitivityAlgorithm("-computeAtEachStep")
+        m.analyze(2)
+        # The derivative of 1.5 / k.
+        m.load(2, -(k**2) * m.sensNodeDisp(2, 1, 1))
+        m.analyze(2)
+
+    times = 0.5 * np.arange(1, 5)
+    study = Study(model=model, parameters={"k": (1.0, 9.0)}, runs=[{"time": times, "u": times**2}], observe={"u": ("disp", 2, 1)})
+    body, behind = study.script.split("analyze 2")[:2]
+    assert "{\n    load 2 1.0\n    load 2 0.5\n}" in body and "nodeCoord" not in study.script
+    assert "set result" in behind and behind.count("load 2 [expr") == 1 and "-pattern 1" in behind
+    simulated = times * np.array([1.5, 1.5, 3.0, 3.0]) / 2.0
+    expected = np.mean((simulated - times**2) ** 2) / np.var(times**2)
+    assert study.objective([2.0]) == pytest.approx(expected, rel=1e-6)
+
+
 def test_what_cannot_be_recorded_is_said():
     def lost(k=3.0):
         spring(math.sqrt(k) ** 2)

@@ -100,7 +100,11 @@ class Model:
 
         Returns the columns of a table of numbers as a list of lists.
         """
-    def computeGradients(self, *args: Any) -> NoReturn: ...
+    def computeGradients(self) -> None:
+        """computeGradients()
+
+        Has no effect: derivatives are those of the last step.
+        """
     def constraints(self, *args: _Word, **options: _Word) -> None:
         """constraints('Plain' | 'Transformation' | 'Penalty', alphaS, alphaM | 'Lagrange', <alphaS, alphaM>)
 
@@ -801,13 +805,37 @@ class Model:
 
         Has no effect: there is one process.
         """
-    def sensitivityAlgorithm(self, *args: Any) -> NoReturn: ...
-    def sensLambda(self, *args: Any) -> NoReturn: ...
-    def sensNodeAccel(self, *args: Any) -> NoReturn: ...
-    def sensNodeDisp(self, *args: Any) -> NoReturn: ...
+    def sensitivityAlgorithm(self, *args: _Word, **options: _Word) -> None:
+        """sensitivityAlgorithm('-computeAtEachStep' | '-computeByCommand')
+
+        Begins derivatives of the response with respect to all parameters. They are central differences of two more analyses for each parameter, which make the same steps. Every law and element has them.
+        """
+    def sensLambda(self, pattern: _Word, parameter: _Word) -> float:
+        """sensLambda(pattern, parameter)
+
+        Returns the derivative of the load factor of a pattern with respect to a parameter.
+        """
+    def sensNodeAccel(self, node: _Word, dof: _Word, parameter: _Word) -> float:
+        """sensNodeAccel(node, dof, parameter)
+
+        Returns the derivative of an acceleration with respect to a parameter.
+        """
+    def sensNodeDisp(self, node: _Word, dof: _Word, parameter: _Word) -> float:
+        """sensNodeDisp(node, dof, parameter)
+
+        Returns the derivative of a displacement with respect to a parameter.
+        """
     def sensNodePressure(self, *args: Any) -> NoReturn: ...
-    def sensNodeVel(self, *args: Any) -> NoReturn: ...
-    def sensSectionForce(self, *args: Any) -> NoReturn: ...
+    def sensNodeVel(self, node: _Word, dof: _Word, parameter: _Word) -> float:
+        """sensNodeVel(node, dof, parameter)
+
+        Returns the derivative of a velocity with respect to a parameter.
+        """
+    def sensSectionForce(self, *args: _Word, **options: _Word) -> list[float]:
+        """sensSectionForce(element, <section>, dof, parameter)
+
+        Returns the derivative of a resultant of a section with respect to a parameter.
+        """
     def setCreep(self, *args: Any) -> NoReturn: ...
     def setElementRayleighDampingFactors(self, element: _Word, alphaM: _Word, betaK: _Word, betaK0: _Word, betaKc: _Word) -> None:
         """setElementRayleighDampingFactors(element, alphaM, betaK, betaK0, betaKc)

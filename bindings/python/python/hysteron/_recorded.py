@@ -314,20 +314,20 @@ class Script:
         #: Variables by the number of the run.
         self.variables = [{} for _ in traces]
         self._count = 0
-        lines = list(_with_bodies(self._merged(traces)))
-        body = [self._shown(line) for line in lines]
-        used = "\n".join(text for text, _ in body)
+        lines = self._merged(traces)
+        used = {name for line in lines for name in _RESULT.findall(_shown(line))}
+        lines = _with_bodies([line for line in lines if line.result in used or not _only_asks(line.name)])
         out = [f"pset {name} {_text(value)}" for name, value in parameters.items()]
         at = self._before_last_analysis(lines)
-        for i, (line, (text, is_asked)) in enumerate(zip(lines, body, strict=True)):
+        for i, line in enumerate(lines):
+            text = _shown(line)
             if i == at:
                 out += recorders
-            is_used = re.search(rf"\${line.result}\b", used) is not None
-            if is_used:
+            if line.result in used:
                 out.append(f"set {line.result} [{text}]")
             elif line.name == "analyze":
                 out.append(f'if {{[{text}] != 0}} {{error "the analysis fails at [getTime]"}}')
-            elif not is_asked:
+            else:
                 out.append(text)
         self.text = "\n".join(out) + "\n"
 
@@ -360,12 +360,6 @@ class Script:
             variables[name] = word
         return _Variable(name)
 
-    def _shown(self, line):
-        text = " ".join([line.name, *(w.text if isinstance(w, _Variable) else _text(w) for w in line.words)])
-        if line.body:
-            text += " {\n" + "".join(f"    {self._shown(inner)[0]}\n" for inner in line.body) + "}"
-        return text, line.name in _QUERIES or (_ASKS.match(line.name) is not None and line.name != "eleLoad")
-
     def _before_last_analysis(self, lines):
         """Place of the first analysis behind the last setting of the clock: gravity belongs to no recording."""
         clock = 0
@@ -381,19 +375,36 @@ _BODIES = {
     "section": {"patch", "layer", "fiber"},
     "pattern": {"load", "sp", "eleLoad", "groundMotion", "imposedMotion", "imposedSupportMotion"},
 }
+#: Those that may stand outside of the body with the tag of their pattern.
+_LOADS = {"load", "sp", "eleLoad"}
 
 
 def _with_bodies(lines):
-    """Calls with those that belong into the body of an earlier one taken there."""
-    lines, heads = list(lines), {}
+    """Calls with those that belong into the body of an earlier one taken there.
+
+    A load behind another call, such as an analysis, keeps its place: the order of the two is part of the model.
+    """
+    out, heads, is_open = [], {}, False
     for line in lines:
-        head = next((h for h, inner in _BODIES.items() if line.name in inner), None)
-        if head in heads:
-            heads[head].body.append(line)
-        elif line.name in _BODIES:
+        head = heads.get(next((h for h, inner in _BODIES.items() if line.name in inner), None))
+        if head and (is_open or line.name not in _LOADS):
+            head.body.append(line)
+            continue
+        is_open = line.name == "pattern"
+        if line.name in _BODIES:
             heads[line.name] = line
-    inner = {id(b) for line in lines for b in line.body}
-    return [line for line in lines if id(line) not in inner]
+        elif head and not any(isinstance(word, str) and word == "-pattern" for word in line.words):
+            line.words += ["-pattern", head.words[1]]
+        out.append(line)
+    return out
+
+
+def _shown(line):
+    """A call as a command of a script."""
+    text = " ".join([line.name, *(w.text if isinstance(w, _Variable) else _text(w) for w in line.words)])
+    if line.body:
+        text += " {\n" + "".join(f"    {_shown(inner)}\n" for inner in line.body) + "}"
+    return text
 
 
 class _Variable:
@@ -403,10 +414,14 @@ class _Variable:
         self.text = f"${name}"
 
 
-#: Names of commands that answer and change nothing, by what they ask of.
-_ASKS = re.compile(r"(get|node|ele|section|basic)[A-Z]")
-#: Further ones.
-_QUERIES = {"localForce", "testNorm", "testNorms", "testIter", "numIter", "numFact", "systemSize", "printA", "printB", "modalProperties"}
+#: Results of calls in formulas.
+_RESULT = re.compile(r"\$(result\d+)")
+#: Commands that print or compute, and leave the model as it is.
+_PRINTS = {"printA", "printB", "printX", "modalProperties"}
+
+
+def _only_asks(name):
+    return name in _PRINTS or _hysteron.asks(name)
 
 
 def _runs_differ(a, b):

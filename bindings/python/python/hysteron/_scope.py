@@ -9,11 +9,7 @@ OUT_OF_SCOPE = {
         "reliabilityConvergenceCheck rootFinding runFORMAnalysis runFOSMAnalysis runImportanceSamplingAnalysis "
         "runSORMAnalysis searchDirection spectrum startPoint stepSizeRule transformUtoX wipeReliability findCurvatures"
     ),
-    "gradients by direct differentiation": (
-        "computeGradients sensLambda sensNodeAccel sensNodeDisp sensNodePressure sensNodeVel sensSectionForce "
-        "sensitivityAlgorithm"
-    ),
-    "meshes that change, and fluids": "mesh remesh IGA setNodePressure pressureConstraint",
+    "meshes that change, and fluids": "mesh remesh IGA setNodePressure sensNodePressure pressureConstraint",
     "temperature": "getNodeTemperature setNodeTemperature",
     "data bases and conversions of files": (
         "convertBinaryToText convertTextToBinary stripXML searchPeerNGA"

@@ -18,7 +18,7 @@ _RETURNS = {
     ),
     **dict.fromkeys(
         "eigen motionFile eleResponse sdfResponse basicStiffness sectionStiffness sectionFlexibility sectionDisplacement cbdiDisplacement testNorm testNorms nodeBounds getEleLoadData "
-        "getNodeLoadData".split(),
+        "getNodeLoadData sensSectionForce".split(),
         "list[float]",
     ),
     **dict.fromkeys(
@@ -27,7 +27,11 @@ _RETURNS = {
         "getEleClassTags getEleLoadTags getEleLoadClassTags getNodeLoadTags".split(),
         "list[int]",
     ),
-    **dict.fromkeys("getTime getLoadFactor getStress getStrain getTangent getParamValue nodeResponse".split(), "float"),
+    **dict.fromkeys(
+        "getTime getLoadFactor getStress getStrain getTangent getParamValue nodeResponse sensNodeDisp sensNodeVel "
+        "sensNodeAccel sensLambda".split(),
+        "float",
+    ),
     **dict.fromkeys(
         "systemSize testIter numIter getPID getNP getNumThreads recorder parameter updateParameter".split(), "int"
     ),

@@ -95,7 +95,11 @@ def columns(file: _Word) -> None:
 
     Returns the columns of a table of numbers as a list of lists.
     """
-def computeGradients(*args: Any) -> NoReturn: ...
+def computeGradients() -> None:
+    """computeGradients()
+
+    Has no effect: derivatives are those of the last step.
+    """
 def constraints(*args: _Word, **options: _Word) -> None:
     """constraints('Plain' | 'Transformation' | 'Penalty', alphaS, alphaM | 'Lagrange', <alphaS, alphaM>)
 
@@ -795,13 +799,37 @@ def send(*args: _Word, **options: _Word) -> None:
 
     Has no effect: there is one process.
     """
-def sensitivityAlgorithm(*args: Any) -> NoReturn: ...
-def sensLambda(*args: Any) -> NoReturn: ...
-def sensNodeAccel(*args: Any) -> NoReturn: ...
-def sensNodeDisp(*args: Any) -> NoReturn: ...
+def sensitivityAlgorithm(*args: _Word, **options: _Word) -> None:
+    """sensitivityAlgorithm('-computeAtEachStep' | '-computeByCommand')
+
+    Begins derivatives of the response with respect to all parameters. They are central differences of two more analyses for each parameter, which make the same steps. Every law and element has them.
+    """
+def sensLambda(pattern: _Word, parameter: _Word) -> float:
+    """sensLambda(pattern, parameter)
+
+    Returns the derivative of the load factor of a pattern with respect to a parameter.
+    """
+def sensNodeAccel(node: _Word, dof: _Word, parameter: _Word) -> float:
+    """sensNodeAccel(node, dof, parameter)
+
+    Returns the derivative of an acceleration with respect to a parameter.
+    """
+def sensNodeDisp(node: _Word, dof: _Word, parameter: _Word) -> float:
+    """sensNodeDisp(node, dof, parameter)
+
+    Returns the derivative of a displacement with respect to a parameter.
+    """
 def sensNodePressure(*args: Any) -> NoReturn: ...
-def sensNodeVel(*args: Any) -> NoReturn: ...
-def sensSectionForce(*args: Any) -> NoReturn: ...
+def sensNodeVel(node: _Word, dof: _Word, parameter: _Word) -> float:
+    """sensNodeVel(node, dof, parameter)
+
+    Returns the derivative of a velocity with respect to a parameter.
+    """
+def sensSectionForce(*args: _Word, **options: _Word) -> list[float]:
+    """sensSectionForce(element, <section>, dof, parameter)
+
+    Returns the derivative of a resultant of a section with respect to a parameter.
+    """
 def setCreep(*args: Any) -> NoReturn: ...
 def setElementRayleighDampingFactors(element: _Word, alphaM: _Word, betaK: _Word, betaK0: _Word, betaKc: _Word) -> None:
     """setElementRayleighDampingFactors(element, alphaM, betaK, betaK0, betaKc)
