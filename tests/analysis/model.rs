@@ -1,7 +1,7 @@
 //! Models that change between analyses.
 
 use super::close;
-use super::script::run;
+use super::script::{Script, run};
 
 /// Removing an element passes its force to the others; what is left keeps its history.
 #[test]
@@ -226,4 +226,22 @@ fn one_process_has_nobody_to_wait_for() {
         puts \"[getPID] [getNP] $x [getNodeTags]\"");
     assert_eq!(ran.numbers(), [0.0, 1.0, 5.0, 7.0]);
     assert!(ran.warnings().is_empty(), "{:?}", ran.warnings());
+}
+
+/// The deflection of a cantilever, w L^4 / (8 E I), times the factor of the pattern that the load names.
+#[test]
+fn a_load_on_an_element_goes_into_the_pattern_that_it_names() {
+    let deflection = |option: &str| {
+        Script::default().run(&format!(
+            "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 3.0 0; fix 1 1 1 1
+            geomTransf Linear 1; element elasticBeamColumn 1 1 2 1. 1. 1. 1
+            timeSeries Linear 1; timeSeries Constant 2; pattern Plain 1 1 {{}}; pattern Plain 2 2 {{}}
+            eleLoad -ele 1 -type -beamUniform 1.0 {option}
+            integrator LoadControl 0.5; analysis Static; analyze 1; puts [nodeDisp 2 2]"
+        ))
+    };
+    for (option, factor) in [("-pattern 1", 0.5), ("-pattern 2", 1.0), ("", 1.0)] {
+        assert!(close(deflection(option).done().numbers()[0], factor * 81.0 / 8.0, 1e-9), "{option}");
+    }
+    assert!(deflection("-pattern 3").error().message.contains('3'));
 }

@@ -155,7 +155,7 @@ class Model:
     @overload
     def eleForce(self, element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
     def eleLoad(self, *args: _Word, **options: _Word) -> None:
-        """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ...)
+        """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ..., <'-pattern', tag>)
 
         Adds loads on beams to a pattern.
         """

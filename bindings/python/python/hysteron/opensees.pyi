@@ -149,7 +149,7 @@ def eleForce(element: float, dof: float = ..., /) -> list[float] | float:
 @overload
 def eleForce(element: _Tags = ..., dof: _Word = ..., /) -> np.ndarray: ...
 def eleLoad(*args: _Word, **options: _Word) -> None:
-    """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ...)
+    """eleLoad('-ele', tag, ... | '-range', first, last, '-type', '-beamUniform', ... | '-beamUniformMoment', mz | '-beamPoint', ..., <'-pattern', tag>)
 
     Adds loads on beams to a pattern.
     """

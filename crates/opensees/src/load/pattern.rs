@@ -56,6 +56,7 @@ pub(crate) const COMMANDS: &[Command] = &[
              axes and its place over the length",
         ),
         Arg::of("-range", "first", "first and last tag of elements").within(Domain::Whole),
+        PATTERN_TAG,
         Arg::of("-ele", "tag", "tags of elements").within(Domain::Whole),
     ]),
     Command::new("loadConst", LOAD_CONST, load_const)
@@ -68,7 +69,7 @@ const PLAIN: &str = "pattern Plain $tag $series <-fact $factor> { load ... sp ..
 const LOAD: &str = "load $node $f1 <$f2 ...> <-const> <-pattern $tag>";
 const SP: &str = "sp $node $dof $value <-const> <-subtractInit> <-pattern $tag>";
 const ELE_LOAD: &str = "eleLoad -ele $tag ... | -range $first $last -type -beamUniform ... | -beamUniformMoment $mz | \
-                        -beamPoint ...";
+                        -beamPoint ... <-pattern $tag>";
 const LOAD_CONST: &str = "loadConst <-time $time>";
 const SET_TIME: &str = "setTime $time";
 
@@ -288,7 +289,7 @@ fn sp(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, ELE_LOAD);
     let mut elements: Vec<(ElementId, Option<hysteron_tcl::diagnostic::Span>)> = vec![];
-    let mut given = None;
+    let (mut given, mut named) = (None, None);
     while let Some(option) = a.option() {
         match option.as_ref() {
             "-ele" => {
@@ -309,7 +310,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
             "-beamUniform" | "beamUniform" => given = Some(beam_uniform(&mut a, interp.host.builder.ndm)?),
             "-beamUniformMoment" | "beamUniformMoment" => given = Some(beam_moment(&mut a, interp.host.builder.ndm)?),
             "-beamPoint" | "beamPoint" => given = Some(beam_point(&mut a, interp.host.builder.ndm)?),
-            "-pattern" => drop(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
+            "-pattern" => named = Some(a.tag(things::PATTERN, PATTERN_TAG.meaning)?),
             _ if given.is_none() => {
                 return Err(a.unknown_name(
                     "element load",
@@ -329,7 +330,7 @@ fn ele_load(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if elements.is_empty() {
         return Err(a.refuse_at(call.span(0), "eleLoad: there are no elements", "expected -ele or -range"));
     }
-    let pattern = current(interp, &a, None)?;
+    let pattern = current(interp, &a, named)?;
     for (id, span) in elements {
         let e = &interp.host.engine.model().elements[id.0].element;
         // What the element says to the load is found out now, where the script can be pointed at.
