@@ -176,6 +176,26 @@ fn a_reset_ends_them_and_without_the_command_there_are_none() {
     assert!(ran.warnings().iter().any(|w| w.message.contains("sensitivityAlgorithm")), "{:?}", ran.warnings());
 }
 
+/// A parameter that gets another place, and one that loses a place, between two analyses.
+#[test]
+fn places_of_a_parameter_may_come_and_go() {
+    let bars = |rest: &str| {
+        numbers(&format!(
+            "model basic -ndm 1 -ndf 1; node 1 0.0; node 2 2.0; fix 1 1
+            uniaxialMaterial Elastic 1 100.0; foreach e {{1 2}} {{ element truss $e 1 2 0.5 1 }}
+            timeSeries Linear 1; pattern Plain 1 1 {{ load 2 3.0 }}
+            parameter 1 element 1 A; parameter 2 7.0
+            {SOLVER}; integrator LoadControl 0.5; analysis Static; sensitivityAlgorithm -computeAtEachStep
+            analyze 1; puts [sensNodeDisp 2 1 1]; {rest}; analyze 1; puts \"[sensNodeDisp 2 1 1] [sensNodeDisp 2 1 2]\""
+        ))
+    };
+    // u = λ P L / (E A) of both areas together.
+    let slope = |factor: f64, area: f64| -factor * 3.0 * 2.0 / (100.0 * area * area);
+    assert_close(&bars("addToParameter 1 element 2 A"), &[slope(0.5, 1.0), 2.0 * slope(1.0, 1.0), 0.0], 1e-7);
+    let found = bars("addToParameter 1 element 2 A; remove element 2");
+    assert_close(&found, &[slope(0.5, 1.0), slope(1.0, 0.5), 0.0], 1e-7);
+}
+
 /// A bar loaded to 0.99995 of its strength: with a strength less by 1e-4 it does not carry the load.
 #[test]
 fn a_failed_analysis_beside_leaves_no_derivative() {
@@ -195,4 +215,21 @@ fn a_failed_analysis_beside_leaves_no_derivative() {
     assert_eq!(found[0], 0.0);
     assert_close(&found[1..], &[-9.9995 * 2.0 / 1e6], 1e-7);
     assert!(bar("sensNodeDisp 2 1 77").error().message.contains("77"));
+}
+
+/// More of a ratio just below 1 is refused, and less of a mass of 0: a parameter of both cannot be varied.
+#[test]
+fn a_parameter_that_takes_no_other_value_has_no_derivative() {
+    let ran = run(&format!(
+        "model basic -ndm 2 -ndf 3; node 1 0 0; node 2 0 1; fix 1 1 1 1; fix 2 0 1 1
+        uniaxialMaterial Elastic 1 1e6
+        element elastomericBearingBoucWen 1 1 2 800.0 40.0 0.9999999 0.0 2.0 1.0 0.5 0.5 -P 1 -Mz 1
+        timeSeries Linear 1; pattern Plain 1 1 {{ load 2 1.0 0.0 0.0 }}
+        parameter 1 node 2 mass x; addToParameter 1 element 1 alpha1
+        {SOLVER}; integrator LoadControl 1.0; analysis Static; sensitivityAlgorithm -computeAtEachStep
+        puts [sensNodeDisp 2 1 1]; puts [analyze 3]; puts [sensNodeDisp 2 1 1]"
+    ));
+    assert_eq!(ran.numbers(), [0.0, 0.0]);
+    let error = ran.error();
+    assert!(error.message.ends_with("parameter 1") && error.label.contains("no other value"), "{error:?}");
 }

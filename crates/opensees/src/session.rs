@@ -187,8 +187,9 @@ pub struct Session {
     pub(crate) start: Option<ScriptStart>,
     /// Parameters that change in time.
     pub(crate) changes: ParameterChanges,
-    /// Derivatives with respect to the parameters are found with each step.
-    pub(crate) derives: bool,
+    /// Parameters with respect to which derivatives are found with each step, as they were when an analysis last began; `None`
+    /// where no derivatives are wanted.
+    pub(crate) derived: Option<BTreeMap<Tag, Parameter>>,
     /// The run is made for its elements: it ends where the first analysis would begin.
     pub(crate) ends_at_analysis: bool,
 }
@@ -239,7 +240,7 @@ impl Session {
             index: None,
             start: None,
             changes: ParameterChanges::default(),
-            derives: false,
+            derived: None,
             ends_at_analysis: false,
         }
     }
@@ -327,7 +328,7 @@ impl Session {
         self.output.recorders.forget_model();
         self.parts = Parts { variable_steps: self.parts.variable_steps, ..Parts::default() };
         self.changes = ParameterChanges::default();
-        self.derives = false;
+        self.derived = None;
         finished
     }
 

@@ -195,8 +195,10 @@ fn analyze(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
         let message = format!("the limit curve of element {spring} cannot watch element {column}");
         return Err(a.refuse_at(call.span(0), message, "expected a frame element with its nodes in the model"));
     }
-    let can_wait =
-        lengths.is_none() && interp.host.mode == Mode::Run && interp.host.changes.is_empty() && !interp.host.derives;
+    let can_wait = lengths.is_none()
+        && interp.host.mode == Mode::Run
+        && interp.host.changes.is_empty()
+        && interp.host.derived.is_none();
     let course = interp.host.course.as_mut();
     if course.is_some_and(|course| course.begin_analysis((steps as usize, dt), can_wait)) {
         let session = &mut interp.host;

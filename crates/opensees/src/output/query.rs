@@ -17,7 +17,7 @@ use hysteron_tcl::{Call, Exception, Value};
 const NODE_EIGENVECTOR_MODE: Arg = Arg::count("mode", "number of the mode");
 const VALUE: Arg = Arg::number("value", "value");
 const MASS: Arg = Arg::not_negative("mass", "mass");
-pub(super) const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
+pub(crate) const ELE_RESPONSE_ELEMENT: Arg = Arg::whole("element", "tag of the element");
 const ELE_RESPONSE_RESPONSE: Arg = Arg::new("response", "name of the response");
 const GET_LOAD_FACTOR_PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
 

@@ -1,10 +1,11 @@
 //! Derivatives of the response with respect to parameters: `sensitivityAlgorithm computeGradients sensNodeDisp ...`.
 
-use super::{Place, read, refusal, write};
+use super::{PARAMETER_PATTERN, Place, read, refusal, write};
 use crate::args::Args;
 use crate::checks;
 use crate::host::Mode;
 use crate::model::nodes::{DOF, NODE, node_of};
+use crate::output::query::ELE_RESPONSE_ELEMENT;
 use crate::text::Arg;
 use crate::things;
 use crate::{Command, Outcome, Tcl, finish, warn};
@@ -22,9 +23,7 @@ const DISTANCE: f64 = 1e-4;
 const ONE_SIDED: f64 = 1e-6;
 
 const PARAMETER: Arg = Arg::whole("parameter", "tag of the parameter");
-const ELEMENT: Arg = Arg::whole("element", "tag of the element");
 const SECTION: Arg = Arg::count("section", "number of the section from 1; left out of an element with one section");
-const PATTERN: Arg = Arg::whole("pattern", "tag of the pattern");
 
 const ALGORITHM: &str = "sensitivityAlgorithm -computeAtEachStep | -computeByCommand";
 const OF_NODE: &str = "sensNodeDisp $node $dof $parameter";
@@ -51,10 +50,10 @@ pub(crate) const COMMANDS: &[Command] = &[
     Command::asking("sensNodeAccel", OF_NODE, |i, c| of_node(i, c, |s| &s.accel))
         .about("Returns the derivative of an acceleration with respect to a parameter."),
     Command::asking("sensLambda", OF_FACTOR, of_factor)
-        .arguments(&[PATTERN, PARAMETER])
+        .arguments(&[PARAMETER_PATTERN, PARAMETER])
         .about("Returns the derivative of the load factor of a pattern with respect to a parameter."),
     Command::asking("sensSectionForce", OF_SECTION, of_section)
-        .arguments(&[ELEMENT, SECTION, DOF, PARAMETER])
+        .arguments(&[ELE_RESPONSE_ELEMENT, SECTION, DOF, PARAMETER])
         .about("Returns the derivative of a resultant of a section with respect to a parameter."),
 ];
 
@@ -68,7 +67,7 @@ fn algorithm(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     if interp.host.output.recorders.journal.is_some() {
         return Err(a.refuse("checkpoints do not keep derivatives", "run the script without checkpoints"));
     }
-    interp.host.derives = true;
+    interp.host.derived.get_or_insert_default();
     Ok(Value::EMPTY)
 }
 
@@ -81,23 +80,28 @@ fn compute(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 /// Engines for the derivatives of the analysis that is going to begin.
 pub(crate) fn begin(interp: &mut Tcl) {
-    let session = &interp.host;
-    if !session.derives
-        || session.mode == Mode::Check
-        || session.engine.has_derivatives(session.builder.parameters.keys().copied())
-    {
+    let session = &mut interp.host;
+    let parameters = &session.builder.parameters;
+    let Some(derived) = session.derived.as_mut().filter(|_| session.mode == Mode::Run) else { return };
+    if derived == parameters && session.engine.derivatives_are_current() {
         return;
     }
-    let parameters = session.builder.parameters.clone();
-    let engines = parameters.into_iter().filter_map(|(tag, p)| {
-        let (ends, distance) = ends(interp, &p.places, p.value)?;
+    derived.clone_from(parameters);
+    let engines = derived.clone().into_iter().filter_map(|(tag, p)| {
+        let places = present(interp, &p.places);
+        let (ends, distance) = ends(interp, &places, p.value)?;
         Some((tag, ends, distance))
     });
     let engines: Vec<_> = engines.collect();
     interp.host.engine.set_derivatives(engines);
 }
 
-/// Engines with less and with more of a parameter, and the difference. `None` where the parameter is nowhere in the model.
+/// Places of a parameter that are in the model.
+fn present(interp: &mut Tcl, places: &[Place]) -> Vec<Place> {
+    places.iter().filter(|place| read(interp, place).is_some()).cloned().collect()
+}
+
+/// Engines with less and with more of a parameter, and the difference. `None` where it is nowhere, or no other value is taken.
 fn ends(interp: &mut Tcl, places: &[Place], value: f64) -> Option<([Engine; 2], f64)> {
     if places.is_empty() {
         return None;
@@ -115,7 +119,7 @@ fn ends(interp: &mut Tcl, places: &[Place], value: f64) -> Option<([Engine; 2], 
     engine_with(interp, places, -d).map(|less| ([less, own], d))
 }
 
-/// An engine beside that of the script with other values at some places. `None` where one of them is refused, or there is no place.
+/// An engine beside that of the script with other values at some places. `None` where one of them is refused.
 fn engine_with(interp: &mut Tcl, places: &[Place], more: f64) -> Option<Engine> {
     let more = NewValue::Plus(more);
     for place in places {
@@ -143,7 +147,7 @@ fn parameter(interp: &mut Tcl, a: &mut Args<'_>) -> Result<Tag, Exception> {
 
 /// Warns where no derivatives have been asked for: OpenSees returns zeros without a word.
 fn warn_without(interp: &mut Tcl, call: &Call<'_>) -> Result<(), Exception> {
-    if interp.host.derives {
+    if interp.host.derived.is_some() {
         return Ok(());
     }
     let message = "there are no derivatives: the command \"sensitivityAlgorithm\" is missing";
@@ -162,10 +166,20 @@ fn derivative(
     number: impl FnMut(&Engine) -> f64,
 ) -> Result<Value, Exception> {
     warn_without(interp, call)?;
-    let derivative = interp.host.engine.derivative(parameter).map_or(Ok(0.0), |d| d.of(number));
-    match derivative {
-        Ok(derivative) => Ok(Value::from(derivative)),
-        Err(failure) => {
+    match interp.host.engine.derivative(parameter).map(|d| d.of(number)) {
+        Some(Ok(derivative)) => Ok(Value::from(derivative)),
+        None => {
+            // Before the first step, and after `reset`, there are none yet.
+            let has_begun = interp.host.engine.derivatives_are_current();
+            let derived =
+                interp.host.derived.as_ref().filter(|_| has_begun).and_then(|all| all.get(&parameter)).cloned();
+            if derived.is_none_or(|p| present(interp, &p.places).is_empty()) {
+                return Ok(Value::from(0.0));
+            }
+            let message = format!("there is no derivative with respect to parameter {parameter}");
+            Err(call.error_at(0, message, "it takes no other value near its own"))
+        }
+        Some(Err(failure)) => {
             let message = format!("there is no derivative with respect to parameter {parameter}: {failure}");
             Err(call.error_at(0, message, "an analysis with another value of the parameter has failed"))
         }
@@ -183,7 +197,7 @@ fn of_node(interp: &mut Tcl, call: &Call<'_>, field: fn(&State) -> &Vec<f64>) ->
 
 fn of_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, OF_FACTOR);
-    let pattern = a.tag(things::PATTERN, PATTERN.meaning)?;
+    let pattern = a.tag(things::PATTERN, PARAMETER_PATTERN.meaning)?;
     if !interp.host.engine.model().patterns.contains_key(&pattern) {
         return Err(a.absent(things::PATTERN, pattern, "expected the tag of a pattern"));
     }
@@ -194,7 +208,7 @@ fn of_factor(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
 
 fn of_section(interp: &mut Tcl, call: &Call<'_>) -> Outcome {
     let mut a = Args::new(call, OF_SECTION);
-    let element = a.tag(things::ELEMENT, ELEMENT.meaning)?;
+    let element = a.tag(things::ELEMENT, ELE_RESPONSE_ELEMENT.meaning)?;
     let Some(id) = interp.host.engine.model().element(element) else {
         return Err(a.absent(things::ELEMENT, element, "expected the tag of an element"));
     };

@@ -83,13 +83,10 @@ impl Engine {
         }
     }
 
-    /// Returns true if there are derivatives with respect to these parameters, and they belong to the model, the state and
-    /// the analysis as they are.
-    pub fn has_derivatives(&self, parameters: impl Iterator<Item = Tag>) -> bool {
+    /// Returns true if the derivatives belong to the model, the state and the analysis as they are.
+    pub fn derivatives_are_current(&self) -> bool {
         let known = &self.derivatives;
-        known.revisions == self.revisions()
-            && known.all.keys().copied().eq(parameters)
-            && (known.all.is_empty() || known.state == self.committed)
+        known.revisions == self.revisions() && (known.all.is_empty() || known.state == self.committed)
     }
 
     fn revisions(&self) -> [u64; 2] {
@@ -140,15 +137,16 @@ impl Engine {
             return;
         }
         let mut known = std::mem::take(&mut self.derivatives);
-        let message = "the model changed between two steps of one \"analyze\"".to_owned();
-        let changed = Failure::new(Cause::Model(message), self.committed.time, -3);
-        let changed = (known.revisions != self.revisions()).then_some(changed);
+        let changed = known.revisions != self.revisions();
         let iterations = self.setup.as_ref().map_or(0, |s| s.test.iteration) + MORE_ITERATIONS;
         let size = largest(&self.committed.disp);
         for derivative in known.all.values_mut().filter(|d| d.failure.is_none()) {
             let mut ends = derivative.ends.iter_mut();
             let done = ends.try_for_each(|end| end.step_to_round_off(length, iterations, size));
-            derivative.failure = done.err().or_else(|| changed.clone());
+            derivative.failure = done.err().or_else(|| {
+                let message = "the model changed between two steps of one \"analyze\"";
+                changed.then(|| Failure::new(Cause::Model(message.into()), self.committed.time, -3))
+            });
         }
         known.state.clone_from(&self.committed);
         self.derivatives = known;

@@ -119,8 +119,9 @@ impl AxialLaw {
     }
 
     fn consistent_step(&self, c: &Axial, u: f64, uh: f64) -> AxialStep {
-        let s = self.numbers().sheared(&self.effects(), uh);
-        let (mut step, beyond) = self.numbers().step(&self.effects(), &s, c, u);
+        let (numbers, effects) = (self.numbers(), self.effects());
+        let s = numbers.sheared(&effects, uh);
+        let (mut step, beyond) = numbers.step(&effects, &s, c, u);
         if beyond {
             self.cavitate(&s, c, u, &mut step);
         }
